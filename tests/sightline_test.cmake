@@ -1,0 +1,12 @@
+# sightline_test(NAME name SOURCES a.cpp ... LIBRARIES target ... [LABEL slow])
+#   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
+#   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
+function(sightline_test)
+  cmake_parse_arguments(ARG "" "NAME;LABEL" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL fast)
+  endif()
+  add_executable(${ARG_NAME} ${ARG_SOURCES})
+  target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
+  gtest_discover_tests(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
+endfunction()
