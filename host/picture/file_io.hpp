@@ -1,0 +1,57 @@
+// Whole files in, and files out that are there completely or not at all.
+//
+// An AtomicFile writes beside its target and takes the target's name only in commit(); given up or destroyed before
+// that it removes what it wrote, and an older file of that name stays as it was. A target that exists and is no
+// regular file (a pipe, /dev/null) cannot be replaced and is written directly.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/picture/result.hpp"
+
+namespace sightline::picture {
+
+using Bytes = std::vector<std::uint8_t>;
+
+class AtomicFile {
+ public:
+  [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  // The first failure is kept and reported by commit().
+  void write(std::string_view text);
+  void write(std::span<const std::uint8_t> bytes);
+  // Closes, and puts the file in its place. Once.
+  [[nodiscard]] Result<Done> commit();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+  };
+  AtomicFile(std::string path, std::string target, std::string partial, std::FILE* file);
+
+  std::string path_;     // as the user named it
+  std::string target_;   // path_ with symbolic links followed
+  std::string partial_;  // empty: the target is written directly
+  std::unique_ptr<std::FILE, Close> file_;
+  int failure_ = 0;      // errno of the first failure
+};
+
+[[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::string_view text);
+
+// The whole file; an error for a directory, and for more than `limit` bytes.
+[[nodiscard]] Result<Bytes> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
+
+}  // namespace sightline::picture

@@ -1,0 +1,38 @@
+// The few functions a photograph needs beyond + - * / and sqrt, made of nothing else.
+//
+// The C library's exp and pow choose different code on different processors, and their last bits may differ; IEEE
+// basic operations may not. Loops run a fixed number of turns, so equal arguments always give equal bits.
+#pragma once
+
+#include <cmath>
+
+namespace sightline::picture {
+
+// e^-x for x >= 0, relative error below 1e-14; 0 where the result would be below 1e-300.
+[[nodiscard]] inline double decay(double x) {
+  constexpr double ln2 = 0.693147180559945309417;
+  if (!(x < 690.0)) return 0.0;
+  const int halvings = static_cast<int>(x / ln2);
+  const double rest = x - halvings * ln2;  // 0 .. ln 2
+  double sum = 1.0;
+  for (int n = 18; n >= 1; --n) sum = 1.0 - rest * sum / n;
+  return std::ldexp(sum, -halvings);
+}
+
+// x^2.4 for 0 <= x <= 1, by Newton's iteration for the fifth root of x^2.
+[[nodiscard]] inline double power_2_4(double x) {
+  if (x <= 0.0) return 0.0;
+  double root = 1.0;
+  for (int turn = 0; turn < 80; ++turn) {
+    const double fourth = root * root * root * root;
+    root -= (fourth * root - x * x) / (5.0 * fourth);
+  }
+  return x * x * root;
+}
+
+// Linear light 0..1 of an sRGB value 0..1 (IEC 61966-2-1).
+[[nodiscard]] inline double srgb_to_linear(double value) {
+  return value <= 0.04045 ? value / 12.92 : power_2_4((value + 0.055) / 1.055);
+}
+
+}  // namespace sightline::picture

@@ -1,0 +1,112 @@
+// See stroke_log.hpp.
+#include "host/picture/stroke_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "host/picture/stroke_sinks.hpp"
+
+namespace sightline::picture {
+
+namespace {
+
+struct Field {
+  const char* expected;
+  int base;
+  std::int64_t greatest;
+};
+
+constexpr std::size_t address_digits = 5;
+constexpr std::size_t longest_quotation = 40;
+
+constexpr Field time_field{"nanoseconds", 10, std::numeric_limits<std::int64_t>::max()};
+constexpr Field x_field{"x from 0 to 1023", 10, screen_points - 1};
+constexpr Field y_field{"y from 0 to 1023", 10, screen_points - 1};
+constexpr Field intensity_field{"intensity from 0 to 7", 10, intensity_levels - 1};
+constexpr Field address_field{"an address of five octal digits", 8, 077777};
+
+// What stands in an unknown file may be anything: quote it short and printable.
+std::string quoted(std::string_view text) {
+  std::string shown = "'";
+  for (const char c : text.substr(0, longest_quotation)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (text.size() > longest_quotation ? "...'" : "'");
+}
+
+std::optional<std::int64_t> number(std::string_view digits, const Field& field) {
+  std::int64_t value = 0;
+  if (digits.empty() || digits.front() == '-') return std::nullopt;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, field.base);
+  if (error != std::errc() || end != digits.data() + digits.size() || value > field.greatest) return std::nullopt;
+  return value;
+}
+
+// Reads the fields of one line from left to right and keeps the first fault.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view line) : rest_(line) {}
+
+  std::int64_t next(const Field& field) {
+    if (fault_) return 0;
+    const std::size_t space = std::min(rest_.find(' '), rest_.size());
+    const std::string_view digits = rest_.substr(0, space);
+    const auto value = number(digits, field);
+    const bool wrong_width = field.base == 8 && digits.size() != address_digits;
+    if (!value || wrong_width) {
+      fail(quoted(digits), field.expected);
+      return 0;
+    }
+    at_end_ = space == rest_.size();
+    rest_.remove_prefix(at_end_ ? space : space + 1);
+    return *value;
+  }
+  void end() {
+    if (!fault_ && !at_end_) fail(quoted(rest_) + " after the address", "the end of the line");
+  }
+  [[nodiscard]] const std::optional<FileError>& fault() const { return fault_; }
+
+ private:
+  void fail(std::string found, std::string expected) {
+    fault_ = FileError{"", "", std::move(found), std::move(expected)};
+  }
+
+  std::string_view rest_;
+  bool at_end_ = false;
+  std::optional<FileError> fault_;
+};
+
+}  // namespace
+
+void append_stroke_line(std::string& text, const core::Stroke& stroke) {
+  fmt::format_to(std::back_inserter(text), "{} {} {} {} {:05o}\n", core::nanoseconds_of(stroke.time), stroke.x,
+                 stroke.y, stroke.intensity, stroke.address);
+}
+
+Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const std::string& name) {
+  std::vector<core::Stroke> strokes;
+  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
+    const std::string place = fmt::format("line {}", line_number);
+    const std::size_t end = text.find('\n');
+    // The last number of a cut-off file may be cut off too, and would be silently wrong.
+    if (end == std::string_view::npos) return FileError{name, place, "no end of line", "a complete file"};
+    LineReader line(text.substr(0, end));
+    core::Stroke stroke;
+    stroke.time = core::at_nanoseconds(line.next(time_field));
+    stroke.x = static_cast<std::uint16_t>(line.next(x_field));
+    stroke.y = static_cast<std::uint16_t>(line.next(y_field));
+    stroke.intensity = static_cast<std::uint8_t>(line.next(intensity_field));
+    stroke.address = static_cast<std::uint16_t>(line.next(address_field));
+    line.end();
+    if (line.fault()) return FileError{name, place, line.fault()->found, line.fault()->expected};
+    strokes.push_back(stroke);
+    text.remove_prefix(end + 1);
+  }
+  return strokes;
+}
+
+}  // namespace sightline::picture

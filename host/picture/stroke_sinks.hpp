@@ -1,0 +1,156 @@
+// Consumers that keep or count what a display emits (sinks as in emulators/core/stroke.hpp).
+//
+// All of them are bounded: a display file that never stops must not eat the host's memory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/stroke.hpp"
+
+namespace sightline::picture {
+
+// The display counts in 10 bits and its words give 3 bits of intensity. Nothing else can come from a Type 340.
+inline constexpr int screen_points = 1024;
+inline constexpr int intensity_levels = 8;
+
+[[nodiscard]] constexpr bool on_screen(const core::Stroke& stroke) {
+  return stroke.x < screen_points && stroke.y < screen_points && stroke.intensity < intensity_levels;
+}
+
+// One run of the display from IDLA to the stop.
+struct Pass {
+  core::Instant begin;
+  core::Instant end;             // of a running pass: its begin
+  std::vector<core::Stroke> strokes;
+  std::uint64_t left_out = 0;    // strokes beyond the recorder's limit
+};
+
+// Keeps the last complete pass and the running one. IDLA during a pass throws the unfinished pass away: it was
+// never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0.
+class PassRecorder {
+ public:
+  static constexpr bool consumes = true;
+  static constexpr std::size_t default_limit = std::size_t{1} << 20;  // a pass of more than 1.5 s
+
+  explicit PassRecorder(std::size_t limit_a_pass = default_limit) : limit_(limit_a_pass) {}
+
+  void begin_pass(core::Instant t) {
+    running_.begin = t;
+    running_.end = t;
+    running_.strokes.clear();
+    running_.left_out = 0;
+  }
+  void stroke(const core::Stroke& stroke) {
+    if (running_.strokes.size() < limit_) {
+      running_.strokes.push_back(stroke);
+    } else {
+      ++running_.left_out;
+    }
+  }
+  void end_pass(core::Instant t) {
+    running_.end = t;
+    std::swap(complete_, running_);
+    ++passes_;
+    begin_pass(t);
+  }
+
+  // Empty strokes and passes() == 0: none is complete yet.
+  [[nodiscard]] const Pass& complete() const { return complete_; }
+  [[nodiscard]] const Pass& running() const { return running_; }
+  [[nodiscard]] std::uint64_t passes() const { return passes_; }
+
+ private:
+  std::size_t limit_;
+  Pass complete_;
+  Pass running_;
+  std::uint64_t passes_ = 0;
+};
+
+// Keeps the newest strokes, up to a limit: what a photograph of the end of a run needs.
+class StrokeRecorder {
+ public:
+  static constexpr bool consumes = true;
+
+  explicit StrokeRecorder(std::size_t limit) : limit_(limit) {}
+
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke& stroke) {
+    if (kept_.size() < limit_) {
+      kept_.push_back(stroke);
+      return;
+    }
+    ++left_out_;
+    if (limit_ == 0) return;
+    kept_[oldest_] = stroke;
+    oldest_ = oldest_ + 1 == limit_ ? 0 : oldest_ + 1;
+  }
+  void end_pass(core::Instant) {}
+
+  // In the order they came.
+  [[nodiscard]] std::vector<core::Stroke> strokes() const {
+    const auto split = kept_.begin() + static_cast<std::ptrdiff_t>(oldest_);
+    std::vector<core::Stroke> ordered(split, kept_.end());
+    ordered.insert(ordered.end(), kept_.begin(), split);
+    return ordered;
+  }
+  [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
+
+ private:
+  std::size_t limit_;
+  std::vector<core::Stroke> kept_;
+  std::size_t oldest_ = 0;
+  std::uint64_t left_out_ = 0;
+};
+
+struct StrokeStatistics {
+  static constexpr bool consumes = true;
+
+  std::uint64_t strokes = 0;
+  std::array<std::uint64_t, intensity_levels> by_intensity{};
+  std::uint64_t passes_begun = 0;
+  std::uint64_t passes_complete = 0;
+
+  void begin_pass(core::Instant) { ++passes_begun; }
+  void stroke(const core::Stroke& stroke) {
+    ++strokes;
+    if (stroke.intensity < intensity_levels) ++by_intensity[stroke.intensity];
+  }
+  void end_pass(core::Instant) { ++passes_complete; }
+};
+
+// Several consumers of one display; a null pointer is one that nobody asked for.
+template <typename... Sinks>
+class StrokeFan {
+ public:
+  static constexpr bool consumes = true;
+
+  explicit StrokeFan(Sinks*... sinks) : sinks_(sinks...) {}
+
+  void begin_pass(core::Instant t) {
+    each([&](auto& sink) { sink.begin_pass(t); });
+  }
+  void stroke(const core::Stroke& stroke) {
+    each([&](auto& sink) { sink.stroke(stroke); });
+  }
+  void end_pass(core::Instant t) {
+    each([&](auto& sink) { sink.end_pass(t); });
+  }
+
+ private:
+  template <typename Action>
+  void each(Action action) {
+    const auto present = [&action](auto* sink) {
+      if (sink != nullptr) action(*sink);
+    };
+    std::apply([&present](auto*... sink) { (present(sink), ...); }, sinks_);
+  }
+
+  std::tuple<Sinks*...> sinks_;
+};
+
+}  // namespace sightline::picture
