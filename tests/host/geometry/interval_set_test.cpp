@@ -1,0 +1,69 @@
+// Interval sets against a set of points kept one by one.
+#include "host/geometry/interval_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace sightline::geometry {
+namespace {
+
+TEST(IntervalSet, KeepsEndsOfWhatIsTakenAwayAndDropsSinglePoints) {
+  IntervalSet set(0, 1);
+  set.subtract(Rational(1, 4), Rational(1, 2));
+  EXPECT_TRUE(set.contains(Rational(1, 4)));
+  EXPECT_TRUE(set.contains(Rational(1, 2)));
+  EXPECT_FALSE(set.contains(Rational(1, 3)));
+  set.subtract(Rational(1, 2), Rational(3, 4));
+  IntervalSet expected(0, Rational(1, 4));
+  expected.unite(Rational(3, 4), 1);
+  EXPECT_EQ(set, expected);
+}
+
+TEST(IntervalSet, EmptyOperandsChangeNothing) {
+  IntervalSet set(0, 1);
+  set.subtract(Rational(1, 2), Rational(1, 2));
+  set.subtract(Rational(3, 4), Rational(1, 4));
+  set.unite(2, 2);
+  EXPECT_EQ(set, IntervalSet(0, 1));
+  EXPECT_TRUE(IntervalSet(1, 1).empty());
+  set.intersect(1, 0);
+  EXPECT_TRUE(set.empty());
+}
+
+// Unit steps of [0, 32] as bits: the same operations on both must leave the same steps covered.
+TEST(IntervalSet, AgreesWithUnitStepsUnderRandomOperations) {
+  constexpr int steps = 32;
+  std::mt19937 random(7);
+  for (int round = 0; round < 500; ++round) {
+    IntervalSet set(0, steps);
+    std::array<bool, steps> covered;
+    covered.fill(true);
+    for (int operation = 0; operation < 12; ++operation) {
+      const int low = static_cast<int>(random() % (steps + 1));
+      const int high = static_cast<int>(random() % (steps + 1));
+      const unsigned kind = random() % 8;
+      if (kind < 4) set.subtract(low, high);
+      else if (kind < 7) set.unite(low, high);
+      else set.intersect(low, high);
+      for (int s = 0; s < steps; ++s) {
+        const bool inside = low <= s && s < high;
+        bool& bit = covered[static_cast<std::size_t>(s)];
+        bit = kind < 4 ? bit && !inside : kind < 7 ? bit || inside : bit && inside;
+      }
+      for (int s = 0; s < steps; ++s) {
+        ASSERT_EQ(set.contains(Rational(2 * s + 1, 2)), covered[static_cast<std::size_t>(s)]);
+      }
+      for (std::size_t i = 0; i < set.intervals().size(); ++i) {
+        ASSERT_LT(set.intervals()[i].low, set.intervals()[i].high);
+        if (i > 0) {
+          ASSERT_LT(set.intervals()[i - 1].high, set.intervals()[i].low);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sightline::geometry
