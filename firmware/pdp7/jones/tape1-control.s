@@ -1,0 +1,341 @@
+/ Jones's hidden-line program for the PDP-7 and Type 340.   Tape 1: control
+/
+/ Seven tapes, read one after the other, then a scene tape; assembled with
+/ EAE=1 or EAE=0.  What each part computes is in SPECIFICATION.md; which term
+/ of the paper is which label here, in NOTES.md.  Two's complement throughout;
+/ octal; negate is cma, tad (1.
+/
+/ Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
+/ constants   07546 mask stack   10450 and 14224 the two display files.
+/ Auto-index registers: 10 vectors of a chain  11 polygon being written
+/ 12 polygon being read  13 sloped edges  14 display file  15,16 copying
+/ 17 interrupt handler.
+
+stack=7546
+stkend=10450
+filea=10450
+fileb=14224
+filsiz=3554             / 1900 words each
+
+0/      0               / interrupt: L and PC
+        jmp intr
+7/      0               / clock
+
+22/
+start,  caf
+        dzm runing
+        clc
+        dac 7
+clkop,  clon            / tests deposit clof here
+        jms initpr
+        lac (fileb
+        dac file
+        ion
+
+/ One view after the other.
+view,   las
+        and (3
+        dac mode
+        jms newpar
+view1,  lac runing      / the display must have taken up the last file
+        sna
+        jmp search
+        lac shown
+        sad file
+        jmp search
+        jmp view1
+
+search, dzm status      / the view's time begins here
+        jms newfil
+        lac mode
+        and (1
+        sza
+        jmp search2
+        jms monwin
+        jms onepas
+        jmp publsh
+search2, jms lefwin
+        jms onepas
+        jms rigwin
+        jms onepas
+
+/ The new file becomes the current one by one store.
+publsh, lac dfs
+        sad file
+        jmp publ1       / already shown: lines were added at once
+        jms show
+publ1,  isz views
+        nop
+        jmp view
+
+fault,  dac status      / anything that stops a view comes here, AC = status
+        jmp publsh
+flt1,   lac (1
+        jmp fault
+flt2,   lac (2
+        jmp fault
+flt3,   lac (3
+        jmp fault
+flt4,   lac (4
+        jmp fault
+flt5,   lac (5
+        jmp fault
+flt6,   lac (6
+        jmp fault
+
+show,   0               / make the file at dfs the current one
+        lac dfs
+        dac file        / the view's time ends here
+        lac runing
+        sza
+        jmp i show
+        lac file
+        dac shown
+        isz runing
+        idla
+        jmp i show
+
+/ Interrupts: the display stopped, the clock ticked, or something unwanted.
+intr,   dac intac
+        idsi
+        jmp intr1
+        lac file
+        dac shown
+        idla
+        jmp intrx
+intr1,  clsf
+        jmp intr2
+        jms tick
+        jmp intrx
+intr2,  idcf
+        krb
+        tcf
+        pcf
+        rcf
+intrx,  lac 0
+        ral             / the link as it was
+        lac intac
+        ion
+        jmp i 0
+
+/ Clock: each of switches 0-7 that is up adds its step to a sum.
+tick,   0
+        clc
+        dac 7
+        clon
+        las
+        and (776000
+        sna
+        jmp i tick
+        dac tksw
+        lac (tktab-1
+        dac 17
+        lac (777770     / eight switches
+        dac tkn
+tick1,  lac i 17
+        dac tkcell
+        lac i 17
+        dac tkstep
+        lac tksw
+        rcl
+        dac tksw
+        snl
+        jmp tick2
+        lac i tkcell
+        tad tkstep
+        dac i tkcell
+tick2,  isz tkn
+        jmp tick1
+        jmp i tick
+
+tktab,  sumx            / left, right
+        777777
+        sumx
+        1
+        sumy            / up, down
+        1
+        sumy
+        777777
+        sumz            / in, out
+        1
+        sumz
+        777777
+        sums            / bigger, smaller
+        10
+        sums
+        777770
+
+/ Viewing parameters: first values from the scene tape.
+initpr, 0
+        lac scene+2
+        dac ex
+        lac scene+3
+        dac ey
+        lac scene+4
+        dac ez
+        lac scale0
+        dac scale
+        dzm sumx
+        dzm sumy
+        dzm sumz
+        dzm sums
+        dzm views
+        jmp i initpr
+
+/ Apply what the switches have summed up, within the box where the eye may be.
+newpar, 0
+        iof
+        lac ex
+        tad sumx
+        dac ex
+        lac ey
+        tad sumy
+        dac ey
+        lac ez
+        tad sumz
+        dac ez
+        lac scale
+        tad sums
+        dac scale
+        dzm sumx
+        dzm sumy
+        dzm sumz
+        dzm sums
+        ion
+        lac scene+5
+        dac limlo
+        lac scene+6
+        dac limhi
+        lac ex
+        jms limit
+        dac ex
+        lac scene+7
+        dac limlo
+        lac scene+10
+        dac limhi
+        lac ey
+        jms limit
+        dac ey
+        lac scene+11
+        dac limlo
+        lac scene+12
+        dac limhi
+        lac ez
+        jms limit
+        dac ez
+        lac (100
+        dac limlo
+        lac (10000
+        dac limhi
+        lac scale
+        jms limit
+        dac scale
+        jmp i newpar
+
+limit,  0               / AC within limlo..limhi
+        dac limt
+        cma
+        tad (1
+        tad limlo       / lo - v
+        spa
+        jmp limit1
+        lac limlo
+        jmp i limit
+limit1, lac limhi
+        cma
+        tad (1
+        tad limt        / v - hi
+        spa
+        jmp limit2
+        lac limhi
+        jmp i limit
+limit2, lac limt
+        jmp i limit
+
+/ Windows.  wxlo.. are half points from the centre; cx2 is twice the centre
+/ plus one, for rounding.
+monwin, 0
+        lac scale
+        rcl
+        dac pjw
+        lac ex
+        dac pex
+        lac (776000     / -1024
+        dac wxlo
+        lac (1776       / 1022
+        dac wxhi
+        lac (2001       / 2*512+1
+        dac cx2
+        jmp i monwin
+
+lefwin, 0
+        jms halfw
+        lac scene+5
+        dac limlo
+        lac scene+6
+        dac limhi
+        lac eyesep
+        cma
+        tad (1
+        tad ex
+        jms limit
+        dac pex
+        lac (1001       / 2*256+1
+        dac cx2
+        jmp i lefwin
+
+rigwin, 0
+        jms halfw
+        lac scene+5
+        dac limlo
+        lac scene+6
+        dac limhi
+        lac eyesep
+        tad ex
+        jms limit
+        dac pex
+        lac (3001       / 2*768+1
+        dac cx2
+        jmp i rigwin
+
+halfw,  0
+        lac scale
+        rcr
+        rcl
+        dac pjw
+        lac (777000     / -512
+        dac wxlo
+        lac (776        / 510
+        dac wxhi
+        jmp i halfw
+
+eyesep, 5               / half the distance between the eyes of a pair
+scale0, 1000            / scale of the first view: 90 degrees
+
+/ Variables of this tape
+file,   0               / the current display file; the handler starts it
+shown,  0               / the file the display was last started with
+runing, 0               / nonzero once the display runs
+mode,   0               / 1 stereo pair, 2 lines added at once
+status, 0
+views,  0               / views complete
+ex,     0               / viewing parameters
+ey,     0
+ez,     0
+scale,  0
+pex,    0               / eye x of this pass
+sumx,   0               / what the switches have asked for
+sumy,   0
+sumz,   0
+sums,   0
+wxlo,   0
+wxhi,   0
+cx2,    0
+limlo,  0
+limhi,  0
+limt,   0
+intac,  0
+tksw,   0
+tkn,    0
+tkcell, 0
+tkstep, 0

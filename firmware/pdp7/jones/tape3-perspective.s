@@ -1,0 +1,583 @@
+/ Tape 3: lines in space and their perspective
+
+/ Bounds for the eye and scale of this pass: K = 4, doubled while K*W < 2048.
+setbnd, 0
+        lac (nop
+        dac bl1
+        dac bl2
+        dac bl3
+        dac br1
+        dac br2
+        dac br3
+        lac (-100000+1  / -(2^17)/4
+        dac nzcap
+        lac (3
+        dac km1
+        lac pjw
+        tad (-1000+1
+        sma
+        jmp i setbnd
+        lac (rcl
+        dac bl1
+        lac (rcr
+        dac br1
+        jms setb1
+        lac pjw
+        tad (-400+1
+        sma
+        jmp i setbnd
+        lac (rcl
+        dac bl2
+        lac (rcr
+        dac br2
+        jms setb1
+        lac pjw
+        tad (-200+1
+        sma
+        jmp i setbnd
+        lac (rcl
+        dac bl3
+        lac (rcr
+        dac br3
+        jms setb1
+        jmp i setbnd
+setb1,  0               / K doubles: the cap halves
+        lac nzcap
+        stl
+        rar
+        dac nzcap
+        lac km1
+        stl
+        ral
+        dac km1
+        jmp i setb1
+
+/ The bound B = min(K*z, 377777) and the divisor, for the point's new z.
+newz,   0
+        lac pz
+        jms setz
+        lac pz
+        tad nzcap
+        sma
+        jmp newz1
+        lac pz
+        rcl
+        rcl
+bl1,    nop             / rcl for K = 8
+bl2,    nop             / 16
+bl3,    nop             / 32
+        dac bound
+        jmp i newz
+newz1,  lac (377777
+        dac bound
+        jmp i newz
+
+/ Follow a chain of vectors.  10 points before its X; on return at its last
+/ word.  Real lines are drawn; with ringf set the corners are collected as a
+/ polygon.
+chain,  0
+        lac i 10
+        tad nex
+        dac px
+        lac i 10
+        tad ney
+        dac py
+        lac i 10
+        tad nez
+        dac pz
+        jms newz
+        dzm vx
+        dzm vy
+        lac ringf
+        sza
+        jms corner
+        lac i 10
+        cma
+        tad (1
+        sna
+        jmp i chain
+        dac nvec
+vector, lac i 10
+        dac vecw
+        and (77777      / sign-extend the magnitude
+        xor (40000
+        tad (740000
+        dac mag
+        lac vecw
+        rtl             / L = bit 1, AC0 = bit 2
+        szl
+        jmp vecjk
+        sma
+        jmp flt6
+
+/ Along i: y and z stay.
+        lac px
+        dac told
+        tad mag
+        dac px
+        lac vecw
+        sma
+        jmp veciz       / a dummy
+        lac pz
+        tad (777770
+        spa
+        jmp veciz
+        lac py
+        spa
+        jmp .+3
+        cma
+        tad (1
+        tad bound       / B - |y|
+        spa
+        jmp veciz
+        lac told
+        jms clamp
+        dac clmpa
+        lac px
+        jms clamp
+        dac clmpb
+        sad clmpa
+        jmp veciz
+        lac vy
+        sza
+        jmp veci2
+        lac py
+        jms proj
+        dac sy
+        isz vy
+veci2,  lac sy
+        dac lay
+        dac lby
+        lac vx
+        sna
+        jmp veci3
+        lac clmpa
+        sad told
+        jmp veci4
+veci3,  lac clmpa
+        jms proj
+        dac sx
+veci4,  lac sx
+        dac lax
+        lac clmpb
+        jms proj
+        dac lbx
+        dac sx
+        dzm vx
+        lac clmpb
+        sad px
+        isz vx
+        jms clip2
+        jmp vecend
+veciz,  dzm vx
+        jmp vecend
+
+vecjk,  spa
+        jmp veck
+
+/ Along j: x and z stay.
+        lac py
+        dac told
+        tad mag
+        dac py
+        lac vecw
+        sma
+        jmp vecjz
+        lac pz
+        tad (777770
+        spa
+        jmp vecjz
+        lac px
+        spa
+        jmp .+3
+        cma
+        tad (1
+        tad bound
+        spa
+        jmp vecjz
+        lac told
+        jms clamp
+        dac clmpa
+        lac py
+        jms clamp
+        dac clmpb
+        sad clmpa
+        jmp vecjz
+        lac vx
+        sza
+        jmp vecj2
+        lac px
+        jms proj
+        dac sx
+        isz vx
+vecj2,  lac sx
+        dac lax
+        dac lbx
+        lac vy
+        sna
+        jmp vecj3
+        lac clmpa
+        sad told
+        jmp vecj4
+vecj3,  lac clmpa
+        jms proj
+        dac sy
+vecj4,  lac sy
+        dac lay
+        lac clmpb
+        jms proj
+        dac lby
+        dac sy
+        dzm vy
+        lac clmpb
+        sad py
+        isz vy
+        jms clip2
+        jmp vecend
+vecjz,  dzm vy
+        jmp vecend
+
+/ Along k: x and y stay, both projections move.
+veck,   lac pz
+        dac told
+        tad mag
+        dac pz
+        lac vecw
+        sma
+        jmp veckz
+        lac px          / raise both ends to the least z in the bound
+        jms zleast
+        dac zmin
+        lac py
+        jms zleast
+        jms raise
+        dac zmin
+        lac told
+        jms raise
+        dac clmpa
+        lac pz
+        jms raise
+        dac clmpb
+        sad clmpa
+        jmp veckz
+        lac vx
+        sza
+        lac vy
+        sna
+        jmp veck2
+        lac clmpa
+        sad told
+        jmp veck3
+veck2,  lac clmpa
+        jms setz
+        lac px
+        jms proj
+        dac sx
+        lac py
+        jms proj
+        dac sy
+veck3,  lac sx
+        dac lax
+        lac sy
+        dac lay
+        lac clmpb
+        jms setz
+        lac px
+        jms proj
+        dac lbx
+        dac sx
+        lac py
+        jms proj
+        dac lby
+        dac sy
+        jms newz
+        dzm vx
+        dzm vy
+        lac clmpb
+        sad pz
+        skp
+        jmp veckl
+        isz vx
+        isz vy
+veckl,  jms clip2
+        jmp veckm
+veckz,  jms newz
+        dzm vx
+        dzm vy
+veckm,  lac ringf
+        sza
+        jms middle
+
+vecend, lac ringf
+        sza
+        jms corner
+        isz nvec
+        jmp vector
+        jmp i chain
+
+/ Append the corner reached, drawn back into the bound, to the polygon.
+corner, 0
+        lac zh
+        cma
+        tad (1
+        tad pz
+        spa
+        jmp corne3      / nearer than the plane's least z
+        lac vx
+        sza
+        jmp corne1
+        lac px
+        jms clamp
+        dac clmpa
+        jms proj
+        dac sx
+        lac clmpa
+        sad px
+        isz vx
+corne1, lac vy
+        sza
+        jmp corne2
+        lac py
+        jms clamp
+        dac clmpa
+        jms proj
+        dac sy
+        lac clmpa
+        sad py
+        isz vy
+corne2, lac sx
+        dac apx
+        lac sy
+        dac apy
+        jms append
+        jmp i corner
+corne3, lac pz
+        dac told
+        lac zh
+        dac pz
+        jms newz
+        lac px
+        jms clamp
+        jms proj
+        dac apx
+        lac py
+        jms clamp
+        jms proj
+        dac apy
+        jms append
+        lac told
+        dac pz
+        jms newz
+        jmp i corner
+
+/ Along k, from told to pz, the outline may enter or leave the bound where
+/ the coordinate in ucell is K*z: append that point.
+middle, 0
+        lac i ucell
+        jms zleast
+        dac t3
+        lac zh
+        dac zmin
+        lac told
+        jms raise
+        dac clmpa
+        lac pz
+        jms raise
+        dac clmpb
+        lac t3          / zb must lie between the two, not on them
+        cma
+        tad (1
+        dac t4
+        tad clmpa
+        sna
+        jmp i middle
+        dac t5
+        lac t4
+        tad clmpb
+        sna
+        jmp i middle
+        xor t5
+        sma
+        jmp i middle
+        lac t3
+        jms setz
+        lac px
+        jms proj
+        dac apx
+        lac py
+        jms proj
+        dac apy
+        jms append
+        lac pz
+        jms setz
+        jmp i middle
+
+/ AC within -bound..bound.
+clamp,  0
+        dac t1
+        spa
+        jmp clamp1
+        cma
+        tad (1
+        tad bound
+        sma
+        jmp clamp2
+        lac bound
+        jmp i clamp
+clamp1, tad bound
+        sma
+        jmp clamp2
+        lac bound
+        cma
+        tad (1
+        jmp i clamp
+clamp2, lac t1
+        jmp i clamp
+
+/ AC = max(8, (|AC|+K-1)/K): the least z at which a coordinate is in the bound
+zleast, 0
+        sma
+        jmp .+3
+        cma
+        tad (1
+        tad km1
+        rcr
+        rcr
+br1,    nop             / rcr for K = 8
+br2,    nop             / 16
+br3,    nop             / 32
+        dac t1
+        tad (777770
+        sma
+        jmp zlea1
+        lac (10
+        jmp i zleast
+zlea1,  lac t1
+        jmp i zleast
+
+raise,  0               / AC, but not below zmin
+        dac t1
+        cma
+        tad (1
+        tad zmin
+        spa
+        jmp raise1
+        lac zmin
+        jmp i raise
+raise1, lac t1
+        jmp i raise
+
+/ Perspective: AC = sign * (|AC|*W + z/2) / z, with W in pjw, z by setz.
+        IFNZRO EAE <
+setz,   0
+        dac pjz
+        rcr
+        dac pjh
+        jmp i setz
+
+proj,   0
+        dac pjs
+        sma
+        jmp .+3
+        cma
+        tad (1
+        cll
+        mul
+pjw,    0
+        dac pjt
+        lacq
+        cll
+        tad pjh
+        lmq
+        lac pjt
+        szl
+        tad (1
+        cll
+        div
+pjz,    0
+        szl
+        jmp flt3
+        lac pjs
+        spa
+        jmp proj1
+        lacq
+        jmp i proj
+proj1,  lacq
+        cma
+        tad (1
+        jmp i proj
+pjt,    0
+pjh,    0
+        >
+        IFZERO EAE <
+/ Without the EAE one loop over the bits of W multiplies and divides: q and r
+/ of x*W/z grow together, so that nothing needs a double word.  Whole
+/ multiples of z are taken out of x first.
+setz,   0
+        cma
+        tad (1
+        dac pjnz
+        jmp i setz
+
+proj,   0
+        dac pjs
+        sma
+        jmp .+3
+        cma
+        tad (1
+        dzm pjq
+proj1,  dac mdm         / x, less whole multiples of z
+        tad pjnz
+        spa
+        jmp proj2
+        dac t1
+        lac pjq
+        tad pjw
+        dac pjq
+        lac t1
+        jmp proj1
+proj2,  lac pjnz
+        dac mdnc
+        lac pjw
+        jms muldv1
+        tad pjq
+        dac t1
+        lac pjs
+        spa
+        jmp proj3
+        lac t1
+        jmp i proj
+proj3,  lac t1
+        cma
+        tad (1
+        jmp i proj
+pjw,    0               / W
+pjnz,   0
+pjq,    0
+        >
+pjs,    0
+
+nex,    0               / minus the eye
+ney,    0
+nez,    0
+px,     0               / the point reached, as seen from the eye
+py,     0
+pz,     0
+bound,  0               / largest |x|, |y| at this z
+nzcap,  0               / minus the z at which the bound stops growing
+km1,    0               / K-1
+zmin,   0
+vx,     0               / nonzero: sx is the projection of px
+vy,     0
+sx,     0
+sy,     0
+nvec,   0
+vecw,   0
+mag,    0
+told,   0
+clmpa,  0
+clmpb,  0
+lax,    0               / the line on the screen, A to B
+lay,    0
+lbx,    0
+lby,    0

@@ -1,0 +1,421 @@
+/ Tape 4: clipping a line against the mask
+
+/ The line A-B (lax lay lbx lby) against the box of the mask, then against its
+/ sloped edges; what is left is drawn.  A coordinate on the line counts as
+/ inside.  dp and dq are the distances of A and B from the side.
+clip2,  0
+        lac lax         / x >= xlo
+        tad nxlo
+        dac dp
+        spa
+        jmp clxla
+        lac lbx
+        tad nxlo
+        sma
+        jmp clxh
+        dac dq
+        jms crosb
+        jmp clxh
+clxla,  lac lbx
+        tad nxlo
+        spa
+        jmp i clip2
+        dac dq
+        jms crosa
+
+clxh,   lac lax         / x <= xhi
+        cma
+        tad xhi1
+        dac dp
+        spa
+        jmp clxha
+        lac lbx
+        cma
+        tad xhi1
+        sma
+        jmp clyl
+        dac dq
+        jms crosb
+        jmp clyl
+clxha,  lac lbx
+        cma
+        tad xhi1
+        spa
+        jmp i clip2
+        dac dq
+        jms crosa
+
+clyl,   lac lay         / y >= ylo
+        tad nylo
+        dac dp
+        spa
+        jmp clyla
+        lac lby
+        tad nylo
+        sma
+        jmp clyh
+        dac dq
+        jms crosb
+        jmp clyh
+clyla,  lac lby
+        tad nylo
+        spa
+        jmp i clip2
+        dac dq
+        jms crosa
+
+clyh,   lac lay         / y <= yhi
+        cma
+        tad yhi1
+        dac dp
+        spa
+        jmp clyha
+        lac lby
+        cma
+        tad yhi1
+        sma
+        jmp clslop
+        dac dq
+        jms crosb
+        jmp clslop
+clyha,  lac lby
+        cma
+        tad yhi1
+        spa
+        jmp i clip2
+        dac dq
+        jms crosa
+
+clslop, lac nslope      / minus the number of sloped edges
+        sna
+        jmp cldone
+        dac nsl
+        lac (slopes-1
+        dac 13
+clsl1,  jms getedg
+        lac lax
+        dac spx
+        lac lay
+        dac spy
+        jms side2
+        dac sida
+        lac lbx
+        dac spx
+        lac lby
+        dac spy
+        jms side2
+        spa
+        jmp clsl3       / B outside
+        lac sida
+        sma
+        jmp clsl2       / both inside
+        jms both2
+        jms crosta
+clsl2,  isz nsl
+        jmp clsl1
+        jmp cldone
+clsl3,  lac sida
+        spa
+        jmp i clip2     / both outside
+        jms both2
+        jms crostb
+        jmp clsl2
+
+cldone, lac lax
+        sad lbx
+        skp
+        jmp clpiec
+        lac lay
+        sad lby
+        jmp i clip2     / nothing left
+clpiec, jms piece
+        jmp i clip2
+
+/ A or B becomes the crossing with a side of the box.
+crosa,  0
+        jms ratio1
+        jms crosta
+        jmp i crosa
+crosb,  0
+        jms ratio1
+        jms crostb
+        jmp i crosb
+
+/ A or B becomes the point at the ratio in mdm, mdd.
+crosta, 0
+        jms cross
+        lac crx
+        dac lax
+        lac cry
+        dac lay
+        jmp i crosta
+crostb, 0
+        jms cross
+        lac crx
+        dac lbx
+        lac cry
+        dac lby
+        jmp i crostb
+
+/ The point of A-B at mdm/mdd of the way: crx, cry.
+cross,  0
+        lac lax
+        cma
+        tad (1
+        tad lbx
+        jms part
+        tad lax
+        dac crx
+        lac lay
+        cma
+        tad (1
+        tad lby
+        jms part
+        tad lay
+        dac cry
+        jmp i cross
+
+part,   0               / AC = sign * muldiv |AC|
+        sna
+        jmp i part
+        spa
+        jmp part1
+        jms muldiv
+        jmp i part
+part1,  cma
+        tad (1
+        jms muldiv
+        cma
+        tad (1
+        jmp i part
+
+/ Ratio |dp| / (|dp|+|dq|) of two single distances of unlike sign.
+ratio1, 0
+        lac dp
+        sma
+        jmp .+3
+        cma
+        tad (1
+        dac mdm
+        lac dq
+        sma
+        jmp .+3
+        cma
+        tad (1
+        tad mdm
+        dac mdd
+        jmp i ratio1
+
+/ The same of the double distances of A and B from the current edge.
+both2,  0
+        lac lax
+        dac spx
+        lac lay
+        dac spy
+        jms dist2
+        jms absacc
+        lac acch
+        dac numh
+        lac accl
+        dac numl
+        lac lbx
+        dac spx
+        lac lby
+        dac spy
+        jms dist2
+        jms absacc
+        lac numl        / den = num + |d(B)|
+        cll
+        tad accl
+        dac denl
+        glk
+        tad numh
+        tad acch
+        dac denh
+both2a, lac denh        / shift both right until den is below 2^17
+        sza
+        jmp both2b
+        lac denl
+        spa
+        jmp both2b
+        dac mdd
+        lac numl
+        dac mdm
+        jmp i both2
+both2b, lac denh
+        rcr
+        dac denh
+        lac denl
+        rar
+        dac denl
+        lac numh
+        rcr
+        dac numh
+        lac numl
+        rar
+        dac numl
+        jmp both2a
+
+absacc, 0
+        lac acch
+        sma
+        jmp i absacc
+        jms negacc
+        jmp i absacc
+
+negacc, 0               / the double accumulator becomes its negative
+        lac accl
+        cma
+        cll
+        tad (1
+        dac accl
+        lac acch
+        cma
+        szl
+        tad (1
+        dac acch
+        jmp i negacc
+
+/ Next sloped edge: a and its vector.
+getedg, 0
+        lac i 13
+        dac neax
+        lac i 13
+        dac neay
+        lac i 13
+        dac edx
+        lac i 13
+        dac edy
+        jmp i getedg
+
+/ On which side of the edge is (spx, spy)?  AC negative: outside.  The signs
+/ of the two products mostly decide; only if they are unlike is it worked out.
+side2,  0
+        lac spx
+        tad neax
+        dac eu
+        lac spy
+        tad neay
+        dac ev
+        sna
+        jmp sid2a       / dx*v = 0
+        xor edx
+        spa
+        jmp sid2b       / dx*v < 0
+        lac eu          / dx*v > 0
+        sna
+        jmp i side2
+        xor edy
+        spa
+        jmp sidin
+        jmp sidful
+sid2a,  lac eu
+        sna
+        jmp i side2
+        xor edy
+        spa
+        jmp sidin
+        jmp sidout
+sid2b,  lac eu
+        sna
+        jmp sidout
+        xor edy
+        sma
+        jmp sidout
+sidful, jms dist2
+        lac acch
+        jmp i side2
+sidin,  lac (0
+        jmp i side2
+sidout, clc
+        jmp i side2
+
+/ Distance of (spx, spy) from the edge, a double word times 2^7:
+/ dx*(p.y-a.y) - dy*(p.x-a.x)
+dist2,  0
+        dzm acch
+        dzm accl
+        lac spy
+        tad neay
+        dac smb
+        lac edx
+        jms addprd
+        lac spx
+        tad neax
+        dac smb
+        lac edy
+        cma
+        tad (1
+        jms addprd
+        jmp i dist2
+
+/ Accumulator + AC * smb, both signed and below 2^11.
+addprd, 0
+        dac sma1
+        xor smb
+        dac smsign
+        lac smb
+        sma
+        jmp .+3
+        cma
+        tad (1
+        dac mpyb
+        lac sma1
+        sma
+        jmp .+3
+        cma
+        tad (1
+        jms mpy
+        lac smsign
+        sma
+        jmp addpr1
+        jms cmpacc      / a - p = ~(~a + p)
+        jms adddbl
+        jms cmpacc
+        jmp i addprd
+addpr1, jms adddbl
+        jmp i addprd
+
+adddbl, 0
+        lac mpyl
+        cll
+        tad accl
+        dac accl
+        glk
+        tad mpyh
+        tad acch
+        dac acch
+        jmp i adddbl
+
+cmpacc, 0
+        lac accl
+        cma
+        dac accl
+        lac acch
+        cma
+        dac acch
+        jmp i cmpacc
+
+dp,     0
+dq,     0
+sida,   0
+spx,    0
+spy,    0
+neax,   0               / minus the start of the edge
+neay,   0
+edx,    0               / its vector
+edy,    0
+eu,     0
+ev,     0
+acch,   0               / double accumulator
+accl,   0
+numh,   0
+numl,   0
+denh,   0
+denl,   0
+crx,    0
+cry,    0
+nsl,    0
+smb,    0
+sma1,   0
+smsign, 0

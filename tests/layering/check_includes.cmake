@@ -1,0 +1,98 @@
+# Reads the #include lines of emulators/, host/ and tools/ and holds them against the list below.
+# Each rule: a folder, then what its files may include from the repository. A folder may always include itself.
+cmake_minimum_required(VERSION 3.25)
+
+set(RULES
+  "emulators/core="
+  "emulators/pdp7=emulators/core"
+  "emulators/type340=emulators/core"
+  "emulators/machines=emulators/core,emulators/pdp7,emulators/type340"
+  "tools/image=emulators/core/word.hpp"
+  "tools/asm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp"
+  "tools/disasm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp,emulators/type340/words.hpp"
+  "host/geometry="
+  "host/scene=host/geometry"
+  "host/picture=host/geometry,host/scene,emulators/core"
+  "host/algorithms/oracle=host/geometry,host/scene,host/picture"
+  "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
+  "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+
+# Libraries that may appear in one place only.
+set(LIBRARY_RULES
+  "png.h=host/picture"
+  "nlohmann/=host/scene,host/harness,host/app"
+  "CLI/=host/app,tools"
+  "gtest/=tests"
+  "benchmark/=tests")
+
+# What the machines must not need.
+set(FORBIDDEN_IN_EMULATORS "iostream;fstream;sstream;filesystem;thread;mutex;stdexcept;regex")
+
+set(problems "")
+foreach(rule IN LISTS RULES)
+  string(REGEX MATCH "^([^=]*)=(.*)$" _ "${rule}")
+  set(folder "${CMAKE_MATCH_1}")
+  string(REPLACE "," ";" allowed "${CMAKE_MATCH_2}")
+  list(APPEND covered "${folder}")
+  file(GLOB_RECURSE sources RELATIVE ${ROOT} "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp")
+  foreach(source IN LISTS sources)
+    file(STRINGS "${ROOT}/${source}" lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "\"((emulators|host|tools|tests|firmware)/[^\"]*)\"")
+        set(target "${CMAKE_MATCH_1}")
+        set(ok FALSE)
+        foreach(prefix IN ITEMS ${folder} ${allowed})
+          string(FIND "${target}" "${prefix}" at)
+          if(at EQUAL 0)
+            set(ok TRUE)
+          endif()
+        endforeach()
+        if(NOT ok)
+          string(APPEND problems "  ${source} includes ${target}, which ${folder} may not\n")
+        endif()
+      endif()
+      if(folder MATCHES "^emulators/" AND line MATCHES "<([^>]*)>")
+        if(CMAKE_MATCH_1 IN_LIST FORBIDDEN_IN_EMULATORS)
+          string(APPEND problems "  ${source} includes <${CMAKE_MATCH_1}>: machines do without\n")
+        endif()
+      endif()
+      foreach(library_rule IN LISTS LIBRARY_RULES)
+        string(REGEX MATCH "^([^=]*)=(.*)$" _ "${library_rule}")
+        set(library "${CMAKE_MATCH_1}")
+        string(REPLACE "," ";" homes "${CMAKE_MATCH_2}")
+        string(FIND "${line}" "<${library}" at)
+        if(at GREATER -1)
+          set(ok FALSE)
+          foreach(home IN LISTS homes)
+            string(FIND "${source}" "${home}" home_at)
+            if(home_at EQUAL 0)
+              set(ok TRUE)
+            endif()
+          endforeach()
+          if(NOT ok)
+            string(APPEND problems "  ${source} includes ${library}: only ${homes} may\n")
+          endif()
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+endforeach()
+
+# Every source file lies in a folder that has a rule.
+file(GLOB_RECURSE everything RELATIVE ${ROOT} "${ROOT}/emulators/*.[ch]pp" "${ROOT}/host/*.[ch]pp" "${ROOT}/tools/*.[ch]pp")
+foreach(source IN LISTS everything)
+  set(ok FALSE)
+  foreach(folder IN LISTS covered)
+    string(FIND "${source}" "${folder}/" at)
+    if(at EQUAL 0)
+      set(ok TRUE)
+    endif()
+  endforeach()
+  if(NOT ok)
+    string(APPEND problems "  ${source} lies in a folder without a rule\n")
+  endif()
+endforeach()
+
+if(problems)
+  message(FATAL_ERROR "Includes against the plan of the house:\n${problems}")
+endif()
