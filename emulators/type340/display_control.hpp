@@ -1,0 +1,136 @@
+// Display: what the PDP-7 does to it, and the passing of time. Included by display.hpp only.
+#pragma once
+
+#include "emulators/type340/display.hpp"
+
+namespace sightline::type340 {
+
+template <class Sink>
+void Display<Sink>::start(core::Instant now, std::uint32_t address) {
+  touch(now);
+  delays_.stop_all();
+  writing_ = false;
+  registers_.initiate(static_cast<std::uint16_t>(address & Registers::address_mask));
+  pass_open_ = true;
+  ++counters_.passes_started;
+  counters_.previous_start = counters_.last_start;
+  counters_.last_start = now;
+  sink_->begin_pass(now);
+  raise_request(now);
+}
+
+template <class Sink>
+void Display<Sink>::clear_flags(core::Instant now) {
+  touch(now);
+  registers_.clear_flags();
+  writing_ = false;
+}
+
+template <class Sink>
+void Display<Sink>::resume(core::Instant now) {
+  touch(now);
+  registers_.resume();
+  if (registers_.mode != Mode::character) delays_.start(Delay::settle, now + timing::settle);
+}
+
+template <class Sink>
+void Display<Sink>::power_clear(core::Instant now) {
+  touch(now);
+  delays_.stop_all();
+  writing_ = false;
+  pass_open_ = false;
+  Registers clear;
+  clear.x = registers_.x;
+  clear.y = registers_.y;
+  clear.scale = registers_.scale;
+  clear.intensity = registers_.intensity;
+  clear.address = registers_.address;
+  clear.return_address = registers_.return_address;
+  registers_ = clear;
+}
+
+template <class Sink>
+void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
+  touch(at);
+  if (!registers_.request) return;
+  ++counters_.words;
+  input_ = word;
+  word_address_ = registers_.address;
+  registers_.clear_for_word();
+  delays_.start(Delay::strobe, at + timing::strobe);
+}
+
+template <class Sink>
+void Display<Sink>::deposited(core::Instant at) {
+  touch(at);
+  if (!writing_) return;
+  writing_ = false;
+  raise_request(at);
+}
+
+template <class Sink>
+void Display<Sink>::point_light_pen(std::optional<LightPen> pen) {
+  constexpr core::Duration longest = timing::pulse - core::Duration(1);
+  if (pen) pen->delay = std::clamp(pen->delay, core::Duration(0), longest);
+  pen_ = pen;
+  planned_ = false;
+}
+
+// Between a delay and its effect outside lie the fixed delays behind it, unless a flag is about to rise or fall with it.
+template <class Sink>
+core::Instant Display<Sink>::deadline() const {
+  if (planned_) return quiet_until_;
+  const auto effect = [this](Delay d, bool at_once) {
+    const core::Instant t = delays_.at(d);
+    return t == core::never || at_once ? t : t + timing::intensify;
+  };
+  const bool flag_at_strobe = registers_.stop || registers_.pen_will_stop() || delays_.runs(Delay::light);
+  return std::min({effect(Delay::strobe, flag_at_strobe), effect(Delay::settle, registers_.edge()),
+                   effect(Delay::intensify, true), effect(Delay::deflection, false),
+                   effect(Delay::point_flash, true), effect(Delay::stroke_settle, false),
+                   effect(Delay::stroke_flash, true)});
+}
+
+template <class Sink>
+void Display<Sink>::advance(core::Instant now) {
+  // So that sums of delays stay inside the clock.
+  constexpr core::Instant latest = core::never - std::chrono::milliseconds(1);
+  now = std::min(now, latest);
+  for (;;) {
+    if (counts_pulses() && delays_.only(Delay::intensify)) {
+      plan();
+      if (planned_ && !(Sink::consumes && word_is_lit())) skip(now);
+    }
+    const Delays::Next next = delays_.next();
+    if (next.at > now) return;
+    delays_.stop(next.delay);
+    fire(next.delay, next.at);
+  }
+}
+
+// The pen stops the sequence at a count pulse, so pulses it may answer to are not quiet.
+template <class Sink>
+void Display<Sink>::plan() {
+  if (planned_) return;
+  const bool pen_may_stop = registers_.pen_flag || registers_.pen_will_stop() || (pen_ && word_is_lit());
+  if (pen_may_stop || registers_.edge()) return;
+  const std::int64_t quiet = quiet_pulses(registers_);
+  if (quiet == 0) return;
+  planned_ = true;
+  quiet_until_ = quiet == endless ? core::never : delays_.at(Delay::intensify) + quiet * timing::pulse;
+}
+
+// Makes the quiet pulses up to `now` at once.
+template <class Sink>
+void Display<Sink>::skip(core::Instant now) {
+  const core::Instant first = delays_.at(Delay::intensify);
+  const core::Instant end = std::min(now + core::Duration(1), quiet_until_);
+  if (first >= end) return;
+  const std::int64_t count = (end - first - core::Duration(1)) / timing::pulse + 1;
+  const Motion motion = skip_pulses(registers_, count);
+  registers_.move = options_.flash_again ? registers_.move || motion.any : motion.last;
+  delays_.stop(Delay::intensify);
+  delays_.start(Delay::settle, first + (count - 1) * timing::pulse + timing::settle);
+}
+
+}  // namespace sightline::type340

@@ -1,0 +1,105 @@
+// The vector generator of the Type 340: a seven-stage binary rate multiplier, not a line algorithm.
+//
+// Each count pulse toggles some stages of BRM. A stage going from 0 to 1 lets through the bit of |dx| (and of |dy|)
+// whose weight it carries: stage 0 the 64s, stage 6 the units. Leading stages that carry nothing toggle with stage 0,
+// which shortens the run: 127, 63, 31, 15 or 7 pulses, by the larger of the two. The end point is exact; the path
+// wanders up to 1.6 points off the straight line. `RateMultiplier` is the logic, pulse by pulse; the functions below it
+// are the same in closed form, for when nobody watches the path.
+//
+// Source: logic of the count levels as drawn, taken before the pulse (as capacitor-diode gates do).
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace sightline::type340 {
+
+// Leading stages that toggle with stage 0 and carry nothing: 0 to 4; d = |dx| OR |dy|.
+[[nodiscard]] constexpr unsigned idle_stages(std::uint8_t d) {
+  const auto width = static_cast<unsigned>(std::bit_width(d));
+  return width >= 7 ? 0 : (width <= 3 ? 4 : 7 - width);
+}
+
+// The seven flip-flops. Bit k of brm is stage k.
+struct RateMultiplier {
+  static constexpr std::uint8_t full = 0177;
+
+  struct Step {
+    bool x;
+    bool y;
+  };
+
+  std::uint8_t brm = 0;
+
+  // One count pulse for magnitudes dx, dy (0..127). Both coordinates may step in one pulse.
+  constexpr Step count(std::uint8_t dx, std::uint8_t dy) {
+    const auto levels = count_levels(static_cast<std::uint8_t>(dx | dy));
+    const auto rises = static_cast<std::uint8_t>(levels & ~brm);
+    brm ^= levels;
+    return {(reversed(rises) & dx) != 0, (reversed(rises) & dy) != 0};
+  }
+
+  // Which stages the next pulse toggles; d = |dx| OR |dy|. A stage toggles when all before it are 1 (the carry of an
+  // increment), the idle ones and the first that carries anything at every pulse.
+  [[nodiscard]] constexpr std::uint8_t count_levels(std::uint8_t d) const {
+    return static_cast<std::uint8_t>(((brm ^ (brm + 1U)) & full) | ((2U << idle_stages(d)) - 1));
+  }
+
+ private:
+  [[nodiscard]] static constexpr std::uint8_t reversed(std::uint8_t stages) {
+    unsigned weights = 0;
+    for (unsigned k = 0; k < 7; ++k) weights |= (stages >> k & 1U) << (6 - k);
+    return static_cast<std::uint8_t>(weights);
+  }
+};
+
+// Pulses from BRM = 0 back to 0: 128, 64, 32, 16 or 8. A vector runs one fewer, then a last one that cannot step.
+[[nodiscard]] constexpr std::int64_t pulses_per_turn(std::uint8_t d) { return std::int64_t{1} << (7 - idle_stages(d)); }
+
+// Pulses from BRM = 0 until every stage is 1, and all steps are made.
+[[nodiscard]] constexpr int pulses_of_vector(std::uint8_t dx, std::uint8_t dy) {
+  return static_cast<int>(pulses_per_turn(static_cast<std::uint8_t>(dx | dy))) - 1;
+}
+
+// BRM after `count` pulses from 0.
+[[nodiscard]] constexpr std::uint8_t brm_after(std::uint8_t d, std::int64_t count) {
+  const unsigned idle = idle_stages(d);
+  const auto turn = static_cast<unsigned>(count & (pulses_per_turn(d) - 1));
+  const unsigned leading = (turn & 1U) != 0 ? (1U << idle) - 1 : 0;
+  return static_cast<std::uint8_t>(turn << idle | leading);
+}
+
+// Pulses since BRM = 0 within the turn, or -1 for a pattern no run from 0 passes through.
+[[nodiscard]] constexpr std::int64_t pulses_at(std::uint8_t d, std::uint8_t brm) {
+  const std::int64_t turn = brm >> idle_stages(d);
+  return brm_after(d, turn) == brm ? turn : -1;
+}
+
+// Steps a coordinate of this magnitude has made after `count` pulses from BRM = 0 (any number of turns).
+[[nodiscard]] constexpr std::int64_t steps_after(std::uint8_t magnitude, std::uint8_t d, std::int64_t count) {
+  const unsigned idle = idle_stages(d);
+  std::int64_t steps = 0;
+  for (unsigned i = 0; i < 7 - idle; ++i) {
+    if ((magnitude >> (6 - idle - i) & 1U) != 0) steps += (count + (std::int64_t{1} << i)) >> (i + 1);
+  }
+  return steps;
+}
+
+// The pulse, counted from BRM = 0, that makes step number `step` (1 or more); magnitude must not be 0.
+[[nodiscard]] constexpr std::int64_t pulse_of_step(std::uint8_t magnitude, std::uint8_t d, std::int64_t step) {
+  const std::int64_t turns = (step - 1) / magnitude;
+  const std::int64_t within = step - turns * magnitude;
+  std::int64_t low = 1;
+  std::int64_t high = pulses_per_turn(d) - 1;
+  while (low < high) {
+    const std::int64_t middle = (low + high) / 2;
+    if (steps_after(magnitude, d, middle) >= within) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return turns * pulses_per_turn(d) + low;
+}
+
+}  // namespace sightline::type340
