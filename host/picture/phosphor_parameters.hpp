@@ -28,9 +28,9 @@ struct PhosphorParameters {
   double spot_sigma_base = 0.60;
   double spot_sigma_growth = 0.20;
   // Further blur of the yellow layer, which is lit from the blue one: added in squares, in points.
-  double cascade_sigma = 1.3;
+  double cascade_sigma = 1.9;
 
-  double blue_share = 0.4;   // of a flash's light; the rest is yellow-green
+  double blue_share = 0.25;  // of a flash's light; the rest is yellow-green
   double blue_tau_seconds = 20e-6;
   // 0.29 e^(-t/0.04) + 0.48 e^(-t/0.16) + 0.06 e^(-t/2.4) follows 1/(1 + t/0.0444 s) within 25 % from 0 to 6 s;
   // each part's share of the light is its amplitude times its tau.
@@ -40,13 +40,13 @@ struct PhosphorParameters {
   LinearColour yellow_colour{0.55, 0.80, 0.10};
 
   // Light scattered in the faceplate: this part of every spot, as a wide Gaussian.
-  double halo_share = 0.02;
+  double halo_share = 0.03;
   double halo_sigma = 12.0;  // points
 
-  LinearColour ambient{0.012, 0.016, 0.013};  // the unlit face, dark green-grey
+  LinearColour ambient{0.011, 0.017, 0.012};  // the unlit face, dark green-grey
   // What one full flash, spread over the area of one lattice point, adds to the exposure of the film. The film then
   // answers v / (1 + v). Set for a line drawing refreshed 40 times a second, shutter open for 0.2 s.
-  double exposure = 1.0;
+  double exposure = 3.5;
 };
 
 }  // namespace sightline::picture

@@ -14,7 +14,7 @@ struct FileError {
   std::string found;     // what is there, or the system's reason
   std::string expected;  // empty: nothing to add
 
-  // One line without a line end: "FILE: PLACE: found FOUND, expected EXPECTED".
+  // One line without a line end: "FILE: PLACE: FOUND, expected EXPECTED".
   [[nodiscard]] std::string message() const {
     std::string text = file;
     if (!place.empty()) text += ": " + place;

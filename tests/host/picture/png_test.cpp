@@ -1,0 +1,185 @@
+// PNG round trip, refusal of damaged files, and files that are written completely or not at all.
+#include "host/picture/png.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/support/approve.hpp"
+
+namespace sightline::picture {
+namespace {
+
+Image noise(int width, int height, int channels) {
+  Image image(width, height, channels);
+  std::mt19937 random(7);
+  for (auto& byte : image.pixels) byte = static_cast<std::uint8_t>(random() & 255U);
+  return image;
+}
+
+Bytes encoded(const Image& image, const TextEntries& text = {}) {
+  auto bytes = encode_png(image, text);
+  EXPECT_TRUE(bytes) << bytes.error().message();
+  return *bytes;
+}
+
+std::string refusal(const Bytes& bytes) {
+  const auto file = decode_png(bytes, "x.png");
+  return file ? "accepted" : file.error().message();
+}
+
+// A directory of its own for each test in the build tree, removed afterwards.
+class FileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = std::filesystem::current_path() /
+                 (std::string("sightline-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(directory_);
+    std::filesystem::create_directories(directory_);
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+  [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  [[nodiscard]] long files() const {
+    return std::distance(std::filesystem::directory_iterator(directory_), std::filesystem::directory_iterator());
+  }
+
+  std::filesystem::path directory_;
+};
+
+TEST(Png, RoundTrip) {
+  for (const int channels : {1, 3}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, std::pair{17, 5}, std::pair{300, 200}}) {
+      const Image image = noise(width, height, channels);
+      const auto file = decode_png(encoded(image), "noise");
+      ASSERT_TRUE(file) << file.error().message();
+      EXPECT_TRUE(file->image == image);
+      EXPECT_TRUE(file->text.empty());
+    }
+  }
+}
+
+TEST(Png, TextEntriesComeBackAndNoTimeIsWritten) {
+  const TextEntries text{{"Title", "roberts"}, {"Comment", "two\nlines"}, {"Empty", ""}};
+  const Bytes bytes = encoded(noise(4, 4, 1), text);
+  const auto file = decode_png(bytes, "noise");
+  ASSERT_TRUE(file) << file.error().message();
+  EXPECT_EQ(file->text, text);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.end()).find("tIME"), std::string::npos);
+  EXPECT_EQ(bytes, encoded(noise(4, 4, 1), text));
+}
+
+TEST(Png, RefusesWhatCannotBeWritten) {
+  EXPECT_FALSE(encode_png(Image()));
+  EXPECT_FALSE(encode_png(Image(2, 2, 2)));
+  EXPECT_FALSE(encode_png(Image(png_size_limit + 1, 1, 1)));
+  Image short_of_pixels(4, 4, 1);
+  short_of_pixels.pixels.pop_back();
+  EXPECT_FALSE(encode_png(short_of_pixels));
+  EXPECT_FALSE(encode_png(Image(1, 1, 1), {{"", "text"}}));
+  EXPECT_FALSE(encode_png(Image(1, 1, 1), {{std::string(80, 'k'), "text"}}));
+}
+
+TEST(Png, EveryTruncationIsRefused) {
+  const Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_NE(refusal(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))), "accepted") << length;
+  }
+}
+
+TEST(Png, EveryDamagedBitIsRefused) {
+  // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check sums of
+  // chunks libpng does not look at: the text entry's own, which is why there is none here.
+  const Bytes bytes = encoded(noise(9, 7, 1));
+  for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
+    Bytes damaged = bytes;
+    damaged[i / 8] = static_cast<std::uint8_t>(damaged[i / 8] ^ (1U << (i % 8)));
+    const auto file = decode_png(damaged, "x.png");
+    if (file) {
+      EXPECT_TRUE(file->image == noise(9, 7, 1)) << "byte " << i / 8 << " bit " << i % 8;
+      EXPECT_GE(i / 8, bytes.size() - 12) << "only the end chunk may go unread";
+    }
+  }
+}
+
+TEST(Png, SaysWhatIsWrong) {
+  EXPECT_EQ(refusal({}), "x.png: byte 0: no PNG signature, expected a PNG file");
+  Bytes bytes = encoded(noise(2, 2, 1));
+  bytes.push_back(0);
+  EXPECT_NE(refusal(bytes).find("1 bytes after the last chunk"), std::string::npos);
+  bytes = encoded(noise(2, 2, 1));
+  bytes[24] = 16;
+  EXPECT_NE(refusal(bytes).find("byte 24: 16 bits of colour type 0"), std::string::npos) << refusal(bytes);
+  bytes = encoded(noise(2, 2, 1));
+  bytes[16] = 0x7f;
+  EXPECT_NE(refusal(bytes).find("expected 1 to 8192 each way"), std::string::npos) << refusal(bytes);
+  const auto missing = read_png("/nonexistent/picture.png");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message().find("/nonexistent/picture.png"), std::string::npos);
+  EXPECT_NE(missing.error().message().find("No such file"), std::string::npos);
+}
+
+TEST_F(FileTest, AppearsOnlyWhenComplete) {
+  {
+    auto file = AtomicFile::create(path("log"));
+    ASSERT_TRUE(file) << file.error().message();
+    file->write(std::string_view("half"));
+    EXPECT_FALSE(std::filesystem::exists(path("log")));
+  }
+  EXPECT_EQ(files(), 0);
+  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("first")));
+  {
+    auto file = AtomicFile::create(path("log"));
+    ASSERT_TRUE(file) << file.error().message();
+    file->write(std::string_view("second, given up"));
+  }
+  EXPECT_EQ(tests::read_whole(path("log")), "first");
+  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("third")));
+  EXPECT_EQ(tests::read_whole(path("log")), "third");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(FileTest, KeepsLinksAndLeftOvers) {
+  ASSERT_TRUE(write_file_atomically(path("target"), std::string_view("old")));
+  ASSERT_TRUE(write_file_atomically(path("link.partial"), std::string_view("somebody else's")));
+  ASSERT_TRUE(write_file_atomically(path("target.partial"), std::string_view("somebody else's")));
+  std::filesystem::create_symlink(path("target"), path("link"));
+  ASSERT_TRUE(write_file_atomically(path("link"), std::string_view("new")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(tests::read_whole(path("target")), "new");
+  EXPECT_EQ(tests::read_whole(path("target.partial")), "somebody else's");
+}
+
+TEST_F(FileTest, ErrorsNameFileAndCause) {
+  const auto nowhere = write_file_atomically(path("no/such/file"), std::string_view("x"));
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().message(), path("no/such/file") + ": cannot write: No such file or directory");
+  const auto directory = write_file_atomically(directory_.string(), std::string_view("x"));
+  ASSERT_FALSE(directory);
+  EXPECT_NE(directory.error().message().find("Is a directory"), std::string::npos);
+  const auto full = write_file_atomically("/dev/full", std::string_view("x"));
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().message(), "/dev/full: cannot write: No space left on device");
+  EXPECT_TRUE(write_file_atomically("/dev/null", std::string_view("x")));
+  EXPECT_FALSE(read_file(directory_.string()));
+  ASSERT_TRUE(write_file_atomically(path("big"), std::string_view("12345")));
+  EXPECT_FALSE(read_file(path("big"), 4));
+  EXPECT_TRUE(read_file(path("big"), 5));
+}
+
+TEST_F(FileTest, PngOnDisk) {
+  const Image image = noise(20, 10, 3);
+  ASSERT_TRUE(write_png(path("a.png"), image, {{"Title", "a"}}));
+  const auto back = read_png(path("a.png"));
+  ASSERT_TRUE(back) << back.error().message();
+  EXPECT_TRUE(back->image == image);
+  const auto bad = write_png(path("b.png"), Image());
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().file, path("b.png"));
+  EXPECT_FALSE(std::filesystem::exists(path("b.png")));
+}
+
+}  // namespace
+}  // namespace sightline::picture

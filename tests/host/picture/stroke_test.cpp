@@ -1,0 +1,175 @@
+// Recorders, crisp raster and stroke log on stroke sets small enough to check by hand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "host/picture/crisp_raster.hpp"
+#include "host/picture/stroke_log.hpp"
+#include "host/picture/stroke_sinks.hpp"
+#include "tests/host/picture/synthetic.hpp"
+#include "tests/support/approve_png.hpp"
+
+namespace sightline::picture {
+namespace {
+
+core::Stroke flash(std::int64_t ns, int x, int y, int intensity = 7, int address = 0) {
+  core::Stroke stroke;
+  stroke.time = core::at_nanoseconds(ns);
+  stroke.x = static_cast<std::uint16_t>(x);
+  stroke.y = static_cast<std::uint16_t>(y);
+  stroke.intensity = static_cast<std::uint8_t>(intensity);
+  stroke.address = static_cast<std::uint16_t>(address);
+  return stroke;
+}
+
+TEST(CrispRaster, LightsExactlyThePointsGiven) {
+  const std::vector<core::Stroke> strokes{flash(0, 0, 0),       flash(1, 1023, 1023, 0), flash(2, 0, 1023),
+                                          flash(3, 10, 20),     flash(4, 10, 20),        flash(5, 1024, 3),
+                                          flash(6, 3, 1024, 7)};
+  const Image image = crisp_raster(strokes);
+  ASSERT_EQ(image.width, 1024);
+  ASSERT_EQ(image.height, 1024);
+  ASSERT_EQ(image.channels, 1);
+  EXPECT_EQ(image.pixels[1023 * 1024 + 0], 255) << "(0, 0) is lower left";
+  EXPECT_EQ(image.pixels[0 * 1024 + 1023], 255) << "(1023, 1023) is upper right";
+  EXPECT_EQ(image.pixels[0], 255);
+  EXPECT_EQ(image.pixels[1003 * 1024 + 10], 255);
+  EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), 255), 4);
+  EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), 0), 1024 * 1024 - 4);
+}
+
+TEST(CrispRaster, ACube) {
+  EXPECT_TRUE(tests::matches_approved_png(crisp_raster(tests::cube_pass(0, 7)), "picture/crisp_cube.png"));
+}
+
+TEST(PassRecorder, KeepsTheLastCompletePassAndTheRunningOne) {
+  PassRecorder recorder;
+  EXPECT_EQ(recorder.passes(), 0U);
+  recorder.begin_pass(core::at_nanoseconds(100));
+  recorder.stroke(flash(110, 1, 1));
+  EXPECT_TRUE(recorder.complete().strokes.empty());
+  EXPECT_EQ(recorder.running().strokes.size(), 1U);
+  recorder.end_pass(core::at_nanoseconds(200));
+  EXPECT_EQ(recorder.passes(), 1U);
+  recorder.begin_pass(core::at_nanoseconds(300));
+  recorder.stroke(flash(310, 2, 2));
+  recorder.stroke(flash(320, 3, 3));
+  EXPECT_EQ(recorder.complete().begin, core::at_nanoseconds(100));
+  EXPECT_EQ(recorder.complete().end, core::at_nanoseconds(200));
+  EXPECT_EQ(recorder.complete().strokes, std::vector{flash(110, 1, 1)});
+  EXPECT_EQ(recorder.running().begin, core::at_nanoseconds(300));
+  EXPECT_EQ(recorder.running().strokes.size(), 2U);
+  // Started anew before the stop: what was drawn is no complete pass.
+  recorder.begin_pass(core::at_nanoseconds(400));
+  EXPECT_TRUE(recorder.running().strokes.empty());
+  recorder.end_pass(core::at_nanoseconds(500));
+  EXPECT_EQ(recorder.passes(), 2U);
+  EXPECT_TRUE(recorder.complete().strokes.empty());
+}
+
+TEST(PassRecorder, IsBounded) {
+  PassRecorder recorder(3);
+  recorder.begin_pass(core::at_nanoseconds(0));
+  for (int i = 0; i < 10; ++i) recorder.stroke(flash(i, i, i));
+  EXPECT_EQ(recorder.running().strokes.size(), 3U);
+  EXPECT_EQ(recorder.running().left_out, 7U);
+  recorder.end_pass(core::at_nanoseconds(20));
+  EXPECT_EQ(recorder.complete().left_out, 7U);
+  EXPECT_EQ(recorder.running().left_out, 0U);
+}
+
+TEST(StrokeRecorder, KeepsTheNewestInOrder) {
+  StrokeRecorder recorder(4);
+  for (int i = 0; i < 4; ++i) recorder.stroke(flash(i, i, 0));
+  EXPECT_EQ(recorder.left_out(), 0U);
+  for (int i = 4; i < 10; ++i) recorder.stroke(flash(i, i, 0));
+  EXPECT_EQ(recorder.strokes(), (std::vector{flash(6, 6, 0), flash(7, 7, 0), flash(8, 8, 0), flash(9, 9, 0)}));
+  EXPECT_EQ(recorder.left_out(), 6U);
+  StrokeRecorder nothing(0);
+  nothing.stroke(flash(0, 0, 0));
+  EXPECT_TRUE(nothing.strokes().empty());
+}
+
+TEST(StrokeFan, GivesEveryConsumerEverything) {
+  StrokeStatistics statistics;
+  PassRecorder passes;
+  StrokeRecorder* const nobody = nullptr;
+  StrokeFan fan(&statistics, nobody, &passes);
+  fan.begin_pass(core::at_nanoseconds(0));
+  fan.stroke(flash(1, 1, 1, 0));
+  fan.stroke(flash(2, 1, 1, 7));
+  fan.stroke(flash(3, 1, 1, 7));
+  fan.end_pass(core::at_nanoseconds(9));
+  fan.begin_pass(core::at_nanoseconds(10));
+  EXPECT_EQ(statistics.strokes, 3U);
+  EXPECT_EQ(statistics.by_intensity[0], 1U);
+  EXPECT_EQ(statistics.by_intensity[7], 2U);
+  EXPECT_EQ(statistics.passes_begun, 2U);
+  EXPECT_EQ(statistics.passes_complete, 1U);
+  EXPECT_EQ(passes.complete().strokes.size(), 3U);
+}
+
+TEST(StrokeLog, WritesTheAgreedLine) {
+  std::string text;
+  append_stroke_line(text, flash(38800, 512, 8, 7, 01234));
+  append_stroke_line(text, flash(0, 0, 1023, 0, 077777));
+  EXPECT_EQ(text, "38800 512 8 7 01234\n0 0 1023 0 77777\n");
+}
+
+TEST(StrokeLog, RoundTrip) {
+  auto strokes = tests::cube_pass(123456789, 3);
+  strokes.push_back(flash(std::numeric_limits<std::int64_t>::max(), 1023, 0, 7, 017777));
+  std::string text;
+  for (const auto& stroke : strokes) append_stroke_line(text, stroke);
+  const auto back = parse_stroke_log(text, "log");
+  ASSERT_TRUE(back) << back.error().message();
+  EXPECT_EQ(*back, strokes);
+  const auto nothing = parse_stroke_log("", "log");
+  ASSERT_TRUE(nothing);
+  EXPECT_TRUE(nothing->empty());
+}
+
+TEST(StrokeLog, WriterLeavesTheWholeLogOrNone) {
+  const std::string path = (std::filesystem::current_path() / "sightline-stroke-log-test").string();
+  std::filesystem::remove(path);
+  const auto strokes = tests::cube_pass(0, 7);
+  for (const bool commit : {false, true}) {
+    auto file = AtomicFile::create(path);
+    ASSERT_TRUE(file) << file.error().message();
+    StrokeLogWriter writer(std::move(*file));
+    for (const auto& stroke : strokes) writer.stroke(stroke);
+    if (commit) {
+      ASSERT_TRUE(writer.commit());
+    }
+    EXPECT_EQ(std::filesystem::exists(path), commit);
+  }
+  const auto back = parse_stroke_log(tests::read_whole(path), path);
+  ASSERT_TRUE(back) << back.error().message();
+  EXPECT_EQ(*back, strokes);
+  std::filesystem::remove(path);
+}
+
+TEST(StrokeLog, SaysWhichLineIsWrong) {
+  const auto refusal = [](std::string_view text) {
+    const auto log = parse_stroke_log(text, "s.log");
+    return log ? std::string("accepted") : log.error().message();
+  };
+  EXPECT_EQ(refusal("0 1 2 7 00001\n0 1024 2 7 00001\n"), "s.log: line 2: '1024', expected x from 0 to 1023");
+  EXPECT_EQ(refusal("0 1 -2 7 00001\n"), "s.log: line 1: '-2', expected y from 0 to 1023");
+  EXPECT_EQ(refusal("0 1 2 8 00001\n"), "s.log: line 1: '8', expected intensity from 0 to 7");
+  EXPECT_EQ(refusal("0 1 2 7 00008\n"), "s.log: line 1: '00008', expected an address of five octal digits");
+  EXPECT_EQ(refusal("0 1 2 7 1\n"), "s.log: line 1: '1', expected an address of five octal digits");
+  EXPECT_EQ(refusal("0 1 2 7\n"), "s.log: line 1: '', expected an address of five octal digits");
+  EXPECT_EQ(refusal("0 1 2 7 00001 x\n"), "s.log: line 1: 'x' after the address, expected the end of the line");
+  EXPECT_EQ(refusal("0 1 2 7 00001 \n"), "s.log: line 1: '' after the address, expected the end of the line");
+  EXPECT_EQ(refusal("0 1 2 7 00001"), "s.log: line 1: no end of line, expected a complete file");
+  EXPECT_EQ(refusal("9223372036854775808 1 2 7 00001\n"),
+            "s.log: line 1: '9223372036854775808', expected nanoseconds");
+  EXPECT_EQ(refusal("\n"), "s.log: line 1: '', expected nanoseconds");
+  EXPECT_EQ(refusal("\x01\xff 1 2 7 00001\r\n"), "s.log: line 1: '?" "?', expected nanoseconds");
+  EXPECT_EQ(refusal("0 1 2 7 00001\r\n"), "s.log: line 1: '00001?', expected an address of five octal digits");
+}
+
+}  // namespace
+}  // namespace sightline::picture
