@@ -1,0 +1,68 @@
+// Values of PDP-7 expressions: 18-bit arithmetic, and what an instruction does with its operand.
+//
+// A value keeps the instruction part (head) and what is added to it (operand) apart until the expression is complete,
+// because only then can one say whether the operand fits the field that the instruction has for it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/asm/diagnostic.hpp"
+
+namespace sightline::assembler {
+
+enum class Form : std::uint8_t {
+  plain,     // a number: operand only
+  indirect,  // the symbol i by itself: operand 20000
+  memory,    // opcode and indirect bit in head; 13-bit address
+  law,       // 760000 in head; 13-bit number
+  micro,     // EAE, IOT, OPR: ORed together
+};
+
+struct Value {
+  std::uint32_t head = 0;
+  std::uint32_t operand = 0;
+  Form form = Form::plain;
+  bool known = true;
+  bool bare_number = false;  // written as an unsigned number: may stand for a microinstruction
+
+  [[nodiscard]] static Value number(std::uint32_t n) { return Value{0, n, Form::plain, true, false}; }
+  [[nodiscard]] static Value unknown() { return Value{0, 0, Form::plain, false, false}; }
+};
+
+// A remark about an expression, without its place.
+struct Remark {
+  Severity severity;
+  std::string found;
+  std::string expected;
+};
+
+class Arithmetic {
+ public:
+  explicit Arithmetic(bool twos_complement) : twos_complement_(twos_complement) {}
+
+  [[nodiscard]] std::uint32_t add(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] std::uint32_t negate(std::uint32_t a) const;
+  [[nodiscard]] std::uint32_t subtract(std::uint32_t a, std::uint32_t b) const;
+
+  [[nodiscard]] Value combine(Value left, Value right, std::vector<Remark>& remarks) const;  // space and +
+  [[nodiscard]] Value difference(Value left, Value right) const;
+  [[nodiscard]] Value logical(Value left, Value right, bool conjunction) const;
+  [[nodiscard]] Value negative(Value value) const;
+  // The 18-bit word, the operand checked against its field. location: where the word will stand, for its bank.
+  [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location, std::vector<Remark>& remarks) const;
+
+ private:
+  [[nodiscard]] std::uint32_t sum(const Value& value) const;
+  [[nodiscard]] std::uint32_t address_field(std::uint32_t operand, std::uint32_t location,
+                                            std::vector<Remark>& remarks) const;
+
+  bool twos_complement_;
+};
+
+// The form of a word that is defined as an instruction, and that word taken apart again.
+[[nodiscard]] Form form_of_instruction(std::uint32_t word);
+[[nodiscard]] Value from_symbol(std::uint32_t word, Form form);
+
+}  // namespace sightline::assembler

@@ -1,0 +1,26 @@
+#include "tools/asm/symbol_table.hpp"
+
+namespace sightline::assembler {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+std::string SymbolTable::key(std::string_view name) const { return lower_case(name.substr(0, significant_)); }
+
+Symbol& SymbolTable::operator[](std::string_view name) {
+  Symbol& symbol = symbols_[key(name)];
+  if (symbol.name.empty()) symbol.name = std::string(name);
+  return symbol;
+}
+
+const Symbol* SymbolTable::find(std::string_view name) const {
+  const auto found = symbols_.find(key(name));
+  return found == symbols_.end() ? nullptr : &found->second;
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,57 @@
+// Symbols by name. Upper and lower case are the same, and only the first characters of a name count: two names that
+// agree in those are the same symbol. The table remembers how each was first written, for messages and listings.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/asm/source.hpp"
+
+namespace sightline::assembler {
+
+enum class SymbolKind {
+  undefined,  // used, not (yet) defined
+  permanent,  // of the machine
+  define,     // from the command line: keeps its value whatever the source assigns
+  tag,        // name, - the address of a word
+  assigned,   // name=expression
+  variable,   // a word the assembler reserves
+};
+
+struct Symbol {
+  std::string name;  // as first written
+  SymbolKind kind = SymbolKind::undefined;
+  std::optional<std::uint32_t> value;  // nothing while unknown
+  int form = 0;                        // the front end's own note about the value
+  Position defined;
+  bool was_permanent = false;   // an assignment hides a symbol of the machine
+  bool several_values = false;  // assigned differing values
+  int defined_in_pass = 0;      // the last pass that met its definition
+};
+
+class SymbolTable {
+ public:
+  explicit SymbolTable(std::size_t significant) : significant_(significant) {}
+
+  // Makes an undefined symbol if there is none.
+  Symbol& operator[](std::string_view name);
+  [[nodiscard]] const Symbol* find(std::string_view name) const;
+  // Lower case, cut to the significant characters.
+  [[nodiscard]] std::string key(std::string_view name) const;
+
+  [[nodiscard]] auto begin() { return symbols_.begin(); }
+  [[nodiscard]] auto end() { return symbols_.end(); }
+  [[nodiscard]] auto begin() const { return symbols_.begin(); }
+  [[nodiscard]] auto end() const { return symbols_.end(); }
+
+ private:
+  std::size_t significant_;
+  std::map<std::string, Symbol, std::less<>> symbols_;
+};
+
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+}  // namespace sightline::assembler

@@ -1,0 +1,60 @@
+#include "tools/image/tape_words.hpp"
+
+namespace sightline::image {
+namespace {
+
+// What is wrong with a line that ought to be one of a word, if anything.
+std::string bad_line(std::uint8_t line, bool third) {
+  if ((line & hole8) == 0) return "line " + octal(line, 3) + " without hole 8 inside a word";
+  if (!third && (line & hole7) != 0) return "line " + octal(line, 3) + " with hole 7 before the third line of a word";
+  return {};
+}
+
+}  // namespace
+
+Error TapeReader::error(std::size_t byte, std::string found, std::string expected) const {
+  return Error{std::string(file_), "byte " + std::to_string(byte), std::move(found), std::move(expected)};
+}
+
+// Before the first word anything without hole 8 is leader (some tapes have their name punched there in readable
+// shapes); after it only blank feed is, so that a hole 8 that was lost does not shift all the words that follow.
+std::optional<Error> TapeReader::skip_feed(std::string_view expected) {
+  for (; at_ < tape_.size() && (tape_[at_] & hole8) == 0; ++at_) {
+    if (in_data_ && tape_[at_] != 0) {
+      return error(at_, "line " + octal(tape_[at_], 3) + " without hole 8", "hole 8 of " + std::string(expected));
+    }
+  }
+  return std::nullopt;
+}
+
+Result<std::optional<TapeWord>> TapeReader::next(std::string_view expected) {
+  if (auto problem = skip_feed(expected)) return *problem;
+  if (at_ == tape_.size()) return std::optional<TapeWord>{};
+  in_data_ = true;
+  TapeWord word{0, at_, false};
+  for (int line = 0; line < 3; ++line, ++at_) {
+    if (at_ == tape_.size()) {
+      return error(at_, "the end of the tape inside a word", "three lines of " + std::string(expected));
+    }
+    const std::uint8_t holes = tape_[at_];
+    if (std::string found = bad_line(holes, line == 2); !found.empty()) {
+      return error(at_, std::move(found), "three lines with hole 8 of " + std::string(expected));
+    }
+    word.value = word.value << 6 | (holes & data_holes);
+    word.last = (holes & hole7) != 0;
+  }
+  return std::optional<TapeWord>{word};
+}
+
+void punch_feed(Tape& tape) {
+  constexpr std::size_t feed_lines = 20;  // two inches, enough to thread a reader
+  tape.insert(tape.end(), feed_lines, std::uint8_t{0});
+}
+
+void punch_word(Tape& tape, std::uint32_t word, bool last) {
+  tape.push_back(static_cast<std::uint8_t>(hole8 | ((word >> 12) & data_holes)));
+  tape.push_back(static_cast<std::uint8_t>(hole8 | ((word >> 6) & data_holes)));
+  tape.push_back(static_cast<std::uint8_t>(hole8 | (last ? hole7 : 0) | (word & data_holes)));
+}
+
+}  // namespace sightline::image

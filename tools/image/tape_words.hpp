@@ -1,0 +1,50 @@
+// The binary layer under RIM and HRI: lines to words and back.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "tools/image/error.hpp"
+#include "tools/image/tape.hpp"
+
+namespace sightline::image {
+
+inline constexpr std::uint8_t hole8 = 0200;
+inline constexpr std::uint8_t hole7 = 0100;
+inline constexpr std::uint8_t data_holes = 077;
+
+inline constexpr std::uint32_t opcode_mask = 0760000;  // opcode and indirect bit
+inline constexpr std::uint32_t dac = 0040000;
+inline constexpr std::uint32_t jmp = 0600000;
+inline constexpr std::uint32_t hlt = 0740040;
+
+struct TapeWord {
+  std::uint32_t value = 0;
+  std::size_t byte = 0;  // of its first line
+  bool last = false;     // hole 7 in its third line
+};
+
+class TapeReader {
+ public:
+  TapeReader(std::span<const std::uint8_t> tape, std::string_view file) : tape_(tape), file_(file) {}
+
+  // The next word, or nothing at the end of the tape. `expected` says what for, if the tape is damaged.
+  [[nodiscard]] Result<std::optional<TapeWord>> next(std::string_view expected);
+  [[nodiscard]] Error error(std::size_t byte, std::string found, std::string expected) const;
+  [[nodiscard]] std::size_t position() const { return at_; }
+
+ private:
+  [[nodiscard]] std::optional<Error> skip_feed(std::string_view expected);
+
+  std::span<const std::uint8_t> tape_;
+  std::string_view file_;
+  std::size_t at_ = 0;
+  bool in_data_ = false;
+};
+
+void punch_feed(Tape& tape);
+void punch_word(Tape& tape, std::uint32_t word, bool last = false);
+
+}  // namespace sightline::image
