@@ -8,6 +8,7 @@
 
 #include "host/harness/jones_twin_display_file.hpp"
 #include "host/harness/jones_twin_elements.hpp"
+#include "host/harness/jones_twin_ring.hpp"
 
 namespace sightline::harness::jones {
 namespace {
@@ -24,6 +25,7 @@ struct RingScan {
   bool crossing = false;  // the eye is strictly on the near side
   bool counter_clockwise = false;
   bool actual_lines = false;
+  Axis plane = Axis::z;  // normal to the opening
 };
 
 struct Level {
@@ -48,14 +50,14 @@ class Search {
   // The functions that give bool give false as soon as the view has ended with a status.
   bool pass(Pass which, SpacePoint eye);
   bool enter(std::uint32_t cell, const Mask& mask, std::uint32_t entry);
-  bool cell_lines(const Chain& chain);
+  bool draw_lines(const Chain& chain);
   bool opening(std::uint32_t far_word_address);
   bool scan(const Chain& ring, bool towards_higher, RingScan& facts);
-  bool ring(const Chain& chain, const RingScan& facts, PolygonBuilder& polygon);
+  bool outline(const Chain& ring, Axis plane, PolygonBuilder& polygon);
   bool go_through(std::uint32_t far_cell, std::uint32_t element, PolygonBuilder& polygon,
                   bool counter_clockwise);
   bool move(SpacePoint& point, Vector vector, SpaceSegment& moved);
-  bool project_part(const SpaceSegment& part, ScreenSegment& projected);
+  bool project_point(const SpacePoint& point, ScreenPoint& projected);
   bool draw(const ScreenSegment& line, std::uint32_t vector_address);
 
   bool fail(Status status) {
@@ -141,7 +143,7 @@ bool Search::enter(std::uint32_t cell, const Mask& mask, std::uint32_t entry) {
   counts.depth = std::max(counts.depth, static_cast<int>(levels_.size()));
   counts.stack_words = std::max(counts.stack_words, stack_words_);
   counts.mask_vertices = std::max(counts.mask_vertices, mask.count);
-  return cell_lines(chain);
+  return draw_lines(chain);
 }
 
 bool Search::move(SpacePoint& point, Vector vector, SpaceSegment& moved) {
@@ -155,7 +157,7 @@ bool Search::move(SpacePoint& point, Vector vector, SpaceSegment& moved) {
   return true;
 }
 
-bool Search::cell_lines(const Chain& chain) {
+bool Search::draw_lines(const Chain& chain) {
   SpacePoint point = chain.origin;
   projected_last_.reset();
   for (std::uint32_t i = 0; i < chain.count; ++i) {
@@ -164,9 +166,11 @@ bool Search::cell_lines(const Chain& chain) {
     SpaceSegment moved;
     if (!move(point, vector, moved)) return false;
     if (!vector.actual_line) continue;
-    const auto part = seg3(moved, Axis{static_cast<std::uint8_t>(vector.axis_code)}, window_.bound_factor);
-    ScreenSegment projected;
-    if (part && !(project_part(*part, projected) && draw(projected, address))) return false;
+    const auto part = seg3(moved, axis_of(vector), window_.bound_factor);
+    ScreenSegment line;
+    if (!part) continue;
+    if (!project_point(part->p, line.a) || !project_point(part->q, line.b) || !draw(line, address))
+      return false;
   }
   return true;
 }
@@ -178,16 +182,13 @@ void Search::count_fresh(const SpacePoint& point) {
   projected_last_ = point;
 }
 
-bool Search::project_part(const SpaceSegment& part, ScreenSegment& projected) {
-  count_fresh(part.p);
-  count_fresh(part.q);
-  const auto a = project(part.p, window_.width_scale, view_.counts.operations);
-  const auto b = project(part.q, window_.width_scale, view_.counts.operations);
-  if (!a || !b) return fail(Status::arithmetic_overflow);
-  projected = {*a, *b};
-  for (const std::int32_t c : {a->x, a->y, b->x, b->y}) {
-    view_.counts.largest_coordinate = std::max(view_.counts.largest_coordinate, std::abs(c));
-  }
+bool Search::project_point(const SpacePoint& point, ScreenPoint& projected) {
+  count_fresh(point);
+  const auto place = project(point, window_.width_scale, view_.counts.operations);
+  if (!place) return fail(Status::arithmetic_overflow);
+  projected = *place;
+  auto& largest = view_.counts.largest_coordinate;
+  largest = std::max({largest, std::abs(place->x), std::abs(place->y)});
   return true;
 }
 
@@ -215,10 +216,12 @@ bool Search::opening(std::uint32_t far_word_address) {
   RingScan facts;
   if (!scan(chain, towards_higher, facts)) return false;
   if (!facts.crossing && !facts.actual_lines) return true;
-  if (facts.crossing) ++view_.counts.openings_crossing;
+  if (facts.actual_lines && !draw_lines(chain)) return false;
+  if (!facts.crossing) return true;
+  ++view_.counts.openings_crossing;
   PolygonBuilder polygon;
-  if (!ring(chain, facts, polygon)) return false;
-  if (!facts.crossing || polygon.points().size() < 3) return true;
+  if (!outline(chain, facts.plane, polygon)) return false;
+  if (polygon.points().size() < 3) return true;
   return go_through(far_word.field(5, 17), element, polygon, facts.counter_clockwise);
 }
 
@@ -235,29 +238,33 @@ bool Search::scan(const Chain& ring, bool towards_higher, RingScan& facts) {
   if (!second || second->axis_code == 0) return fail(Status::bad_data_element);
   const bool cyclic = second->axis_code == first.axis_code % 3 + 1;
   const bool positive = (first.negative == second->negative) == cyclic;  // sigma = +1
-  const std::int32_t plane = ring.origin.*coordinate(6 - first.axis_code - second->axis_code);
+  const std::uint32_t normal = 6 - first.axis_code - second->axis_code;
+  const std::int32_t plane = ring.origin.*coordinate(normal);
+  facts.plane = Axis{static_cast<std::uint8_t>(normal)};
   facts.crossing = towards_higher ? plane > 0 : plane < 0;
+  if (facts.plane == Axis::z) facts.crossing = towards_higher && plane >= near_z;
   facts.counter_clockwise = positive == towards_higher;
   return true;
 }
 
-bool Search::ring(const Chain& chain, const RingScan& facts, PolygonBuilder& polygon) {
-  SpacePoint point = chain.origin;
+bool Search::outline(const Chain& ring, Axis plane, PolygonBuilder& polygon) {
+  const RingBound into(plane, ring.origin.*coordinate(static_cast<std::uint32_t>(plane)),
+                       window_.bound_factor);
+  const auto append = [&](const SpacePoint& corner) {
+    ScreenPoint projected;
+    if (!project_point(corner, projected)) return false;
+    return polygon.append(projected) || fail(Status::too_many_mask_vertices);
+  };
+  SpacePoint point = ring.origin;
   projected_last_.reset();
-  for (std::uint32_t i = 0; i < chain.count; ++i) {
-    const std::uint32_t address = chain.first() + i;
-    const Vector vector(core_[address]);
+  if (!append(into.into_bound(point))) return false;
+  for (std::uint32_t i = 0; i < ring.count; ++i) {
+    const Vector vector(core_[ring.first() + i]);
     SpaceSegment moved;
     if (!move(point, vector, moved)) return false;
-    if (!facts.crossing && !vector.actual_line) continue;
-    const auto part = seg3(moved, Axis{static_cast<std::uint8_t>(vector.axis_code)}, window_.bound_factor);
-    if (!part) continue;
-    ScreenSegment projected;
-    if (!project_part(*part, projected)) return false;
-    if (vector.actual_line && !draw(projected, address)) return false;
-    if (facts.crossing && !(polygon.append(projected.a) && polygon.append(projected.b))) {
-      return fail(Status::too_many_mask_vertices);
-    }
+    const auto bend = axis_of(vector) == Axis::z ? into.bend(moved) : std::nullopt;
+    if (bend && !append(*bend)) return false;
+    if (!append(into.into_bound(moved.q))) return false;
   }
   return polygon.close() || fail(Status::too_many_mask_vertices);
 }

@@ -211,11 +211,15 @@ std::int32_t bound(std::int32_t bound_factor, std::int32_t z) {
   return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{bound_factor} * z, word_max));
 }
 
+std::int32_t depth_inside(std::int32_t magnitude, std::int32_t bound_factor) {
+  return std::max(near_z, (magnitude + bound_factor - 1) / bound_factor);
+}
+
 std::optional<SpaceSegment> seg3(const SpaceSegment& vector, Axis axis, std::int32_t bound_factor) {
   if (axis == Axis::x) return seg3_at_depth(vector, &SpacePoint::x, &SpacePoint::y, bound_factor);
   if (axis == Axis::y) return seg3_at_depth(vector, &SpacePoint::y, &SpacePoint::x, bound_factor);
   const std::int32_t widest = std::max(std::abs(vector.p.x), std::abs(vector.p.y));
-  const std::int32_t zmin = std::max(near_z, (widest + bound_factor - 1) / bound_factor);
+  const std::int32_t zmin = depth_inside(widest, bound_factor);
   if (vector.p.z < zmin && vector.q.z < zmin) return std::nullopt;
   SpaceSegment s = vector;
   s.p.z = std::max(s.p.z, zmin);

@@ -80,12 +80,15 @@ struct Operations {
 // B(z) = min(K z, 131071), z >= 0.
 [[nodiscard]] std::int32_t bound(std::int32_t bound_factor, std::int32_t z);
 
-// The part of the axis-parallel vector p-q inside z >= 8, |x| <= B(z), |y| <= B(z); nothing if no length is
-// left.
+// The least z of the near plane or beyond at which a coordinate of this magnitude is inside the bound.
+[[nodiscard]] std::int32_t depth_inside(std::int32_t magnitude, std::int32_t bound_factor);
+
+// The part of the axis-parallel vector p-q inside z >= near_z, |x| <= B(z), |y| <= B(z); nothing if no length
+// is left.
 [[nodiscard]] std::optional<SpaceSegment> seg3(const SpaceSegment& vector, Axis axis,
                                                std::int32_t bound_factor);
 
-// Perspective of a point with z >= 8; nothing on divide overflow.
+// Perspective of a point with z >= near_z; nothing on divide overflow.
 [[nodiscard]] std::optional<ScreenPoint> project(const SpacePoint& point, std::int32_t width_scale,
                                                  Operations& operations);
 

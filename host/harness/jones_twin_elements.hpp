@@ -58,4 +58,9 @@ struct Chain {
   return axis_code == 1 ? &SpacePoint::x : axis_code == 2 ? &SpacePoint::y : &SpacePoint::z;
 }
 
+// vector: axis_code 1..3.
+[[nodiscard]] inline Axis axis_of(const Vector& vector) {
+  return Axis{static_cast<std::uint8_t>(vector.axis_code)};
+}
+
 }  // namespace sightline::harness::jones
