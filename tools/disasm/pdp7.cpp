@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "emulators/pdp7/isa.hpp"
+#include "tools/disasm/disasm.hpp"
+#include "tools/disasm/source_lines.hpp"
+#include "tools/image/error.hpp"
+
+namespace sightline::disassembler {
+namespace {
+
+using image::octal;
+using pdp7::Class;
+using pdp7::Microinstruction;
+
+constexpr std::uint32_t step_count_mask = 077;
+constexpr std::uint32_t command_mask = 0700;  // of the EAE
+constexpr std::uint32_t rotates = 0000030;
+constexpr std::uint32_t rotate_twice = 0002000;
+constexpr std::uint32_t skips = 0001700;
+constexpr std::uint32_t skip_inverted = 0001000;
+constexpr std::uint32_t halt = 0000040;
+
+std::string short_octal(std::uint32_t value) {
+  const unsigned digits = (static_cast<unsigned>(std::bit_width(value)) + 2) / 3;
+  return octal(value, std::max(digits, 1U));
+}
+
+// The bits that all words of the class have in common.
+std::uint32_t class_bits(Class c) { return c == Class::opr ? 0740000U : c == Class::eae ? 0640000U : 0700000U; }
+
+// True if `name` says something that is part of `word` and nothing that changes the sense of the rest.
+bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
+  if ((name & ~word) != 0) return false;
+  if (c != Class::opr) return true;
+  if ((name & skips) != 0 && ((name ^ word) & skip_inverted) != 0) return false;
+  return (name & rotates) == 0 || ((name ^ word) & rotate_twice) == 0;
+}
+
+// Skips first, HLT last, as the machine acts; the rest from the high bits down.
+std::uint32_t place_in_line(std::uint32_t name, Class c) {
+  if (c != Class::opr) return name;
+  const std::uint32_t bits = name & ~class_bits(c);
+  return (bits & skips) != 0 ? 0100000U + bits : bits == halt ? 0U : bits;
+}
+
+// The fewest names whose OR is the word, found by taking the one that adds most bits each time.
+std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
+  std::vector<const Microinstruction*> names;
+  for (std::uint32_t covered = class_bits(c); covered != word;) {
+    const Microinstruction* best = nullptr;
+    int most = 0;
+    for (const Microinstruction& micro : pdp7::microinstructions) {
+      if (pdp7::instruction_of(micro.value).instruction_class != c || !part_of(micro.value, word, c)) continue;
+      const int added = std::popcount(micro.value & ~covered);
+      if (added > most) {
+        best = &micro;
+        most = added;
+      }
+    }
+    if (best == nullptr) return {};
+    names.push_back(best);
+    covered |= best->value;
+  }
+  std::sort(names.begin(), names.end(), [c](const auto* a, const auto* b) {
+    return place_in_line(a->value, c) > place_in_line(b->value, c);
+  });
+  return names;
+}
+
+std::string joined(const std::vector<const Microinstruction*>& names) {
+  std::string text;
+  for (const Microinstruction* micro : names) text += (text.empty() ? "" : " ") + std::string(micro->name);
+  return text;
+}
+
+std::optional<std::string> exact_name(std::uint32_t word) {
+  for (const Microinstruction& micro : pdp7::microinstructions) {
+    if (micro.value == word) return std::string(micro.name);
+  }
+  return std::nullopt;
+}
+
+// Multiply, divide and normalise have their usual count in the name: mul-11 is a multiplication of nine steps.
+std::optional<std::string> changed_count(std::uint32_t word) {
+  for (const Microinstruction& micro : pdp7::microinstructions) {
+    if ((micro.value & step_count_mask) == 0 || (micro.value & command_mask) == 0) continue;
+    if ((micro.value ^ word) & ~step_count_mask) continue;
+    const bool less = word < micro.value;
+    return std::string(micro.name) + (less ? "-" : "+") + short_octal(less ? micro.value - word : word - micro.value);
+  }
+  return std::nullopt;
+}
+
+// Shifts: named options, and the count as operand.
+std::optional<std::string> shift(std::uint32_t word) {
+  const auto names = names_of(word & ~step_count_mask, Class::eae);
+  if (names.empty()) return std::nullopt;
+  return joined(names) + " " + short_octal(word & step_count_mask);
+}
+
+std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row) {
+  if (row.operation == pdp7::Operation::eae_setup) {
+    const auto names = names_of(word, Class::eae);
+    return names.empty() ? std::nullopt : std::optional(joined(names));
+  }
+  if (const auto counted = changed_count(word)) return counted;
+  const bool shifts = row.operation == pdp7::Operation::eae_long_right ||
+                      row.operation == pdp7::Operation::eae_long_left || row.operation == pdp7::Operation::eae_ac_left;
+  return shifts ? shift(word) : std::nullopt;
+}
+
+std::optional<std::string> opr(std::uint32_t word) {
+  if ((word & rotates) == rotates) return std::nullopt;
+  const auto names = names_of(word, Class::opr);
+  return names.empty() ? std::nullopt : std::optional(joined(names));
+}
+
+std::string memory_reference(std::uint32_t word, std::uint32_t address, const pdp7::Instruction& row) {
+  const std::string name = std::string(row.mnemonic) + ((word & pdp7::indirect_bit) != 0 ? " i" : "");
+  const std::uint32_t field = word & image::field_mask;
+  if (row.operands == pdp7::Operands::none && field == 0) return name;
+  return name + " " + short_octal((address & image::bank_mask) | field);
+}
+
+}  // namespace
+
+std::string disassemble_word(core::Word18 word, std::uint32_t address) {
+  const std::uint32_t value = word.value();
+  const pdp7::Instruction& row = pdp7::instruction_of(value);
+  if (row.instruction_class == Class::memory) return memory_reference(value, address, row);
+  std::optional<std::string> text = exact_name(value);
+  if (!text && row.instruction_class == Class::law) text = "law " + short_octal(value & image::field_mask);
+  if (!text && row.instruction_class == Class::eae) text = eae(value, row);
+  if (!text && row.instruction_class == Class::opr) text = opr(value);
+  return text.value_or(octal(value, 6));
+}
+
+std::string disassemble_pdp7(const image::CoreImage& image) {
+  SourceLines lines;
+  for (const auto& [address, word] : image.words) {
+    lines.origin_if_needed(address);
+    lines.add(disassemble_word(word, address), octal(address, 5) + " " + octal(word.value(), 6));
+  }
+  return lines.finish(image.start);
+}
+
+}  // namespace sightline::disassembler

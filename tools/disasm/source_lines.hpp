@@ -1,0 +1,40 @@
+// The lines of a disassembly: an origin where addresses do not follow on, one word a line, its comment in a column.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tools/image/core_image.hpp"
+#include "tools/image/error.hpp"
+
+namespace sightline::disassembler {
+
+class SourceLines {
+ public:
+  // True if this address begins a new run of words. Every bank begins one: the location does not run over its end.
+  bool origin_if_needed(std::uint32_t address) {
+    const bool new_run = address != next_ || (address & image::field_mask) == 0;
+    if (new_run) text_ += image::octal(address, 5) + "/\n";
+    next_ = address + 1;
+    return new_run;
+  }
+
+  void add(const std::string& word, const std::string& comment) {
+    constexpr std::size_t comment_column = 24;
+    std::string line = "        " + word;
+    if (line.size() < comment_column) line.resize(comment_column, ' ');
+    text_ += line + " / " + comment + "\n";
+  }
+
+  [[nodiscard]] std::string finish(std::optional<std::uint32_t> start) {
+    if (start) text_ += "        start " + image::octal(*start, 5) + "\n";
+    return std::move(text_);
+  }
+
+ private:
+  std::string text_;
+  std::uint32_t next_ = image::last_address + 1;
+};
+
+}  // namespace sightline::disassembler
