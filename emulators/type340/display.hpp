@@ -122,7 +122,12 @@ class Display {
     return registers_.mode == Mode::vector || registers_.mode == Mode::vector_continue ||
            registers_.mode == Mode::increment;
   }
-  [[nodiscard]] bool word_is_lit() const { return registers_.br.bit(1); }
+  // A vector of (0, 0) flashes nothing: MOVE stays 0. Vector continue of it never ends, and must not cost a step a pulse.
+  [[nodiscard]] bool word_may_flash() const {
+    constexpr core::Word18 magnitudes(0077577);
+    const bool may_move = registers_.mode == Mode::increment || (registers_.br & magnitudes) != core::Word18{};
+    return registers_.br.bit(1) && (registers_.move || may_move);
+  }
 
   Options options_;
   Sink* sink_;

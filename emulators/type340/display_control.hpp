@@ -99,7 +99,7 @@ void Display<Sink>::advance(core::Instant now) {
   for (;;) {
     if (counts_pulses() && delays_.only(Delay::intensify)) {
       plan();
-      if (planned_ && !(Sink::consumes && word_is_lit())) skip(now);
+      if (planned_ && !(Sink::consumes && word_may_flash())) skip(now);
     }
     const Delays::Next next = delays_.next();
     if (next.at > now) return;
@@ -112,7 +112,7 @@ void Display<Sink>::advance(core::Instant now) {
 template <class Sink>
 void Display<Sink>::plan() {
   if (planned_) return;
-  const bool pen_may_stop = registers_.pen_flag || registers_.pen_will_stop() || (pen_ && word_is_lit());
+  const bool pen_may_stop = registers_.pen_flag || registers_.pen_will_stop() || (pen_ && word_may_flash());
   if (pen_may_stop || registers_.edge()) return;
   const std::int64_t quiet = quiet_pulses(registers_);
   if (quiet == 0) return;

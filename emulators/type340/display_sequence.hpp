@@ -174,7 +174,7 @@ void Display<Sink>::next_stroke(core::Instant t) {
 
 template <class Sink>
 void Display<Sink>::start_intensify(core::Instant t) {
-  flash(t, registers_.move && word_is_lit());
+  flash(t, registers_.move && registers_.br.bit(1));
   delays_.start(Delay::intensify, t + timing::intensify);
 }
 

@@ -128,6 +128,8 @@ struct Registers {
     return d.moves();
   }
 
+  friend bool operator==(const Registers&, const Registers&) = default;
+
  private:
   [[nodiscard]] bool shift(std::uint16_t& coordinate, int direction) const {
     const int moved = coordinate + direction * step();

@@ -39,6 +39,8 @@ struct RateMultiplier {
     return {(reversed(rises) & dx) != 0, (reversed(rises) & dy) != 0};
   }
 
+  friend constexpr bool operator==(RateMultiplier, RateMultiplier) = default;
+
   // Which stages the next pulse toggles; d = |dx| OR |dy|. A stage toggles when all before it are 1 (the carry of an
   // increment), the idle ones and the first that carries anything at every pulse.
   [[nodiscard]] constexpr std::uint8_t count_levels(std::uint8_t d) const {
