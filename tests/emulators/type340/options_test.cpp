@@ -1,0 +1,178 @@
+// The Type 347 subroutine option and the Type 342 character generator.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "emulators/type340/display.hpp"
+
+namespace sightline::type340 {
+namespace {
+
+using core::at_nanoseconds;
+using core::Word18;
+
+struct Flashes {
+  static constexpr bool consumes = true;
+  std::set<std::pair<int, int>> points;
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke& s) { points.insert({s.x, s.y}); }
+  void end_pass(core::Instant) {}
+};
+
+// A memory whose breaks take no time; `log` has every break as address and time in octal and ns.
+class DisplayOptions : public ::testing::Test {
+ protected:
+  void put(std::uint32_t address, const std::vector<std::uint32_t>& words) {
+    for (const std::uint32_t word : words) memory_[address++] = Word18(word);
+  }
+
+  void run(std::uint32_t start, std::int64_t until = 2'000'000) {
+    display_.load_address_and_start(at_nanoseconds(0), Word18(start));
+    for (;;) {
+      const BreakRequest* request = display_.break_request();
+      if (request == nullptr) {
+        const core::Instant next = display_.deadline();
+        if (next > at_nanoseconds(until)) return;
+        display_.advance(next);
+        continue;
+      }
+      const BreakRequest served = *request;
+      log_.push_back({served.address, core::nanoseconds_of(served.since)});
+      if (served.write) {
+        memory_[served.address] = served.word;
+        display_.deposited(served.since);
+      } else {
+        display_.deliver(served.since, memory_[served.address]);
+      }
+    }
+  }
+
+  std::array<Word18, 8192> memory_{};
+  Flashes sink_;
+  Display<Flashes> display_{{.subroutines_347 = true, .characters_342 = true}, sink_};
+  std::vector<std::pair<int, std::int64_t>> log_;
+};
+
+using Log = std::vector<std::pair<int, std::int64_t>>;
+
+// To 5312, where an escaping vector of seven pulses comes back to the word after the call; 3.3 us a jump.
+TEST_F(DisplayOptions, JumpAndSaveReturnsOnEscape) {
+  put(0, {0160117, 0705312, 0003000});
+  put(05312, {0600003});
+  run(0);
+  EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {05312, 6600}, {2, 20'400}}));
+  EXPECT_TRUE(display_.stop_interrupt(at_nanoseconds(2'000'000)));
+  EXPECT_EQ(display_.return_address(at_nanoseconds(2'000'000)), Word18(2));
+  EXPECT_FALSE(display_.registers().save);
+}
+
+TEST_F(DisplayOptions, JumpGoesOnInTheModeItNames) {
+  put(0, {0160000, 0420100});  // DJP 100, mode point
+  put(0100, {0000321, 0003000});
+  run(0);
+  EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {0100, 6600}, {0101, 45'400}}));
+  EXPECT_EQ(display_.registers().x, 0321);
+}
+
+// The subroutine plants a jump back at its end: DDS writes DJP to the saved address, and the escape before it does not
+// return, for DDS has taken SAVE down.
+TEST_F(DisplayOptions, DepositPlantsTheReturn) {
+  put(0, {0160117, 0760200, 0003000});      // DJS 200, mode 7
+  put(0200, {0300210, 0600003, 0160000});   // DDS 210, mode 4; a vector that escapes; to mode 7
+  put(0203, {0560210});                     // DJP 210, mode 7
+  run(0);
+  EXPECT_EQ(memory_[0210], Word18(0400002));
+  EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {0200, 6600}, {0210, 9900}, {0201, 9900}, {0202, 23'700}, {0203, 27'000},
+                       {0210, 30'300}, {2, 33'600}}));
+  EXPECT_TRUE(display_.stop_interrupt(at_nanoseconds(2'000'000)));
+}
+
+TEST_F(DisplayOptions, EdgeEscapesFromASubroutineToo) {
+  put(0, {0160117, 0720100, 0003000});  // DJS 100, mode vector continue
+  put(0100, {0000377});                 // left from x = 0
+  run(0);
+  EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {0100, 6600}, {2, 6600 + 4300}}));
+}
+
+// A start forgets a call under way.
+TEST_F(DisplayOptions, StartTakesSaveDown) {
+  put(0, {0160117, 0740100});
+  run(0, 7000);
+  display_.load_address_and_start(at_nanoseconds(8000), Word18(0300));
+  ASSERT_NE(display_.break_request(), nullptr);
+  EXPECT_EQ(display_.break_request()->address, 0300);
+}
+
+// A space is six dark steps: 0.5 + 9 us; three of them 2.8 + 28.5.
+TEST_F(DisplayOptions, SpacesMoveDark) {
+  put(0, {0060137, 0404040, 0373737, 0003000});
+  run(0);
+  EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {2, 34'600}, {3, 37'900}}));
+  EXPECT_EQ(display_.registers().x, 36);  // scale 2
+  EXPECT_EQ(display_.registers().y, 0);
+  EXPECT_TRUE(sink_.points.empty());
+}
+
+// I is a stem between two bars; the beam ends at the next character's start on the base line.
+TEST_F(DisplayOptions, LettersAreDrawnInTheirCell) {
+  put(0, {0060117, 0113700, 0003000});
+  run(0);
+  const std::set<std::pair<int, int>> expected{{1, 0}, {2, 0}, {3, 0}, {2, 1}, {2, 2}, {2, 3},
+                                               {2, 4}, {2, 5}, {1, 6}, {2, 6}, {3, 6}};
+  EXPECT_EQ(sink_.points, expected);
+  EXPECT_EQ(display_.registers().x, 6);
+  EXPECT_EQ(display_.registers().y, 0);
+  EXPECT_EQ(display_.registers().mode, Mode::parameter);
+}
+
+// Line feed steps down eleven, carriage return clears X, shift-out takes the second set until shift-in.
+TEST_F(DisplayOptions, ControlCodes) {
+  put(0, {0020117, 0220144, 060144, 0404033, 0343637, 0003000});
+  run(0);
+  EXPECT_EQ(display_.registers().x, 0);
+  EXPECT_EQ(display_.registers().y, 100 - 11);
+  EXPECT_TRUE(display_.registers().shift_out);
+  display_.load_address_and_start(at_nanoseconds(2'000'000), Word18(5));
+  EXPECT_FALSE(display_.registers().shift_out);
+}
+
+// The flag goes up when a character runs off, the character is drawn to its end, and the next request takes it down.
+TEST_F(DisplayOptions, CharactersOverAnEdgeWrap) {
+  put(0, {0020117, 0061777, 0404040, 0373737, 0003000});
+  run(0);
+  EXPECT_EQ(display_.registers().x, 17);
+  EXPECT_TRUE(display_.stop_interrupt(at_nanoseconds(2'000'000)));
+  EXPECT_FALSE(display_.horizontal_edge(at_nanoseconds(2'000'000)));
+}
+
+TEST(CharacterPaths, LightEveryDotOnceAndEndOnTheBaseLine) {
+  for (unsigned set = 0; set < 2; ++set) {
+    for (std::uint8_t c = 1; c < 0100; ++c) {
+      if (c >= code::line_feed && c <= code::escape) continue;
+      const CharacterPath path = path_of(c, set == 1);
+      std::set<std::pair<int, int>> lit;
+      int x = 0;
+      int y = 0;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        x += path[i].direction.x;
+        y += path[i].direction.y;
+        EXPECT_TRUE(!path[i].lit || lit.insert({x, y}).second) << unsigned{c};
+        EXPECT_TRUE(!path[i].lit || (x >= 0 && x < 5 && y >= 0 && y < 7)) << unsigned{c};
+      }
+      EXPECT_EQ(std::pair(x, y), std::pair(6, 0)) << unsigned{c};
+      EXPECT_EQ(lit.empty(), c == code::space) << unsigned{c};
+      EXPECT_LE(path.size(), 40U) << unsigned{c};
+    }
+  }
+  EXPECT_EQ(path_of(code::line_feed, false).size(), 11U);
+  for (const std::uint8_t c : {code::carriage_return, code::shift_in, code::shift_out, code::escape}) {
+    EXPECT_EQ(path_of(c, false).size(), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace sightline::type340
