@@ -1,0 +1,311 @@
+// A PDP-7 with its core memory, its devices and, when one is attached, a display that fetches its words by data break.
+//
+// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, a clock tick,
+// the program interrupt. A boundary costs one compare against the nearest instant at which any of them may be due;
+// what the display, the clock or a device does in between is made up for when it is touched. A data break is granted
+// at the first boundary at or after the request and takes one cycle; its word stands at the display at the end of it.
+//
+// Left out: the single-step keys, data breaks while the processor is halted, and the devices that
+// no scene uses (drum, magnetic tape, line printer).
+// Sources: PDP-4 manual page 16 (breaks "only at the completion of the current instruction"), and timing.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+#include "emulators/machines/display_iots.hpp"
+#include "emulators/machines/observer.hpp"
+#include "emulators/machines/pdp7_bus.hpp"
+#include "emulators/pdp7/console.hpp"
+#include "emulators/pdp7/core_memory.hpp"
+#include "emulators/pdp7/cpu.hpp"
+#include "emulators/pdp7/peripherals.hpp"
+#include "emulators/pdp7/timing.hpp"
+
+namespace sightline::machines {
+
+struct Configuration {
+  std::uint32_t core_words = 8192;  // 4096, 8192, 16384 or 32768
+  pdp7::Model model{};              // extend is implied by more than 8192 words
+  pdp7::Devices devices{};
+  pdp7::Timing timing{};
+};
+
+enum class StopReason : std::uint8_t {
+  halt,               // HLT
+  instruction_limit,  // Limits::instructions done
+  time_limit,         // the first boundary at or after Limits::until
+  observer,           // the observer asked for it
+  xct_chain,          // more than 16 XCTs in a chain
+  unanswered,         // strict: an instruction nothing in this machine obeys
+};
+
+struct Limits {
+  std::uint64_t instructions = ~std::uint64_t{0};
+  core::Instant until = core::never;
+};
+
+struct Counts {
+  std::uint64_t instructions = 0;
+  std::uint64_t machine_cycles = 0;  // stolen ones included, asynchronous time not
+  std::uint64_t stolen_cycles = 0;   // data breaks and clock ticks
+  std::uint64_t display_words = 0;   // words the display took by data break
+  std::uint64_t display_starts = 0;  // IDLA and IDRD
+};
+
+// An instruction nothing obeyed: how often, and where first.
+struct Unanswered {
+  std::uint32_t word;
+  std::uint64_t count;
+  pdp7::Address first_pc;
+};
+
+template <class Display, class Observer = NoObserver>
+class BasicPdp7 {
+ public:
+  BasicPdp7(const Configuration& configuration, Observer& observer)
+      : configuration_(completed(configuration)),
+        core_(configuration.core_words),
+        devices_(configuration.devices, configuration_.timing),
+        observer_(observer) {}
+  BasicPdp7(const BasicPdp7&) = delete;
+  BasicPdp7& operator=(const BasicPdp7&) = delete;
+
+  // Plugs the display in; the arguments go to its constructor.
+  template <class... Arguments>
+  Display& attach_display(Arguments&&... arguments) {
+    return display_.emplace(std::forward<Arguments>(arguments)...);
+  }
+  [[nodiscard]] Display* display() { return display_ ? &*display_ : nullptr; }
+  [[nodiscard]] const Display* display() const { return display_ ? &*display_ : nullptr; }
+
+  // Registers, between runs.
+  [[nodiscard]] pdp7::State& registers() { return state_; }
+  [[nodiscard]] const pdp7::State& registers() const { return state_; }
+
+  // Core, without time: the door for loaders, dumps and tests.
+  [[nodiscard]] core::Word18 peek(pdp7::Address address) const { return core_.read(address); }
+  void deposit(pdp7::Address address, core::Word18 word) { core_.write(address, word); }
+  [[nodiscard]] std::span<const core::Word18> core() const { return {core_.data(), core_.size()}; }
+  void randomise_core(std::uint64_t seed) { core_.randomise(seed); }
+
+  [[nodiscard]] pdp7::Console& console() { return console_; }
+  [[nodiscard]] pdp7::Peripherals& devices() { return devices_; }
+  [[nodiscard]] const pdp7::Peripherals& devices() const { return devices_; }
+  [[nodiscard]] const Configuration& configuration() const { return configuration_; }
+  [[nodiscard]] core::Instant now() const { return now_; }
+
+  [[nodiscard]] Counts counts() const {
+    Counts counts = counts_;
+    counts.machine_cycles =
+        static_cast<std::uint64_t>((now_.time_since_epoch() - asynchronous_) / pdp7::machine_cycle);
+    return counts;
+  }
+
+  // One entry for every instruction word that nothing obeyed, in the order of first appearance.
+  [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
+
+  // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at `address`.
+  void start(pdp7::Address address) {
+    devices_.clear(now_);
+    if (display_) display_->power_clear(now_);
+    pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
+    cpu.start(address);
+    state_ = cpu.state();
+  }
+
+  // Runs from the state as it is (the CONTINUE key) until something stops it; what is due at the boundary where it
+  // stops is left to the next run, but the display has drawn everything up to that instant. Registers, time and the processor's
+  // side of the bus are locals of this function: that, and nothing else, is what makes it fast.
+  StopReason run(const Limits& limits) {
+    pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
+    std::uint64_t left = limits.instructions;
+    StopReason reason = StopReason::instruction_limit;
+    while (left != 0) {
+      if constexpr (Observer::stops) {
+        if (observer_.stop()) {
+          reason = StopReason::observer;
+          break;
+        }
+      }
+      if (cpu.bus().due()) [[unlikely]] {
+        if (cpu.bus().now() >= limits.until) {
+          reason = StopReason::time_limit;
+          break;
+        }
+        if (attend(cpu, limits.until)) continue;
+      }
+      --left;
+      const pdp7::Outcome outcome = step(cpu);
+      if (outcome != pdp7::Outcome::completed) [[unlikely]] {
+        reason = reason_of(outcome);
+        break;
+      }
+    }
+    counts_.instructions += limits.instructions - left;
+    state_ = cpu.state();
+    now_ = cpu.bus().now();
+    asynchronous_ += cpu.bus().asynchronous();
+    if (display_) display_->advance(now_);
+    return reason;
+  }
+
+ private:
+  using Bus = Pdp7Bus<BasicPdp7, Observer>;
+  friend Bus;
+
+  static Configuration completed(Configuration configuration) {
+    if (configuration.core_words > 8192) configuration.model.extend = true;
+    return configuration;
+  }
+
+  static constexpr StopReason reason_of(pdp7::Outcome outcome) {
+    switch (outcome) {
+      case pdp7::Outcome::halted: return StopReason::halt;
+      case pdp7::Outcome::xct_chain: return StopReason::xct_chain;
+      default: return StopReason::unanswered;
+    }
+  }
+
+  [[gnu::always_inline]] pdp7::Outcome step(pdp7::Cpu<Bus>& cpu) {
+    if constexpr (Observer::instructions) {
+      const core::Instant begun = cpu.bus().now();
+      const pdp7::State before = cpu.state();
+      const core::Word18 word = core_.read(before.pc);
+      const pdp7::Outcome outcome = cpu.step();
+      observer_.instruction(InstructionRecord{begun, cpu.bus().now(), before.pc, word, before, cpu.state()});
+      return outcome;
+    } else {
+      return cpu.step();
+    }
+  }
+
+  // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a boundary
+  // of its own.
+  [[gnu::always_inline]] bool attend(pdp7::Cpu<Bus>& cpu, core::Instant until) {
+    pdp7::State& state = cpu.state();
+    Bus& bus = cpu.bus();
+    const bool deferred = state.interrupts_deferred;
+    const Attention found = look_around(bus.now(), state.interrupts_on && !deferred);
+    state.interrupts_deferred = false;
+    bus.set_now(found.now);
+    bus.set_deadline(deferred ? core::Instant::min() : std::min(found.deadline, until));
+    if (found.interrupt) cpu.interrupt();
+    return found.interrupt;
+  }
+
+  struct Attention {
+    core::Instant now;
+    core::Instant deadline;
+    bool interrupt;
+  };
+
+  // Gives the devices the cycles they ask for. In and out by value: see run().
+  [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open) {
+    while (display_break(now) || clock_tick(now)) {
+    }
+    devices_.advance(now);
+    const bool interrupt =
+        interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
+    return {now, deadline(), interrupt};
+  }
+
+  bool display_break(core::Instant& now) {
+    if (!display_) return false;
+    display_->advance(now);
+    const auto* request = display_->break_request();
+    if (request == nullptr) return false;
+    const pdp7::Address address = request->address;
+    const core::Instant begun = now;
+    now += pdp7::machine_cycle;
+    ++counts_.stolen_cycles;
+    if (request->write) {
+      const core::Word18 word = request->word;
+      core_.write(address, word);
+      report({begun, pdp7::machine_cycle, pdp7::Verb::break_write, address, word});
+      display_->deposited(now);
+    } else {
+      const core::Word18 word = core_.read(address);
+      ++counts_.display_words;
+      report({begun, pdp7::machine_cycle, pdp7::Verb::break_read, address, word});
+      display_->deliver(now, word);
+    }
+    return true;
+  }
+
+  bool clock_tick(core::Instant& now) {
+    constexpr pdp7::Address counter = 7;
+    if (!devices_.clock.take_tick(now)) return false;
+    const core::Word18 count = core_.read(counter) + core::Word18(1);
+    core_.write(counter, count);
+    const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
+    report({now, length, pdp7::Verb::break_modify, counter, count});
+    now += length;
+    counts_.stolen_cycles += static_cast<std::uint64_t>(configuration_.timing.clock_tick_cycles);
+    if (count.value() == 0) devices_.clock.raise_flag();
+    return true;
+  }
+
+  // The earliest instant at which any device will by itself want a cycle or change its interrupt request.
+  [[nodiscard]] core::Instant deadline() const {
+    return display_ ? std::min(devices_.deadline(), display_->deadline()) : devices_.deadline();
+  }
+
+  struct IotEffect {
+    pdp7::IotReply reply;
+    core::Duration stretch;
+    bool look;  // something may have become due
+  };
+
+  // The pulses of an IOT whose Fetch cycle ends at `now`.
+  [[gnu::noinline]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac) {
+    std::uint32_t elsewhere = 0;
+    if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now)) elsewhere = pdp7::status::light_pen;
+    pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
+    if (display_ && is_display_iot(word)) {
+      display_iot(*display_, now, word, reply);
+      if ((word & 07704U) == 00604U) ++counts_.display_starts;
+    }
+    if (display_ && pdp7::clears_all_flags(word)) display_->clear_flags(now);
+    // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits for.
+    const bool look = (word & 06U) != 0;
+    return {reply, configuration_.timing.iot_stretch[(word >> 6) & 077U], look};
+  }
+
+  [[gnu::noinline]] core::Word18 switches(core::Instant now) { return console_.switches(now); }
+
+  [[gnu::noinline]] void count_unanswered(std::uint32_t word, pdp7::Address at) {
+    for (Unanswered& entry : unanswered_) {
+      if (entry.word == word) {
+        ++entry.count;
+        return;
+      }
+    }
+    unanswered_.push_back({word, 1, at});
+  }
+
+  void report(const pdp7::Cycle& cycle) {
+    if constexpr (Observer::cycles) observer_.cycle(cycle);
+  }
+
+  Configuration configuration_;
+  pdp7::State state_;
+  core::Instant now_{};
+  core::Duration asynchronous_{};
+  pdp7::CoreMemory core_;
+  pdp7::Peripherals devices_;
+  pdp7::Console console_;
+  std::optional<Display> display_;
+  Counts counts_;
+  std::vector<Unanswered> unanswered_;
+  Observer& observer_;
+};
+
+}  // namespace sightline::machines

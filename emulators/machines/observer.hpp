@@ -1,0 +1,35 @@
+// Who may watch a PDP-7 run: hooks chosen at compile time, so that a machine nobody watches has none.
+//
+// An observer is a type with
+//   static constexpr bool instructions;   true: instruction() is called after every instruction
+//   static constexpr bool cycles;         true: cycle() is called for every bus event, stolen cycles included
+//   static constexpr bool stops;          true: stop() is asked at every instruction boundary
+// and, for each that is true,
+//   void instruction(const InstructionRecord&);
+//   void cycle(const pdp7::Cycle&);
+//   bool stop();                          true ends the run there, before the next fetch
+// An observer sees; it must not write to the machine.
+#pragma once
+
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+#include "emulators/pdp7/state.hpp"
+
+namespace sightline::machines {
+
+struct InstructionRecord {
+  core::Instant time;       // start of its fetch
+  core::Instant end;
+  pdp7::Address pc;         // where it stood
+  core::Word18 word;        // what stood there when it was fetched
+  const pdp7::State& before;
+  const pdp7::State& after;
+};
+
+struct NoObserver {
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = false;
+};
+
+}  // namespace sightline::machines

@@ -1,0 +1,29 @@
+// The machine of this project: a PDP-7 that can have a Type 340 display.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "emulators/core/stroke.hpp"
+#include "emulators/machines/basic_pdp7.hpp"
+#include "emulators/machines/observer.hpp"
+#include "emulators/type340/display.hpp"
+
+namespace sightline::machines {
+
+struct Pdp7Options {
+  Configuration configuration{};
+  std::optional<type340::Options> display;  // nullopt: no display on the machine
+};
+
+// `Sink` takes the strokes (core/stroke.hpp), `Observer` watches the processor (observer.hpp). Both outlive it.
+template <class Sink = core::NoStrokes, class Observer = NoObserver>
+class Pdp7 : public BasicPdp7<type340::Display<Sink>, Observer> {
+ public:
+  Pdp7(const Pdp7Options& options, Sink& sink, Observer& observer)
+      : BasicPdp7<type340::Display<Sink>, Observer>(options.configuration, observer) {
+    if (options.display) this->attach_display(*options.display, sink);
+  }
+};
+
+}  // namespace sightline::machines

@@ -1,0 +1,41 @@
+// The AC switches of the console, and a person who moves them at set times.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+
+namespace sightline::pdp7 {
+
+struct SwitchSetting {
+  core::Instant time;
+  core::Word18 switches;
+};
+
+class Console {
+ public:
+  // Settings to come; they need not be sorted. Of two at one instant the later in the list holds.
+  void schedule(std::vector<SwitchSetting> settings) {
+    settings_ = std::move(settings);
+    std::stable_sort(settings_.begin(), settings_.end(),
+                     [](const SwitchSetting& a, const SwitchSetting& b) { return a.time < b.time; });
+    next_ = 0;
+  }
+
+  void set(core::Word18 switches) { switches_ = switches; }
+
+  [[nodiscard]] core::Word18 switches(core::Instant now) {
+    while (next_ < settings_.size() && settings_[next_].time <= now) switches_ = settings_[next_++].switches;
+    return switches_;
+  }
+
+ private:
+  std::vector<SwitchSetting> settings_;
+  std::size_t next_ = 0;
+  core::Word18 switches_;
+};
+
+}  // namespace sightline::pdp7

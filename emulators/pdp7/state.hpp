@@ -1,0 +1,44 @@
+// The registers a PDP-7 program can see, and the word that saves them.
+//
+// MA, MB and IR live inside one instruction and are not kept. Source: PDP-4 manual page 17; the extend and trap bits
+// follow the Type 148 and the trap option of the PDP-7.
+#pragma once
+
+#include <cstdint>
+
+#include "emulators/core/word.hpp"
+
+namespace sightline::pdp7 {
+
+// A 15-bit core address; without the Type 148 only the low 13 bits are ever non-zero.
+using Address = std::uint32_t;
+
+inline constexpr Address bank_mask = 060000;    // which 8K bank
+inline constexpr Address in_bank_mask = 017777; // the place inside it
+inline constexpr Address address_mask = 077777;
+
+// The address after `a`, inside the same 8K bank: 17777 is followed by 00000.
+[[nodiscard]] constexpr Address next_in_bank(Address a) { return (a & bank_mask) | ((a + 1) & in_bank_mask); }
+
+struct State {
+  core::Word18 ac;
+  core::Word18 mq;
+  core::Word<6> sc;      // step counter of the EAE, counting down to 0
+  Address pc = 0;        // 15 bits
+  bool link = false;
+  bool interrupts_on = false;
+  bool interrupts_deferred = false;  // ION was the last instruction: one more runs before a break
+  bool extend = false;               // Type 148: indirect addresses have 15 bits
+  bool extend_restore = false;       // EMIR given: the next JMP I restores extend mode
+  bool trap_mode = false;            // IOT, HLT and XCT of XCT trap
+
+  friend constexpr bool operator==(const State&, const State&) = default;
+};
+
+// What JMS, CAL, an interrupt and a trap store: bit 0 L, bit 1 extend mode, bit 2 trap mode, bits 3-17 PC.
+[[nodiscard]] constexpr core::Word18 saved_word(const State& state) {
+  return core::Word18((state.link ? 0400000U : 0U) | (state.extend ? 0200000U : 0U) |
+                      (state.trap_mode ? 0100000U : 0U) | (state.pc & address_mask));
+}
+
+}  // namespace sightline::pdp7
