@@ -32,8 +32,10 @@ AtomicFile::AtomicFile(std::string path, std::string target, std::string partial
     : path_(std::move(path)), target_(std::move(target)), partial_(std::move(partial)), file_(file) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : path_(std::move(other.path_)), target_(std::move(other.target_)),
-      partial_(std::exchange(other.partial_, std::string())), file_(std::move(other.file_)),
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      partial_(std::exchange(other.partial_, std::string())),
+      file_(std::move(other.file_)),
       failure_(other.failure_) {}
 
 AtomicFile::~AtomicFile() {
@@ -64,13 +66,15 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
 void AtomicFile::write(std::string_view text) {
   if (file_ == nullptr || failure_ != 0 || text.empty()) return;
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) failure_ = errno != 0 ? errno : EIO;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
+    failure_ = errno != 0 ? errno : EIO;
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
   if (file_ == nullptr || failure_ != 0 || bytes.empty()) return;
   errno = 0;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) failure_ = errno != 0 ? errno : EIO;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size())
+    failure_ = errno != 0 ? errno : EIO;
 }
 
 Result<Done> AtomicFile::commit() {

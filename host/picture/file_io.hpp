@@ -1,8 +1,8 @@
 // Whole files in, and files out that are there completely or not at all.
 //
-// An AtomicFile writes beside its target and takes the target's name only in commit(); given up or destroyed before
-// that it removes what it wrote, and an older file of that name stays as it was. A target that exists and is no
-// regular file (a pipe, /dev/null) cannot be replaced and is written directly.
+// An AtomicFile writes beside its target and takes the target's name only in commit(); given up or destroyed
+// before that it removes what it wrote, and an older file of that name stays as it was. A target that exists
+// and is no regular file (a pipe, /dev/null) cannot be replaced and is written directly.
 #pragma once
 
 #include <cstdint>
@@ -45,10 +45,11 @@ class AtomicFile {
   std::string target_;   // path_ with symbolic links followed
   std::string partial_;  // empty: the target is written directly
   std::unique_ptr<std::FILE, Close> file_;
-  int failure_ = 0;      // errno of the first failure
+  int failure_ = 0;  // errno of the first failure
 };
 
-[[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<Done> write_file_atomically(const std::string& path,
+                                                 std::span<const std::uint8_t> bytes);
 [[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::string_view text);
 
 // The whole file; an error for a directory, and for more than `limit` bytes.

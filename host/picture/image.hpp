@@ -1,4 +1,5 @@
-// An 8-bit picture in memory: one byte (grey) or three (red, green, blue) a pixel, rows from the top, no padding.
+// An 8-bit picture in memory: one byte (grey) or three (red, green, blue) a pixel, rows from the top, no
+// padding.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +17,16 @@ struct Image {
   Image() = default;
   // All black.
   Image(int columns, int rows, int bytes_a_pixel)
-      : width(columns), height(rows), channels(bytes_a_pixel),
+      : width(columns),
+        height(rows),
+        channels(bytes_a_pixel),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
                static_cast<std::size_t>(bytes_a_pixel)) {}
 
   // Index of the first byte of the pixel `column` from the left, `row` from the top.
   [[nodiscard]] std::size_t index(int column, int row) const {
-    return (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)) *
+    return (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+            static_cast<std::size_t>(column)) *
            static_cast<std::size_t>(channels);
   }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double reach_sigmas = 4.0;  // beyond lies 6e-5 of a Gaussian
 constexpr int cell_points = 4;
-constexpr int cell_padding = 16;      // cells around the lattice: the widest margin, 64 points
+constexpr int cell_padding = 16;  // cells around the lattice: the widest margin, 64 points
 constexpr int cells_a_side = screen_points / cell_points + 2 * cell_padding;
 
 // Integral of e^(-x^2 / 2 sigma^2) over one pixel around x, by Simpson's rule.
@@ -77,7 +77,9 @@ Between between_cells(int pixel, FilmSize size) {
 
 }  // namespace
 
-int FilmSize::pixels() const { return (screen_points + 2 * margin_points) * pixels_per_point; }
+int FilmSize::pixels() const {
+  return (screen_points + 2 * margin_points) * pixels_per_point;
+}
 
 SpotProfile spot_profile(double sigma, int pixels_per_point) {
   const double in_pixels = sigma * pixels_per_point;
@@ -92,8 +94,8 @@ SpotProfile spot_profile(double sigma, int pixels_per_point) {
   return profile;
 }
 
-void spread_spots(std::span<const std::uint64_t> sums, double scale, const SpotProfile& profile, FilmSize size,
-                  std::vector<float>& film) {
+void spread_spots(std::span<const std::uint64_t> sums, double scale, const SpotProfile& profile,
+                  FilmSize size, std::vector<float>& film) {
   const int side = size.pixels();
   const int reach = static_cast<int>(profile.weights.size());
   std::vector<double> across(static_cast<std::size_t>(side));
@@ -127,8 +129,10 @@ void Halo::add(std::span<const std::uint64_t> sums, double scale) {
   for (int y = 0; y < screen_points; ++y) {
     const int row = (screen_points - 1 - y) / cell_points + cell_padding;
     for (int x = 0; x < screen_points; ++x) {
-      const std::uint64_t sum = sums[static_cast<std::size_t>(y) * screen_points + static_cast<std::size_t>(x)];
-      if (sum != 0) cells_[cell_index(x / cell_points + cell_padding, row)] += static_cast<double>(sum) * scale;
+      const std::uint64_t sum =
+          sums[static_cast<std::size_t>(y) * screen_points + static_cast<std::size_t>(x)];
+      if (sum != 0)
+        cells_[cell_index(x / cell_points + cell_padding, row)] += static_cast<double>(sum) * scale;
     }
   }
 }
@@ -146,7 +150,8 @@ void Halo::spread(double sigma, FilmSize size, std::vector<float>& film) const {
       const double upper = halo[corner] + (halo[corner + 1] - halo[corner]) * over.share;
       const double lower = halo[corner + cells_a_side] +
                            (halo[corner + cells_a_side + 1] - halo[corner + cells_a_side]) * over.share;
-      film[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column)] +=
+      film[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(column)] +=
           static_cast<float>((upper + (lower - upper) * down.share) * a_pixel);
     }
   }

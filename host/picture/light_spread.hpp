@@ -7,8 +7,8 @@
 
 namespace sightline::picture {
 
-// A Gaussian cut into pixels. weights[i] is the part of the light that falls on pixel first + i, pixel 0 being the
-// lattice point's first (left or upper) pixel. The weights add up to 1.
+// A Gaussian cut into pixels. weights[i] is the part of the light that falls on pixel first + i, pixel 0
+// being the lattice point's first (left or upper) pixel. The weights add up to 1.
 struct SpotProfile {
   int first = 0;
   std::vector<double> weights;
@@ -23,10 +23,10 @@ struct FilmSize {
   [[nodiscard]] int pixels() const;  // along one side
 };
 
-// `sums` holds 1024 x 1024 lattice points, row y from the bottom; adds scale * sum, spread by the profile both ways,
-// to the film (rows from the top), as light per pixel. What falls beside the film is lost.
-void spread_spots(std::span<const std::uint64_t> sums, double scale, const SpotProfile& profile, FilmSize size,
-                  std::vector<float>& film);
+// `sums` holds 1024 x 1024 lattice points, row y from the bottom; adds scale * sum, spread by the profile
+// both ways, to the film (rows from the top), as light per pixel. What falls beside the film is lost.
+void spread_spots(std::span<const std::uint64_t> sums, double scale, const SpotProfile& profile,
+                  FilmSize size, std::vector<float>& film);
 
 // The halo is so wide that it is computed on cells of 4 x 4 points and read between their middles.
 class Halo {

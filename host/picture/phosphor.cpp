@@ -15,7 +15,9 @@ namespace {
 
 constexpr double units_a_flash = 4294967296.0;  // 2^32: a point may flash for an hour before a sum overflows
 
-double seconds(core::Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
+double seconds(core::Duration duration) {
+  return static_cast<double>(duration.count()) * 1e-9;
+}
 
 // The film's answer to v is v / (1 + v); entry c is the least v that comes out as sRGB code c or higher.
 std::array<double, 256> film_thresholds() {
@@ -62,13 +64,15 @@ void PhosphorPhotograph::stroke(const core::Stroke& stroke) {
   std::array<double, layers> shares{};
   shares[blue] = share_on_film(parameters_.blue_share, parameters_.blue_tau_seconds, stroke.time);
   for (const DecayPart& part : parameters_.yellow) {
-    shares[yellow] += share_on_film((1.0 - parameters_.blue_share) * part.share, part.tau_seconds, stroke.time);
+    shares[yellow] +=
+        share_on_film((1.0 - parameters_.blue_share) * part.share, part.tau_seconds, stroke.time);
   }
   const std::size_t point = static_cast<std::size_t>(stroke.y) * screen_points + stroke.x;
   for (std::size_t layer = 0; layer < layers; ++layer) {
     LatticeSums& sums = sums_[stroke.intensity][layer];
     if (sums.empty()) sums.resize(std::size_t{screen_points} * screen_points);
-    sums[point] += static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_a_flash + 0.5);
+    sums[point] +=
+        static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_a_flash + 0.5);
   }
 }
 

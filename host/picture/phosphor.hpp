@@ -1,11 +1,12 @@
-// A photograph of the P7 screen: what film in front of the tube would show after the shutter was open for a while.
+// A photograph of the P7 screen: what film in front of the tube would show after the shutter was open for a
+// while.
 //
-// Every stroke is a flash of the beam at one point. The blue layer answers within microseconds, the yellow-green one
-// glows on for seconds; the film adds up whatever falls on it between the shutter's opening and closing, so a stroke
-// before the opening still leaves its afterglow. Light is added up per lattice point in whole 2^-32 of a flash: the
-// order of the strokes cannot change a bit. Spot, cascade and halo are spread once, when the film is developed.
-// Left out: saturation and burn of the phosphor, grain, geometry errors of tube and lens, reflections of the room.
-// Sources: see phosphor_parameters.hpp.
+// Every stroke is a flash of the beam at one point. The blue layer answers within microseconds, the
+// yellow-green one glows on for seconds; the film adds up whatever falls on it between the shutter's opening
+// and closing, so a stroke before the opening still leaves its afterglow. Light is added up per lattice point
+// in whole 2^-32 of a flash: the order of the strokes cannot change a bit. Spot, cascade and halo are spread
+// once, when the film is developed. Left out: saturation and burn of the phosphor, grain, geometry errors of
+// tube and lens, reflections of the room. Sources: see phosphor_parameters.hpp.
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@
 
 namespace sightline::picture {
 
-// Light on the film before it answers, in flashes of intensity 7 per area of one lattice point; rows from the top.
+// Light on the film before it answers, in flashes of intensity 7 per area of one lattice point; rows from the
+// top.
 struct FilmLight {
   int width = 0;
   int height = 0;

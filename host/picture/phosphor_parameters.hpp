@@ -1,9 +1,9 @@
 // Everything that decides how the P7 photograph looks, in one place.
 //
-// Known: spot about 0.015 in across on a lattice of 0.00916 in (Type 30 manual, DEC-340 manual); the P7 screen is a
-// cascade of two layers, a blue-white flash (10 % after 25-75 us) over a yellow-green layer lit by it (10 % after
-// 0.4 s, then a power-law tail; RCA TPM-1508A). Chosen by eye, as nothing measured is known: the intensity curve,
-// the split of the light between the layers, colours, halo, face and exposure.
+// Known: spot about 0.015 in across on a lattice of 0.00916 in (Type 30 manual, DEC-340 manual); the P7
+// screen is a cascade of two layers, a blue-white flash (10 % after 25-75 us) over a yellow-green layer lit
+// by it (10 % after 0.4 s, then a power-law tail; RCA TPM-1508A). Chosen by eye, as nothing measured is
+// known: the intensity curve, the split of the light between the layers, colours, halo, face and exposure.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ using LinearColour = std::array<double, 3>;  // linear light, sRGB primaries
 
 // Light that fades as e^(-t/tau), as a part of all the light its layer sends out after one flash.
 struct DecayPart {
-  double share;        // of the layer's light; the shares of a layer add up to 1
+  double share;  // of the layer's light; the shares of a layer add up to 1
   double tau_seconds;
 };
 
@@ -32,8 +32,8 @@ struct PhosphorParameters {
 
   double blue_share = 0.25;  // of a flash's light; the rest is yellow-green
   double blue_tau_seconds = 20e-6;
-  // 0.29 e^(-t/0.04) + 0.48 e^(-t/0.16) + 0.06 e^(-t/2.4) follows 1/(1 + t/0.0444 s) within 25 % from 0 to 6 s;
-  // each part's share of the light is its amplitude times its tau.
+  // 0.29 e^(-t/0.04) + 0.48 e^(-t/0.16) + 0.06 e^(-t/2.4) follows 1/(1 + t/0.0444 s) within 25 % from 0 to 6
+  // s; each part's share of the light is its amplitude times its tau.
   std::array<DecayPart, 3> yellow{{{0.0116 / 0.2324, 0.04}, {0.0768 / 0.2324, 0.16}, {0.144 / 0.2324, 2.4}}};
 
   LinearColour blue_colour{0.10, 0.22, 1.0};
@@ -44,8 +44,9 @@ struct PhosphorParameters {
   double halo_sigma = 12.0;  // points
 
   LinearColour ambient{0.011, 0.017, 0.012};  // the unlit face, dark green-grey
-  // What one full flash, spread over the area of one lattice point, adds to the exposure of the film. The film then
-  // answers v / (1 + v). Set for a line drawing refreshed 40 times a second, shutter open for 0.2 s.
+  // What one full flash, spread over the area of one lattice point, adds to the exposure of the film. The
+  // film then answers v / (1 + v). Set for a line drawing refreshed 40 times a second, shutter open for 0.2
+  // s.
   double exposure = 3.5;
 };
 

@@ -1,7 +1,8 @@
-// PNG files, 8-bit grey and 8-bit RGB: the pictures the program writes, and the approved ones the tests read back.
+// PNG files, 8-bit grey and 8-bit RGB: the pictures the program writes, and the approved ones the tests read
+// back.
 //
-// No time stamp, no host name: equal pictures give equal bytes. Text entries are tEXt chunks (Latin-1). Left out:
-// everything the program never writes (palettes, alpha, 16 bits, interlacing); the reader says so.
+// No time stamp, no host name: equal pictures give equal bytes. Text entries are tEXt chunks (Latin-1). Left
+// out: everything the program never writes (palettes, alpha, 16 bits, interlacing); the reader says so.
 // Source: PNG specification, second edition (ISO/IEC 15948), sections 5, 11.2.2 and 11.3.4.
 #pragma once
 
@@ -26,7 +27,8 @@ struct PngFile {
 };
 
 [[nodiscard]] Result<Bytes> encode_png(const Image& image, const TextEntries& text = {});
-[[nodiscard]] Result<Done> write_png(const std::string& path, const Image& image, const TextEntries& text = {});
+[[nodiscard]] Result<Done> write_png(const std::string& path, const Image& image,
+                                     const TextEntries& text = {});
 
 // `name` stands for the file in error messages.
 [[nodiscard]] Result<PngFile> decode_png(const Bytes& bytes, const std::string& name);

@@ -1,5 +1,5 @@
-// Reading PNG. The chunks are walked here, so that an error can name its byte; libpng then checks the sums and
-// unpacks, through its interface that returns errors instead of jumping.
+// Reading PNG. The chunks are walked here, so that an error can name its byte; libpng then checks the sums
+// and unpacks, through its interface that returns errors instead of jumping.
 #include <png.h>
 
 #include <algorithm>
@@ -58,7 +58,8 @@ Result<TextEntries> walk_chunks(const Bytes& bytes, const std::string& name) {
     }
     const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(at + 4),
                            bytes.begin() + static_cast<std::ptrdiff_t>(data));
-    if (first != (type == "IHDR")) return at_byte(name, at + 4, first ? "no IHDR" : "a second IHDR", "one, in front");
+    if (first != (type == "IHDR"))
+      return at_byte(name, at + 4, first ? "no IHDR" : "a second IHDR", "one, in front");
     if (first) {
       if (const auto header = check_header(bytes, data, length, name); !header) return header.error();
     }
@@ -73,7 +74,8 @@ Result<TextEntries> walk_chunks(const Bytes& bytes, const std::string& name) {
     if (type == "IEND") break;
   }
   if (at != bytes.size()) {
-    return at_byte(name, at, std::to_string(bytes.size() - at) + " bytes after the last chunk", "the end of the file");
+    return at_byte(name, at, std::to_string(bytes.size() - at) + " bytes after the last chunk",
+                   "the end of the file");
   }
   return text;
 }

@@ -1,5 +1,5 @@
-// Writing PNG with libpng. libpng reports errors by longjmp; only run_encoder sits between the setjmp and the calls
-// that may jump, and it owns nothing that would need a destructor.
+// Writing PNG with libpng. libpng reports errors by longjmp; only run_encoder sits between the setjmp and the
+// calls that may jump, and it owns nothing that would need a destructor.
 #include <png.h>
 
 #include <algorithm>
@@ -64,8 +64,9 @@ bool run_encoder(Encoder& encoder, const Image& image, png_textp entries, int en
 }
 
 bool well_formed(const Image& image) {
-  return image.width >= 1 && image.height >= 1 && image.width <= png_size_limit && image.height <= png_size_limit &&
-         (image.channels == 1 || image.channels == 3) && image.pixels.size() == image.index(0, image.height);
+  return image.width >= 1 && image.height >= 1 && image.width <= png_size_limit &&
+         image.height <= png_size_limit && (image.channels == 1 || image.channels == 3) &&
+         image.pixels.size() == image.index(0, image.height);
 }
 
 // Keywords are 1 to 79 printable characters; a zero byte would end the text early.
@@ -82,13 +83,15 @@ bool well_formed(const TextEntries& text) {
 
 Result<Bytes> encode_png(const Image& image, const TextEntries& text) {
   if (!well_formed(image)) {
-    return FileError{"PNG", "", std::to_string(image.width) + " by " + std::to_string(image.height) + " pixels of " +
-                                    std::to_string(image.channels) + " bytes in " +
-                                    std::to_string(image.pixels.size()) + " bytes",
+    return FileError{"PNG", "",
+                     std::to_string(image.width) + " by " + std::to_string(image.height) + " pixels of " +
+                         std::to_string(image.channels) + " bytes in " + std::to_string(image.pixels.size()) +
+                         " bytes",
                      "1 to " + std::to_string(png_size_limit) + " each way, 1 or 3 bytes a pixel"};
   }
   if (!well_formed(text)) {
-    return FileError{"PNG", "", "a text entry that cannot be written", "keywords of 1 to 79 printable characters"};
+    return FileError{"PNG", "", "a text entry that cannot be written",
+                     "keywords of 1 to 79 printable characters"};
   }
   std::vector<png_text> entries(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -100,7 +103,8 @@ Result<Bytes> encode_png(const Image& image, const TextEntries& text) {
   Encoder encoder;
   encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, take_error, take_warning);
   if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
-  if (encoder.info == nullptr || !run_encoder(encoder, image, entries.data(), static_cast<int>(entries.size()))) {
+  if (encoder.info == nullptr ||
+      !run_encoder(encoder, image, entries.data(), static_cast<int>(entries.size()))) {
     return FileError{"PNG", "", encoder.message.empty() ? "out of memory" : encoder.message, ""};
   }
   return std::move(encoder.bytes);

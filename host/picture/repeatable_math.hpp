@@ -1,12 +1,28 @@
 // The few functions a photograph needs beyond + - * / and sqrt, made of nothing else.
 //
-// The C library's exp and pow choose different code on different processors, and their last bits may differ; IEEE
-// basic operations may not. Loops run a fixed number of turns, so equal arguments always give equal bits.
+// The C library's exp and pow choose different code on different processors, and their last bits may differ;
+// IEEE basic operations may not. Loops run a fixed number of turns, so equal arguments always give equal
+// bits.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace sightline::picture {
+
+namespace detail {
+
+inline constexpr std::size_t taylor_terms = 16;  // (ln 2)^17 / 17! is 6e-18
+
+// 1/n: a photograph of a second takes millions of exponentials, and division is the slow operation.
+inline constexpr auto reciprocals = [] {
+  std::array<double, taylor_terms + 1> table{};
+  for (std::size_t n = 1; n < table.size(); ++n) table[n] = 1.0 / static_cast<double>(n);
+  return table;
+}();
+
+}  // namespace detail
 
 // e^-x for x >= 0, relative error below 1e-14; 0 where the result would be below 1e-300.
 [[nodiscard]] inline double decay(double x) {
@@ -15,7 +31,7 @@ namespace sightline::picture {
   const int halvings = static_cast<int>(x / ln2);
   const double rest = x - halvings * ln2;  // 0 .. ln 2
   double sum = 1.0;
-  for (int n = 18; n >= 1; --n) sum = 1.0 - rest * sum / n;
+  for (std::size_t n = detail::taylor_terms; n >= 1; --n) sum = 1.0 - rest * sum * detail::reciprocals[n];
   return std::ldexp(sum, -halvings);
 }
 

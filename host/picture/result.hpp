@@ -1,5 +1,6 @@
-// A value, or why there is none: what every reader and writer of picture files answers. Errors name the file, the
-// place in it, what was found and what was expected, so that a person can mend the file without reading code.
+// A value, or why there is none: what every reader and writer of picture files answers. Errors name the file,
+// the place in it, what was found and what was expected, so that a person can mend the file without reading
+// code.
 #pragma once
 
 #include <string>

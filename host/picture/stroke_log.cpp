@@ -42,7 +42,8 @@ std::optional<std::int64_t> number(std::string_view digits, const Field& field) 
   std::int64_t value = 0;
   if (digits.empty() || digits.front() == '-') return std::nullopt;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, field.base);
-  if (error != std::errc() || end != digits.data() + digits.size() || value > field.greatest) return std::nullopt;
+  if (error != std::errc() || end != digits.data() + digits.size() || value > field.greatest)
+    return std::nullopt;
   return value;
 }
 
@@ -83,8 +84,8 @@ class LineReader {
 }  // namespace
 
 void append_stroke_line(std::string& text, const core::Stroke& stroke) {
-  fmt::format_to(std::back_inserter(text), "{} {} {} {} {:05o}\n", core::nanoseconds_of(stroke.time), stroke.x,
-                 stroke.y, stroke.intensity, stroke.address);
+  fmt::format_to(std::back_inserter(text), "{} {} {} {} {:05o}\n", core::nanoseconds_of(stroke.time),
+                 stroke.x, stroke.y, stroke.intensity, stroke.address);
 }
 
 Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const std::string& name) {

@@ -14,7 +14,8 @@
 
 namespace sightline::picture {
 
-// The display counts in 10 bits and its words give 3 bits of intensity. Nothing else can come from a Type 340.
+// The display counts in 10 bits and its words give 3 bits of intensity. Nothing else can come from a Type
+// 340.
 inline constexpr int screen_points = 1024;
 inline constexpr int intensity_levels = 8;
 
@@ -25,13 +26,13 @@ inline constexpr int intensity_levels = 8;
 // One run of the display from IDLA to the stop.
 struct Pass {
   core::Instant begin;
-  core::Instant end;             // of a running pass: its begin
+  core::Instant end;  // of a running pass: its begin
   std::vector<core::Stroke> strokes;
-  std::uint64_t left_out = 0;    // strokes beyond the recorder's limit
+  std::uint64_t left_out = 0;  // strokes beyond the recorder's limit
 };
 
-// Keeps the last complete pass and the running one. IDLA during a pass throws the unfinished pass away: it was
-// never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0.
+// Keeps the last complete pass and the running one. IDLA during a pass throws the unfinished pass away: it
+// was never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0.
 class PassRecorder {
  public:
   static constexpr bool consumes = true;

@@ -22,7 +22,9 @@ bool one_step_apart(LatticePoint a, LatticePoint b) {
   return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) == 1;
 }
 
-int sign(int value) { return (value > 0) - (value < 0); }
+int sign(int value) {
+  return (value > 0) - (value < 0);
+}
 
 // Does b -> c go on in the direction of a -> b? Both run along one of the eight directions of the lattice.
 bool straight(LatticePoint a, LatticePoint b, LatticePoint c) {
@@ -56,7 +58,8 @@ void append_polyline(std::string& text, const Polyline& line) {
   } else {
     for (const LatticePoint& corner : line.corners) {
       if (&corner != &line.corners.front()) text += ' ';
-      append_position(text, tenths_of_micrometres(corner.x), tenths_of_micrometres(screen_points - 1 - corner.y));
+      append_position(text, tenths_of_micrometres(corner.x),
+                      tenths_of_micrometres(screen_points - 1 - corner.y));
     }
   }
   text += "\"/>\n";
@@ -104,18 +107,20 @@ std::string svg_drawing(std::span<const core::Stroke> strokes, const std::string
   const auto lines = join_strokes(strokes);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
       "     width=\"{0:.3f}mm\" height=\"{0:.3f}mm\" viewBox=\"0 0 {0:.3f} {0:.3f}\">\n"
       "  <title>{1}</title>\n",
       screen_millimetres, escaped(title));
   for (int intensity = 0; intensity < intensity_levels; ++intensity) {
     const auto in_layer = [intensity](const Polyline& line) { return line.intensity == intensity; };
     if (std::none_of(lines.begin(), lines.end(), in_layer)) continue;
-    fmt::format_to(std::back_inserter(text),
-                   "  <g id=\"intensity-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} intensity {0}\"\n"
-                   "     fill=\"none\" stroke=\"#000000\" stroke-width=\"{1}\" stroke-linecap=\"round\" "
-                   "stroke-linejoin=\"round\">\n",
-                   intensity, pen_millimetres);
+    fmt::format_to(
+        std::back_inserter(text),
+        "  <g id=\"intensity-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} intensity {0}\"\n"
+        "     fill=\"none\" stroke=\"#000000\" stroke-width=\"{1}\" stroke-linecap=\"round\" "
+        "stroke-linejoin=\"round\">\n",
+        intensity, pen_millimetres);
     for (const Polyline& line : lines) {
       if (in_layer(line)) append_polyline(text, line);
     }

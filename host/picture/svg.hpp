@@ -1,10 +1,10 @@
 // Strokes as an SVG drawing in millimetres, at the size of the tube, for plotters and drawing programs.
 //
-// The screen is 9.375 in = 238.125 mm square (16ADP7 tube, DEC-340 manual); point (x, y) lies at the middle of its
-// 1/1024 of it. One user unit is one millimetre. Each intensity in use is an Inkscape layer, labelled with the
-// number first ("7 intensity 7") as plotter programs that pick layers by number want it.
-// Strokes that follow each other one step apart (also diagonally) become one polyline, whose straight runs keep
-// only their ends: the points stay on the same lattice, to 0.1 um. A point without a neighbour becomes a dash of
+// The screen is 9.375 in = 238.125 mm square (16ADP7 tube, DEC-340 manual); point (x, y) lies at the middle
+// of its 1/1024 of it. One user unit is one millimetre. Each intensity in use is an Inkscape layer, labelled
+// with the number first ("7 intensity 7") as plotter programs that pick layers by number want it. Strokes
+// that follow each other one step apart (also diagonally) become one polyline, whose straight runs keep only
+// their ends: the points stay on the same lattice, to 0.1 um. A point without a neighbour becomes a dash of
 // 0.02 mm, because many programs do not draw a path of no length. Brightness of repeated strokes is left out.
 #pragma once
 

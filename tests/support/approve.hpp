@@ -1,8 +1,9 @@
-// Approved files: what a program wrote is compared byte for byte with a file a person has looked at and committed
-// under tests/data/approved. With SIGHTLINE_APPROVE=1 in the environment the approved files are rewritten instead.
+// Approved files: what a program wrote is compared byte for byte with a file a person has looked at and
+// committed under tests/data/approved. With SIGHTLINE_APPROVE=1 in the environment the approved files are
+// rewritten instead.
 //
-// On a mismatch the received bytes are written under `received/` in the working directory of the test (the build
-// tree), and the failure says where. Pictures: see approve_png.hpp.
+// On a mismatch the received bytes are written under `received/` in the working directory of the test (the
+// build tree), and the failure says where. Pictures: see approve_png.hpp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,9 +51,9 @@ inline bool write_whole(const std::filesystem::path& path, std::string_view byte
 inline std::string where_they_part(std::string_view approved, std::string_view received) {
   const auto [a, r] = std::mismatch(approved.begin(), approved.end(), received.begin(), received.end());
   const auto line = 1 + std::count(approved.begin(), a, '\n');
-  return "approved " + std::to_string(approved.size()) + " bytes, received " + std::to_string(received.size()) +
-         ", first difference at byte " + std::to_string(a - approved.begin()) + " (line " + std::to_string(line) +
-         ")";
+  return "approved " + std::to_string(approved.size()) + " bytes, received " +
+         std::to_string(received.size()) + ", first difference at byte " +
+         std::to_string(a - approved.begin()) + " (line " + std::to_string(line) + ")";
 }
 
 // `name` is a path below tests/data/approved, e.g. "pdp7/roberts.lst".
@@ -66,15 +67,17 @@ inline testing::AssertionResult matches_approved(std::string_view received, cons
   if (exists && read_whole(approved) == received) return testing::AssertionSuccess();
   const auto kept = received_path(name);
   const bool written = write_whole(kept, received);
-  return testing::AssertionFailure()
-         << (exists ? where_they_part(read_whole(approved), received) : "nothing is approved yet")
-         << "\n  approved: " << approved.string()
-         << "\n  received: " << (written ? kept.string() : "(could not be written)")
-         << "\n  look at it; SIGHTLINE_APPROVE=1 makes it the approved one";
+  return testing::AssertionFailure() << (exists ? where_they_part(read_whole(approved), received)
+                                                : "nothing is approved yet")
+                                     << "\n  approved: " << approved.string() << "\n  received: "
+                                     << (written ? kept.string() : "(could not be written)")
+                                     << "\n  look at it; SIGHTLINE_APPROVE=1 makes it the approved one";
 }
 
-inline testing::AssertionResult matches_approved(std::span<const unsigned char> received, const std::string& name) {
-  return matches_approved(std::string_view(reinterpret_cast<const char*>(received.data()), received.size()), name);
+inline testing::AssertionResult matches_approved(std::span<const unsigned char> received,
+                                                 const std::string& name) {
+  return matches_approved(std::string_view(reinterpret_cast<const char*>(received.data()), received.size()),
+                          name);
 }
 
 }  // namespace sightline::tests

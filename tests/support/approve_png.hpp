@@ -1,5 +1,5 @@
-// Approved pictures: PNG files compared byte for byte, with a picture of the difference when they are not equal.
-// Link sightline_picture to use it.
+// Approved pictures: PNG files compared byte for byte, with a picture of the difference when they are not
+// equal. Link sightline_picture to use it.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +45,8 @@ inline Pixel pixel_at(const picture::Image& image, int column, int row) {
 
 inline PictureDifference picture_difference(const picture::Image& approved, const picture::Image& received) {
   PictureDifference difference;
-  difference.image = picture::Image(std::max(approved.width, received.width),
-                                    std::max(approved.height, received.height), 3);
+  difference.image =
+      picture::Image(std::max(approved.width, received.width), std::max(approved.height, received.height), 3);
   for (int row = 0; row < difference.image.height; ++row) {
     for (int column = 0; column < difference.image.width; ++column) {
       const auto a = detail::pixel_at(approved, column, row);
@@ -59,16 +59,17 @@ inline PictureDifference picture_difference(const picture::Image& approved, cons
         ++difference.extra;
         shown = {0, 255, 0};
       }
-      std::copy(shown.begin(), shown.end(),
-                difference.image.pixels.begin() +
-                    static_cast<std::ptrdiff_t>(difference.image.index(column, row)));
+      std::copy(
+          shown.begin(), shown.end(),
+          difference.image.pixels.begin() + static_cast<std::ptrdiff_t>(difference.image.index(column, row)));
     }
   }
   return difference;
 }
 
 // `name` is a path below tests/data/approved ending in ".png".
-inline testing::AssertionResult matches_approved_png(const picture::Image& received, const std::string& name) {
+inline testing::AssertionResult matches_approved_png(const picture::Image& received,
+                                                     const std::string& name) {
   const auto bytes = picture::encode_png(received);
   if (!bytes) return testing::AssertionFailure() << bytes.error().message();
   auto verdict = matches_approved(*bytes, name);

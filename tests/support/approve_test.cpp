@@ -62,7 +62,8 @@ TEST_F(Approve, PicturesFailWithAPictureOfTheDifference) {
   const auto shown = picture::read_png(path);
   ASSERT_TRUE(shown) << shown.error().message();
   const auto colour = [&](int column, int row) {
-    const auto first = shown->image.pixels.begin() + static_cast<std::ptrdiff_t>(shown->image.index(column, row));
+    const auto first =
+        shown->image.pixels.begin() + static_cast<std::ptrdiff_t>(shown->image.index(column, row));
     return std::vector<int>(first, first + 3);
   };
   EXPECT_EQ(colour(0, 0), (std::vector{255, 255, 255}));

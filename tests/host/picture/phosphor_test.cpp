@@ -1,4 +1,5 @@
-// Laws of the P7 photograph. They hold for any parameters; numbers are worked out from the decay law, not from runs.
+// Laws of the P7 photograph. They hold for any parameters; numbers are worked out from the decay law, not
+// from runs.
 #include "host/picture/phosphor.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,9 @@ PhosphorPhotograph photograph(const std::vector<core::Stroke>& strokes, std::int
   return film;
 }
 
-double total(const std::vector<float>& light) { return std::accumulate(light.begin(), light.end(), 0.0); }
+double total(const std::vector<float>& light) {
+  return std::accumulate(light.begin(), light.end(), 0.0);
+}
 
 TEST(RepeatableMath, AgreesWithTheLibrary) {
   for (double x = 0.0; x < 600.0; x += 0.37) EXPECT_NEAR(decay(x) / std::exp(-x), 1.0, 1e-12) << x;
@@ -164,7 +167,8 @@ TEST(Phosphor, HigherIntensityIsBrighter) {
 
 TEST(Phosphor, NothingIsSeenOfStrokesAfterTheShutterClosed) {
   const auto dark = photograph({}, 0, millisecond).develop();
-  const auto late = photograph({flash(millisecond, 5, 5, 7), flash(2 * millisecond, 6, 6, 7)}, 0, millisecond);
+  const auto late =
+      photograph({flash(millisecond, 5, 5, 7), flash(2 * millisecond, 6, 6, 7)}, 0, millisecond);
   EXPECT_TRUE(late.develop() == dark);
   EXPECT_TRUE(photograph({flash(0, 5, 5, 7)}, millisecond, millisecond).develop() == dark);
 }
@@ -172,7 +176,8 @@ TEST(Phosphor, NothingIsSeenOfStrokesAfterTheShutterClosed) {
 TEST(Phosphor, TheUnlitFaceIsDarkGreenGrey) {
   const auto face = photograph({}, 0, millisecond).develop();
   EXPECT_EQ(face.width, 1024 + 2 * 24);
-  EXPECT_EQ(face.pixels.size(), static_cast<std::size_t>(face.width) * static_cast<std::size_t>(face.height) * 3);
+  EXPECT_EQ(face.pixels.size(),
+            static_cast<std::size_t>(face.width) * static_cast<std::size_t>(face.height) * 3);
   for (std::size_t i = 0; i < face.pixels.size(); i += 3) {
     ASSERT_EQ(face.pixels[i], face.pixels[0]);
     ASSERT_EQ(face.pixels[i + 1], face.pixels[1]);
@@ -186,11 +191,11 @@ TEST(Phosphor, TheUnlitFaceIsDarkGreenGrey) {
 TEST(Phosphor, StrokesOffTheScreenAndCornersAreHarmless) {
   PhosphorParameters parameters;
   parameters.margin_points = 0;
-  const auto corners = photograph({flash(0, 0, 0, 7), flash(0, 1023, 1023, 7), flash(0, 0, 1023, 0)}, 0, millisecond,
-                                  parameters);
+  const auto corners = photograph({flash(0, 0, 0, 7), flash(0, 1023, 1023, 7), flash(0, 0, 1023, 0)}, 0,
+                                  millisecond, parameters);
   EXPECT_GT(total(corners.light().blue), 0.0);
-  const auto off = photograph({flash(0, 1024, 0, 7), flash(0, 0, 65535, 7), flash(0, 3, 3, 8)}, 0, millisecond,
-                              parameters);
+  const auto off = photograph({flash(0, 1024, 0, 7), flash(0, 0, 65535, 7), flash(0, 3, 3, 8)}, 0,
+                              millisecond, parameters);
   EXPECT_EQ(total(off.light().blue) + total(off.light().yellow), 0.0);
 }
 

@@ -43,7 +43,8 @@ class FileTest : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(directory_); }
   [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
   [[nodiscard]] long files() const {
-    return std::distance(std::filesystem::directory_iterator(directory_), std::filesystem::directory_iterator());
+    return std::distance(std::filesystem::directory_iterator(directory_),
+                         std::filesystem::directory_iterator());
   }
 
   std::filesystem::path directory_;
@@ -85,13 +86,14 @@ TEST(Png, RefusesWhatCannotBeWritten) {
 TEST(Png, EveryTruncationIsRefused) {
   const Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
   for (std::size_t length = 0; length < bytes.size(); ++length) {
-    EXPECT_NE(refusal(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))), "accepted") << length;
+    EXPECT_NE(refusal(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))), "accepted")
+        << length;
   }
 }
 
 TEST(Png, EveryDamagedBitIsRefused) {
-  // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check sums of
-  // chunks libpng does not look at: the text entry's own, which is why there is none here.
+  // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check
+  // sums of chunks libpng does not look at: the text entry's own, which is why there is none here.
   const Bytes bytes = encoded(noise(9, 7, 1));
   for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
     Bytes damaged = bytes;

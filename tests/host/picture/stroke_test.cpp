@@ -24,8 +24,8 @@ core::Stroke flash(std::int64_t ns, int x, int y, int intensity = 7, int address
 }
 
 TEST(CrispRaster, LightsExactlyThePointsGiven) {
-  const std::vector<core::Stroke> strokes{flash(0, 0, 0),       flash(1, 1023, 1023, 0), flash(2, 0, 1023),
-                                          flash(3, 10, 20),     flash(4, 10, 20),        flash(5, 1024, 3),
+  const std::vector<core::Stroke> strokes{flash(0, 0, 0),      flash(1, 1023, 1023, 0), flash(2, 0, 1023),
+                                          flash(3, 10, 20),    flash(4, 10, 20),        flash(5, 1024, 3),
                                           flash(6, 3, 1024, 7)};
   const Image image = crisp_raster(strokes);
   ASSERT_EQ(image.width, 1024);
@@ -84,7 +84,8 @@ TEST(StrokeRecorder, KeepsTheNewestInOrder) {
   for (int i = 0; i < 4; ++i) recorder.stroke(flash(i, i, 0));
   EXPECT_EQ(recorder.left_out(), 0U);
   for (int i = 4; i < 10; ++i) recorder.stroke(flash(i, i, 0));
-  EXPECT_EQ(recorder.strokes(), (std::vector{flash(6, 6, 0), flash(7, 7, 0), flash(8, 8, 0), flash(9, 9, 0)}));
+  EXPECT_EQ(recorder.strokes(),
+            (std::vector{flash(6, 6, 0), flash(7, 7, 0), flash(8, 8, 0), flash(9, 9, 0)}));
   EXPECT_EQ(recorder.left_out(), 6U);
   StrokeRecorder nothing(0);
   nothing.stroke(flash(0, 0, 0));
@@ -161,14 +162,18 @@ TEST(StrokeLog, SaysWhichLineIsWrong) {
   EXPECT_EQ(refusal("0 1 2 7 00008\n"), "s.log: line 1: '00008', expected an address of five octal digits");
   EXPECT_EQ(refusal("0 1 2 7 1\n"), "s.log: line 1: '1', expected an address of five octal digits");
   EXPECT_EQ(refusal("0 1 2 7\n"), "s.log: line 1: '', expected an address of five octal digits");
-  EXPECT_EQ(refusal("0 1 2 7 00001 x\n"), "s.log: line 1: 'x' after the address, expected the end of the line");
+  EXPECT_EQ(refusal("0 1 2 7 00001 x\n"),
+            "s.log: line 1: 'x' after the address, expected the end of the line");
   EXPECT_EQ(refusal("0 1 2 7 00001 \n"), "s.log: line 1: '' after the address, expected the end of the line");
   EXPECT_EQ(refusal("0 1 2 7 00001"), "s.log: line 1: no end of line, expected a complete file");
   EXPECT_EQ(refusal("9223372036854775808 1 2 7 00001\n"),
             "s.log: line 1: '9223372036854775808', expected nanoseconds");
   EXPECT_EQ(refusal("\n"), "s.log: line 1: '', expected nanoseconds");
-  EXPECT_EQ(refusal("\x01\xff 1 2 7 00001\r\n"), "s.log: line 1: '?" "?', expected nanoseconds");
-  EXPECT_EQ(refusal("0 1 2 7 00001\r\n"), "s.log: line 1: '00001?', expected an address of five octal digits");
+  EXPECT_EQ(refusal("\x01\xff 1 2 7 00001\r\n"),
+            "s.log: line 1: '?"
+            "?', expected nanoseconds");
+  EXPECT_EQ(refusal("0 1 2 7 00001\r\n"),
+            "s.log: line 1: '00001?', expected an address of five octal digits");
 }
 
 }  // namespace

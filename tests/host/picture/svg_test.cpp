@@ -1,5 +1,5 @@
-// The SVG drawing: read back by a small parser of its own, it must be well-formed XML, cover exactly the points that
-// were lit, and put them where the tube has them.
+// The SVG drawing: read back by a small parser of its own, it must be well-formed XML, cover exactly the
+// points that were lit, and put them where the tube has them.
 #include "host/picture/svg.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,8 @@ std::vector<Element> parse_xml(const std::string& text) {
     element.name = tag.substr(0, i);
     if (!open.empty()) {
       element.parent = open.back().name;
-      if (open.back().attributes.contains("inkscape:label")) element.layer = open.back().attributes["inkscape:label"];
+      if (open.back().attributes.contains("inkscape:label"))
+        element.layer = open.back().attributes["inkscape:label"];
     }
     while (i != std::string::npos && (i = tag.find_first_not_of(" \n", i)) != std::string::npos) {
       const std::size_t equals = tag.find("=\"", i);
@@ -63,7 +64,8 @@ std::vector<Element> parse_xml(const std::string& text) {
         break;
       }
       const bool is_new =
-          element.attributes.emplace(tag.substr(i, equals - i), tag.substr(equals + 2, quote - equals - 2)).second;
+          element.attributes.emplace(tag.substr(i, equals - i), tag.substr(equals + 2, quote - equals - 2))
+              .second;
       EXPECT_TRUE(is_new) << tag;
       i = quote + 1;
     }
@@ -140,7 +142,8 @@ std::vector<core::Stroke> strokes_at(const std::vector<std::array<int, 3>>& poin
 }
 
 TEST(JoinStrokes, RunsKeepOnlyTheirEnds) {
-  const auto lines = join_strokes(strokes_at({{5, 5, 7}, {6, 5, 7}, {7, 5, 7}, {8, 6, 7}, {9, 7, 7}, {9, 7, 7}, {9, 6, 7}}));
+  const auto lines =
+      join_strokes(strokes_at({{5, 5, 7}, {6, 5, 7}, {7, 5, 7}, {8, 6, 7}, {9, 7, 7}, {9, 7, 7}, {9, 6, 7}}));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].corners, (std::vector<LatticePoint>{{5, 5}, {7, 5}, {9, 7}, {9, 6}}));
 }
@@ -163,7 +166,8 @@ TEST(Svg, CornersOfTheScreenInMillimetres) {
   // Half a point is 238.125 / 2048 = 0.11627 mm.
   EXPECT_NE(svg.find("points=\"0.1163,238.0087 0.3488,238.0087\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("points=\"237.9987,0.1163 238.0187,0.1163\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("width=\"238.125mm\" height=\"238.125mm\" viewBox=\"0 0 238.125 238.125\""), std::string::npos);
+  EXPECT_NE(svg.find("width=\"238.125mm\" height=\"238.125mm\" viewBox=\"0 0 238.125 238.125\""),
+            std::string::npos);
 }
 
 TEST(Svg, LayersOnlyForIntensitiesInUseAndTitleEscaped) {

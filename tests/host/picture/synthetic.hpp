@@ -1,5 +1,5 @@
-// A drawing made by plain arithmetic, for tests that need strokes but no display: a cube in oblique view, every
-// point 1.5 us after the one before, as Type 340 vectors would light it.
+// A drawing made by plain arithmetic, for tests that need strokes but no display: a cube in oblique view,
+// every point 1.5 us after the one before, as Type 340 vectors would light it.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +35,8 @@ inline std::int64_t append_line(std::vector<core::Stroke>& strokes, std::int64_t
 
 // One pass of the cube beginning at `ns`.
 inline std::vector<core::Stroke> cube_pass(std::int64_t ns, int intensity) {
-  constexpr std::array<std::array<int, 2>, 8> corner{{{230, 200}, {630, 200}, {630, 600}, {230, 600},
-                                                      {420, 420}, {820, 420}, {820, 820}, {420, 820}}};
+  constexpr std::array<std::array<int, 2>, 8> corner{
+      {{230, 200}, {630, 200}, {630, 600}, {230, 600}, {420, 420}, {820, 420}, {820, 820}, {420, 820}}};
   constexpr std::array<std::pair<std::size_t, std::size_t>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   std::vector<core::Stroke> strokes;
