@@ -126,7 +126,9 @@ std::optional<Value> Pdp7Pass::symbol() {
           "a symbol defined before, or by -D");
     return Value::unknown();
   }
-  return found.value ? from_symbol(*found.value, static_cast<Form>(found.form)) : Value::unknown();
+  if (found.value) return from_symbol(*found.value, static_cast<Form>(found.form));
+  error(name.at, "symbol " + describe(name) + " without a value", "a definition that does not depend on itself");
+  return Value::unknown();
 }
 
 void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
@@ -177,11 +179,12 @@ std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
   return word;
 }
 
-std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at, std::string_view what) {
+std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at, std::string_view what,
+                                                 const char* hint) {
   if (!value.known) return std::nullopt;
   const std::uint32_t address = finished(value, at);
   if (address <= image::last_address) return address;
-  error(at, std::string(what) + " " + image::octal(address, 6), "an address from 00000 to 77777");
+  error(at, std::string(what) + " " + image::octal(address, 6), std::string("an address from 00000 to 77777") + hint);
   return std::nullopt;
 }
 

@@ -118,7 +118,10 @@ void Pdp7Pass::statement() {
       return;
     }
     if (value) {
-      if (const auto address = address_of(*value, at, "a '/' straight after the word")) location_ = *address;
+      const auto address = address_of(*value, at, "a '/' straight after the word",
+                                      " (a comment needs a blank before its '/')");
+      location_ = address.value_or(location_);
+      if (value->known && !address) lexer_.skip_line();  // it was meant as a comment
       location_by_origin_ = true;
     }
     advance();
@@ -171,6 +174,10 @@ void Pdp7Pass::assign(Token name) {
   }
   const bool first_in_pass = symbol.defined_in_pass != number_;
   if (!first_in_pass && value->known && symbol.value && symbol.value != word) symbol.several_values = true;
+  if (final_ && first_in_pass && !symbol.several_values && symbol.value != word) {
+    error(name.at, "symbol " + describe(name) + " with another value than in the pass before",
+          "a definition that does not depend on itself");
+  }
   if (first_in_pass) symbol.defined = name.at;
   symbol.kind = SymbolKind::assigned;
   symbol.value = value->known ? std::optional(word) : std::nullopt;

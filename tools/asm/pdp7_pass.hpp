@@ -74,7 +74,8 @@ class Pdp7Pass {
   [[nodiscard]] bool starts_a_term() const;
   [[nodiscard]] std::uint32_t literal_index(std::uint32_t word, bool known);
   [[nodiscard]] std::uint32_t finished(const Value& value, const Position& at);
-  [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at, std::string_view what);
+  [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at, std::string_view what,
+                                                        const char* hint = "");
   void mark_variable(Symbol& symbol, const Token& at);
 
   // Tokens and messages
