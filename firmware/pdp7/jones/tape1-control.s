@@ -6,16 +6,18 @@
 / octal; negate is cma, tad (1.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
-/ constants   07546 mask stack   10450 and 14224 the two display files.
+/ constants   10566 mask stack   11600 and 14700 the two display files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
 
-stack=7546
-stkend=10450
-filea=10450
-fileb=14224
-filsiz=3554             / 1900 words each
+stack=10566
+stkend=11470            / 450 words; one frame more may be written beyond
+filea=11600
+fileb=14700
+filsiz=3100             / 1600 words each
+
+mulac=640122            / MUL that keeps AC: it is added to the product
 
 0/      0               / interrupt: L and PC
         jmp intr
@@ -50,11 +52,11 @@ search, dzm status      / the view's time begins here
         lac mode
         and (1
         sza
-        jmp search2
+        jmp srch2
         jms monwin
         jms onepas
         jmp publsh
-search2, jms lefwin
+srch2,  jms lefwin
         jms onepas
         jms rigwin
         jms onepas

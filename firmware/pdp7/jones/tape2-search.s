@@ -151,7 +151,13 @@ nocr1,  lac i 15
         isz cnt
         jmp nocr1
         jmp opback      / none
-nocr2,  dzm ringf
+nocr2,
+        IFNZRO EAE <
+        jms unseen
+        sza
+        jmp opback
+        >
+        dzm ringf
         lac org
         tad (777777
         dac 10
@@ -159,7 +165,13 @@ nocr2,  dzm ringf
         jmp opback
 
 / The eye may look through: outline and polygon together.
-crossb, lac vec1
+crossb,
+        IFNZRO EAE <
+        jms unseen
+        sza
+        jmp opback
+        >
+        lac vec1
         xor vec2
         xor tolow
         and (40000
@@ -177,7 +189,10 @@ crossb, lac vec1
         dac revers
 cross1, clc
         dac ringf
+        lac (polq-1
+        dac palt
         lac (poly-1
+        dac pcur
         dac 11
         dzm pn
         lac org
@@ -194,16 +209,186 @@ cross1, clc
         jmp opback      / empty: the opening is not visible
 
 / Access to the far cell: descend a level.
-        lac depth
+        jms stackm      / the current mask, for the way back
+        jms newmsk
+        lac nslope
+        sna
+        jmp descnd
+        jms area2
+        sza
+        jmp descnd
+        jms unstak      / a sliver without area is no mask
+        jmp opback
+descnd, lac depth
         sad scene+1
         jmp flt5
         jms push
-        jms newmsk
         lac org
         dac entry
         lac nxcell
         dac cell
         jmp visit
+
+        IFNZRO EAE <
+/ AC nonzero if the opening cannot be seen through the mask's box: it lies
+/ behind the near plane, or beyond one of the four sides by a half point or
+/ more.  The answer only saves work: nothing would be drawn.  A multiplication
+/ takes 6 us here; without the EAE it would cost more than it saves.
+unseen, 0
+        lac org
+        tad (777777
+        dac 15
+        lac i 15
+        tad nex
+        dac ext
+        dac ext+1
+        lac i 15
+        tad ney
+        dac ext+2
+        dac ext+3
+        lac i 15
+        tad nez
+        dac ext+4
+        dac ext+5
+        lac i 15        / n
+        lac i 15
+        dac vecw
+        lac axis1       / the rectangle: one side, then the next
+        jms extend
+        lac axis2
+        jms extend
+        lac ext+5
+        tad (777770
+        spa
+        jmp unsee1
+        lac ext+4
+        tad (777770
+        sma
+        jmp unsee2
+        lac (10
+        dac ext+4
+unsee2, lac nxlo        / right end left of xlo
+        cma
+        dac bynd
+        lac ext+1
+        jms beyond
+        lac xhi1        / left end right of xhi
+        cma
+        tad (1
+        dac bynd
+        lac ext
+        cma
+        tad (1
+        jms beyond
+        lac nylo
+        cma
+        dac bynd
+        lac ext+3
+        jms beyond
+        lac yhi1
+        cma
+        tad (1
+        dac bynd
+        lac ext+2
+        cma
+        tad (1
+        jms beyond
+        lac (0
+        jmp i unseen
+unsee1, clc
+        jmp i unseen
+
+extend, 0               / extend the box by a run of vectors along axis AC
+        dac exaxis
+        cll
+        rtl
+        rtl
+        rcl
+        tad (ext-2
+        dac excell
+        dzm exsum
+exten1, lac vecw
+        and (300000
+        sad exaxis
+        skp
+        jmp exten2
+        lac vecw
+        and (77777
+        xor (40000
+        tad (740000
+        tad exsum
+        dac exsum
+        lac i 15
+        dac vecw
+        jmp exten1
+exten2, lac exsum
+        sma
+        isz excell
+        tad i excell
+        dac i excell
+        jmp i extend
+
+/ Is AC*W < bynd*z at every z of the opening?  If so it is unseen.
+beyond, 0
+        dac bya
+        lac bynd
+        spa
+        jmp beyon1
+        lac bya         / bynd >= 0: the nearest z
+        spa
+        jmp unsee1
+        cll
+        mul
+bw1,    0
+        dac byh
+        lacq
+        dac byl
+        lac ext+4
+        dac bz1
+        lac bynd
+        cll
+        mul
+bz1,    0
+        dac byh2
+        lacq
+        dac byl2
+        jmp beyon2
+beyon1, lac bya         / bynd < 0: the farthest z
+        sma
+        jmp i beyond
+        cma
+        tad (1
+        cll
+        mul
+bw2,    0
+        dac byh2
+        lacq
+        dac byl2
+        lac ext+5
+        dac bz2
+        lac bynd
+        cma
+        tad (1
+        cll
+        mul
+bz2,    0
+        dac byh
+        lacq
+        dac byl
+beyon2, lac byl2        / byh,byl < byh2,byl2 ?
+        cma
+        cll
+        tad (1
+        tad byl         / L: no borrow
+        lac byh2
+        cma
+        szl
+        tad (1
+        tad byh
+        spa
+        jmp unsee1
+        jmp i beyond
+        >
 
 / No opening left: ascend a level.
 oplast, lac depth
@@ -211,74 +396,80 @@ oplast, lac depth
         dac depth
         sna
         jmp i onepas
-        jms pop
+        lac sp          / pop
+        tad (777773
+        dac 16
+        lac i 16
+        dac sp
+        lac i 16
+        dac lp
+        lac i 16
+        dac entry
+        lac i 16
+        dac cell
+        jms unstak
         jmp opback
 
-/ The stack: vertices of the mask, place in the list, entry, cell, n.
-push,   0
-        lac mn
-        rcl
-        tad (4
-        tad sp
-        tad (-stkend+1
-        sma sza
-        jmp flt1
+/ The stack holds a mask (its count, its box, its sloped edges), then where the
+/ search stands: place in the list, entry and cell.  One word ties the frames.
+stackm, 0
         lac sp
         tad (777777
         dac 16
-        lac (mask-1
+        lac (maskw-1
         dac 15
-        lac mn
+        lac nslope
         rcl
-        cma
-        tad (1
+        rcl
+        tad (-5+1
         dac cnt
-push1,  lac i 15
+stack1, lac i 15
         dac i 16
         isz cnt
-        jmp push1
+        jmp stack1
+        lac 16
+        tad (1
+        dac spnew
+        jmp i stackm
+
+unstak, 0               / the mask at sp is the current one again
+        lac sp
+        tad (777777
+        dac 15
+        lac (maskw-1
+        dac 16
+        lac i sp
+        rcl
+        rcl
+        tad (-5+1
+        dac cnt
+unsta1, lac i 15
+        dac i 16
+        isz cnt
+        jmp unsta1
+        jmp i unstak
+
+push,   0               / the rest of the frame, behind the mask
+        lac spnew
+        tad (4
+        dac t1
+        tad (-stkend+1
+        sma sza
+        jmp flt1
+        lac spnew
+        tad (777777
+        dac 16
+        lac sp
+        dac i 16
         lac lp
         dac i 16
         lac entry
         dac i 16
         lac cell
         dac i 16
-        lac mn
-        dac i 16
-        lac 16
-        tad (1
+        lac t1
         dac sp
         jmp i push
-
-pop,    0
-        lac sp
-        tad (777777
-        dac t1
-        lac i t1
-        dac mn
-        rcl
-        cma
-        tad (1
-        dac cnt
-        tad (-4+1
-        tad sp
-        dac sp          / sp - 2n - 4
-        tad (777777
-        dac 15
-        lac (mask-1
-        dac 16
-pop1,   lac i 15
-        dac i 16
-        isz cnt
-        jmp pop1
-        lac i 15
-        dac lp
-        lac i 15
-        dac entry
-        lac i 15
-        dac cell
-        jms mskbox
-        jmp i pop
 
 depth,  0
 cell,   0
@@ -297,6 +488,24 @@ ringf,  0               / nonzero: collect the outline as a polygon
 plane,  0
 zh,     0               / the opening's least z in the bound
 ucell,  0               / the coordinate that varies along the plane
-sp,     0
+        IFNZRO EAE <
+ext,    0               / box of an opening from the eye: x, y, z, low and high
+        0
+        0
+        0
+        0
+        0
+exaxis, 0
+excell, 0
+exsum,  0
+bynd,   0
+bya,    0
+byh,    0
+byl,    0
+byh2,   0
+byl2,   0
+        >
+sp,     0               / first free word of the stack
+spnew,  0
 cnt,    0
 t1,     0

@@ -13,6 +13,11 @@ setbnd, 0
         dac nzcap
         lac (3
         dac km1
+        IFNZRO EAE <
+        lac pjw
+        dac bw1
+        dac bw2
+        >
         lac pjw
         tad (-1000+1
         sma
@@ -118,7 +123,21 @@ vector, lac i 10
         lac vecw
         sma
         jmp veciz       / a dummy
-        lac pz
+        lac vy
+        sna
+        jmp veci1
+        lac vx
+        sna
+        jmp veci6
+        lac told        / the end before is known, so in the bound
+        dac clmpa
+        lac px
+        jms clamp
+        dac clmpb
+        sad told
+        jmp veciz
+        jmp veci2
+veci1,  lac pz
         tad (777770
         spa
         jmp veciz
@@ -130,7 +149,7 @@ vector, lac i 10
         tad bound       / B - |y|
         spa
         jmp veciz
-        lac told
+veci6,  lac told
         jms clamp
         dac clmpa
         lac px
@@ -183,7 +202,21 @@ vecjk,  spa
         lac vecw
         sma
         jmp vecjz
-        lac pz
+        lac vx
+        sna
+        jmp vecj1
+        lac vy
+        sna
+        jmp vecj6
+        lac told        / the end before is known, so in the bound
+        dac clmpa
+        lac py
+        jms clamp
+        dac clmpb
+        sad told
+        jmp vecjz
+        jmp vecj2
+vecj1,  lac pz
         tad (777770
         spa
         jmp vecjz
@@ -192,10 +225,10 @@ vecjk,  spa
         jmp .+3
         cma
         tad (1
-        tad bound
+        tad bound       / B - |x|
         spa
         jmp vecjz
-        lac told
+vecj6,  lac told
         jms clamp
         dac clmpa
         lac py
@@ -245,7 +278,50 @@ veck,   lac pz
         lac vecw
         sma
         jmp veckz
-        lac px          / raise both ends to the least z in the bound
+        lac vx          / the quick way: both ends in the bound
+        sza
+        lac vy
+        sna
+        jmp veck4
+        lac mag
+        sma
+        jmp veck3       / going away from a point in the bound
+        jms newz
+        lac pz
+        tad (777770
+        spa
+        jmp veck5
+        jms inside
+        spa
+        jmp veck5
+        jmp veck3
+veck4,  lac mag
+        spa
+        jmp veck5
+        lac told
+        tad (777770
+        spa
+        jmp veck5
+        jms inside
+        spa
+        jmp veck5
+        lac px
+        jms proj
+        dac sx
+        lac py
+        jms proj
+        dac sy
+veck3,  lac sx
+        dac lax
+        lac sy
+        dac lay
+        jms newz
+        jms projxy
+        clc
+        dac vx
+        dac vy
+        jmp veckl
+veck5,  lac px          / raise both ends to the least z in the bound
         jms zleast
         dac zmin
         lac py
@@ -260,36 +336,17 @@ veck,   lac pz
         dac clmpb
         sad clmpa
         jmp veckz
-        lac vx
-        sza
-        lac vy
-        sna
-        jmp veck2
         lac clmpa
-        sad told
-        jmp veck3
-veck2,  lac clmpa
         jms setz
         lac px
         jms proj
-        dac sx
+        dac lax
         lac py
         jms proj
-        dac sy
-veck3,  lac sx
-        dac lax
-        lac sy
         dac lay
         lac clmpb
         jms setz
-        lac px
-        jms proj
-        dac lbx
-        dac sx
-        lac py
-        jms proj
-        dac lby
-        dac sy
+        jms projxy
         jms newz
         dzm vx
         dzm vy
@@ -297,8 +354,9 @@ veck3,  lac sx
         sad pz
         skp
         jmp veckl
-        isz vx
-        isz vy
+        clc
+        dac vx
+        dac vy
 veckl,  jms clip2
         jmp veckm
 veckz,  jms newz
@@ -308,12 +366,13 @@ veckm,  lac ringf
         sza
         jms middle
 
-vecend, lac ringf
+vecend, isz nvec
+        jmp vecnxt
+        jmp i chain     / a ring's last corner is its first
+vecnxt, lac ringf
         sza
         jms corner
-        isz nvec
         jmp vector
-        jmp i chain
 
 / Append the corner reached, drawn back into the bound, to the polygon.
 corner, 0
@@ -412,6 +471,34 @@ middle, 0
         jms setz
         jmp i middle
 
+projxy, 0               / both coordinates at the point reached
+        lac px
+        jms proj
+        dac lbx
+        dac sx
+        lac py
+        jms proj
+        dac lby
+        dac sy
+        jmp i projxy
+
+inside, 0               / AC negative if |x| or |y| is beyond the bound
+        lac px
+        spa
+        jmp .+3
+        cma
+        tad (1
+        tad bound
+        spa
+        jmp i inside
+        lac py
+        spa
+        jmp .+3
+        cma
+        tad (1
+        tad bound
+        jmp i inside
+
 / AC within -bound..bound.
 clamp,  0
         dac t1
@@ -481,18 +568,11 @@ proj,   0
         jmp .+3
         cma
         tad (1
-        cll
-        mul
-pjw,    0
-        dac pjt
-        lacq
-        cll
-        tad pjh
         lmq
-        lac pjt
-        szl
-        tad (1
+        lac pjh         / mulac adds it to the product
         cll
+        mulac
+pjw,    0
         div
 pjz,    0
         szl
@@ -506,7 +586,6 @@ proj1,  lacq
         cma
         tad (1
         jmp i proj
-pjt,    0
 pjh,    0
         >
         IFZERO EAE <

@@ -330,7 +330,7 @@ sidin,  lac (0
 sidout, clc
         jmp i side2
 
-/ Distance of (spx, spy) from the edge, a double word times 2^7:
+/ Distance of (spx, spy) from the edge, a double word:
 / dx*(p.y-a.y) - dy*(p.x-a.x)
 dist2,  0
         dzm acch
@@ -350,6 +350,40 @@ dist2,  0
         jmp i dist2
 
 / Accumulator + AC * smb, both signed and below 2^11.
+        IFNZRO EAE <
+/ The machine multiplies unsigned words and adds AC to the product.  A negative
+/ factor is 2^18 too much, which the other one takes back from the high word.
+addprd, 0
+        dac sma1
+        lmq
+        lac accl
+        cll
+        mulac
+smb,    0
+        tad acch
+        dac acch
+        lacq
+        dac accl
+        lac sma1
+        sma
+        jmp addpr1
+        lac smb
+        cma
+        tad (1
+        tad acch
+        dac acch
+addpr1, lac smb
+        sma
+        jmp i addprd
+        lac sma1
+        cma
+        tad (1
+        tad acch
+        dac acch
+        jmp i addprd
+        >
+        IFZERO EAE <
+/ The product comes times 2^7; only signs and ratios are ever used.
 addprd, 0
         dac sma1
         xor smb
@@ -395,6 +429,9 @@ cmpacc, 0
         cma
         dac acch
         jmp i cmpacc
+smb,    0
+smsign, 0
+        >
 
 dp,     0
 dq,     0
@@ -416,6 +453,4 @@ denl,   0
 crx,    0
 cry,    0
 nsl,    0
-smb,    0
 sma1,   0
-smsign, 0

@@ -1,50 +1,23 @@
 / Tape 5: masks
 
+/ A mask is kept as its box and its sloped edges: that is all that clipping
+/ against it needs, and all that goes on the stack.
+
 / The first mask of a pass: the window.
 winmsk, 0
         lac wxlo
-        dac mask
-        dac mask+6
+        dac bxlo
         lac wxhi
-        dac mask+2
-        dac mask+4
+        dac bxhi
         lac (776000     / -1024
-        dac mask+1
-        dac mask+3
+        dac bylo
         lac (1776       / 1022
-        dac mask+5
-        dac mask+7
-        lac (4
-        dac mn
-        jms mskbox
+        dac byhi
+        jms setbox
+        dzm nslope
         jmp i winmsk
 
-/ The polygon becomes the current mask.
-newmsk, 0
-        lac pn
-        dac mn
-        rcl
-        cma
-        tad (1
-        dac cnt
-        lac (poly-1
-        dac 15
-        lac (mask-1
-        dac 16
-newms1, lac i 15
-        dac i 16
-        isz cnt
-        jmp newms1
-        jms mskbox
-        jmp i newmsk
-
-/ Box and sloped edges of the mask.
-mskbox, 0
-        lac (mask-1
-        dac 12
-        lac mn
-        dac bn
-        jms box
+setbox, 0
         lac bxlo
         cma
         tad (1
@@ -59,73 +32,80 @@ mskbox, 0
         lac byhi
         tad (1
         dac yhi1
+        jmp i setbox
+
+/ The polygon, with its box, becomes the current mask.
+newmsk, 0
+        jms setbox
         dzm nslope
         lac (slopes-1
         dac 15
-        lac (mask-1
+        lac pcur
         dac 12
-        lac mn
+        lac pn
         cma
         tad (1
         dac cnt
         lac i 12
         dac lax
+        dac shfx
         lac i 12
         dac lay
-mskb1,  isz cnt
+        dac shfy
+newms1, isz cnt
         skp
-        jmp mskb3
+        jmp newms2
         lac i 12
         dac lbx
         lac i 12
         dac lby
         jms slope
-        jmp mskb1
-mskb3,  lac mask        / the last vertex to the first
+        jmp newms1
+newms2, lac shfx        / the last vertex to the first
         dac lbx
-        lac mask+1
+        lac shfy
         dac lby
         jms slope
-        jmp i mskbox
+        jmp i newmsk
 
 / Add the edge (lax,lay)-(lbx,lby) if it is sloped; b becomes a.
 slope,  0
         lac lax
+        sad lbx
+        jmp slope1
+        lac lay
+        sad lby
+        jmp slope2
+        lac lax
         cma
         tad (1
+        dac i 15        / -a
         dac t1
-        tad lbx
-        sna
-        jmp slope1
-        dac t3
         lac lay
         cma
         tad (1
-        dac t4
-        tad lby
-        sna
-        jmp slope1
-        dac t5
+        dac i 15
+        dac t3
         lac t1
-        dac i 15
-        lac t4
-        dac i 15
+        tad lbx
+        dac i 15        / b-a
         lac t3
-        dac i 15
-        lac t5
+        tad lby
         dac i 15
         lac nslope
         tad (777777
         dac nslope
-slope1, lac lbx
-        dac lax
-        lac lby
+slope1, lac lby
         dac lay
+slope2, lac lbx
+        dac lax
         jmp i slope
 
-/ Box bxlo bxhi bylo byhi of bn vertices; 12 before the first.
+/ Box bxlo bxhi bylo byhi of the polygon.
 box,    0
-        lac bn
+        lac pcur
+        dac 12
+        lac pn
         cma
         tad (1
         dac cnt
@@ -227,12 +207,9 @@ wrap,   0
         dac pn
         jmp i wrap
 
-/ Intersect the projected opening (poly, pn) with the mask; AC = 0 if empty.
+/ Intersect the projected opening with the mask; AC = 0 if nothing is left
+/ but a point or a line along an axis.
 isect,  0
-        lac (poly-1
-        dac 12
-        lac pn
-        dac bn
         jms box
         lac bxhi        / no overlap of the boxes: not visible
         tad nxlo
@@ -263,7 +240,11 @@ isect,  0
         tad nxlo
         sma
         jmp isec2
-        lac (jms sidxl
+        lac (lac lbx
+        dac shd1
+        lac (nop
+        dac shd2
+        lac (tad nxlo
         jms shpass
         sna
         jmp i isect
@@ -272,7 +253,11 @@ isec2,  lac bxhi
         tad xhi1
         sma
         jmp isec3
-        lac (jms sidxh
+        lac (lac lbx
+        dac shd1
+        lac (cma
+        dac shd2
+        lac (tad xhi1
         jms shpass
         sna
         jmp i isect
@@ -280,7 +265,11 @@ isec3,  lac bylo
         tad nylo
         sma
         jmp isec4
-        lac (jms sidyl
+        lac (lac lby
+        dac shd1
+        lac (nop
+        dac shd2
+        lac (tad nylo
         jms shpass
         sna
         jmp i isect
@@ -289,7 +278,11 @@ isec4,  lac byhi
         tad yhi1
         sma
         jmp isec5
-        lac (jms sidyh
+        lac (lac lby
+        dac shd1
+        lac (cma
+        dac shd2
+        lac (tad yhi1
         jms shpass
         sna
         jmp i isect
@@ -300,56 +293,35 @@ isec5,  lac nslope
         lac (slopes-1
         dac 13
 isec6,  jms getedg
-        lac (jms side2
+        lac (jms shside
+        dac shd1
+        lac (nop
+        dac shd2
         jms shpass
         sna
         jmp i isect
         isz nsl
         jmp isec6
-isec7,  lac (poly-1
-        dac 12
-        lac pn
-        dac bn
-        jms box
+isec7,  jms box
         lac bxlo
         sad bxhi
         jmp isec0
         lac bylo
         sad byhi
         jmp isec0
-        jms area2
+        lac pn
         jmp i isect
 isec0,  lac (0
         jmp i isect
 
-/ Sides of the box: AC = signed distance of (spx, spy).
-sidxl,  0
-        lac spx
-        tad nxlo
-        jmp i sidxl
-sidxh,  0
-        lac spx
-        cma
-        tad xhi1
-        jmp i sidxh
-sidyl,  0
-        lac spy
-        tad nylo
-        jmp i sidyl
-sidyh,  0
-        lac spy
-        cma
-        tad yhi1
-        jmp i sidyh
-
-/ One round of clipping: poly against the line whose distance the instruction
-/ in AC gives.  The result is poly again; AC = its number of vertices, or 0.
+/ One round of clipping against the line whose distance of (lbx, lby) the
+/ three instructions at shd1 give; the third comes in AC.  AC on return = the
+/ number of vertices, or 0.
 shpass, 0
-        dac shdis1
-        dac shdis2
-        lac (poly-1
+        dac shd3
+        lac pcur
         dac 12
-        lac (polq-1
+        lac palt
         dac 11
         lac pn
         cma
@@ -357,38 +329,47 @@ shpass, 0
         dac shcnt
         dzm pn
         lac i 12
-        dac lax
+        dac lbx
         dac shfx
         lac i 12
-        dac lay
-        dac shfy
-        lac lax
-        dac spx
-        lac lay
-        dac spy
-shdis1, jms side2
-        dac dp
-shnext, isz shcnt
-        jmp shget
-        lac shfx        / the last side ends where the first began
-        dac lbx
-        lac shfy
         dac lby
-        jmp shtest
-shget,  lac i 12
+        dac shfy
+        clc
+        dac shfrst      / the first vertex has none before it
+        jmp shd1
+shnext, lac i 12
         dac lbx
         lac i 12
         dac lby
-shtest, lac lbx
-        dac spx
-        lac lby
-        dac spy
-shdis2, jms side2
+shd1,   lac lbx
+shd2,   cma
+shd3,   tad xhi1
         dac dq
+        isz shfrst
+        skp
+        jmp shstep      / it was the first
         lac dp
         spa
         jmp shout
-        lac lax         / p is inside
+        lac pn          / p is inside: append it
+        sna
+        jmp shapp
+        sad (20
+        jmp flt4
+        lac lax
+        sad lastx
+        jmp shapp
+        dac i 11
+        dac lastx
+        lac lay
+        dac i 11
+        dac lasty
+        isz pn
+        lac dq
+        sma
+        jmp shstep
+        jmp shcros
+shapp,  lac lax         / it may repeat the last
         dac apx
         lac lay
         dac apy
@@ -400,8 +381,8 @@ shdis2, jms side2
 shout,  lac dq
         spa
         jmp shstep
-shcros, lac shdis1
-        sad (jms side2
+shcros, lac shd1
+        sad (jms shside
         jmp shcr1
         jms ratio1
         jmp shcr2
@@ -418,39 +399,54 @@ shstep, lac lbx
         dac lay
         lac dq
         dac dp
-        lac shcnt
-        sza
+        isz shcnt
         jmp shnext
-        jms wrap
+        lac shfrst      / one side more: from the last vertex to the first
+        spa
+        jmp shlast
+        lac shfx
+        dac lbx
+        lac shfy
+        dac lby
+        clc
+        dac shcnt
+        tad (777777
+        dac shfrst      / negative: that side is done
+        jmp shd1
+shlast, jms wrap
+        lac pcur        / the result is the current polygon
+        dac t1
+        lac palt
+        dac pcur
+        lac t1
+        dac palt
         lac pn
         tad (777775
         spa
         jmp shnone
-        lac pn          / back into poly
-        rcl
-        cma
-        tad (1
-        dac cnt
-        lac (polq-1
-        dac 15
-        lac (poly-1
-        dac 16
-shcopy, lac i 15
-        dac i 16
-        isz cnt
-        jmp shcopy
         lac pn
         jmp i shpass
 shnone, lac (0
         jmp i shpass
 
+shside, 0               / the side of the sloped edge
+        lac lbx
+        dac spx
+        lac lby
+        dac spy
+        jms side2
+        isz shside      / past shd2 and shd3
+        isz shside
+        jmp i shside
+
 / Reverse the order of the polygon's vertices.
 turn,   0
         lac pn
         rcl
-        tad (poly-2
+        tad pcur
+        tad (777777
         dac t1          / the last vertex
-        lac (polq-1
+        lac palt
         dac 16
         lac pn
         cma
@@ -466,59 +462,28 @@ turn1,  lac i t1
         dac t1
         isz cnt
         jmp turn1
-        lac (polq-1
-        dac 15
-        lac (poly-1
-        dac 16
-        lac pn
-        rcl
-        cma
-        tad (1
-        dac cnt
-turn2,  lac i 15
-        dac i 16
-        isz cnt
-        jmp turn2
+        lac pcur
+        dac t1
+        lac palt
+        dac pcur
+        lac t1
+        dac palt
         jmp i turn
 
-/ AC = 0 if the polygon has a sloped edge and no area, otherwise not 0.
+/ AC = 0 if the polygon has no area.
 area2,  0
-        lac (poly-1
+        dzm acch        / fan of triangles from the first vertex
+        dzm accl
+        lac pcur
         dac 12
-        lac pn
+        lac i 12
         cma
         tad (1
-        dac cnt
+        dac nfx
         lac i 12
-        dac lax
-        dac shfx
-        lac i 12
-        dac lay
-        dac shfy
-area2a, isz cnt
-        skp
-        jmp area2b
-        lac i 12
-        dac lbx
-        lac i 12
-        dac lby
-        jms slopp
-        sza
-        jmp area2c
-        jmp area2a
-area2b, lac shfx
-        dac lbx
-        lac shfy
-        dac lby
-        jms slopp
-        sza
-        jmp area2c
-        lac (1          / all edges lie on the box
-        jmp i area2
-area2c, dzm acch        / fan of triangles from the first vertex
-        dzm accl
-        lac (poly+1
-        dac 12
+        cma
+        tad (1
+        dac nfy
         lac pn
         tad (777776
         cma
@@ -553,47 +518,27 @@ area2e, lac (0
         jmp i area2
 
 fanvtx, 0               / next vertex, less the first
-        lac poly
-        cma
-        tad (1
-        tad i 12
+        lac i 12
+        tad nfx
         dac fvx
-        lac poly+1
-        cma
-        tad (1
-        tad i 12
+        lac i 12
+        tad nfy
         dac fvy
         jmp i fanvtx
 
-slopp,  0               / AC nonzero if A-B is sloped; B becomes A
-        lac lax
-        sad lbx
-        jmp slopp1
-        lac lay
-        sad lby
-        jmp slopp1
-        lac (1
-        jmp i slopp
-slopp1, lac lbx
-        dac lax
-        lac lby
-        dac lay
-        lac (0
-        jmp i slopp
-
-/ The current mask
-mn,     0               / vertices
-mask=.
-.+40/
+/ The current mask, as it goes on the stack
+maskw=.
+nslope, 0               / minus the number of sloped edges
 nxlo,   0               / -xlo, xhi+1, -ylo, yhi+1 of its box
 xhi1,   0
 nylo,   0
 yhi1,   0
-nslope, 0               / minus the number of sloped edges
-slopes=.
+slopes=.                / -a.x, -a.y, and the vector to b, of each
 .+100/
 / The polygon being made
 pn,     0
+pcur,   0               / word before its first vertex
+palt,   0               / the other buffer
 poly=.
 .+40/
 polq=.
@@ -602,14 +547,16 @@ lastx,  0
 lasty,  0
 apx,    0
 apy,    0
-bn,     0
 bxlo,   0
 bxhi,   0
 bylo,   0
 byhi,   0
 shcnt,  0
+shfrst, 0
 shfx,   0
 shfy,   0
+nfx,    0
+nfy,    0
 fux,    0
 fuy,    0
 fvx,    0

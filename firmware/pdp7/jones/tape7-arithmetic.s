@@ -7,26 +7,17 @@ muldiv, 0
         jmp i muldiv
         sad mdd         / c*b/c
         jmp muldb
-        dac mdt
+        lmq
         lac mdd
         dac mdc
         rcr
-        dac mdh
+        dac mdt
         lac mdm
         dac mdb
-        lac mdt
+        lac mdt         / mulac adds it to the product
         cll
-        mul
+        mulac
 mdb,    0
-        dac mdt
-        lacq
-        cll
-        tad mdh
-        lmq
-        lac mdt
-        szl
-        tad (1
-        cll
         div
 mdc,    0
         szl
@@ -36,20 +27,6 @@ mdc,    0
 muldb,  lac mdm
         jmp i muldiv
 mdt,    0
-mdh,    0
-
-/ mpyh,mpyl = AC * mpyb * 2^7, both below 2^11: eleven steps of the multiplier
-/ leave the product seven places to the left.
-mpy,    0
-        dac mpya
-        lac mpyb
-        cll
-        mul-7
-mpya,   0
-        dac mpyh
-        lacq
-        dac mpyl
-        jmp i mpy
         >
         IFZERO EAE <
 / AC = (AC*b + c/2)/c, b in mdm, c in mdd; all positive, b not above c, c below
@@ -146,13 +123,13 @@ mpy1,   lac mpyh
         jmp i mpy
 mpya,   0
 mpyn,   0
+mpyb,   0
+mpyh,   0
+mpyl,   0
 mds,    0
 mdq,    0
 mdr,    0
 mdnc,   0
         >
-mpyb,   0
-mpyh,   0
-mpyl,   0
 mdm,    0
 mdd,    0
