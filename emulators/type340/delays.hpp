@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,36 +31,35 @@ class Delays {
     core::Instant at;  // never: none runs
   };
 
-  Delays() { at_.fill(core::never); }
-
   // A running delay starts again.
-  void start(Delay d, core::Instant at) { at_[index(d)] = at; }
-  void stop(Delay d) { at_[index(d)] = core::never; }
-  void stop_all() { at_.fill(core::never); }
-
-  [[nodiscard]] core::Instant at(Delay d) const { return at_[index(d)]; }
-  [[nodiscard]] bool runs(Delay d) const { return at(d) != core::never; }
-
-  [[nodiscard]] bool only(Delay d) const {
-    if (!runs(d)) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i != index(d) && at_[i] != core::never) return false;
-    }
-    return true;
+  void start(Delay d, core::Instant at) {
+    at_[index(d)] = at;
+    running_ |= bit(d);
   }
+  void stop(Delay d) { running_ &= ~bit(d); }
+  void stop_all() { running_ = 0; }
+
+  [[nodiscard]] core::Instant at(Delay d) const { return runs(d) ? at_[index(d)] : core::never; }
+  [[nodiscard]] bool runs(Delay d) const { return (running_ & bit(d)) != 0; }
+  [[nodiscard]] bool only(Delay d) const { return running_ == bit(d); }
+  [[nodiscard]] bool none() const { return running_ == 0; }
 
   [[nodiscard]] Next next() const {
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < count; ++i) {
-      if (at_[i] < at_[first]) first = i;
+    Next first{Delay::light, core::never};
+    for (std::uint32_t left = running_; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      if (at_[i] < first.at) first = {static_cast<Delay>(i), at_[i]};
     }
-    return {static_cast<Delay>(first), at_[first]};
+    return first;
   }
 
  private:
   static constexpr std::size_t count = 10;
   static constexpr std::size_t index(Delay d) { return static_cast<std::size_t>(d); }
-  std::array<core::Instant, count> at_;
+  static constexpr std::uint32_t bit(Delay d) { return 1U << index(d); }
+
+  std::array<core::Instant, count> at_{};
+  std::uint32_t running_ = 0;  // bit i: delay i runs
 };
 
 }  // namespace sightline::type340

@@ -57,6 +57,7 @@ void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
   input_ = word;
   word_address_ = registers_.address;
   registers_.clear_for_word();
+  plan_word(at);
   delays_.start(Delay::strobe, at + timing::strobe);
 }
 
@@ -73,12 +74,13 @@ void Display<Sink>::point_light_pen(std::optional<LightPen> pen) {
   constexpr core::Duration longest = timing::pulse - core::Duration(1);
   if (pen) pen->delay = std::clamp(pen->delay, core::Duration(0), longest);
   pen_ = pen;
-  planned_ = false;
+  planned_ = whole_ = false;
 }
 
 // Between a delay and its effect outside lie the fixed delays behind it, unless a flag is about to rise or fall with it.
 template <class Sink>
 core::Instant Display<Sink>::deadline() const {
+  if (whole_) return whole_until_;
   if (planned_) return quiet_until_;
   const auto effect = [this](Delay d, bool at_once) {
     const core::Instant t = delays_.at(d);
@@ -96,8 +98,12 @@ void Display<Sink>::advance(core::Instant now) {
   // So that sums of delays stay inside the clock.
   constexpr core::Instant latest = core::never - std::chrono::milliseconds(1);
   now = std::min(now, latest);
-  for (;;) {
-    if (counts_pulses() && delays_.only(Delay::intensify)) {
+  if (whole_) {
+    whole_ = false;
+    if (now >= whole_until_) do_whole_word();
+  }
+  while (!delays_.none()) {
+    if (delays_.only(Delay::intensify) && counts_pulses()) {
       plan();
       if (planned_ && !(Sink::consumes && word_may_flash())) skip(now);
     }

@@ -110,8 +110,7 @@ template <class Sink>
 void Display<Sink>::count(core::Instant t) {
   if (t >= quiet_until_) planned_ = false;
   const bool last = registers_.halt;
-  const bool moved = registers_.count();
-  registers_.move = moved || (registers_.move && options_.flash_again);
+  note_motion(registers_.count());
   if (!last) {
     delays_.start(Delay::settle, t + timing::settle);
     return;

@@ -128,6 +128,17 @@ struct Registers {
     return d.moves();
   }
 
+  // All pulses of a vector that stays on the screen, but the last.
+  void finish_vector(VectorWord w) {
+    const auto moved = [this](std::uint16_t from, bool negative, int steps) {
+      return static_cast<std::uint16_t>(from + (negative ? -steps : steps) * step());
+    };
+    x = moved(x, w.left, w.dx);
+    y = moved(y, w.down, w.dy);
+    move = (w.dx | w.dy) != 0;
+    rate.brm = RateMultiplier::full;
+  }
+
   friend bool operator==(const Registers&, const Registers&) = default;
 
  private:

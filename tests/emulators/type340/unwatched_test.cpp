@@ -75,8 +75,10 @@ struct Rig {
   // As a machine: from one thing to do to the next.
   void run_by_deadlines(core::Instant now) {
     while (next() <= now) {
-      display.advance(next());
-      run(std::min(now, next()));
+      const core::Instant at = next();
+      display.advance(at);
+      ASSERT_GT(display.deadline(), at);  // or a machine would not get on
+      run(at);
     }
   }
 };
@@ -152,6 +154,27 @@ TEST(UnwatchedDisplay, AgreesWithTheWatchedOneAtEveryTouch) {
     ASSERT_FALSE(HasFailure()) << "file " << file;
   }
   EXPECT_GT(flashes, 10'000U);
+}
+
+// Any words, started anew every 5 ms, for two emulated seconds.
+TEST(Display, RandomWordsNeitherHangNorLeaveTheScreen) {
+  Random random(7);
+  CountFlashes sink;
+  for (int file = 0; file < 400; ++file) {
+    Memory memory;
+    for (auto& word : memory) word = core::Word18(random() & core::Word18::mask);
+    Rig<CountFlashes> rig{{{.subroutines_347 = file % 2 == 0, .characters_342 = file % 3 == 0}, sink}, &memory,
+                          core::Duration(1750)};
+    if (file % 5 == 0) rig.display.point_light_pen(LightPen{.right = 1023, .top = 511});
+    sink.last = {};
+    rig.display.load_address_and_start(core::Instant{}, core::Word18(random() & core::Word18::mask));
+    rig.run_by_deadlines(core::at_nanoseconds(5'000'000));
+    ASSERT_FALSE(HasFailure()) << "file " << file;
+    ASSERT_TRUE(sink.in_order) << "file " << file;
+    ASSERT_LT(rig.display.registers().x, 1024);
+    ASSERT_LT(rig.display.registers().y, 1024);
+  }
+  EXPECT_GT(sink.flashes, 1000U);
 }
 
 // Vector continue of (0, 0), lit: nothing flashes, nothing ends, and an hour of it passes at once.

@@ -1,0 +1,72 @@
+// Host time of the Type 340 by itself, from deadline to deadline as a machine drives it: a line drawing of sixteen
+// separate vectors (point Y, point X, vector), with nobody watching and with a sink that takes every flash.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstdint>
+
+#include "emulators/type340/display.hpp"
+
+namespace sightline::type340 {
+namespace {
+
+struct CountFlashes {
+  static constexpr bool consumes = true;
+  std::int64_t flashes = 0;
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke&) { ++flashes; }
+  void end_pass(core::Instant) {}
+};
+
+using Memory = std::array<core::Word18, 80>;
+
+[[nodiscard]] Memory drawing() {
+  Memory memory;
+  std::size_t n = 0;
+  memory[n++] = core::Word18(0020117);
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    memory[n++] = core::Word18(0220000U | (200 + 20 * i));
+    memory[n++] = core::Word18(0100000U | (300 + 10 * i));
+    memory[n++] = core::Word18(0600000U | (7 * i) << 8 | (127 - 5 * i));
+    memory[n++] = core::Word18(i == 15 ? 0003000U : 0020000U);
+  }
+  return memory;
+}
+
+template <class Sink>
+void draw_pass(Display<Sink>& display, const Memory& memory, core::Instant& now) {
+  display.load_address_and_start(now, core::Word18(0));
+  while (!display.interrupt_request()) {
+    if (const BreakRequest* request = display.break_request(); request != nullptr) {
+      now = request->since + core::Duration(1750);
+      display.deliver(now, memory[request->address]);
+    }
+    now = display.deadline();
+    display.advance(now);
+  }
+}
+
+void unwatched_pass(benchmark::State& state) {
+  core::NoStrokes sink;
+  Display<core::NoStrokes> display({}, sink);
+  const Memory memory = drawing();
+  core::Instant now{};
+  for (auto _ : state) draw_pass(display, memory, now);
+  state.SetItemsProcessed(static_cast<std::int64_t>(display.counters().words));
+}
+BENCHMARK(unwatched_pass);
+
+void watched_pass(benchmark::State& state) {
+  CountFlashes sink;
+  Display<CountFlashes> display({}, sink);
+  const Memory memory = drawing();
+  core::Instant now{};
+  for (auto _ : state) draw_pass(display, memory, now);
+  state.SetItemsProcessed(sink.flashes);
+}
+BENCHMARK(watched_pass);
+
+}  // namespace
+}  // namespace sightline::type340
+
+BENCHMARK_MAIN();
