@@ -211,8 +211,8 @@ TEST(JonesTwinStatus, DisplayFileOverflowLeavesRoomForTheStop) {
   }
   const View view = view_of(TestCore({chain}, {}));
   EXPECT_EQ(view.status, Status::display_file_overflow);
-  EXPECT_EQ(view.counts.pieces, 474U) << "four words each in 1898";
-  EXPECT_EQ(view.display_file.size(), 1898U);
+  EXPECT_EQ(view.counts.pieces, 399U) << "four words each in 1598";
+  EXPECT_EQ(view.display_file.size(), 1598U);
   EXPECT_TRUE(decode(view).well_formed);
 }
 
