@@ -1,0 +1,22 @@
+// Any bytes as a scene file: read, checked, located, encoded and looked at. Whatever passes the checks must be safe
+// for everything behind them.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/scene/check.hpp"
+#include "host/scene/read.hpp"
+#include "host/scene/tape.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sightline;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto result = scene::read_cell_scene(text, "fuzz");
+  const auto* scene = std::get_if<scene::CellScene>(&result);
+  if (scene == nullptr || !scene::check_scene(*scene).empty()) return 0;
+  static_cast<void>(scene::write_tape(*scene));
+  static_cast<void>(algorithms::oracle::visible_lines(*scene, scene->default_view, {}));
+  return 0;
+}
