@@ -21,7 +21,7 @@ class Keyboard {
   // Someone presses a key (7-bit code) at `when`, not before any key already pressed; it is in the buffer one
   // character time later.
   void press(core::Instant when, std::uint8_t code) {
-    const core::Instant line_free = keys_.empty() ? core::Instant{} : keys_.back().arrives;
+    const core::Instant line_free = keys_.empty() ? when : keys_.back().arrives;
     keys_.push_back({std::max(when, line_free) + character_, static_cast<std::uint8_t>(code | 0200U)});
   }
 

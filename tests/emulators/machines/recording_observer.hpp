@@ -1,0 +1,38 @@
+// An observer that keeps every bus event and every instruction, and can stop the run on request.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "emulators/machines/observer.hpp"
+#include "emulators/pdp7/bus.hpp"
+
+namespace sightline::tests {
+
+struct RecordingObserver {
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  struct Step {
+    core::Instant time;
+    core::Instant end;
+    pdp7::Address pc;
+    core::Word18 word;
+    pdp7::State after;
+  };
+
+  void instruction(const machines::InstructionRecord& r) { steps.push_back({r.time, r.end, r.pc, r.word, r.after}); }
+  void cycle(const pdp7::Cycle& c) {
+    events.push_back(c);
+    if (c.verb == pdp7::Verb::write && c.address == stop_on_write) asked = true;
+  }
+  bool stop() { return std::exchange(asked, false); }
+
+  std::vector<Step> steps;
+  std::vector<pdp7::Cycle> events;
+  pdp7::Address stop_on_write = ~pdp7::Address{0};
+  bool asked = false;
+};
+
+}  // namespace sightline::tests

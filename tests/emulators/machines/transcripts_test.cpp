@@ -1,0 +1,132 @@
+// Every instruction row against its hand-written bus transcript: time, verb, address and data of every cycle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "emulators/machines/basic_pdp7.hpp"
+#include "emulators/pdp7/isa.hpp"
+#include "tests/emulators/machines/fake_display.hpp"
+#include "tests/emulators/machines/recording_observer.hpp"
+#include "tests/emulators/machines/transcript.hpp"
+
+namespace sightline {
+namespace {
+
+using tests::TranscriptCase;
+using Machine = machines::BasicPdp7<tests::FakeDisplay, tests::RecordingObserver>;
+
+const std::vector<TranscriptCase>& all_cases() {
+  static const std::vector<TranscriptCase> cases = tests::read_transcripts(SIGHTLINE_TEST_DATA "/transcripts/pdp7");
+  return cases;
+}
+
+std::string text_of(const pdp7::Cycle& cycle) {
+  static constexpr const char* names[] = {"read",       "write",       "modify",      "iot", "idle",
+                                          "break_read", "break_write", "break_modify"};
+  std::ostringstream out;
+  out << core::nanoseconds_of(cycle.time) << ' ' << names[static_cast<int>(cycle.verb)] << ' ';
+  if (cycle.verb == pdp7::Verb::idle) {
+    out << cycle.length.count();
+  } else {
+    out << std::oct << cycle.address << ' ';
+    out.width(6);
+    out.fill('0');
+    out << cycle.data.value();
+  }
+  return out.str();
+}
+
+machines::Configuration configuration_for(const TranscriptCase& c) {
+  machines::Configuration configuration;
+  for (const std::string& option : c.options) {
+    if (option == "no-eae") configuration.model.eae = false;
+    if (option == "trap") configuration.model.trap_mode = true;
+    if (option == "strict") configuration.model.strict = true;
+    if (option == "extend") configuration.core_words = 16384;
+  }
+  return configuration;
+}
+
+// Lets time pass in a one-instruction loop at the top of the first bank.
+void wait_until(Machine& machine, std::int64_t ns) {
+  machine.deposit(017700, core::Word18(0617700));
+  machine.registers().pc = 017700;
+  machine.run({static_cast<std::uint64_t>(ns / 1750), core::never});
+  ASSERT_EQ(core::nanoseconds_of(machine.now()), ns);
+}
+
+void prepare(Machine& machine, const TranscriptCase& c) {
+  for (const std::string& option : c.options) {
+    std::istringstream words(option);
+    std::string name;
+    std::int64_t number = 0;
+    words >> name;
+    if (name == "from" && words >> number) wait_until(machine, number);
+    if (name == "key") machine.devices().keyboard.press(core::at_nanoseconds(-100'000'000), 0101);
+    if ((name == "display" || name == "deposits") && words >> number) {
+      std::string address;
+      words >> address;
+      machine.attach_display(core::Duration(number), name == "deposits")
+          .load_address_and_start(machine.now(), core::Word18(tests::octal(address)));
+    }
+  }
+  for (const auto& [address, word] : c.core) machine.deposit(address, core::Word18(word));
+  pdp7::State& state = machine.registers();
+  state.pc = 0100;
+  for (const auto& [name, value] : c.set) {
+    if (name == "AC") state.ac = core::Word18(value);
+    if (name == "MQ") state.mq = core::Word18(value);
+    if (name == "SC") state.sc = core::Word<6>(value);
+    if (name == "PC") state.pc = value;
+    if (name == "L") state.link = value != 0;
+    if (name == "EXTEND") state.extend = value != 0;
+    if (name == "SR") machine.console().set(core::Word18(value));
+  }
+}
+
+std::uint32_t register_of(const pdp7::State& state, const std::string& name) {
+  if (name == "AC") return state.ac.value();
+  if (name == "MQ") return state.mq.value();
+  if (name == "SC") return state.sc.value();
+  if (name == "PC") return state.pc;
+  if (name == "L") return state.link ? 1 : 0;
+  if (name == "ION") return state.interrupts_on ? 1 : 0;
+  if (name == "EXTEND") return state.extend ? 1 : 0;
+  ADD_FAILURE() << "no register " << name;
+  return 0;
+}
+
+TEST(Pdp7Transcripts, EveryCaseMatchesCycleByCycle) {
+  for (const TranscriptCase& c : all_cases()) {
+    SCOPED_TRACE(c.file + ": " + c.name);
+    tests::RecordingObserver observer;
+    Machine machine(configuration_for(c), observer);
+    prepare(machine, c);
+    observer.events.clear();
+    machine.run({c.run, core::never});
+    std::vector<std::string> seen;
+    for (const auto& event : observer.events) seen.push_back(text_of(event));
+    EXPECT_EQ(seen, c.events);
+    EXPECT_FALSE(c.end.empty());
+    for (const auto& [name, value] : c.end) EXPECT_EQ(register_of(machine.registers(), name), value) << name;
+  }
+}
+
+TEST(Pdp7Transcripts, NoInstructionRowIsWithoutATranscript) {
+  std::set<std::string> written;
+  for (const TranscriptCase& c : all_cases()) written.insert(c.rows.begin(), c.rows.end());
+  for (const auto& row : pdp7::instructions) {
+    EXPECT_TRUE(written.count(std::string(row.mnemonic)) == 1) << row.mnemonic << " has no transcript";
+  }
+  for (const std::string& row : written) {
+    EXPECT_TRUE(std::any_of(pdp7::instructions.begin(), pdp7::instructions.end(),
+                            [&](const pdp7::Instruction& r) { return r.mnemonic == row; }))
+        << row << " is not a row";
+  }
+}
+
+}  // namespace
+}  // namespace sightline
