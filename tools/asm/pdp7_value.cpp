@@ -138,13 +138,14 @@ Value Arithmetic::negative(Value value) const {
   return result;
 }
 
-std::uint32_t Arithmetic::address_field(std::uint32_t operand, std::uint32_t location,
+std::uint32_t Arithmetic::address_field(const Value& value, std::uint32_t operand, std::uint32_t location,
                                         std::vector<Remark>& remarks) const {
   const std::uint32_t bank = location & bank_mask;
+  const bool ignored = pdp7::instruction_of(value.head).operands == pdp7::Operands::none;  // CAL
   if (operand > field_mask && (operand > image::last_address || (operand & bank_mask) != bank)) {
     remarks.push_back({Severity::error, "address " + octal(operand, 6),
                        "one from " + octal(bank, 5) + " to " + octal(bank | field_mask, 5)});
-  } else if (operand <= field_mask && bank != 0) {
+  } else if (operand <= field_mask && bank != 0 && !ignored) {
     remarks.push_back({Severity::warning, "address " + octal(operand, 5) + " in a word of another bank",
                        octal(bank | operand, 5) + ", which is what the machine will use"});
   }
@@ -155,7 +156,7 @@ std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location, std::
   if (!value.known) return 0;
   const std::uint32_t operand = value.operand == word_mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
   switch (value.form) {
-    case Form::memory: return value.head | address_field(operand, location, remarks);
+    case Form::memory: return value.head | address_field(value, operand, location, remarks);
     case Form::law:
       if (operand > field_mask) {
         remarks.push_back({Severity::error, "LAW " + octal(operand, 6), "a number from 0 to 17777"});

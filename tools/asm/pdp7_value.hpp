@@ -55,7 +55,7 @@ class Arithmetic {
 
  private:
   [[nodiscard]] std::uint32_t sum(const Value& value) const;
-  [[nodiscard]] std::uint32_t address_field(std::uint32_t operand, std::uint32_t location,
+  [[nodiscard]] std::uint32_t address_field(const Value& value, std::uint32_t operand, std::uint32_t location,
                                             std::vector<Remark>& remarks) const;
 
   bool twos_complement_;

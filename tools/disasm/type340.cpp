@@ -65,7 +65,7 @@ std::string characters(Word18 word) {
 
 std::string vector(Word18 word, Mode mode) {
   const auto w = type340::decode_vector(word);
-  const auto component = [](bool negative, unsigned steps) { return (negative ? "-" : "+") + std::to_string(steps); };
+  const auto component = [](bool negative, unsigned steps) { return (negative && steps != 0 ? "-" : "+") + std::to_string(steps); };
   const bool escapes = mode == Mode::vector && w.escape;
   return ", dx " + component(w.left, w.dx) + " dy " + component(w.down, w.dy) + (w.intensify ? ", lit" : ", dark") +
          (escapes ? next_text(Mode::parameter) : "");

@@ -1,0 +1,81 @@
+// Every word of 18 bits through the disassembler and back through the assembler.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "tools/asm/pdp7.hpp"
+#include "tools/disasm/disasm.hpp"
+
+namespace sightline::disassembler {
+namespace {
+
+using core::Word18;
+
+assembler::Assembly assemble(std::string text) {
+  const std::vector<assembler::SourceFile> sources{{"disassembly", std::move(text)}};
+  return assembler::assemble_pdp7(sources);
+}
+
+std::string at_100(std::uint32_t word) { return disassemble_word(Word18(word), 0100); }
+
+// 32K words at a time, through whole sources.
+TEST(DisassemblePdp7, EveryWordComesBack) {
+  for (std::uint32_t block = 0; block < 8; ++block) {
+    image::CoreImage image;
+    for (std::uint32_t i = 0; i <= image::last_address; ++i) image.words[i] = Word18(block << 15 | i);
+    image.start = block;
+    const assembler::Assembly assembly = assemble(disassemble_pdp7(image));
+    ASSERT_TRUE(assembly.diagnostics.empty()) << assembler::to_string(assembly.diagnostics.front());
+    ASSERT_EQ(assembly.image, image);
+  }
+}
+
+TEST(DisassemblePdp7, AtMostAFifthStayOctal) {
+  int octal = 0;
+  for (std::uint32_t word = 0; word <= Word18::mask; ++word) octal += std::isdigit(at_100(word)[0]) != 0 ? 1 : 0;
+  EXPECT_LE(octal, 0777777 / 5);
+  EXPECT_GT(octal, 0);
+}
+
+TEST(DisassemblePdp7, UsesTheNamesOfTheInstructionTable) {
+  EXPECT_EQ(at_100(0200123), "lac 123");
+  EXPECT_EQ(at_100(0620017), "jmp i 17");
+  EXPECT_EQ(at_100(0), "cal");
+  EXPECT_EQ(at_100(0020005), "cal i 5");
+  EXPECT_EQ(at_100(0760005), "law 5");
+  EXPECT_EQ(at_100(0777777), "lam");
+  EXPECT_EQ(at_100(0740000), "nop");
+  EXPECT_EQ(at_100(0740040), "hlt");
+  EXPECT_EQ(at_100(0751100), "spa cla");
+  EXPECT_EQ(at_100(0741300), "sna spa");
+  EXPECT_EQ(at_100(0740300), "sza sma");
+  EXPECT_EQ(at_100(0754010), "cla rcl");
+  EXPECT_EQ(at_100(0740030), "740030");  // both rotates
+  EXPECT_EQ(at_100(0742000), "742000");  // rotate twice, without a rotate
+  EXPECT_EQ(at_100(0653122), "mul");
+  EXPECT_EQ(at_100(0653111), "mul-11");
+  EXPECT_EQ(at_100(0640450), "norm+4");
+  EXPECT_EQ(at_100(0640505), "lrs 5");
+  EXPECT_EQ(at_100(0660622), "llss 22");
+  EXPECT_EQ(at_100(0640200), "640200");
+  EXPECT_EQ(at_100(0700606), "idla");
+  EXPECT_EQ(at_100(0701777), "701777");
+  EXPECT_EQ(disassemble_word(Word18(0200123), 040000), "lac 40123");
+}
+
+TEST(DisassemblePdp7, SourceHasOriginsAndComments) {
+  const image::CoreImage image{{{0100, Word18(0750000)}, {0101, Word18(0600100)}, {0200, Word18(7)}}, 0100};
+  EXPECT_EQ(disassemble_pdp7(image),
+            "00100/\n"
+            "        cla              / 00100 750000\n"
+            "        jmp 100          / 00101 600100\n"
+            "00200/\n"
+            "        cal 7            / 00200 000007\n"
+            "        start 00100\n");
+  EXPECT_EQ(disassemble_pdp7({}), "");
+}
+
+}  // namespace
+}  // namespace sightline::disassembler
