@@ -1,0 +1,82 @@
+// What all subcommands of `sightline` share: exit codes, how they fail, how they read and write.
+//
+// Data goes to standard output, talk to standard error. A subcommand returns by setting its exit code, or throws a
+// Failure, which main prints. Outputs appear whole or not at all: they are opened before the work, so that a path that
+// cannot be written is known at once, and put in their places after it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/picture/file_io.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sightline::app {
+
+enum class ExitCode : int {
+  ok = 0,
+  differs = 1,       // a comparison or a check of results failed
+  usage = 2,         // the command line is wrong
+  guest_failed = 3,  // the program on the emulated machine failed
+  bad_input = 4,     // an input file is wrong
+  io = 5,            // a file could not be read or written
+  interrupted = 130,
+};
+
+// Shown at the end of every --help.
+inline constexpr std::string_view exit_code_help =
+    "Exit codes: 0 done, 1 results differ, 2 wrong usage, 3 the emulated program failed, 4 bad input file,\n"
+    "5 a file cannot be read or written, 130 stopped by Ctrl-C.";
+
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  [[nodiscard]] ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+// One line on standard error, "sightline: text".
+void complain(std::string_view text);
+void warn(std::string_view text);
+
+// The whole file, or standard input for "-" (named by shown_name). Failure io.
+[[nodiscard]] picture::Bytes read_input(const std::string& path);
+[[nodiscard]] std::string read_input_text(const std::string& path);
+// "-" as "standard input".
+[[nodiscard]] std::string shown_name(const std::string& path);
+
+// Standard output. write_stdout fails quietly; check_stdout throws Failure io if anything was lost.
+void write_stdout(std::string_view text);
+void check_stdout();
+
+// A file to be, or standard output for "-".
+class Output {
+ public:
+  // Failure io if the path cannot be written.
+  explicit Output(const std::string& path);
+
+  [[nodiscard]] bool is_stdout() const { return !file_; }
+  void write(std::string_view text);
+  void write(std::span<const std::uint8_t> bytes);
+  // Once. Failure io.
+  void commit();
+
+ private:
+  std::unique_ptr<picture::AtomicFile> file_;
+};
+
+// Octal digits up to `most`; anything else is a Failure usage: "OPTION: found TEXT, expected WHAT".
+[[nodiscard]] std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
+                                           std::string_view what);
+
+}  // namespace sightline::app

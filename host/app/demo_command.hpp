@@ -1,0 +1,11 @@
+// `sightline demo`: Jones's program on all scenes.
+#pragma once
+
+#include "host/app/command.hpp"
+
+namespace sightline::app {
+
+// `exit_code` is set when the subcommand has run; it outlives the App.
+void add_demo_command(CLI::App& app, ExitCode& exit_code);
+
+}  // namespace sightline::app
