@@ -1,8 +1,9 @@
 // Integer points, boxes and rectangles parallel to the axes.
 //
-// Coordinates are below 2^15 in magnitude (coordinate_limit, checked where files are read), so that differences fit
-// 17 bits, products of two fit 34, and a volume fits 51: int32 holds a coordinate, int64 everything made of three.
-// Axis 0, 1, 2 is x (right), y (up), z (away from the viewer), in the paper i, j, k.
+// Coordinates are below 2^15 in magnitude (coordinate_limit, checked where files are read), so that
+// differences fit 17 bits, products of two fit 34, and a volume fits 51: int32 holds a coordinate, int64
+// everything made of three. Axis 0, 1, 2 is x (right), y (up), z (away from the viewer), in the paper i, j,
+// k.
 #pragma once
 
 #include <array>

@@ -44,7 +44,8 @@ void IntervalSet::unite(const Rational& low, const Rational& high) {
       grown = {std::min(piece.low, grown.low), std::max(piece.high, grown.high)};
     }
   }
-  const auto place = std::find_if(all.begin(), all.end(), [&](const Interval& piece) { return grown.high < piece.low; });
+  const auto place =
+      std::find_if(all.begin(), all.end(), [&](const Interval& piece) { return grown.high < piece.low; });
   all.insert(place, grown);
   intervals_ = std::move(all);
 }

@@ -1,7 +1,7 @@
 // A set of closed intervals with rational ends on a line, as left over when open intervals are taken away.
 //
-// Laws: intervals are in ascending order, do not touch, and have a positive length: what is left as a single point is
-// dropped, because a point draws nothing. Two sets of the same points are therefore equal by ==.
+// Laws: intervals are in ascending order, do not touch, and have a positive length: what is left as a single
+// point is dropped, because a point draws nothing. Two sets of the same points are therefore equal by ==.
 #pragma once
 
 #include <vector>

@@ -1,9 +1,9 @@
 // An exact fraction of two 64-bit integers, in lowest terms, the denominator positive.
 //
-// Laws: equal values have equal parts, so == is exact; order is total and exact (cross products in 128 bits, which
-// any two int64 pairs fit); mediant(a, b) lies strictly between a < b. There is no arithmetic: a sum of two fractions
-// may need twice the bits, and the predicates that use this type are written so as not to need one.
-// Limit: both parts given are above -2^63, the denominator is not 0 (asserted).
+// Laws: equal values have equal parts, so == is exact; order is total and exact (cross products in 128 bits,
+// which any two int64 pairs fit); mediant(a, b) lies strictly between a < b. There is no arithmetic: a sum of
+// two fractions may need twice the bits, and the predicates that use this type are written so as not to need
+// one. Limit: both parts given are above -2^63, the denominator is not 0 (asserted).
 #pragma once
 
 #include <cassert>

@@ -10,7 +10,9 @@ std::span<const std::pair<std::string_view, std::string_view>> builtin_scene_fil
 
 namespace {
 
-std::string_view without_extension(std::string_view file) { return file.substr(0, file.rfind('.')); }
+std::string_view without_extension(std::string_view file) {
+  return file.substr(0, file.rfind('.'));
+}
 
 }  // namespace
 

@@ -1,12 +1,14 @@
-// The scene of Jones (1971): opaque matter, and the free space around it cut into convex cells joined by openings.
+// The scene of Jones (1971): opaque matter, and the free space around it cut into convex cells joined by
+// openings.
 //
-// Cells, solids and walls are parallel to the axes, as the paper restricts its program ("Only orthogonal lines
-// parallel to one of the axes"). x points right, y up, z away from the viewer. Walls have no thickness. An opening is
-// a rectangle shared by exactly two cells; its ring of vectors says which parts of its outline are actual lines
-// (F = 1) and which only artificial edges (F = 0). Scenes of general polyhedra will be a type beside this one.
+// Cells, solids and walls are parallel to the axes, as the paper restricts its program ("Only orthogonal
+// lines parallel to one of the axes"). x points right, y up, z away from the viewer. Walls have no thickness.
+// An opening is a rectangle shared by exactly two cells; its ring of vectors says which parts of its outline
+// are actual lines (F = 1) and which only artificial edges (F = 0). Scenes of general polyhedra will be a
+// type beside this one.
 //
-// A CellScene as such promises nothing: check_scene (check.hpp) says whether it describes a possible scene, and all
-// that draws or encodes scenes expects a checked one.
+// A CellScene as such promises nothing: check_scene (check.hpp) says whether it describes a possible scene,
+// and all that draws or encodes scenes expects a checked one.
 #pragma once
 
 #include <array>

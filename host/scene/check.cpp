@@ -19,7 +19,9 @@ using geometry::Span;
 constexpr std::int32_t lowest_magnitude = -16384;  // 15 bits, two's complement: what a vector word holds
 constexpr std::int32_t highest_magnitude = 16383;
 
-bool strictly_inside(std::int32_t c, Span span) { return span.low < c && c < span.high; }
+bool strictly_inside(std::int32_t c, Span span) {
+  return span.low < c && c < span.high;
+}
 
 void check_place(const char* kind, std::size_t number, const Box& box, const Box& outer, Problems& problems) {
   if (!outer.contains(box)) problems.add(kind, number, "reaches outside the outer box");
@@ -96,8 +98,10 @@ std::size_t sweep_axis(const std::vector<Item>& items) {
 
 void check_overlaps(const CellScene& scene, Problems& problems) {
   std::vector<Item> items;
-  for (std::size_t i = 0; i < scene.cells.size(); ++i) items.push_back({"cell", i, scene.cells[i].box, nullptr});
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) items.push_back({"solid", i, scene.solids[i], nullptr});
+  for (std::size_t i = 0; i < scene.cells.size(); ++i)
+    items.push_back({"cell", i, scene.cells[i].box, nullptr});
+  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+    items.push_back({"solid", i, scene.solids[i], nullptr});
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     items.push_back({"wall", i, scene.walls[i].bounds(), &scene.walls[i]});
   }
@@ -117,8 +121,8 @@ void check_volume(const CellScene& scene, Problems& problems) {
   for (const Cell& cell : scene.cells) filled += cell.box.volume();
   for (const Box& solid : scene.solids) filled += solid.volume();
   if (filled != scene.outer.volume()) {
-    problems.add("volume", "cells and solids together have " + std::to_string(filled) + ", expected the outer box's " +
-                               std::to_string(scene.outer.volume()));
+    problems.add("volume", "cells and solids together have " + std::to_string(filled) +
+                               ", expected the outer box's " + std::to_string(scene.outer.volume()));
   }
 }
 
@@ -145,8 +149,9 @@ void check_vectors(std::size_t number, const Opening& opening, Problems& problem
     const RingVector& v = opening.vectors[n];
     const std::string name = "vector " + std::to_string(n);
     if (v.axis > 2 || v.magnitude < lowest_magnitude || v.magnitude > highest_magnitude || v.magnitude == 0) {
-      problems.add("opening", number, name + " has magnitude " + std::to_string(v.magnitude) +
-                                          ", expected -16384..16383 and not 0");
+      problems.add(
+          "opening", number,
+          name + " has magnitude " + std::to_string(v.magnitude) + ", expected -16384..16383 and not 0");
       return;
     }
     const Point& from = opening.ring[side % 4];
@@ -161,8 +166,9 @@ void check_vectors(std::size_t number, const Opening& opening, Problems& problem
     if (at == corner) ++side;
   }
   if (side != 4) {
-    problems.add("opening", number, "the vectors do not close: they end at " + text_of(at) + ", expected " +
-                                        text_of(opening.ring[0]));
+    problems.add(
+        "opening", number,
+        "the vectors do not close: they end at " + text_of(at) + ", expected " + text_of(opening.ring[0]));
   }
 }
 
@@ -171,8 +177,8 @@ void check_opening(const CellScene& scene, std::size_t number, Problems& problem
   const Rectangle& place = opening.place;
   for (const std::size_t cell : opening.cells) {
     if (cell >= scene.cells.size()) {
-      problems.add("opening", number, "names cell " + std::to_string(cell) + ", of " +
-                                          std::to_string(scene.cells.size()));
+      problems.add("opening", number,
+                   "names cell " + std::to_string(cell) + ", of " + std::to_string(scene.cells.size()));
       return;
     }
   }
@@ -183,10 +189,12 @@ void check_opening(const CellScene& scene, std::size_t number, Problems& problem
   for (const bool second : {false, true}) {
     const std::size_t cell = opening.cells[second ? 1 : 0];
     const Rectangle face = geometry::face_of(scene.cells[cell].box, place.axis, !second);
-    if (face.at != place.at || !face.sides[0].contains(place.sides[0]) || !face.sides[1].contains(place.sides[1])) {
-      problems.add("opening", number, std::string("is not on the ") + (second ? "low " : "high ") +
-                                          axis_name(place.axis) + " face of cell " + std::to_string(cell) + " (" +
-                                          axis_name(place.axis) + " = " + std::to_string(face.at) + ")");
+    if (face.at != place.at || !face.sides[0].contains(place.sides[0]) ||
+        !face.sides[1].contains(place.sides[1])) {
+      problems.add("opening", number,
+                   std::string("is not on the ") + (second ? "low " : "high ") + axis_name(place.axis) +
+                       " face of cell " + std::to_string(cell) + " (" + axis_name(place.axis) + " = " +
+                       std::to_string(face.at) + ")");
     }
   }
   if (!goes_round(opening.ring, place)) {
@@ -204,7 +212,8 @@ void check_line(std::size_t cell, const Box& box, std::size_t number, const Line
     moving += moves ? 1 : 0;
     on_boundary = on_boundary || (!moves && (line.from[a] == box.low[a] || line.from[a] == box.high[a]));
   }
-  const std::string name = "line " + std::to_string(number) + " from " + text_of(line.from) + " to " + text_of(line.to);
+  const std::string name =
+      "line " + std::to_string(number) + " from " + text_of(line.from) + " to " + text_of(line.to);
   if (moving != 1) {
     problems.add("cell", cell, name + " is not parallel to an axis");
   } else if (!on_boundary || !box.contains(line.from) || !box.contains(line.to)) {
@@ -220,7 +229,8 @@ std::vector<SceneError> check_scene(const CellScene& scene) {
   if (!problems.none()) return problems.take();
   check_overlaps(scene, problems);
   check_volume(scene, problems);
-  for (std::size_t o = 0; o < scene.openings.size() && !problems.full(); ++o) check_opening(scene, o, problems);
+  for (std::size_t o = 0; o < scene.openings.size() && !problems.full(); ++o)
+    check_opening(scene, o, problems);
   for (std::size_t c = 0; c < scene.cells.size(); ++c) {
     const Cell& cell = scene.cells[c];
     for (std::size_t l = 0; l < cell.lines.size() && !problems.full(); ++l) {

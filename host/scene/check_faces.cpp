@@ -1,5 +1,6 @@
-// Every point of a cell face is opaque or in exactly one opening. The face is cut into strips at every coordinate of
-// what lies on it, and each strip is swept once: exact, and without a grid that a hostile file could make huge.
+// Every point of a cell face is opaque or in exactly one opening. The face is cut into strips at every
+// coordinate of what lies on it, and each strip is swept once: exact, and without a grid that a hostile file
+// could make huge.
 #include "host/scene/check_faces.hpp"
 
 #include <cstdint>
@@ -121,16 +122,18 @@ class Face {
     problems.add(name_of(opening), "is partly covered by " + name_of(other));
   }
 
-  void report_gap(Span strip, std::int32_t covered, const std::vector<const Patch*>& here, Problems& problems) const {
+  void report_gap(Span strip, std::int32_t covered, const std::vector<const Patch*>& here,
+                  Problems& problems) const {
     std::int32_t end = face_.sides[1].high;
     for (const Patch* patch : here) {
       if (patch->sides[1].low > covered) end = std::min(end, patch->sides[1].low);
     }
     const auto [u, v] = geometry::other_axes(face_.axis);
-    problems.add("cell", cell_, std::string("the ") + (high_ ? "high " : "low ") + axis_name(face_.axis) + " face (" +
-                                    axis_name(face_.axis) + " = " + std::to_string(face_.at) +
-                                    ") is neither opaque nor open at " + text_of(u, strip) + ", " +
-                                    text_of(v, {covered, end}));
+    problems.add("cell", cell_,
+                 std::string("the ") + (high_ ? "high " : "low ") + axis_name(face_.axis) + " face (" +
+                     axis_name(face_.axis) + " = " + std::to_string(face_.at) +
+                     ") is neither opaque nor open at " + text_of(u, strip) + ", " +
+                     text_of(v, {covered, end}));
   }
 
   std::size_t cell_;

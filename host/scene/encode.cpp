@@ -19,7 +19,9 @@ constexpr std::uint32_t flag = 0400000;  // F, L and N alike: bit 0
 constexpr std::uint32_t magnitude_mask = 0077777;
 constexpr std::int32_t longest_vector = 16383;
 
-std::uint32_t twos_complement(std::int32_t number) { return static_cast<std::uint32_t>(number) & word_mask; }
+std::uint32_t twos_complement(std::int32_t number) {
+  return static_cast<std::uint32_t>(number) & word_mask;
+}
 
 // Number of vector words for a move of `distance` along one axis.
 std::size_t vectors_for(std::int32_t distance) {
@@ -149,7 +151,8 @@ class Encoder {
                                (static_cast<std::uint32_t>(v.magnitude) & magnitude_mask);
     const std::string sign = v.magnitude > 0 ? "+" : "";
     append(word, octal(word),
-           std::string(v.actual ? "real " : "dummy ") + "ijk"[v.axis] + " " + sign + std::to_string(v.magnitude));
+           std::string(v.actual ? "real " : "dummy ") + "ijk"[v.axis] + " " + sign +
+               std::to_string(v.magnitude));
   }
 
   void number(std::int32_t value, const std::string& what) {
@@ -166,8 +169,10 @@ class Encoder {
   void reference(std::uint32_t flags, bool to_opening, std::size_t number, std::uint32_t offset,
                  const std::string& comment) {
     references_.push_back({result_.words.size(), to_opening, number, offset});
-    append(flags, (flags ? octal(flags) + "+" : "") + (to_opening ? "o" : "c") + std::to_string(number) +
-                      (offset ? "+1" : ""), comment);
+    append(flags,
+           (flags ? octal(flags) + "+" : "") + (to_opening ? "o" : "c") + std::to_string(number) +
+               (offset ? "+1" : ""),
+           comment);
   }
 
   void append(std::uint32_t value, std::string expression, std::string comment) {
@@ -198,8 +203,9 @@ std::optional<SceneError> too_large(const CellScene& scene, std::uint32_t base) 
   std::uint64_t words = scene_header_words + 10 * std::uint64_t{scene.openings.size()};
   for (const Cell& cell : scene.cells) words += 5 + cell.lines.size();
   if (base <= core_words && words <= core_words - base) return std::nullopt;
-  return SceneError{"", "", "needs at least " + std::to_string(words) + " words from address " + octal(base) +
-                                "; core ends at " + octal(core_words - 1)};
+  return SceneError{"", "",
+                    "needs at least " + std::to_string(words) + " words from address " + octal(base) +
+                        "; core ends at " + octal(core_words - 1)};
 }
 
 Box limits_in(const Box& cell) {
@@ -213,7 +219,8 @@ Box limits_in(const Box& cell) {
 
 }  // namespace
 
-std::variant<EncodedScene, SceneError> encode(const CellScene& scene, const TapeOptions& options, std::uint32_t base) {
+std::variant<EncodedScene, SceneError> encode(const CellScene& scene, const TapeOptions& options,
+                                              std::uint32_t base) {
   if (const auto error = too_large(scene, base)) return *error;
   const Point eye = options.view.value_or(scene.default_view);
   const auto location = locate(scene, eye);
@@ -228,8 +235,9 @@ std::variant<EncodedScene, SceneError> encode(const CellScene& scene, const Tape
   }
   EncodedScene result = Encoder(scene, base).encode(initial_cell, eye, limits);
   if (base + result.words.size() > core_words) {
-    return SceneError{"", "", "needs " + std::to_string(result.words.size()) + " words from address " + octal(base) +
-                                  "; core ends at " + octal(core_words - 1)};
+    return SceneError{"", "",
+                      "needs " + std::to_string(result.words.size()) + " words from address " + octal(base) +
+                          "; core ends at " + octal(core_words - 1)};
   }
   return result;
 }

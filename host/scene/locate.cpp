@@ -15,7 +15,8 @@ std::variant<std::size_t, SceneError> locate(const CellScene& scene, const geome
   if (around.empty()) {
     const std::string place = "point " + text_of(point);
     for (std::size_t s = 0; s < scene.solids.size(); ++s) {
-      if (scene.solids[s].contains(point)) return SceneError{"", place, "is inside solid " + std::to_string(s)};
+      if (scene.solids[s].contains(point))
+        return SceneError{"", place, "is inside solid " + std::to_string(s)};
     }
     const bool inside = scene.outer.contains(point);
     return SceneError{"", place, inside ? "is in no cell" : "is outside the outer box"};

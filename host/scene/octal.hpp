@@ -9,7 +9,8 @@ namespace sightline::scene {
 // Six octal digits.
 [[nodiscard]] inline std::string octal(std::uint32_t word) {
   std::string digits(6, '0');
-  for (int d = 5; d >= 0; --d, word >>= 3) digits[static_cast<std::size_t>(d)] = static_cast<char>('0' + (word & 07U));
+  for (int d = 5; d >= 0; --d, word >>= 3)
+    digits[static_cast<std::size_t>(d)] = static_cast<char>('0' + (word & 07U));
   return digits;
 }
 

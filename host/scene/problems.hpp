@@ -13,7 +13,9 @@ namespace sightline::scene {
 
 inline constexpr const char* axis_names = "xyz";
 
-[[nodiscard]] inline std::string axis_name(std::size_t axis) { return {axis_names[axis]}; }
+[[nodiscard]] inline std::string axis_name(std::size_t axis) {
+  return {axis_names[axis]};
+}
 
 [[nodiscard]] inline std::string text_of(const geometry::Point& p) {
   return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")";

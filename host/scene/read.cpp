@@ -33,8 +33,8 @@ std::string describe(const json& value) {
   }
 }
 
-// Reads values at places ("openings[3].rect"), remembering the first thing that is not as expected. After an error
-// every reader returns a default and the rest of the document is passed over.
+// Reads values at places ("openings[3].rect"), remembering the first thing that is not as expected. After an
+// error every reader returns a default and the rest of the document is passed over.
 class Reader {
  public:
   explicit Reader(std::string_view source) : source_(source) {}
@@ -118,7 +118,8 @@ class Reader {
         std::all_of(text->begin(), text->end(), printable)) {
       return *text;
     }
-    expected("a string of 1 to " + std::to_string(longest_name) + " printable ASCII characters", value, place);
+    expected("a string of 1 to " + std::to_string(longest_name) + " printable ASCII characters", value,
+             place);
     return {};
   }
 
@@ -150,7 +151,8 @@ class Reader {
                     coordinate(field(value, "c", place), place + ".c"),
                     sides(field(value, "rect", place), place + ".rect")};
     result.ring = list<Point>(field(value, "ring", place), place + ".ring", &Reader::point);
-    result.vectors = list<RingVector>(field(value, "vectors", place), place + ".vectors", &Reader::ring_vector);
+    result.vectors =
+        list<RingVector>(field(value, "vectors", place), place + ".vectors", &Reader::ring_vector);
     return result;
   }
 
@@ -160,7 +162,8 @@ class Reader {
   }
 
   template <class T>
-  std::vector<T> list(const json& value, const std::string& place, T (Reader::*read)(const json&, const std::string&)) {
+  std::vector<T> list(const json& value, const std::string& place,
+                      T (Reader::*read)(const json&, const std::string&)) {
     std::vector<T> result;
     if (!array(value, place)) return result;
     result.reserve(value.size());
@@ -225,10 +228,12 @@ std::variant<std::string, SceneError> file_text(const std::string& file) {
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
     std::string names;
-    for (const std::string_view name : builtin_scene_names()) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const std::string_view name : builtin_scene_names())
+      names += (names.empty() ? "" : ", ") + std::string(name);
     return cannot("no such file, and not a built-in scene (" + names + ")");
   }
-  if (!std::filesystem::is_regular_file(status)) return cannot("expected a file, found something else, such as a directory");
+  if (!std::filesystem::is_regular_file(status))
+    return cannot("expected a file, found something else, such as a directory");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > largest_file) return cannot(error ? error.message() : "expected at most 64 MiB");
   std::ifstream stream(file, std::ios::binary);

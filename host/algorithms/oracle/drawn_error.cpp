@@ -9,7 +9,9 @@ namespace {
 
 constexpr double longest_step = 0.25;
 
-double length_of(const ScreenSegment& s) { return std::hypot(s.x1 - s.x0, s.y1 - s.y0); }
+double length_of(const ScreenSegment& s) {
+  return std::hypot(s.x1 - s.x0, s.y1 - s.y0);
+}
 
 bool within(double x, double y, const ScreenSegment& s, double distance) {
   const double dx = s.x1 - s.x0;
@@ -23,7 +25,8 @@ bool within(double x, double y, const ScreenSegment& s, double distance) {
 }
 
 // Length of `lines` farther than `distance` from all of `others`.
-double unmatched(const std::vector<ScreenSegment>& lines, const std::vector<ScreenSegment>& others, double distance) {
+double unmatched(const std::vector<ScreenSegment>& lines, const std::vector<ScreenSegment>& others,
+                 double distance) {
   double total = 0;
   std::size_t last = 0;  // the one that was near the step before is likely near again
   for (const ScreenSegment& line : lines) {
@@ -35,10 +38,13 @@ double unmatched(const std::vector<ScreenSegment>& lines, const std::vector<Scre
       const double x = line.x0 + t * (line.x1 - line.x0);
       const double y = line.y0 + t * (line.y1 - line.y0);
       if (last < others.size() && within(x, y, others[last], distance)) continue;
-      const auto near = std::find_if(others.begin(), others.end(),
-                                     [&](const ScreenSegment& other) { return within(x, y, other, distance); });
-      if (near == others.end()) ++alone;
-      else last = static_cast<std::size_t>(near - others.begin());
+      const auto near = std::find_if(others.begin(), others.end(), [&](const ScreenSegment& other) {
+        return within(x, y, other, distance);
+      });
+      if (near == others.end())
+        ++alone;
+      else
+        last = static_cast<std::size_t>(near - others.begin());
     }
     total += length * static_cast<double>(alone) / static_cast<double>(steps);
   }

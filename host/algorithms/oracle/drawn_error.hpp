@@ -1,8 +1,8 @@
 // How wrong a drawing is: lengths of lines missing and of lines that should not be there, on the screen.
 //
-// Both drawings are taken as sets of points. A stretch of the one counts as found if some point of the other is within
-// a given distance; so position errors below that distance are forgiven, and drawing a line twice is no error. Lengths
-// are measured by the midpoints of equal steps of at most 0.25 points.
+// Both drawings are taken as sets of points. A stretch of the one counts as found if some point of the other
+// is within a given distance; so position errors below that distance are forgiven, and drawing a line twice
+// is no error. Lengths are measured by the midpoints of equal steps of at most 0.25 points.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ struct DrawnError {
   double extra = 0;         // of drawn_length, farther than the distance from everything true
 };
 
-[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& truth, const std::vector<ScreenSegment>& drawn,
-                                     double distance);
+[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& truth,
+                                     const std::vector<ScreenSegment>& drawn, double distance);
 
 }  // namespace sightline::algorithms::oracle

@@ -44,7 +44,8 @@ std::size_t Matter::index(const std::array<int, 3>& unit) const {
 
 std::array<int, 2> Matter::units_within(std::size_t axis, geometry::Span span) const {
   const auto at = [&](std::int32_t c) {
-    return static_cast<int>(std::lower_bound(grid_[axis].begin(), grid_[axis].end(), c) - grid_[axis].begin());
+    return static_cast<int>(std::lower_bound(grid_[axis].begin(), grid_[axis].end(), c) -
+                            grid_[axis].begin());
   };
   return {at(span.low), std::min(at(span.high), units(axis))};
 }

@@ -1,8 +1,9 @@
-// What a scene is made of, on the grid of its own coordinates: which units of space are solid, which unit faces are
-// covered by a wall, and from that alone the lines there are to see. Cells, openings and cell lines of the scene are
-// not looked at: the oracle must not inherit their mistakes.
+// What a scene is made of, on the grid of its own coordinates: which units of space are solid, which unit
+// faces are covered by a wall, and from that alone the lines there are to see. Cells, openings and cell lines
+// of the scene are not looked at: the oracle must not inherit their mistakes.
 //
-// Unit i of an axis reaches from its i-th to its (i+1)-th grid coordinate. Everything outside the outer box is solid.
+// Unit i of an axis reaches from its i-th to its (i+1)-th grid coordinate. Everything outside the outer box
+// is solid.
 #pragma once
 
 #include <array>
@@ -15,10 +16,10 @@
 
 namespace sightline::algorithms::oracle {
 
-// An actual line: an edge of the grid, or several in a row, where matter is not flat. Around it are four quadrants,
-// number q on the high side of the first cross axis if q is odd, of the second if q is 2 or 3. A quadrant's flag says
-// whether the line is a feature for someone looking from there: the free angle the quadrant belongs to is not half a
-// turn (a wall that a partition meets from behind stays flat in front).
+// An actual line: an edge of the grid, or several in a row, where matter is not flat. Around it are four
+// quadrants, number q on the high side of the first cross axis if q is odd, of the second if q is 2 or 3. A
+// quadrant's flag says whether the line is a feature for someone looking from there: the free angle the
+// quadrant belongs to is not half a turn (a wall that a partition meets from behind stays flat in front).
 struct RealLine {
   std::size_t axis = 0;
   std::array<int, 2> cross{};  // grid line numbers on other_axes(axis)
@@ -40,7 +41,8 @@ class Matter {
   [[nodiscard]] int units(std::size_t axis) const { return static_cast<int>(grid_[axis].size()) - 1; }
 
   [[nodiscard]] bool solid(const std::array<int, 3>& unit) const;
-  // The face of `unit` on its low side of `axis`: nothing passes it. True for a wall, and if either side is solid.
+  // The face of `unit` on its low side of `axis`: nothing passes it. True for a wall, and if either side is
+  // solid.
   [[nodiscard]] bool opaque_face(std::size_t axis, const std::array<int, 3>& unit) const;
 
   // All lines, by axis, then in the order of the grid.

@@ -8,7 +8,11 @@ using geometry::IntervalSet;
 using geometry::Rational;
 
 SightFan::SightFan(const Matter& matter, const RealLine& line, const geometry::Point& eye)
-    : matter_(matter), axis_(line.axis), cross_(geometry::other_axes(line.axis)), eye_(eye), milestones_{0, 1} {
+    : matter_(matter),
+      axis_(line.axis),
+      cross_(geometry::other_axes(line.axis)),
+      eye_(eye),
+      milestones_{0, 1} {
   for (std::size_t c = 0; c < 2; ++c) {
     const std::size_t a = cross_[c];
     direction_[c] = std::int64_t{line.from[a]} - eye[a];
@@ -32,9 +36,10 @@ void SightFan::take_shadows(IntervalSet& seen) const {
 SightFan::Slot SightFan::slot(std::size_t cross, const Rational& s) const {
   const auto& grid = matter_.grid(cross_[cross]);
   const Rational moved(direction_[cross] * s.numerator(), s.denominator());
-  const auto at = std::lower_bound(grid.begin(), grid.end(), moved, [&](std::int32_t g, const Rational& position) {
-    return Rational(std::int64_t{g} - eye_[cross_[cross]]) < position;
-  });
+  const auto at =
+      std::lower_bound(grid.begin(), grid.end(), moved, [&](std::int32_t g, const Rational& position) {
+        return Rational(std::int64_t{g} - eye_[cross_[cross]]) < position;
+      });
   const int line = static_cast<int>(at - grid.begin());
   const bool on_line = at != grid.end() && Rational(std::int64_t{*at} - eye_[cross_[cross]]) == moved;
   if (!on_line) return {false, false, 0, line - 1, line - 1};
@@ -55,7 +60,8 @@ std::int64_t SightFan::along(int grid_line) const {
 }
 
 // Hides what matter from g0 to g1 (g0 <= g1) hides when met between s0 and s1 (s0 <= s1).
-void SightFan::take(IntervalSet& seen, std::int64_t g0, std::int64_t g1, const Rational& s0, const Rational& s1) const {
+void SightFan::take(IntervalSet& seen, std::int64_t g0, std::int64_t g1, const Rational& s0,
+                    const Rational& s1) const {
   if (seen.empty()) return;
   // g / s; towards infinity at the eye itself, where anything beyond the line's ends will do.
   const auto reach = [&](std::int64_t g, const Rational& s) {
@@ -78,7 +84,8 @@ void SightFan::take_stretch(IntervalSet& seen, const Rational& s0, const Rationa
   };
   int run = -1;  // first unit of the solid stretch being followed
   for (int k = 0; k <= matter_.units(axis_); ++k) {
-    const bool solid = k < matter_.units(axis_) && everywhere([&](int i, int j) { return matter_.solid(unit(k, i, j)); });
+    const bool solid =
+        k < matter_.units(axis_) && everywhere([&](int i, int j) { return matter_.solid(unit(k, i, j)); });
     if (solid && run < 0) run = k;
     if (!solid && run >= 0) {
       take(seen, along(run), along(k), s0, s1);
@@ -98,7 +105,8 @@ bool SightFan::stopped_at(const std::array<Slot, 2>& slots, int along) const {
   };
   const auto crossed = [](const Slot& s) { return s.on_line && s.moving; };
   if (crossed(slots[0]) && crossed(slots[1])) {
-    return (face(0, slots[1].before) || face(1, slots[0].after)) && (face(1, slots[0].before) || face(0, slots[1].after));
+    return (face(0, slots[1].before) || face(1, slots[0].after)) &&
+           (face(1, slots[0].before) || face(0, slots[1].after));
   }
   const std::size_t across = crossed(slots[0]) ? 0 : 1;
   const Slot& other = slots[1 - across];

@@ -1,4 +1,5 @@
-// All sight lines from an eye to the points of one line, seen along the line: a ray in the plane of the two other axes.
+// All sight lines from an eye to the points of one line, seen along the line: a ray in the plane of the two
+// other axes.
 #pragma once
 
 #include <array>
@@ -11,9 +12,10 @@
 
 namespace sightline::algorithms::oracle {
 
-// Let s be the place on the ray, 0 at the eye and 1 at the line, and u = 1/s. A sight line that meets matter at (s, g),
-// g its coordinate along the line relative to the eye, ends at x = g u on the line. So matter that reaches from g0 to
-// g1 along the line, met on the stretch u0..u1 of the ray, hides all x between the least and the greatest g u.
+// Let s be the place on the ray, 0 at the eye and 1 at the line, and u = 1/s. A sight line that meets matter
+// at (s, g), g its coordinate along the line relative to the eye, ends at x = g u on the line. So matter that
+// reaches from g0 to g1 along the line, met on the stretch u0..u1 of the ray, hides all x between the least
+// and the greatest g u.
 class SightFan {
  public:
   // The line does not run through the eye.
@@ -23,8 +25,8 @@ class SightFan {
   void take_shadows(geometry::IntervalSet& seen) const;
 
  private:
-  // Where the ray is on one of the two cross axes: inside unit `before` (== `after`); on grid line `line`, passing from
-  // one unit to the other; or on a grid line and staying there between the two units.
+  // Where the ray is on one of the two cross axes: inside unit `before` (== `after`); on grid line `line`,
+  // passing from one unit to the other; or on a grid line and staying there between the two units.
   struct Slot {
     bool on_line = false;
     bool moving = false;
@@ -36,7 +38,8 @@ class SightFan {
   [[nodiscard]] Slot slot(std::size_t cross, const geometry::Rational& s) const;
   [[nodiscard]] std::array<int, 3> unit(int along, int first, int second) const;
   [[nodiscard]] bool stopped_at(const std::array<Slot, 2>& slots, int along) const;
-  void take_stretch(geometry::IntervalSet& seen, const geometry::Rational& s0, const geometry::Rational& s1) const;
+  void take_stretch(geometry::IntervalSet& seen, const geometry::Rational& s0,
+                    const geometry::Rational& s1) const;
   void take_crossing(geometry::IntervalSet& seen, const geometry::Rational& s) const;
   void take(geometry::IntervalSet& seen, std::int64_t g0, std::int64_t g1, const geometry::Rational& s0,
             const geometry::Rational& s1) const;

@@ -11,9 +11,12 @@ using geometry::IntervalSet;
 using geometry::Point;
 using geometry::Rational;
 
-Point relative(const Point& p, const Point& eye) { return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]}; }
+Point relative(const Point& p, const Point& eye) {
+  return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
+}
 
-// Some quadrant that the eye is in, or on the edge of, has the line as a feature. `r` is the line seen from the eye.
+// Some quadrant that the eye is in, or on the edge of, has the line as a feature. `r` is the line seen from
+// the eye.
 bool feature_for(const RealLine& line, const Point& r) {
   const auto [u, v] = geometry::other_axes(line.axis);
   for (const int high_u : {0, 1}) {
@@ -33,15 +36,19 @@ void keep_half(IntervalSet& seen, std::int64_t k, std::int64_t m) {
     const Rational limit(-m, k);
     const Rational low = seen.intervals().front().low;
     const Rational high = seen.intervals().back().high;
-    if (k > 0) seen.intersect(std::max(low, limit), high);
-    else seen.intersect(low, std::min(high, limit));
+    if (k > 0)
+      seen.intersect(std::max(low, limit), high);
+    else
+      seen.intersect(low, std::min(high, limit));
   }
 }
 
 // `seen` holds coordinates along the line, relative to the eye; `r` is any point of the line.
 void keep_window(IntervalSet& seen, std::size_t axis, const Point& r, const Window& window) {
-  if (axis == 2) keep_half(seen, 1, -std::int64_t{window.near});
-  else keep_half(seen, 0, std::int64_t{r[2]} - window.near);
+  if (axis == 2)
+    keep_half(seen, 1, -std::int64_t{window.near});
+  else
+    keep_half(seen, 0, std::int64_t{r[2]} - window.near);
   for (std::size_t b = 0; b < 2; ++b) {
     for (const bool high : {false, true}) {
       // scale * r_b - bound * r_z >= 0, or <= 0 for the high bound
@@ -69,14 +76,15 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   const auto parameter = [&](const Rational& x) {
     return Rational(x.numerator() - start * x.denominator(), x.denominator() * length);
   };
-  for (const auto& piece : seen.intervals()) result.intervals.unite(parameter(piece.low), parameter(piece.high));
+  for (const auto& piece : seen.intervals())
+    result.intervals.unite(parameter(piece.low), parameter(piece.high));
   return result;
 }
 
 }  // namespace
 
-std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye,
-                                       const Window& window) {
+std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,
+                                       const Point& eye, const Window& window) {
   std::vector<VisibleLine> visible;
   for (const RealLine& line : lines) {
     VisibleLine seen = seen_of(matter, line, eye, window);
@@ -92,7 +100,8 @@ std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& sc
   return visible_lines(*matter, matter->real_lines(), eye, window);
 }
 
-std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines, const Point& eye, const Window& window) {
+std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines, const Point& eye,
+                                     const Window& window) {
   std::vector<ScreenSegment> segments;
   for (const VisibleLine& line : lines) {
     const Point p = relative(line.p, eye);

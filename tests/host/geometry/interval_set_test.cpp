@@ -44,9 +44,12 @@ TEST(IntervalSet, AgreesWithUnitStepsUnderRandomOperations) {
       const int low = static_cast<int>(random() % (steps + 1));
       const int high = static_cast<int>(random() % (steps + 1));
       const unsigned kind = random() % 8;
-      if (kind < 4) set.subtract(low, high);
-      else if (kind < 7) set.unite(low, high);
-      else set.intersect(low, high);
+      if (kind < 4)
+        set.subtract(low, high);
+      else if (kind < 7)
+        set.unite(low, high);
+      else
+        set.intersect(low, high);
       for (int s = 0; s < steps; ++s) {
         const bool inside = low <= s && s < high;
         bool& bit = covered[static_cast<std::size_t>(s)];

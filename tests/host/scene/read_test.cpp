@@ -75,35 +75,40 @@ TEST_P(DamagedScene, IsNamedByFilePlaceAndCause) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, DamagedScene,
-    testing::Values(
-        Damage{"missing", "/outer", "", "", "expected a field \"outer\", found none"},
-        Damage{"missing_in_opening", "/openings/1/ring", "", "openings[1]", "expected a field \"ring\", found none"},
-        Damage{"wrong_type", "/cells", "{}", "cells", "expected an array, found an object"},
-        Damage{"short_point", "/default_view", "[1,2]", "default_view", "expected an array of 3, found an array of 2"},
-        Damage{"fraction", "/outer/1/2", "750.0", "outer[1][2]", "expected an integer -32767..32767, found 750.0"},
-        Damage{"string_for_number", "/walls/3/1", "\"400\"", "walls[3][1]",
-               "expected an integer -32767..32767, found a string"},
-        Damage{"too_large", "/cells/0/1/0", "32768", "cells[0][1][0]",
-               "expected an integer -32767..32767, found 32768"},
-        Damage{"too_small", "/cells/0/0/0", "-32768", "cells[0][0][0]",
-               "expected an integer -32767..32767, found -32768"},
-        Damage{"beyond_64_bits", "/cells/0/1/0", "18446744073709551615", "cells[0][1][0]",
-               "expected an integer -32767..32767, found 18446744073709551615"},
-        Damage{"null", "/openings/0/c", "null", "openings[0].c", "expected an integer -32767..32767, found null"},
-        Damage{"boolean", "/openings/0/axis", "true", "openings[0].axis", "expected an integer 0..2, found true"},
-        Damage{"unknown_axis", "/openings/0/axis", "3", "openings[0].axis", "expected an integer 0..2, found 3"},
-        Damage{"unknown_direction", "/openings/2/vectors/1/1", "\"l\"", "openings[2].vectors[1][1]",
-               "expected \"i\", \"j\" or \"k\", found a string"},
-        Damage{"flag", "/openings/2/vectors/1/0", "2", "openings[2].vectors[1][0]",
-               "expected an integer 0..1, found 2"},
-        Damage{"negative_cell", "/openings/2/cells/1", "-1", "openings[2].cells[1]",
-               "expected an integer 0..2147483647, found -1"},
-        Damage{"name_with_newline", "/name", "\"a\\nb\"", "name",
-               "expected a string of 1 to 40 printable ASCII characters, found a string"},
-        Damage{"lines_missing_for_a_cell", "/cell_lines", "[[],[]]", "cell_lines",
-               "expected an array of 3, found an array of 2"},
-        Damage{"line_of_three_points", "/cell_lines/1/0", "[[0,0,0],[1,0,0],[2,0,0]]", "cell_lines[1][0]",
-               "expected an array of 2, found an array of 3"}),
+    testing::Values(Damage{"missing", "/outer", "", "", "expected a field \"outer\", found none"},
+                    Damage{"missing_in_opening", "/openings/1/ring", "", "openings[1]",
+                           "expected a field \"ring\", found none"},
+                    Damage{"wrong_type", "/cells", "{}", "cells", "expected an array, found an object"},
+                    Damage{"short_point", "/default_view", "[1,2]", "default_view",
+                           "expected an array of 3, found an array of 2"},
+                    Damage{"fraction", "/outer/1/2", "750.0", "outer[1][2]",
+                           "expected an integer -32767..32767, found 750.0"},
+                    Damage{"string_for_number", "/walls/3/1", "\"400\"", "walls[3][1]",
+                           "expected an integer -32767..32767, found a string"},
+                    Damage{"too_large", "/cells/0/1/0", "32768", "cells[0][1][0]",
+                           "expected an integer -32767..32767, found 32768"},
+                    Damage{"too_small", "/cells/0/0/0", "-32768", "cells[0][0][0]",
+                           "expected an integer -32767..32767, found -32768"},
+                    Damage{"beyond_64_bits", "/cells/0/1/0", "18446744073709551615", "cells[0][1][0]",
+                           "expected an integer -32767..32767, found 18446744073709551615"},
+                    Damage{"null", "/openings/0/c", "null", "openings[0].c",
+                           "expected an integer -32767..32767, found null"},
+                    Damage{"boolean", "/openings/0/axis", "true", "openings[0].axis",
+                           "expected an integer 0..2, found true"},
+                    Damage{"unknown_axis", "/openings/0/axis", "3", "openings[0].axis",
+                           "expected an integer 0..2, found 3"},
+                    Damage{"unknown_direction", "/openings/2/vectors/1/1", "\"l\"",
+                           "openings[2].vectors[1][1]", "expected \"i\", \"j\" or \"k\", found a string"},
+                    Damage{"flag", "/openings/2/vectors/1/0", "2", "openings[2].vectors[1][0]",
+                           "expected an integer 0..1, found 2"},
+                    Damage{"negative_cell", "/openings/2/cells/1", "-1", "openings[2].cells[1]",
+                           "expected an integer 0..2147483647, found -1"},
+                    Damage{"name_with_newline", "/name", "\"a\\nb\"", "name",
+                           "expected a string of 1 to 40 printable ASCII characters, found a string"},
+                    Damage{"lines_missing_for_a_cell", "/cell_lines", "[[],[]]", "cell_lines",
+                           "expected an array of 3, found an array of 2"},
+                    Damage{"line_of_three_points", "/cell_lines/1/0", "[[0,0,0],[1,0,0],[2,0,0]]",
+                           "cell_lines[1][0]", "expected an array of 2, found an array of 3"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(ReadCellScene, NamesLineAndColumnOfASyntaxError) {
@@ -125,7 +130,8 @@ TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
   EXPECT_TRUE(std::holds_alternative<CellScene>(load_cell_scene("corridor8")));
   const auto missing = load_cell_scene("no/such/scene.json");
   EXPECT_EQ(std::get<SceneError>(missing).message(),
-            "no/such/scene.json: no such file, and not a built-in scene (house, roberts, street4, corridor8, corridor32)");
+            "no/such/scene.json: no such file, and not a built-in scene (house, roberts, street4, corridor8, "
+            "corridor32)");
   const auto folder = load_cell_scene(SIGHTLINE_SOURCE_DIR);
   EXPECT_NE(std::get<SceneError>(folder).cause.find("directory"), std::string::npos);
 }

@@ -1,4 +1,5 @@
-// Words and source tapes of scenes: sizes, formats read back by a decoder of the test's own, and the tapes on file.
+// Words and source tapes of scenes: sizes, formats read back by a decoder of the test's own, and the tapes on
+// file.
 #include "host/scene/tape.hpp"
 
 #include <gtest/gtest.h>
@@ -27,9 +28,11 @@ EncodedScene encoded(const CellScene& scene, const TapeOptions& options = {}, st
 
 // The sizes measured with the prototype of the specification.
 TEST(Encode, TakesTheWordsOfTheSpecification) {
-  const std::map<std::string_view, std::pair<std::size_t, std::size_t>> expected{
-      {"house", {71, 30}}, {"roberts", {153, 313}}, {"street4", {376, 796}}, {"corridor8", {194, 70}},
-      {"corridor32", {794, 310}}};
+  const std::map<std::string_view, std::pair<std::size_t, std::size_t>> expected{{"house", {71, 30}},
+                                                                                 {"roberts", {153, 313}},
+                                                                                 {"street4", {376, 796}},
+                                                                                 {"corridor8", {194, 70}},
+                                                                                 {"corridor32", {794, 310}}};
   for (const auto& [name, words] : expected) {
     const EncodedScene result = encoded(builtin_scene(name));
     EXPECT_EQ(result.cell_words, words.first) << name;
@@ -78,7 +81,9 @@ class Core {
 };
 
 using Ends = std::pair<Point, Point>;
-Ends ordered(const Point& a, const Point& b) { return a < b ? Ends{a, b} : Ends{b, a}; }
+Ends ordered(const Point& a, const Point& b) {
+  return a < b ? Ends{a, b} : Ends{b, a};
+}
 
 TEST(Encode, ElementsReadBackAsTheScene) {
   for (const std::string_view name : builtin_scene_names()) {
@@ -181,8 +186,9 @@ std::string refusal(const CellScene& scene, const TapeOptions& options, std::uin
 
 TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
   const CellScene house = builtin_scene("house");
-  EXPECT_EQ(refusal(house, {Point{100, 100, 393}}),
-            "point (100, 100, 393): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..392");
+  EXPECT_EQ(
+      refusal(house, {Point{100, 100, 393}}),
+      "point (100, 100, 393): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..392");
   EXPECT_EQ(refusal(house, {Point{100, 100, 392}}), "encoded");
   EXPECT_EQ(refusal(house, {Point{0, 100, 20}}),
             "point (0, 100, 20): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..392");

@@ -6,11 +6,12 @@
 namespace sightline::algorithms::oracle {
 namespace {
 
-const std::vector<ScreenSegment> square{{0, 0, 100, 0}, {100, 0, 100, 100}, {100, 100, 0, 100}, {0, 100, 0, 0}};
+const std::vector<ScreenSegment> square{
+    {0, 0, 100, 0}, {100, 0, 100, 100}, {100, 100, 0, 100}, {0, 100, 0, 0}};
 
 TEST(DrawnError, OfTheSameDrawingInPiecesAndBackwardsIsNothing) {
-  const std::vector<ScreenSegment> pieces{{40, 0, 0, 0},      {40, 0, 100, 0},   {100, 100, 100, 0},
-                                          {0, 100, 100, 100}, {0, 100, 0, 0},    {20, 0, 60, 0}};
+  const std::vector<ScreenSegment> pieces{{40, 0, 0, 0},      {40, 0, 100, 0}, {100, 100, 100, 0},
+                                          {0, 100, 100, 100}, {0, 100, 0, 0},  {20, 0, 60, 0}};
   const DrawnError error = drawn_error(square, pieces, 0.01);
   EXPECT_DOUBLE_EQ(error.true_length, 400);
   EXPECT_DOUBLE_EQ(error.drawn_length, 440);

@@ -33,7 +33,8 @@ void draw(Drawing& drawing, const Point& a, const Point& b) {
   std::size_t axis = 0;
   while (a[axis] == b[axis]) ++axis;
   const auto [u, v] = geometry::other_axes(axis);
-  drawing[{static_cast<std::int32_t>(axis), a[u], a[v]}].unite(std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
+  drawing[{static_cast<std::int32_t>(axis), a[u], a[v]}].unite(std::min(a[axis], b[axis]),
+                                                               std::max(a[axis], b[axis]));
 }
 
 // Cell lines and real ring vectors were made by another program, from the cells.
@@ -58,7 +59,8 @@ TEST(RealLines, AreTheCellLinesAndOpeningOutlinesOfTheScene) {
   }
 }
 
-// "Gap 3": the partition x = 250 of the house meets the wall z = 400 from behind: a corner there, flat in front.
+// "Gap 3": the partition x = 250 of the house meets the wall z = 400 from behind: a corner there, flat in
+// front.
 TEST(RealLines, AreFeaturesOnOneSideOnlyWhereAPartitionMeetsAWall) {
   const auto lines = Matter::of(scene::builtin_scene("house")).value().real_lines();
   const auto corner = std::find_if(lines.begin(), lines.end(), [](const RealLine& line) {
@@ -81,21 +83,26 @@ TEST(RealLines, OfAnEmptyRoomAndOfTouchingBoxes) {
   EXPECT_EQ(Matter::of(room({}, {})).value().real_lines().size(), 12U);
   EXPECT_EQ(Matter::of(room({{{20, 20, 20}, {40, 40, 40}}}, {})).value().real_lines().size(), 24U);
   // two boxes make one: no lines at the joint
-  EXPECT_EQ(Matter::of(room({{{20, 20, 20}, {30, 40, 40}}, {{30, 20, 20}, {40, 40, 40}}}, {})).value().real_lines().size(),
-            24U);
-  // two pieces of one sheet: its rim only
-  EXPECT_EQ(Matter::of(room({}, {{2, 50, {Span{20, 30}, Span{20, 40}}}, {2, 50, {Span{30, 40}, Span{20, 40}}}}))
+  EXPECT_EQ(Matter::of(room({{{20, 20, 20}, {30, 40, 40}}, {{30, 20, 20}, {40, 40, 40}}}, {}))
                 .value()
                 .real_lines()
                 .size(),
-            16U);
+            24U);
+  // two pieces of one sheet: its rim only
+  EXPECT_EQ(
+      Matter::of(room({}, {{2, 50, {Span{20, 30}, Span{20, 40}}}, {2, 50, {Span{30, 40}, Span{20, 40}}}}))
+          .value()
+          .real_lines()
+          .size(),
+      16U);
 }
 
 TEST(Matter, RefusesWhatIsEmptyOrTooLarge) {
   EXPECT_FALSE(Matter::of(scene::CellScene{}));
   EXPECT_FALSE(Matter::of(room({{{20, 20, 20}, {20, 40, 40}}}, {})));
   std::vector<Box> many;
-  for (std::int32_t i = 0; i < 300; ++i) many.push_back({{2 * i, 2 * i, 2 * i}, {2 * i + 1, 2 * i + 1, 2 * i + 1}});
+  for (std::int32_t i = 0; i < 300; ++i)
+    many.push_back({{2 * i, 2 * i, 2 * i}, {2 * i + 1, 2 * i + 1, 2 * i + 1}});
   auto scene = room(std::move(many), {});
   scene.outer.high = {1000, 1000, 1000};
   EXPECT_FALSE(Matter::of(scene));

@@ -1,5 +1,5 @@
-// Visible intervals against a ray test point by point that knows nothing of grids, and, where sight lines only touch
-// matter, against cases worked out by hand.
+// Visible intervals against a ray test point by point that knows nothing of grids, and, where sight lines
+// only touch matter, against cases worked out by hand.
 #include "host/algorithms/oracle/visible_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -30,13 +30,14 @@ RayEnd ray_to(const RealLine& line, const Point& eye, const Rational& t) {
   RayEnd ray;
   ray.denominator = t.denominator();
   for (std::size_t a = 0; a < 3; ++a) {
-    ray.over[a] = Int128{line.from[a] - eye[a]} * t.denominator() + Int128{line.to[a] - line.from[a]} * t.numerator();
+    ray.over[a] =
+        Int128{line.from[a] - eye[a]} * t.denominator() + Int128{line.to[a] - line.from[a]} * t.numerator();
   }
   return ray;
 }
 
-// Does the open segment from the eye (the origin) to the point pass the inside of a box, or the plane of a wall
-// inside it? For s in (0, 1): low < s r < high on all axes with an extent, s r = at on one without.
+// Does the open segment from the eye (the origin) to the point pass the inside of a box, or the plane of a
+// wall inside it? For s in (0, 1): low < s r < high on all axes with an extent, s r = at on one without.
 bool passes(const RayEnd& ray, const Box& box, const Point& eye) {
   struct Fraction {
     Int128 n, d;  // d > 0
@@ -137,7 +138,8 @@ TEST_P(OfScene, AgreesWithARayTestAtRandomPoints) {
         // a prime denominator keeps samples off the ends of intervals, where a ray only touches matter
         const Rational t(static_cast<std::int64_t>(random() % 9972 + 1), 9973);
         const RayEnd ray = ray_to(line, eye, t);
-        const bool expected = faces_a_feature(line, eye) && in_window(ray, window) && !blocked(scene, ray, eye);
+        const bool expected =
+            faces_a_feature(line, eye) && in_window(ray, window) && !blocked(scene, ray, eye);
         seen_points += expected ? 1 : 0;
         ASSERT_EQ(found != nullptr && found->intervals.contains(t), expected)
             << "eye " << eye[0] << ' ' << eye[1] << ' ' << eye[2] << ", axis " << line.axis << " from "
@@ -148,7 +150,8 @@ TEST_P(OfScene, AgreesWithARayTestAtRandomPoints) {
   EXPECT_GT(seen_points, 500);
 }
 
-// Where an interval ends something must begin to hide the line: a ray just inside is free, one just outside is not.
+// Where an interval ends something must begin to hide the line: a ray just inside is free, one just outside
+// is not.
 TEST_P(OfScene, IntervalsEndExactlyWhereSightDoes) {
   const scene::CellScene scene = scene::builtin_scene(GetParam());
   const Matter matter = Matter::of(scene).value();
@@ -169,7 +172,9 @@ TEST_P(OfScene, IntervalsEndExactlyWhereSightDoes) {
           const auto shifted = [&](std::int64_t by) {
             return ray_to(line, eye, Rational(end.numerator() * fine + by, end.denominator() * fine));
           };
-          const auto sees = [&](const RayEnd& r) { return in_window(r, Window{}) && !blocked(scene, r, eye); };
+          const auto sees = [&](const RayEnd& r) {
+            return in_window(r, Window{}) && !blocked(scene, r, eye);
+          };
           ASSERT_TRUE(sees(shifted(upper ? -1 : 1)));
           ASSERT_FALSE(sees(shifted(upper ? 1 : -1)));
           ++ends;
@@ -180,7 +185,8 @@ TEST_P(OfScene, IntervalsEndExactlyWhereSightDoes) {
   EXPECT_GT(ends, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(Builtin, OfScene, testing::Values("house", "roberts", "street4", "corridor8", "corridor32"),
+INSTANTIATE_TEST_SUITE_P(Builtin, OfScene,
+                         testing::Values("house", "roberts", "street4", "corridor8", "corridor32"),
                          [](const auto& test) { return std::string(test.param); });
 
 // ---- sight lines that only touch matter ----
@@ -221,7 +227,8 @@ TEST(Touching, TheJointOfTwoWallsHidesWhatIsBehindIt) {
 }
 
 TEST(Touching, TheLintelOfAFartherDoorIsSeenThroughANearerOneOfTheSameHeight) {
-  const auto corridor = scene::builtin_scene("corridor8");  // doors up to 210; the first at x 130..240, the second 70..180
+  const auto corridor =
+      scene::builtin_scene("corridor8");  // doors up to 210; the first at x 130..240, the second 70..180
   const auto visible = visible_lines(corridor, Point{140, 210, 30}, Window{}).value();
   // lintel of the second door (z = 800), x 70..180: rays pass z = 400 at 140 + (x - 140) 370/770
   IntervalSet seen;
@@ -263,7 +270,8 @@ TEST(Touching, ASightLineAlongAWallIsFree) {
 }
 
 TEST(Window, CutsExactlyAtTheNearPlaneAndAtTheEdgesOfTheScreen) {
-  // the room's edge x = 100, y = 100 along z, from the eye (0, 0, 1): 512 * 100 / z <= 511 from z = 51200/511 on
+  // the room's edge x = 100, y = 100 along z, from the eye (0, 0, 1): 512 * 100 / z <= 511 from z = 51200/511
+  // on
   const auto seen = seen_of(room({}, {}), {0, 0, 1}, {100, 100, 0}, {100, 100, 400});
   ASSERT_EQ(seen.intervals().size(), 1U);
   EXPECT_EQ(seen.intervals()[0].low, Rational(51200 + 511, 511 * 400));
