@@ -6,16 +6,20 @@
 / octal; negate is cma, tad (1.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
-/ constants   10566 mask stack   11600 and 14700 the two display files.
+/ constants   07722 records   11273 mask stack   12305 and 15142 the two display
+/ files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
 
-stack=10566
-stkend=11470            / 450 words; one frame more may be written beyond
-filea=11600
-fileb=14700
-filsiz=3100             / 1600 words each
+recs=7722               / records of openings: 5 words each
+recmax=224              / 148 of them
+recend=11266            / and one for an opening beyond these
+stack=11273
+stkend=12175            / 450 words; one frame more may be written beyond
+filea=12305
+fileb=15142
+filsiz=2635             / 1437 words each
 
 mulac=640122            / MUL that keeps AC: it is added to the product
 

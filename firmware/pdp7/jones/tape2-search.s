@@ -15,6 +15,7 @@ onepas, 0
         tad (1
         dac nez
         jms setbnd
+        jms forget
         jms winmsk
         lac (stack
         dac sp
@@ -65,98 +66,75 @@ opn2,   dac org         / the opening's X word, and its name
         sad entry
         jmp opback      / the way we came in
 
-/ Test an opening: its plane, and on which side of it the eye is.
+/ Test an opening.  What is known of it holds for the whole pass, and is kept
+/ in a record found by its address: no two openings begin in the same eight
+/ words.  First word: 1 or 2, the eye is before its plane looking to the high
+/ or to the low side; 4, it has a real line; 10, known.  Then its box on the
+/ screen.
 opens,  lac org
-        tad (2
+        tad (-scene+1
+        rcr
+        rcr
+        rcr
+        dac t1
+        tad (-recmax+1
+        spa
+        jmp open1
+        lac (recend     / beyond the table: worked out every time
+        dac rec
+        dzm recend
+        jmp open2
+open1,  lac t1
+        rcl
+        rcl
+        tad t1
+        tad (recs
+        dac rec
+open2,  lac i rec
+        sna
+        jms newrec
+        dac t1
+        lac tolow
+        sza
+        lac (1
+        tad (1
+        and t1
+        dac crossf      / nonzero: the eye may look through
+        sza
+        jmp open3
+        lac t1
+        and (4
+        sna
+        jmp opback      / neither a way nor a line
+open3,  lac rec
         dac 15
-        lac i 15
+        lac i 15        / apart from the mask: nothing can be seen
+        dac bxlo
         cma
-        tad (1
-        sna
-        jmp flt6
-        dac cnt
+        tad xhi1
+        spa
+        jmp opback
         lac i 15
-        dac vec1
-        and (300000
-        sna
-        jmp flt6
-        dac axis1
-scan,   isz cnt
-        skp
-        jmp flt6        / all along one axis
+        dac bxhi
+        tad nxlo
+        spa
+        jmp opback
         lac i 15
-        dac vec2
-        and (300000
-        sna
-        jmp flt6
-        sad axis1
-        jmp scan
-        dac axis2
-        tad axis1
-        sad (300000
-        jmp plank
-        sad (400000
-        jmp planj
-        lac (py         / plane across i
-        dac ucell
-        lac i org
-        tad nex
-        jmp planij
-planj,  lac (px         / across j
-        dac ucell
-        lac org
-        tad (1
-        dac t1
-        lac i t1
-        tad ney
-planij, dac plane       / the plane, as seen from the eye
-        jms zleast      / the least z at which it is in the bound
-        dac zh
-        lac tolow
+        dac bylo
+        cma
+        tad yhi1
+        spa
+        jmp opback
+        lac i 15
+        dac byhi
+        tad nylo
+        spa
+        jmp opback
+        lac crossf
         sza
-        jmp plan1
-        lac plane
-        sma sza         / to the high side: it must lie beyond the eye
-        jmp crossb
-        jmp nocros
-plan1,  lac plane
-        spa             / to the low side: before it
-        jmp crossb
-        jmp nocros
-plank,  lac (10         / across k: in front, and not nearer than 8
-        dac zh
-        lac tolow
-        sza
-        jmp nocros
-        lac org
-        tad (2
-        dac t1
-        lac i t1
-        tad nez
-        tad (777770
-        sma
         jmp crossb
 
 / The eye does not look through: only the lines of the outline matter.
-nocros, lac org
-        tad (2
-        dac 15
-        lac i 15
-        cma
-        tad (1
-        dac cnt
-nocr1,  lac i 15
-        spa
-        jmp nocr2
-        isz cnt
-        jmp nocr1
-        jmp opback      / none
-nocr2,
-        IFNZRO EAE <
-        jms unseen
-        sza
-        jmp opback
-        >
         dzm ringf
         lac org
         tad (777777
@@ -165,12 +143,7 @@ nocr2,
         jmp opback
 
 / The eye may look through: outline and polygon together.
-crossb,
-        IFNZRO EAE <
-        jms unseen
-        sza
-        jmp opback
-        >
+crossb, jms plane
         lac vec1
         xor vec2
         xor tolow
@@ -187,14 +160,17 @@ crossb,
         lac revers
         xor (40000
         dac revers
-cross1, clc
+cross1, lac r
+        jms zleast      / the least z at which the plane is in the bound
+        dac zh
+        clc
         dac ringf
         lac (polq-1
         dac palt
         lac (poly-1
         dac pcur
         dac 11
-        dzm pn
+        jms newpol
         lac org
         tad (777777
         dac 10
@@ -229,13 +205,71 @@ descnd, lac depth
         dac cell
         jmp visit
 
-        IFNZRO EAE <
-/ AC nonzero if the opening cannot be seen through the mask's box: it lies
-/ behind the near plane, or beyond one of the four sides by a half point or
-/ more.  The answer only saves work: nothing would be drawn.  A multiplication
-/ takes 6 us here; without the EAE it would cost more than it saves.
-unseen, 0
+/ The opening's plane: its first vectors along two axes, and the plane's place
+/ on the third as seen from the eye.
+plane,  0
         lac org
+        tad (2
+        dac 15
+        lac i 15
+        dac nring
+        cma
+        tad (1
+        sna
+        jmp flt6
+        dac cnt
+        lac i 15
+        dac vec1
+        and (300000
+        sna
+        jmp flt6
+        dac axis1
+plane1, isz cnt
+        skp
+        jmp flt6        / all along one axis
+        lac i 15
+        dac vec2
+        and (300000
+        sna
+        jmp flt6
+        sad axis1
+        jmp plane1
+        dac axis2
+        tad axis1
+        sad (300000
+        jmp plane3
+        sad (400000
+        jmp plane2
+        lac (py         / across i
+        dac ucell
+        lac i org
+        tad nex
+        dac r
+        jmp i plane
+plane2, lac (px         / across j
+        dac ucell
+        lac org
+        tad (1
+        dac t1
+        lac i t1
+        tad ney
+        dac r
+        jmp i plane
+plane3, lac org         / across k
+        tad (2
+        dac t1
+        lac i t1
+        tad nez
+        dac r
+        sma
+        jmp i plane
+        dzm r           / nothing is seen towards the back
+        jmp i plane
+
+/ Make the record of an opening: AC = its first word.
+newrec, 0
+        jms plane
+        lac org         / the ends of its extent along each axis
         tad (777777
         dac 15
         lac i 15
@@ -250,55 +284,114 @@ unseen, 0
         tad nez
         dac ext+4
         dac ext+5
-        lac i 15        / n
+        lac i 15
         lac i 15
         dac vecw
-        lac axis1       / the rectangle: one side, then the next
+        lac axis1       / a rectangle: one side, then the next
         jms extend
         lac axis2
         jms extend
-        lac ext+5
-        tad (777770
-        spa
-        jmp unsee1
-        lac ext+4
-        tad (777770
-        sma
-        jmp unsee2
         lac (10
+        dac i rec
+        lac ext+5
+        tad (777777
+        spa
+        jmp newre9      / all of it behind the eye
+        lac ext+4
+        tad (777777
+        sma
+        jmp newre1
+        lac (1
         dac ext+4
-unsee2, lac nxlo        / right end left of xlo
-        cma
-        dac bynd
-        lac ext+1
-        jms beyond
-        lac xhi1        / left end right of xhi
-        cma
+newre1, lac rec
         tad (1
-        dac bynd
+        dac rxlo
+        tad (1
+        dac rxhi
+        tad (1
+        dac rylo
+        tad (1
+        dac ryhi
+        lac ext+4       / seen largest at the nearest z
+        dac pz
+        jms newz
         lac ext
+        sma
+        jmp newre2
+        jms clproj
+        dac i rxlo
+newre2, lac ext+1
+        spa
+        jmp newre3
+        jms clproj
+        dac i rxhi
+newre3, lac ext+2
+        sma
+        jmp newre4
+        jms clproj
+        dac i rylo
+newre4, lac ext+3
+        spa
+        jmp newre5
+        jms clproj
+        dac i ryhi
+newre5, lac ext+5       / and smallest at the farthest
+        dac pz
+        jms newz
+        lac ext
+        spa
+        jmp newre6
+        jms clproj
+        dac i rxlo
+newre6, lac ext+1
+        sma
+        jmp newre7
+        jms clproj
+        dac i rxhi
+newre7, lac ext+2
+        spa
+        jmp newre8
+        jms clproj
+        dac i rylo
+newre8, lac ext+3
+        sma
+        jmp newr10
+        jms clproj
+        dac i ryhi
+newr10, lac r
+        sna
+        jmp newr12
+        spa
+        jmp newr11
+        isz i rec       / beyond the eye: to be crossed upwards
+        jmp newr12
+newr11, isz i rec
+        isz i rec
+newr12, lac org         / a real line?
+        tad (3
+        dac 15
+        lac nring
         cma
         tad (1
-        jms beyond
-        lac nylo
-        cma
-        dac bynd
-        lac ext+3
-        jms beyond
-        lac yhi1
-        cma
-        tad (1
-        dac bynd
-        lac ext+2
-        cma
-        tad (1
-        jms beyond
-        lac (0
-        jmp i unseen
-unsee1, clc
-        jmp i unseen
+        dac cnt
+newr13, lac i 15
+        spa
+        jmp newr14
+        isz cnt
+        jmp newr13
+        jmp newre9
+newr14, lac i rec
+        tad (4
+        dac i rec
+newre9, lac i rec
+        jmp i newrec
 
-extend, 0               / extend the box by a run of vectors along axis AC
+clproj, 0
+        jms clamp
+        jms proj
+        jmp i clproj
+
+extend, 0               / extend the extent by a run of vectors along axis AC
         dac exaxis
         cll
         rtl
@@ -328,67 +421,19 @@ exten2, lac exsum
         dac i excell
         jmp i extend
 
-/ Is AC*W < bynd*z at every z of the opening?  If so it is unseen.
-beyond, 0
-        dac bya
-        lac bynd
-        spa
-        jmp beyon1
-        lac bya         / bynd >= 0: the nearest z
-        spa
-        jmp unsee1
-        cll
-        mul
-bw1,    0
-        dac byh
-        lacq
-        dac byl
-        lac ext+4
-        dac bz1
-        lac bynd
-        cll
-        mul
-bz1,    0
-        dac byh2
-        lacq
-        dac byl2
-        jmp beyon2
-beyon1, lac bya         / bynd < 0: the farthest z
-        sma
-        jmp i beyond
-        cma
-        tad (1
-        cll
-        mul
-bw2,    0
-        dac byh2
-        lacq
-        dac byl2
-        lac ext+5
-        dac bz2
-        lac bynd
-        cma
-        tad (1
-        cll
-        mul
-bz2,    0
-        dac byh
-        lacq
-        dac byl
-beyon2, lac byl2        / byh,byl < byh2,byl2 ?
-        cma
-        cll
-        tad (1
-        tad byl         / L: no borrow
-        lac byh2
-        cma
-        szl
-        tad (1
-        tad byh
-        spa
-        jmp unsee1
-        jmp i beyond
-        >
+/ Forget all records: a pass begins.
+forget, 0
+        lac (recs
+        dac rec
+        lac (-recmax+1
+        dac cnt
+forge1, dzm i rec
+        lac rec
+        tad (5
+        dac rec
+        isz cnt
+        jmp forge1
+        jmp i forget
 
 / No opening left: ascend a level.
 oplast, lac depth
@@ -485,11 +530,13 @@ axis1,  0
 axis2,  0
 revers, 0               / the ring runs clockwise on the screen
 ringf,  0               / nonzero: collect the outline as a polygon
-plane,  0
+r,      0               / the opening's plane as seen from the eye
 zh,     0               / the opening's least z in the bound
 ucell,  0               / the coordinate that varies along the plane
-        IFNZRO EAE <
-ext,    0               / box of an opening from the eye: x, y, z, low and high
+rec,    0               / the opening's record
+crossf, 0
+nring,  0
+ext,    0               / extent of an opening from the eye: x, y, z, low and high
         0
         0
         0
@@ -498,13 +545,10 @@ ext,    0               / box of an opening from the eye: x, y, z, low and high
 exaxis, 0
 excell, 0
 exsum,  0
-bynd,   0
-bya,    0
-byh,    0
-byl,    0
-byh2,   0
-byl2,   0
-        >
+rxlo,   0
+rxhi,   0
+rylo,   0
+ryhi,   0
 sp,     0               / first free word of the stack
 spnew,  0
 cnt,    0

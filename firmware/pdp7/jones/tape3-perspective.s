@@ -13,11 +13,6 @@ setbnd, 0
         dac nzcap
         lac (3
         dac km1
-        IFNZRO EAE <
-        lac pjw
-        dac bw1
-        dac bw2
-        >
         lac pjw
         tad (-1000+1
         sma
@@ -138,7 +133,7 @@ vector, lac i 10
         jmp veciz
         jmp veci2
 veci1,  lac pz
-        tad (777770
+        tad (777777
         spa
         jmp veciz
         lac py
@@ -217,7 +212,7 @@ vecjk,  spa
         jmp vecjz
         jmp vecj2
 vecj1,  lac pz
-        tad (777770
+        tad (777777
         spa
         jmp vecjz
         lac px
@@ -288,7 +283,7 @@ veck,   lac pz
         jmp veck3       / going away from a point in the bound
         jms newz
         lac pz
-        tad (777770
+        tad (777777
         spa
         jmp veck5
         jms inside
@@ -299,7 +294,7 @@ veck4,  lac mag
         spa
         jmp veck5
         lac told
-        tad (777770
+        tad (777777
         spa
         jmp veck5
         jms inside
@@ -534,10 +529,10 @@ br1,    nop             / rcr for K = 8
 br2,    nop             / 16
 br3,    nop             / 32
         dac t1
-        tad (777770
+        tad (777777
         sma
         jmp zlea1
-        lac (10
+        lac (1
         jmp i zleast
 zlea1,  lac t1
         jmp i zleast

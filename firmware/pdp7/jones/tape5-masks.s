@@ -154,33 +154,39 @@ box4,   lac t3
         dac byhi
         jmp box1
 
+/ Begin a polygon: room for 16 vertices, no last one.
+newpol, 0
+        lac (777757     / -17
+        dac pnroom
+        lac (400000
+        dac lastx
+        jmp i newpol
+
 / Append (apx, apy) to the polygon that 11 writes, unless it repeats the last.
 append, 0
-        lac pn
-        sna
-        jmp appen1
         lac apx
         sad lastx
-        skp
-        jmp appen1
-        lac apy
-        sad lasty
-        jmp i append
-appen1, lac pn
-        sad (20
-        jmp flt4
-        lac apx
-        dac i 11
+        jmp appen2
+appen1, dac i 11
         dac lastx
         lac apy
         dac i 11
         dac lasty
-        isz pn
+        isz pnroom
         jmp i append
+        jmp flt4
+appen2, lac apy
+        sad lasty
+        jmp i append
+        lac apx
+        jmp appen1
 
-/ Drop the last vertex if it equals the first.
+/ The polygon is complete: count it, and drop the last vertex if it equals the
+/ first.
 wrap,   0
-        lac pn
+        lac pnroom
+        tad (21
+        dac pn
         tad (777776
         spa
         jmp i wrap
@@ -207,32 +213,9 @@ wrap,   0
         dac pn
         jmp i wrap
 
-/ Intersect the projected opening with the mask; AC = 0 if nothing is left
-/ but a point or a line along an axis.
+/ Intersect the projected opening, whose box is within bxlo bxhi bylo byhi, with
+/ the mask; AC = 0 if nothing is left but a point or a line along an axis.
 isect,  0
-        jms box
-        lac bxhi        / no overlap of the boxes: not visible
-        tad nxlo
-        sma sza
-        skp
-        jmp isec0
-        lac bxlo
-        cma
-        tad xhi1
-        sma sza
-        skp
-        jmp isec0
-        lac byhi
-        tad nylo
-        sma sza
-        skp
-        jmp isec0
-        lac bylo
-        cma
-        tad yhi1
-        sma sza
-        skp
-        jmp isec0
         lac revers
         sza
         jms turn
@@ -293,7 +276,7 @@ isec5,  lac nslope
         lac (slopes-1
         dac 13
 isec6,  jms getedg
-        lac (jms shside
+        lac (jms shslop
         dac shd1
         lac (nop
         dac shd2
@@ -327,16 +310,22 @@ shpass, 0
         cma
         tad (1
         dac shcnt
-        dzm pn
+        jms newpol
         lac i 12
         dac lbx
+        dac lax
         dac shfx
         lac i 12
         dac lby
+        dac lay
         dac shfy
-        clc
-        dac shfrst      / the first vertex has none before it
-        jmp shd1
+        xct shd1
+        xct shd2
+        xct shd3
+        dac dp
+        dac shfd
+        dzm shwrap
+        jmp shstp1
 shnext, lac i 12
         dac lbx
         lac i 12
@@ -345,18 +334,10 @@ shd1,   lac lbx
 shd2,   cma
 shd3,   tad xhi1
         dac dq
-        isz shfrst
-        skp
-        jmp shstep      / it was the first
-        lac dp
+shside, lac dp
         spa
         jmp shout
-        lac pn          / p is inside: append it
-        sna
-        jmp shapp
-        sad (20
-        jmp flt4
-        lac lax
+        lac lax         / p is inside: append it
         sad lastx
         jmp shapp
         dac i 11
@@ -364,13 +345,14 @@ shd3,   tad xhi1
         lac lay
         dac i 11
         dac lasty
-        isz pn
+        isz pnroom
+        skp
+        jmp flt4
         lac dq
         sma
         jmp shstep
         jmp shcros
-shapp,  lac lax         / it may repeat the last
-        dac apx
+shapp,  dac apx         / it may repeat the last
         lac lay
         dac apy
         jms append
@@ -382,7 +364,7 @@ shout,  lac dq
         spa
         jmp shstep
 shcros, lac shd1
-        sad (jms shside
+        sad (jms shslop
         jmp shcr1
         jms ratio1
         jmp shcr2
@@ -399,20 +381,21 @@ shstep, lac lbx
         dac lay
         lac dq
         dac dp
-        isz shcnt
+shstp1, isz shcnt
         jmp shnext
-        lac shfrst      / one side more: from the last vertex to the first
-        spa
+        lac shwrap      / one side more: from the last vertex to the first
+        sza
         jmp shlast
         lac shfx
         dac lbx
         lac shfy
         dac lby
+        lac shfd
+        dac dq
         clc
         dac shcnt
-        tad (777777
-        dac shfrst      / negative: that side is done
-        jmp shd1
+        dac shwrap
+        jmp shside
 shlast, jms wrap
         lac pcur        / the result is the current polygon
         dac t1
@@ -429,15 +412,15 @@ shlast, jms wrap
 shnone, lac (0
         jmp i shpass
 
-shside, 0               / the side of the sloped edge
+shslop, 0               / the side of the sloped edge
         lac lbx
         dac spx
         lac lby
         dac spy
         jms side2
-        isz shside      / past shd2 and shd3
-        isz shside
-        jmp i shside
+        isz shslop      / past shd2 and shd3
+        isz shslop
+        jmp i shslop
 
 / Reverse the order of the polygon's vertices.
 turn,   0
@@ -540,9 +523,10 @@ pn,     0
 pcur,   0               / word before its first vertex
 palt,   0               / the other buffer
 poly=.
-.+40/
+.+42/
 polq=.
-.+40/
+.+42/
+pnroom, 0               / vertices so far, less 17
 lastx,  0
 lasty,  0
 apx,    0
@@ -552,7 +536,8 @@ bxhi,   0
 bylo,   0
 byhi,   0
 shcnt,  0
-shfrst, 0
+shfd,   0
+shwrap, 0
 shfx,   0
 shfy,   0
 nfx,    0
