@@ -66,7 +66,7 @@ class Display {
   // X/2 in bits 0-8, Y/2 in bits 9-17, as IDRC reads them.
   core::Word18 coordinates(core::Instant now) {
     const Registers& r = at(now);
-    return core::Word18((r.x >> 1U) << 9U | r.y >> 1U);
+    return core::Word18((unsigned{r.x} >> 1U) << 9U | unsigned{r.y} >> 1U);
   }
 
   // No later than the instant at which the display, left alone, raises a request or changes its interrupt request;
