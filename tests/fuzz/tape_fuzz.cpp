@@ -33,6 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto read = image::read_image(bytes, "f", 0100)) check_round_trips(read.value());
   if (const auto read = image::read_rim(bytes, "f")) check_round_trips(read.value());
   if (const auto read = image::read_hri(bytes, "f", 077770)) check_round_trips(read.value());
-  if (const auto read = image::read_octal({reinterpret_cast<const char*>(data), size}, "f")) check_round_trips(read.value());
+  if (const auto read = image::read_octal({reinterpret_cast<const char*>(data), size}, "f"))
+    check_round_trips(read.value());
   return 0;
 }

@@ -54,7 +54,8 @@ ListingLine line_of(const EmittedWord& word, std::string source) {
   return {image::octal(word.address, 5), image::octal(word.word, 6), std::move(source)};
 }
 
-std::vector<ListingLine> make_listing(std::span<const SourceFile> sources, std::span<const EmittedWord> words) {
+std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
+                                      std::span<const EmittedWord> words) {
   std::vector<ListingLine> listing;
   std::size_t next = 0;
   for (std::size_t file = 0; file < sources.size(); ++file) {
@@ -66,7 +67,8 @@ std::vector<ListingLine> make_listing(std::span<const SourceFile> sources, std::
       for (; next < words.size() && words[next].at.file == file && words[next].at.line == number; ++next) {
         const EmittedWord& word = words[next];
         if (!shown && !word.stands_for.empty()) listing.push_back({"", "", std::string(line)});
-        listing.push_back(line_of(word, shown || !word.stands_for.empty() ? word.stands_for : std::string(line)));
+        listing.push_back(
+            line_of(word, shown || !word.stands_for.empty() ? word.stands_for : std::string(line)));
         shown = true;
       }
       if (!shown) listing.push_back({"", "", std::string(line)});
@@ -153,7 +155,8 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
 
 std::string write_symbols(std::span<const ProgramSymbol> symbols) {
   std::string text;
-  for (const ProgramSymbol& symbol : symbols) text += symbol.name + " " + image::octal(symbol.value.value(), 6) + "\n";
+  for (const ProgramSymbol& symbol : symbols)
+    text += symbol.name + " " + image::octal(symbol.value.value(), 6) + "\n";
   return text;
 }
 

@@ -111,7 +111,8 @@ std::optional<Value> Pdp7Pass::symbol() {
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
     if (!options_.undefined_are_variables) {
-      error(name.at, "undefined symbol " + describe(name), "a tag, an assignment, or #" + std::string(name.text));
+      error(name.at, "undefined symbol " + describe(name),
+            "a tag, an assignment, or #" + std::string(name.text));
     }
     return Value::unknown();
   }
@@ -127,7 +128,8 @@ std::optional<Value> Pdp7Pass::symbol() {
     return Value::unknown();
   }
   if (found.value) return from_symbol(*found.value, static_cast<Form>(found.form));
-  error(name.at, "symbol " + describe(name) + " without a value", "a definition that does not depend on itself");
+  error(name.at, "symbol " + describe(name) + " without a value",
+        "a definition that does not depend on itself");
   return Value::unknown();
 }
 
@@ -137,7 +139,8 @@ void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
     symbol.defined = at.at;
   }
   if (symbol.kind != SymbolKind::variable) {
-    error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise", "a name of its own for a variable");
+    error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
+          "a name of its own for a variable");
     return;
   }
   const std::string key = program_.symbols.key(at.text);
@@ -179,12 +182,13 @@ std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
   return word;
 }
 
-std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at, std::string_view what,
-                                                 const char* hint) {
+std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
+                                                  std::string_view what, const char* hint) {
   if (!value.known) return std::nullopt;
   const std::uint32_t address = finished(value, at);
   if (address <= image::last_address) return address;
-  error(at, std::string(what) + " " + image::octal(address, 6), std::string("an address from 00000 to 77777") + hint);
+  error(at, std::string(what) + " " + image::octal(address, 6),
+        std::string("an address from 00000 to 77777") + hint);
   return std::nullopt;
 }
 

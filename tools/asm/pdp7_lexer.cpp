@@ -3,9 +3,15 @@
 namespace sightline::assembler {
 namespace {
 
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool digit(char c) { return c >= '0' && c <= '9'; }
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f'; }
+bool letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f';
+}
 
 TokenKind punctuation(char c) {
   switch (c) {
@@ -29,8 +35,8 @@ TokenKind punctuation(char c) {
 }
 
 bool ends_a_term(TokenKind kind) {
-  return kind == TokenKind::name || kind == TokenKind::number || kind == TokenKind::dot || kind == TokenKind::close ||
-         kind == TokenKind::hash;
+  return kind == TokenKind::name || kind == TokenKind::number || kind == TokenKind::dot ||
+         kind == TokenKind::close || kind == TokenKind::hash;
 }
 
 }  // namespace

@@ -10,8 +10,25 @@
 namespace sightline::assembler {
 
 enum class TokenKind : std::uint8_t {
-  name, number, dot, plus, minus, bang, ampersand, open, close, comma, equals, origin, hash, less, greater,
-  semicolon, newline, end, bad,
+  name,
+  number,
+  dot,
+  plus,
+  minus,
+  bang,
+  ampersand,
+  open,
+  close,
+  comma,
+  equals,
+  origin,
+  hash,
+  less,
+  greater,
+  semicolon,
+  newline,
+  end,
+  bad,
 };
 
 struct Token {

@@ -25,8 +25,8 @@ std::string describe(const Token& token) {
   return text + (token.text.size() > 40 ? "...'" : "'");
 }
 
-Pdp7Pass::Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program, int number,
-                   bool final)
+Pdp7Pass::Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program,
+                   int number, bool final)
     : sources_(sources),
       options_(options),
       program_(program),
@@ -44,7 +44,8 @@ void Pdp7Pass::run() {
   if (options_.undefined_are_variables) {
     for (auto& [key, symbol] : program_.symbols) {
       if (symbol.kind == SymbolKind::undefined) symbol.kind = SymbolKind::variable;
-      if (symbol.kind == SymbolKind::variable && !placed_variables_.contains(key)) pending_variables_.insert(key);
+      if (symbol.kind == SymbolKind::variable && !placed_variables_.contains(key))
+        pending_variables_.insert(key);
     }
   }
   place_literals(end);
@@ -63,7 +64,8 @@ void Pdp7Pass::read_file(std::size_t index) {
     if (!file_ended_ && !statement_follows_) end_statement();
   }
   if (file_ended_) return;
-  for (const Position& opened : blocks_) error(opened, "'<' that is never closed", "'>' before the end of the file");
+  for (const Position& opened : blocks_)
+    error(opened, "'<' that is never closed", "'>' before the end of the file");
 }
 
 Token Pdp7Pass::following() const {
@@ -72,8 +74,8 @@ Token Pdp7Pass::following() const {
 }
 
 bool Pdp7Pass::at_end_of_statement() const {
-  return token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon || token_.kind == TokenKind::end ||
-         token_.kind == TokenKind::greater;
+  return token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon ||
+         token_.kind == TokenKind::end || token_.kind == TokenKind::greater;
 }
 
 void Pdp7Pass::skip_statement() {
@@ -130,7 +132,8 @@ void Pdp7Pass::statement() {
 
 void Pdp7Pass::define_tag(Token name) {
   Symbol& symbol = look_up(name);
-  const bool again = symbol.kind == SymbolKind::tag && (symbol.defined != name.at || symbol.defined_in_pass == number_);
+  const bool again =
+      symbol.kind == SymbolKind::tag && (symbol.defined != name.at || symbol.defined_in_pass == number_);
   if (symbol.kind == SymbolKind::permanent) {
     error(name.at, "permanent symbol " + describe(name) + " as a tag", "a name of its own");
     return;
@@ -164,8 +167,10 @@ void Pdp7Pass::assign(Token name) {
   Symbol& symbol = look_up(name);
   if (symbol.kind == SymbolKind::define) return;
   if (symbol.kind == SymbolKind::tag || symbol.kind == SymbolKind::variable) {
-    error(name.at, "an assignment to " + describe(name) + ", which is a " +
-                       (symbol.kind == SymbolKind::tag ? "tag" : "variable"), "a name of its own");
+    error(name.at,
+          "an assignment to " + describe(name) + ", which is a " +
+              (symbol.kind == SymbolKind::tag ? "tag" : "variable"),
+          "a name of its own");
     return;
   }
   if (symbol.kind == SymbolKind::permanent && symbol.value != word) symbol.was_permanent = true;
@@ -187,20 +192,24 @@ void Pdp7Pass::assign(Token name) {
 
 void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_for) {
   if (location_ > image::last_address) {
-    if (location_ == image::last_address + 1) error(at, "a word after address 77777", "the end of the program");
+    if (location_ == image::last_address + 1)
+      error(at, "a word after address 77777", "the end of the program");
     ++location_;
     return;
   }
   if (!location_by_origin_ && (location_ & image::field_mask) == 0) {
-    error(at, "a word at " + image::octal(location_, 5) + " that runs over the end of its bank", "an origin for the next bank");
+    error(at, "a word at " + image::octal(location_, 5) + " that runs over the end of its bank",
+          "an origin for the next bank");
   }
   location_by_origin_ = false;
   if (final_) {
     const auto [place, added] = occupied_.try_emplace(location_, at);
     if (!added) {
       const Position& first = place->second;
-      warning(at, "a second word at " + image::octal(location_, 5) + ", which replaces that of " +
-                      sources_[first.file].name + ":" + std::to_string(first.line), "one word an address");
+      warning(at,
+              "a second word at " + image::octal(location_, 5) + ", which replaces that of " +
+                  sources_[first.file].name + ":" + std::to_string(first.line),
+              "one word an address");
     }
     program_.words.push_back({at, location_, word, std::move(stands_for)});
   }
@@ -228,8 +237,8 @@ void Pdp7Pass::place_variables(const Position& at) {
 
 Symbol& Pdp7Pass::look_up(const Token& name) {
   Symbol& symbol = program_.symbols[name.text];
-  if (final_ && (name.text.size() > 6 || symbol.name.size() > 6) && lower_case(name.text) != lower_case(symbol.name) &&
-      clashes_.insert(lower_case(name.text)).second) {
+  if (final_ && (name.text.size() > 6 || symbol.name.size() > 6) &&
+      lower_case(name.text) != lower_case(symbol.name) && clashes_.insert(lower_case(name.text)).second) {
     warning(name.at, describe(name) + ", the same symbol as '" + symbol.name + "'",
             "names that differ in their first six characters");
   }
@@ -238,8 +247,8 @@ Symbol& Pdp7Pass::look_up(const Token& name) {
 
 void Pdp7Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
   if (!final_) return;
-  program_.diagnostics.emplace_back(
-      at, Diagnostic{severity, sources_[at.file].name, at.line, at.column, std::move(found), std::move(expected)});
+  program_.diagnostics.emplace_back(at, Diagnostic{severity, sources_[at.file].name, at.line, at.column,
+                                                   std::move(found), std::move(expected)});
 }
 
 void Pdp7Pass::error(const Position& at, std::string found, std::string expected) {

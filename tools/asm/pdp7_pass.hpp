@@ -38,7 +38,8 @@ struct Pdp7Program {
 
 class Pdp7Pass {
  public:
-  Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program, int number, bool final);
+  Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program, int number,
+           bool final);
 
   void run();
 
@@ -74,8 +75,8 @@ class Pdp7Pass {
   [[nodiscard]] bool starts_a_term() const;
   [[nodiscard]] std::uint32_t literal_index(std::uint32_t word, bool known);
   [[nodiscard]] std::uint32_t finished(const Value& value, const Position& at);
-  [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at, std::string_view what,
-                                                        const char* hint = "");
+  [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at,
+                                                        std::string_view what, const char* hint = "");
   void mark_variable(Symbol& symbol, const Token& at);
 
   // Tokens and messages
@@ -103,9 +104,9 @@ class Pdp7Pass {
   bool file_ended_ = false;
   bool statement_follows_ = false;  // after a condition, without an end of statement
   bool in_condition_ = false;
-  int nesting_ = 0;                // of literals
-  std::vector<Position> blocks_;   // open conditionals of this file
-  std::vector<Literal> pool_;      // in order of first use
+  int nesting_ = 0;               // of literals
+  std::vector<Position> blocks_;  // open conditionals of this file
+  std::vector<Literal> pool_;     // in order of first use
   std::map<std::uint32_t, std::uint32_t> pool_index_;
   std::size_t pools_placed_ = 0;
   std::set<std::string> pending_variables_;

@@ -18,9 +18,13 @@ constexpr std::uint32_t skip_conditions = 0000700;
 constexpr std::uint32_t skip_inverted = 0001000;
 constexpr std::uint32_t rotates = 0000030;
 
-pdp7::Class class_of(std::uint32_t word) { return pdp7::instruction_of(word).instruction_class; }
+pdp7::Class class_of(std::uint32_t word) {
+  return pdp7::instruction_of(word).instruction_class;
+}
 
-bool same_class(std::uint32_t a, std::uint32_t b) { return class_of(a) == class_of(b); }
+bool same_class(std::uint32_t a, std::uint32_t b) {
+  return class_of(a) == class_of(b);
+}
 
 bool microcode_class(std::uint32_t word) {
   const pdp7::Class c = class_of(word);
@@ -65,13 +69,17 @@ std::uint32_t Arithmetic::add(std::uint32_t a, std::uint32_t b) const {
   return (twos_complement_ || total <= word_mask ? total : total + 1) & word_mask;  // end-around carry
 }
 
-std::uint32_t Arithmetic::negate(std::uint32_t a) const { return (~a + (twos_complement_ ? 1U : 0U)) & word_mask; }
+std::uint32_t Arithmetic::negate(std::uint32_t a) const {
+  return (~a + (twos_complement_ ? 1U : 0U)) & word_mask;
+}
 
 std::uint32_t Arithmetic::subtract(std::uint32_t a, std::uint32_t b) const {
   return a == b ? 0 : add(a, negate(b));
 }
 
-std::uint32_t Arithmetic::sum(const Value& value) const { return add(value.head, value.operand); }
+std::uint32_t Arithmetic::sum(const Value& value) const {
+  return add(value.head, value.operand);
+}
 
 Value Arithmetic::combine(Value left, Value right, std::vector<Remark>& remarks) const {
   const bool known = left.known && right.known;
@@ -88,7 +96,8 @@ Value Arithmetic::combine(Value left, Value right, std::vector<Remark>& remarks)
     result.form = Form::plain;
     result.operand = add(left.operand, right.operand);
   } else if (left.form == Form::memory && right.form == Form::indirect) {
-    if ((left.head & pdp7::indirect_bit) != 0) remarks.push_back({Severity::error, "a second i", "one in a word"});
+    if ((left.head & pdp7::indirect_bit) != 0)
+      remarks.push_back({Severity::error, "a second i", "one in a word"});
     result.head |= pdp7::indirect_bit;
   } else if (!is_instruction(right)) {
     result.operand = add(left.operand, right.operand);
@@ -97,7 +106,8 @@ Value Arithmetic::combine(Value left, Value right, std::vector<Remark>& remarks)
     result.head |= right.head;
     result.operand = add(left.operand, right.operand);
   } else if (known) {
-    remarks.push_back({Severity::warning, "two instructions of different classes in one word, which are added",
+    remarks.push_back({Severity::warning,
+                       "two instructions of different classes in one word, which are added",
                        "one instruction, or microinstructions of one class"});
     result = Value::number(add(sum(left), sum(right)));
   }
@@ -152,9 +162,11 @@ std::uint32_t Arithmetic::address_field(const Value& value, std::uint32_t operan
   return operand & field_mask;
 }
 
-std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location, std::vector<Remark>& remarks) const {
+std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location,
+                               std::vector<Remark>& remarks) const {
   if (!value.known) return 0;
-  const std::uint32_t operand = value.operand == word_mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
+  const std::uint32_t operand =
+      value.operand == word_mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
   switch (value.form) {
     case Form::memory: return value.head | address_field(value, operand, location, remarks);
     case Form::law:

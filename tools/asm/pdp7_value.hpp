@@ -51,7 +51,8 @@ class Arithmetic {
   [[nodiscard]] Value logical(Value left, Value right, bool conjunction) const;
   [[nodiscard]] Value negative(Value value) const;
   // The 18-bit word, the operand checked against its field. location: where the word will stand, for its bank.
-  [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location, std::vector<Remark>& remarks) const;
+  [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location,
+                                   std::vector<Remark>& remarks) const;
 
  private:
   [[nodiscard]] std::uint32_t sum(const Value& value) const;

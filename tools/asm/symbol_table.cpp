@@ -10,7 +10,9 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::string SymbolTable::key(std::string_view name) const { return lower_case(name.substr(0, significant_)); }
+std::string SymbolTable::key(std::string_view name) const {
+  return lower_case(name.substr(0, significant_));
+}
 
 Symbol& SymbolTable::operator[](std::string_view name) {
   Symbol& symbol = symbols_[key(name)];

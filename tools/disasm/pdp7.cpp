@@ -30,7 +30,9 @@ std::string short_octal(std::uint32_t value) {
 }
 
 // The bits that all words of the class have in common.
-std::uint32_t class_bits(Class c) { return c == Class::opr ? 0740000U : c == Class::eae ? 0640000U : 0700000U; }
+std::uint32_t class_bits(Class c) {
+  return c == Class::opr ? 0740000U : c == Class::eae ? 0640000U : 0700000U;
+}
 
 // True if `name` says something that is part of `word` and nothing that changes the sense of the rest.
 bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
@@ -54,7 +56,8 @@ std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
     const Microinstruction* best = nullptr;
     int most = 0;
     for (const Microinstruction& micro : pdp7::microinstructions) {
-      if (pdp7::instruction_of(micro.value).instruction_class != c || !part_of(micro.value, word, c)) continue;
+      if (pdp7::instruction_of(micro.value).instruction_class != c || !part_of(micro.value, word, c))
+        continue;
       const int added = std::popcount(micro.value & ~covered);
       if (added > most) {
         best = &micro;
@@ -90,7 +93,8 @@ std::optional<std::string> changed_count(std::uint32_t word) {
     if ((micro.value & step_count_mask) == 0 || (micro.value & command_mask) == 0) continue;
     if ((micro.value ^ word) & ~step_count_mask) continue;
     const bool less = word < micro.value;
-    return std::string(micro.name) + (less ? "-" : "+") + short_octal(less ? micro.value - word : word - micro.value);
+    return std::string(micro.name) + (less ? "-" : "+") +
+           short_octal(less ? micro.value - word : word - micro.value);
   }
   return std::nullopt;
 }
@@ -109,7 +113,8 @@ std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row)
   }
   if (const auto counted = changed_count(word)) return counted;
   const bool shifts = row.operation == pdp7::Operation::eae_long_right ||
-                      row.operation == pdp7::Operation::eae_long_left || row.operation == pdp7::Operation::eae_ac_left;
+                      row.operation == pdp7::Operation::eae_long_left ||
+                      row.operation == pdp7::Operation::eae_ac_left;
   return shifts ? shift(word) : std::nullopt;
 }
 

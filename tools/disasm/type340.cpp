@@ -14,8 +14,12 @@ using image::octal;
 using type340::Mode;
 
 // Numbers that are points or steps are decimal, as the display's manual counts them; addresses and codes are octal.
-std::string pen_text(std::optional<bool> pen) { return !pen ? "" : *pen ? ", pen on" : ", pen off"; }
-std::string next_text(Mode mode) { return ", then " + std::string(type340::layout_of(mode).name); }
+std::string pen_text(std::optional<bool> pen) {
+  return !pen ? "" : *pen ? ", pen on" : ", pen off";
+}
+std::string next_text(Mode mode) {
+  return ", then " + std::string(type340::layout_of(mode).name);
+}
 
 std::string parameter(Word18 word) {
   const auto w = type340::decode_parameter(word);
@@ -37,7 +41,8 @@ std::string slave(Word18 word) {
   std::string text;
   for (std::size_t i = 0; i < w.units.size(); ++i) {
     if (!w.units[i].set) continue;
-    text += ", unit " + std::to_string(i + 1) + (w.units[i].on ? " on" : " off") + (w.units[i].pen ? " with pen" : "");
+    text += ", unit " + std::to_string(i + 1) + (w.units[i].on ? " on" : " off") +
+            (w.units[i].pen ? " with pen" : "");
   }
   return text + next_text(w.next);
 }
@@ -65,10 +70,12 @@ std::string characters(Word18 word) {
 
 std::string vector(Word18 word, Mode mode) {
   const auto w = type340::decode_vector(word);
-  const auto component = [](bool negative, unsigned steps) { return (negative && steps != 0 ? "-" : "+") + std::to_string(steps); };
+  const auto component = [](bool negative, unsigned steps) {
+    return (negative && steps != 0 ? "-" : "+") + std::to_string(steps);
+  };
   const bool escapes = mode == Mode::vector && w.escape;
-  return ", dx " + component(w.left, w.dx) + " dy " + component(w.down, w.dy) + (w.intensify ? ", lit" : ", dark") +
-         (escapes ? next_text(Mode::parameter) : "");
+  return ", dx " + component(w.left, w.dx) + " dy " + component(w.down, w.dy) +
+         (w.intensify ? ", lit" : ", dark") + (escapes ? next_text(Mode::parameter) : "");
 }
 
 std::string increment(Word18 word) {

@@ -10,7 +10,8 @@ namespace sightline::image {
 
 struct Error {
   std::string file;
-  std::string place;  // "byte 17" for a tape (from 0), "3:12" (line:column, from 1) for a text, empty for the whole
+  std::string
+      place;  // "byte 17" for a tape (from 0), "3:12" (line:column, from 1) for a text, empty for the whole
   std::string found;
   std::string expected;
 };

@@ -21,13 +21,15 @@ Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view 
       image.start = bank | (word.value & field_mask);
       return image;
     }
-    if (next > last_address) return reader.error(word.byte, "a word after address 77777", "the last word, with hole 7");
+    if (next > last_address)
+      return reader.error(word.byte, "a word after address 77777", "the last word, with hole 7");
     image.words.insert_or_assign(next, core::Word18(word.value));
   }
 }
 
 Result<Tape> write_hri(const CoreImage& image, std::string_view file) {
-  if (image.words.empty()) return Error{std::string(file), "", "an image without words", "at least one for an HRI tape"};
+  if (image.words.empty())
+    return Error{std::string(file), "", "an image without words", "at least one for an HRI tape"};
   const std::uint32_t first = image.words.begin()->first;
   const std::uint32_t last = image.words.rbegin()->first;
   if (image.start && (*image.start & ~field_mask) != (last & bank_mask)) {

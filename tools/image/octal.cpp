@@ -5,7 +5,9 @@
 namespace sightline::image {
 namespace {
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
+bool blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
 
 std::optional<std::uint32_t> octal_digits(std::string_view text) {
   std::uint32_t value = 0;
@@ -75,7 +77,8 @@ class Reader {
   }
 
   Error problem(std::string found, std::string expected) const {
-    return Error{std::string(file_), std::to_string(line_) + ":" + std::to_string(token_start_ - line_start_ + 1),
+    return Error{std::string(file_),
+                 std::to_string(line_) + ":" + std::to_string(token_start_ - line_start_ + 1),
                  std::move(found), std::move(expected)};
   }
 

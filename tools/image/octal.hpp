@@ -14,7 +14,8 @@
 
 namespace sightline::image {
 
-[[nodiscard]] Result<CoreImage> read_octal(std::string_view text, std::string_view file, std::uint32_t address = 0);
+[[nodiscard]] Result<CoreImage> read_octal(std::string_view text, std::string_view file,
+                                           std::uint32_t address = 0);
 
 // Eight words to a line, each line and each gap beginning with its address.
 [[nodiscard]] std::string write_octal(const CoreImage& image);

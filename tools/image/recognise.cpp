@@ -8,7 +8,9 @@
 namespace sightline::image {
 namespace {
 
-bool printing(std::uint8_t byte) { return (byte >= ' ' && byte < 0177) || (byte >= '\t' && byte <= '\r'); }
+bool printing(std::uint8_t byte) {
+  return (byte >= ' ' && byte < 0177) || (byte >= '\t' && byte <= '\r');
+}
 
 // True if the first line with hole 7 in the third line of a word is also the last of its block.
 bool hole7_ends_a_block(std::span<const std::uint8_t> tape) {
@@ -18,7 +20,8 @@ bool hole7_ends_a_block(std::span<const std::uint8_t> tape) {
       line_of_word = 0;
       continue;
     }
-    if (line_of_word == 2 && (tape[i] & hole7) != 0) return i + 1 == tape.size() || (tape[i + 1] & hole8) == 0;
+    if (line_of_word == 2 && (tape[i] & hole7) != 0)
+      return i + 1 == tape.size() || (tape[i + 1] & hole8) == 0;
     line_of_word = (line_of_word + 1) % 3;
   }
   return false;
@@ -36,7 +39,8 @@ Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view f
   if (!first) return first.error();
   if (!first.value()) return Error{std::string(file), "", "no line with hole 8", std::string(any)};
   const TapeWord word = *first.value();
-  if (!word.last && ((word.value & opcode_mask) == dac || (word.value & opcode_mask) == jmp || word.value == hlt)) {
+  if (!word.last &&
+      ((word.value & opcode_mask) == dac || (word.value & opcode_mask) == jmp || word.value == hlt)) {
     return Format::rim;
   }
   return reader.error(word.byte, "word " + octal(word.value, 6) + " and no hole 7 that ends a block",
@@ -48,14 +52,15 @@ Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_vi
   const auto format = recognise(bytes, file);
   if (!format) return format.error();
   switch (format.value()) {
-    case Format::octal:
-      return read_octal(std::string(bytes.begin(), bytes.end()), file, address.value_or(0));
+    case Format::octal: return read_octal(std::string(bytes.begin(), bytes.end()), file, address.value_or(0));
     case Format::rim:
-      if (address) return Error{std::string(file), "", "an address for a RIM tape", "none: the tape has its own"};
+      if (address)
+        return Error{std::string(file), "", "an address for a RIM tape", "none: the tape has its own"};
       return read_rim(bytes, file);
     case Format::hri: break;
   }
-  if (!address) return Error{std::string(file), "", "an HRI tape without an address", "the address to read it in at"};
+  if (!address)
+    return Error{std::string(file), "", "an HRI tape without an address", "the address to read it in at"};
   return read_hri(bytes, file, *address);
 }
 

@@ -18,7 +18,9 @@ Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view 
     if (!order) return order.error();
     if (!order.value()) return reader.error(tape.size(), "the end of the tape", std::string(pair_or_end));
     const TapeWord word = *order.value();
-    if (word.last) return reader.error(word.byte, "word " + octal(word.value, 6) + " with hole 7", "a RIM tape without hole 7");
+    if (word.last)
+      return reader.error(word.byte, "word " + octal(word.value, 6) + " with hole 7",
+                          "a RIM tape without hole 7");
     if ((word.value & opcode_mask) == jmp) {
       image.start = word.value & field_mask;
       return image;
@@ -31,7 +33,8 @@ Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view 
     const auto data = reader.next(expected);
     if (!data) return data.error();
     if (!data.value()) return reader.error(tape.size(), "the end of the tape", expected);
-    if (data.value()->last) return reader.error(data.value()->byte, "a word with hole 7", expected + " without hole 7");
+    if (data.value()->last)
+      return reader.error(data.value()->byte, "a word with hole 7", expected + " without hole 7");
     image.words.insert_or_assign(word.value & field_mask, core::Word18(data.value()->value));
   }
 }

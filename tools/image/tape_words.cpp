@@ -6,7 +6,8 @@ namespace {
 // What is wrong with a line that ought to be one of a word, if anything.
 std::string bad_line(std::uint8_t line, bool third) {
   if ((line & hole8) == 0) return "line " + octal(line, 3) + " without hole 8 inside a word";
-  if (!third && (line & hole7) != 0) return "line " + octal(line, 3) + " with hole 7 before the third line of a word";
+  if (!third && (line & hole7) != 0)
+    return "line " + octal(line, 3) + " with hole 7 before the third line of a word";
   return {};
 }
 
@@ -21,7 +22,8 @@ Error TapeReader::error(std::size_t byte, std::string found, std::string expecte
 std::optional<Error> TapeReader::skip_feed(std::string_view expected) {
   for (; at_ < tape_.size() && (tape_[at_] & hole8) == 0; ++at_) {
     if (in_data_ && tape_[at_] != 0) {
-      return error(at_, "line " + octal(tape_[at_], 3) + " without hole 8", "hole 8 of " + std::string(expected));
+      return error(at_, "line " + octal(tape_[at_], 3) + " without hole 8",
+                   "hole 8 of " + std::string(expected));
     }
   }
   return std::nullopt;

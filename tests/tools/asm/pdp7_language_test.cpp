@@ -30,10 +30,11 @@ TEST(Pdp7Language, RimLoaderOfThePeriod) {
 
 TEST(Pdp7Language, MemoryReferences) {
   const Assembly a = assemble(
-      "x, lac x\n dac i x 5\nLAC I 10\n jmp .+3\n jmp .-2\n jms i x\n isz x+2\n xct 17777\n cal\n cal i\n i lac x");
+      "x, lac x\n dac i x 5\nLAC I 10\n jmp .+3\n jmp .-2\n jms i x\n isz x+2\n xct 17777\n cal\n cal i\n i "
+      "lac x");
   EXPECT_EQ(messages(a), Texts{});
-  EXPECT_EQ(words(a), (Words{0200000, 0060005, 0220010, 0600006, 0600002, 0120000, 0440002, 0417777, 0, 020000,
-                             0220000}));
+  EXPECT_EQ(words(a), (Words{0200000, 0060005, 0220010, 0600006, 0600002, 0120000, 0440002, 0417777, 0,
+                             020000, 0220000}));
 }
 
 TEST(Pdp7Language, ExpressionsGoFromLeftToRight) {
@@ -82,25 +83,30 @@ TEST(Pdp7Language, InstructionsCanBeNamed) {
 TEST(Pdp7Language, RadixAndItsScope) {
   EXPECT_EQ(words(assemble("18+1\n", Options{})), Words{});
   const std::vector<SourceFile> two{{"a", "DECIMAL\n18; 99\nOCTAL 17\n"}, {"b", "decimal\n10"}, {"c", "10"}};
-  EXPECT_EQ(messages(assemble_pdp7(two)), Texts{"a:3:7: error: found '17', expected an operator or the end of the statement"});
-  const std::vector<SourceFile> good{{"a", "DECIMAL\n18; 99\nOCTAL; 17\n"}, {"b", "decimal\n10"}, {"c", "10"}};
+  EXPECT_EQ(messages(assemble_pdp7(two)),
+            Texts{"a:3:7: error: found '17', expected an operator or the end of the statement"});
+  const std::vector<SourceFile> good{
+      {"a", "DECIMAL\n18; 99\nOCTAL; 17\n"}, {"b", "decimal\n10"}, {"c", "10"}};
   EXPECT_EQ(words(assemble_pdp7(good)), (Words{022, 0143, 017, 012, 010}));
 }
 
 TEST(Pdp7Language, LiteralsArePooledByValueAndPlacedAtTheEnd) {
-  const Assembly a = assemble("100/ lac (5\n add (-1)\n tad (5)\n lac (fwd)\n dac (1)+2\nfwd, lac ((7\n jmp i (fwd");
+  const Assembly a =
+      assemble("100/ lac (5\n add (-1)\n tad (5)\n lac (fwd)\n dac (1)+2\nfwd, lac ((7\n jmp i (fwd");
   EXPECT_EQ(messages(a), Texts{});
-  EXPECT_EQ(words(a, 0100), (Words{0200107, 0300110, 0340107, 0200111, 0040114, 0200114, 0620111,
-                                   5, 0777776, 0105, 1, 7, 0113}));
+  EXPECT_EQ(words(a, 0100), (Words{0200107, 0300110, 0340107, 0200111, 0040114, 0200114, 0620111, 5, 0777776,
+                                   0105, 1, 7, 0113}));
 }
 
 TEST(Pdp7Language, AForwardReferenceDoesNotSplitAPool) {
   const Assembly a = assemble("lac (fwd)\n lac (fwd)\n constants\nfwd, lac (4)\n");
-  EXPECT_EQ(words(a), (Words{0200002, 0200002, 3, 0200004, 4}));  // fwd is 3, once the pool is known to be one word
+  EXPECT_EQ(words(a),
+            (Words{0200002, 0200002, 3, 0200004, 4}));  // fwd is 3, once the pool is known to be one word
 }
 
 TEST(Pdp7Language, ConstantsAndVariablesArePlacedWhereAsked) {
-  const Assembly a = assemble("lac (5\n dac zz#\n dac #aa\n constants\n lac (5\n variables\nx, lac zz\n dac bb#");
+  const Assembly a =
+      assemble("lac (5\n dac zz#\n dac #aa\n constants\n lac (5\n variables\nx, lac zz\n dac bb#");
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{0200003, 0040006, 0040005, 5, 0200011, 0, 0, 0200006, 0040012, 5, 0}));
   EXPECT_EQ(a.value_of("aa"), core::Word18(5));
@@ -144,12 +150,15 @@ TEST(Pdp7Language, DefinesAreRead) {
 }
 
 TEST(Pdp7Language, TextIsTrimmedAsciiThreeToAWord) {
-  EXPECT_EQ(words(assemble("text /ABCd/\n text 'a/ 1'\ntext ,,")), (Words{0010203, 0040000, 0015740, 0610000}));
+  EXPECT_EQ(words(assemble("text /ABCd/\n text 'a/ 1'\ntext ,,")),
+            (Words{0010203, 0040000, 0015740, 0610000}));
 }
 
 TEST(Pdp7Language, PseudoOperationNamesMayBeTags) {
-  const Assembly a = assemble("10/\nstart, jmp start\ntext, octal=5\noctal+1\nvariable, lac text\n start start");
-  EXPECT_EQ(messages(a), (Texts{"t.s:4:6: error: found '+', expected an operator or the end of the statement"}));
+  const Assembly a =
+      assemble("10/\nstart, jmp start\ntext, octal=5\noctal+1\nvariable, lac text\n start start");
+  EXPECT_EQ(messages(a),
+            (Texts{"t.s:4:6: error: found '+', expected an operator or the end of the statement"}));
   const Assembly b = assemble("10/\nstart, jmp start\ntext, 1\n jmp text\n start start");
   EXPECT_EQ(messages(b), Texts{});
   EXPECT_EQ(words(b, 010), (Words{0600010, 1, 0600011}));
@@ -159,11 +168,13 @@ TEST(Pdp7Language, PseudoOperationNamesMayBeTags) {
 TEST(Pdp7Language, SixCharactersCount) {
   const Assembly a = assemble("lengthone=5\n lengthone\n length\n LENGTHONE\n lengthtwo");
   EXPECT_EQ(words(a), (Words{5, 5, 5, 5}));
-  EXPECT_EQ(messages(a),
-            (Texts{"t.s:3:2: warning: found 'length', the same symbol as 'lengthone', expected names that differ in "
-                   "their first six characters",
-                   "t.s:5:2: warning: found 'lengthtwo', the same symbol as 'lengthone', expected names that differ "
-                   "in their first six characters"}));
+  EXPECT_EQ(
+      messages(a),
+      (Texts{
+          "t.s:3:2: warning: found 'length', the same symbol as 'lengthone', expected names that differ in "
+          "their first six characters",
+          "t.s:5:2: warning: found 'lengthtwo', the same symbol as 'lengthone', expected names that differ "
+          "in their first six characters"}));
 }
 
 TEST(Pdp7Language, AssignmentsMayLookAheadAndChange) {
@@ -201,7 +212,9 @@ TEST(Pdp7Language, NothingMakesNothing) {
 }
 
 TEST(Pdp7Language, ListingShowsAddressWordAndSource) {
-  const std::string source = "/ two words\n10/\nx,      lac (5    / five\n        text /abcd/\nIFZERO 1 <\n skipped >\n dac v#\n start x\n";
+  const std::string source =
+      "/ two words\n10/\nx,      lac (5    / five\n        text /abcd/\nIFZERO 1 <\n skipped >\n dac v#\n "
+      "start x\n";
   const Assembly a = assemble(source);
   const std::string expected =
       "              / two words\n"

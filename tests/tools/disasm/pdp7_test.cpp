@@ -1,11 +1,12 @@
 // Every word of 18 bits through the disassembler and back through the assembler.
+#include "tools/asm/pdp7.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cctype>
 #include <string>
 #include <vector>
 
-#include "tools/asm/pdp7.hpp"
 #include "tools/disasm/disasm.hpp"
 
 namespace sightline::disassembler {
@@ -18,7 +19,9 @@ assembler::Assembly assemble(std::string text) {
   return assembler::assemble_pdp7(sources);
 }
 
-std::string at_100(std::uint32_t word) { return disassemble_word(Word18(word), 0100); }
+std::string at_100(std::uint32_t word) {
+  return disassemble_word(Word18(word), 0100);
+}
 
 // 32K words at a time, through whole sources.
 TEST(DisassemblePdp7, EveryWordComesBack) {
@@ -34,7 +37,8 @@ TEST(DisassemblePdp7, EveryWordComesBack) {
 
 TEST(DisassemblePdp7, AtMostAFifthStayOctal) {
   int octal = 0;
-  for (std::uint32_t word = 0; word <= Word18::mask; ++word) octal += std::isdigit(at_100(word)[0]) != 0 ? 1 : 0;
+  for (std::uint32_t word = 0; word <= Word18::mask; ++word)
+    octal += std::isdigit(at_100(word)[0]) != 0 ? 1 : 0;
   EXPECT_LE(octal, 0777777 / 5);
   EXPECT_GT(octal, 0);
 }

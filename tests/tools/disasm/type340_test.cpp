@@ -19,8 +19,8 @@ image::CoreImage file_of(std::vector<std::uint32_t> words, std::uint32_t address
 }
 
 TEST(DisassembleType340, AWorkedFileAndModeZeroAfterItsStop) {
-  EXPECT_EQ(disassemble_type340(file_of({0020117, 0220400, 0100400, 0200144, 0236000, 0600344, 0003000, 0140000,
-                                         0764043, 0370000})),
+  EXPECT_EQ(disassemble_type340(file_of(
+                {0020117, 0220400, 0100400, 0200144, 0236000, 0600344, 0003000, 0140000, 0764043, 0370000})),
             "00000/\n"
             "        020117           / 00000 parameter, scale 1, intensity 7, then point\n"
             "        220400           / 00001 point, y 256, dark, then point\n"
@@ -35,8 +35,8 @@ TEST(DisassembleType340, AWorkedFileAndModeZeroAfterItsStop) {
 }
 
 TEST(DisassembleType340, TheOtherModes) {
-  EXPECT_EQ(disassemble_type340(file_of({0060000, 0010240, 0333437, 0174000, 0560004, 0705312, 0600001, 0120000,
-                                         0310010, 0040000, 0000750, 0002000})),
+  EXPECT_EQ(disassemble_type340(file_of({0060000, 0010240, 0333437, 0174000, 0560004, 0705312, 0600001,
+                                         0120000, 0310010, 0040000, 0000750, 0002000})),
             "00000/\n"
             "        060000           / 00000 parameter, then character\n"
             "        010240           / 00001 character, A B space\n"

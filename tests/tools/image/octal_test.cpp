@@ -1,7 +1,7 @@
 // The octal core image: what it says, and every way to say it wrongly.
-#include <gtest/gtest.h>
-
 #include "tools/image/octal.hpp"
+
+#include <gtest/gtest.h>
 
 namespace sightline::image {
 namespace {
@@ -12,7 +12,8 @@ TEST(OctalImage, WordsFollowOneAnotherAndAddressesAreSet) {
   const auto read = read_octal("000001 777777\r\n 17776:\n\t123456 00005:000007 000010", "a");
   ASSERT_TRUE(read);
   const CoreImage expected{
-      {{0, Word18(1)}, {1, Word18(0777777)}, {017776, Word18(0123456)}, {5, Word18(7)}, {6, Word18(010)}}, {}};
+      {{0, Word18(1)}, {1, Word18(0777777)}, {017776, Word18(0123456)}, {5, Word18(7)}, {6, Word18(010)}},
+      {}};
   EXPECT_EQ(read.value(), expected);
 }
 
@@ -52,7 +53,8 @@ TEST(OctalImage, MistakesAreNamedWithLineAndColumn) {
       {"000001 :", "f:1:8: error: found ':', expected an address of one to five octal digits and ':'"},
       {"100000:", "f:1:1: error: found '100000:', expected an address of one to five octal digits and ':'"},
       {"18:", "f:1:1: error: found '18:', expected an address of one to five octal digits and ':'"},
-      {"77777: 000001 000002", "f:1:15: error: found a word after address 77777, expected the end of the image"},
+      {"77777: 000001 000002",
+       "f:1:15: error: found a word after address 77777, expected the end of the image"},
       {"\x01\x80xxxxxxxxxxxxxxxxxxxxxxxx",
        "f:1:1: error: found '??xxxxxxxxxxxxxxxxxx...', expected a word of six octal digits"}};
   for (const Damage& damage : damages) {

@@ -35,7 +35,8 @@ class Images {
 
  private:
   void add_run(CoreImage& image, std::uint32_t from, std::uint32_t limit) {
-    for (std::uint32_t n = 1 + below(100); n > 0 && from < limit; --n) image.words[from++] = Word18(below(01000000));
+    for (std::uint32_t n = 1 + below(100); n > 0 && from < limit; --n)
+      image.words[from++] = Word18(below(01000000));
   }
 
   std::mt19937 random_;

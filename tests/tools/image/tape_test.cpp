@@ -1,9 +1,9 @@
 // RIM and HRI tapes, line by line, and what is said of damaged ones.
+#include "tools/image/tape.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tools/image/tape.hpp"
 
 namespace sightline::image {
 namespace {
@@ -28,7 +28,9 @@ Tape with(Tape tape, std::size_t at, std::uint8_t line) {
   return tape;
 }
 
-Tape first_lines(const Tape& tape, std::size_t n) { return Tape(tape.begin(), tape.begin() + static_cast<std::ptrdiff_t>(n)); }
+Tape first_lines(const Tape& tape, std::size_t n) {
+  return Tape(tape.begin(), tape.begin() + static_cast<std::ptrdiff_t>(n));
+}
 
 template <class T>
 std::string message(const Result<T>& result) {
@@ -63,22 +65,27 @@ TEST(Rim, LeaderMayBeReadableAndFeedMayStandBetweenWords) {
 }
 
 TEST(Rim, DamageIsNamedWithItsByte) {
-  EXPECT_EQ(message(read_rim({}, "t")), "t:byte 0: error: found the end of the tape, expected DAC address, JMP start or HLT");
+  EXPECT_EQ(message(read_rim({}, "t")),
+            "t:byte 0: error: found the end of the tape, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(first_lines(rim_lines, 6), "t")),
             "t:byte 6: error: found the end of the tape, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(first_lines(rim_lines, 3), "t")),
             "t:byte 3: error: found the end of the tape, expected the data word for address 00100");
   EXPECT_EQ(message(read_rim(first_lines(rim_lines, 5), "t")),
-            "t:byte 5: error: found the end of the tape inside a word, expected three lines of the data word for address 00100");
+            "t:byte 5: error: found the end of the tape inside a word, expected three lines of the data word "
+            "for address 00100");
   EXPECT_EQ(message(read_rim(with(rim_lines, 4, 0034), "t")),
-            "t:byte 4: error: found line 034 without hole 8 inside a word, expected three lines with hole 8 of the data "
+            "t:byte 4: error: found line 034 without hole 8 inside a word, expected three lines with hole 8 "
+            "of the data "
             "word for address 00100");
-  EXPECT_EQ(message(read_rim(with(rim_lines, 3, 0012), "t")),
-            "t:byte 3: error: found line 012 without hole 8, expected hole 8 of the data word for address 00100");
+  EXPECT_EQ(
+      message(read_rim(with(rim_lines, 3, 0012), "t")),
+      "t:byte 3: error: found line 012 without hole 8, expected hole 8 of the data word for address 00100");
   EXPECT_EQ(message(read_rim(with(rim_lines, 0, 0220), "t")),
             "t:byte 0: error: found word 200100, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(with(rim_lines, 1, 0301), "t")),
-            "t:byte 1: error: found line 301 with hole 7 before the third line of a word, expected three lines with "
+            "t:byte 1: error: found line 301 with hole 7 before the third line of a word, expected three "
+            "lines with "
             "hole 8 of DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(with(rim_lines, 8, 0300), "t")),
             "t:byte 6: error: found word 600100 with hole 7, expected a RIM tape without hole 7");
@@ -110,23 +117,28 @@ TEST(Hri, FillsGapsAndKeepsTheBank) {
   ASSERT_TRUE(written);
   const auto read = read_hri(written.value(), "t", 020000);
   ASSERT_TRUE(read);
-  EXPECT_EQ(read.value().words, (std::map<std::uint32_t, Word18>{{020000, Word18(1)}, {020001, Word18(0)}, {020002, Word18(3)}}));
+  EXPECT_EQ(read.value().words,
+            (std::map<std::uint32_t, Word18>{{020000, Word18(1)}, {020001, Word18(0)}, {020002, Word18(3)}}));
   EXPECT_EQ(read.value().start, 020002U);
 }
 
 TEST(Hri, DamageIsNamedWithItsByte) {
-  EXPECT_EQ(message(read_hri(with(hri_lines, 8, 0200), "t", 0)),
-            "t:byte 9: error: found the end of the tape, expected a word, the last with hole 7 in its third line");
+  EXPECT_EQ(
+      message(read_hri(with(hri_lines, 8, 0200), "t", 0)),
+      "t:byte 9: error: found the end of the tape, expected a word, the last with hole 7 in its third line");
   EXPECT_EQ(message(read_hri(with(hri_lines, 5, 0301), "t", 0)),
             "t:byte 3: error: found last word 000001, expected JMP start or HLT");
   EXPECT_EQ(message(read_hri(first_lines(hri_lines, 8), "t", 0)),
-            "t:byte 8: error: found the end of the tape inside a word, expected three lines of a word, the last with "
+            "t:byte 8: error: found the end of the tape inside a word, expected three lines of a word, the "
+            "last with "
             "hole 7 in its third line");
   EXPECT_EQ(message(read_hri(hri_lines, "t", 077777)),
             "t:byte 3: error: found a word after address 77777, expected the last word, with hole 7");
-  EXPECT_EQ(message(write_hri(CoreImage{}, "t")), "t: error: found an image without words, expected at least one for an HRI tape");
+  EXPECT_EQ(message(write_hri(CoreImage{}, "t")),
+            "t: error: found an image without words, expected at least one for an HRI tape");
   EXPECT_EQ(message(write_hri(CoreImage{{{020000, Word18(1)}}, 5}, "t")),
-            "t: error: found start address 00005, expected one in the bank of the last word, 20000, on an HRI tape");
+            "t: error: found start address 00005, expected one in the bank of the last word, 20000, on an "
+            "HRI tape");
 }
 
 TEST(Recognition, IsByContent) {
@@ -142,7 +154,8 @@ TEST(Recognition, IsByContent) {
   EXPECT_EQ(message(recognise(Tape{0, 1, 2}, "t")),
             "t: error: found no line with hole 8, expected an octal core image, a RIM tape or an HRI tape");
   EXPECT_EQ(message(recognise(Tape{0277, 0277, 0277}, "t")),
-            "t:byte 0: error: found word 777777 and no hole 7 that ends a block, expected DAC address (RIM tape) or "
+            "t:byte 0: error: found word 777777 and no hole 7 that ends a block, expected DAC address (RIM "
+            "tape) or "
             "hole 7 in the last word (HRI tape)");
 }
 
