@@ -1,9 +1,11 @@
-// A PDP-7 with its core memory, its devices and, when one is attached, a display that fetches its words by data break.
+// A PDP-7 with its core memory, its devices and, when one is attached, a display that fetches its words by
+// data break.
 //
-// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, a clock tick,
-// the program interrupt. A boundary costs one compare against the nearest instant at which any of them may be due;
-// what the display, the clock or a device does in between is made up for when it is touched. A data break is granted
-// at the first boundary at or after the request and takes one cycle; its word stands at the display at the end of it.
+// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, a
+// clock tick, the program interrupt. A boundary costs one compare against the nearest instant at which any of
+// them may be due; what the display, the clock or a device does in between is made up for when it is touched.
+// A data break is granted at the first boundary at or after the request and takes one cycle; its word stands
+// at the display at the end of it.
 //
 // Left out: the single-step keys, data breaks while the processor is halted, and the devices that
 // no scene uses (drum, magnetic tape, line printer).
@@ -55,9 +57,7 @@ struct Limits {
 struct Counts {
   std::uint64_t instructions = 0;
   std::uint64_t machine_cycles = 0;  // stolen ones included, asynchronous time not
-  std::uint64_t stolen_cycles = 0;   // data breaks and clock ticks
-  std::uint64_t display_words = 0;   // words the display took by data break
-  std::uint64_t display_starts = 0;  // IDLA and IDRD
+  std::uint64_t stolen_cycles = 0;   // data breaks and clock ticks; the display counts its own words
 };
 
 // An instruction nothing obeyed: how often, and where first.
@@ -112,7 +112,8 @@ class BasicPdp7 {
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
 
-  // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at `address`.
+  // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at
+  // `address`.
   void start(pdp7::Address address) {
     devices_.clear(now_);
     if (display_) display_->power_clear(now_);
@@ -121,11 +122,13 @@ class BasicPdp7 {
     state_ = cpu.state();
   }
 
-  // Runs from the state as it is (the CONTINUE key) until something stops it; what is due at the boundary where it
-  // stops is left to the next run, but the display has drawn everything up to that instant. Registers, time and the processor's
-  // side of the bus are locals of this function: that, and nothing else, is what makes it fast.
+  // Runs from the state as it is (the CONTINUE key) until something stops it; what is due at the boundary
+  // where it stops is left to the next run, but the display has drawn everything up to that instant.
+  // Registers, time and the processor's side of the bus are locals of this function: that, and nothing else,
+  // is what makes it fast.
   StopReason run(const Limits& limits) {
     pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
+    forget_deadlines();
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
     while (left != 0) {
@@ -187,8 +190,8 @@ class BasicPdp7 {
     }
   }
 
-  // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a boundary
-  // of its own.
+  // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
+  // boundary of its own.
   [[gnu::always_inline]] bool attend(pdp7::Cpu<Bus>& cpu, core::Instant until) {
     pdp7::State& state = cpu.state();
     Bus& bus = cpu.bus();
@@ -211,38 +214,49 @@ class BasicPdp7 {
   [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open) {
     while (display_break(now) || clock_tick(now)) {
     }
-    devices_.advance(now);
+    if (now >= devices_due_) {
+      devices_.advance(now);
+      devices_due_ = devices_.deadline();
+    }
     const bool interrupt =
         interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
-    return {now, deadline(), interrupt};
+    return {now, std::min(display_due_, devices_due_), interrupt};
   }
 
+  // One data break, if one is asked for.
   bool display_break(core::Instant& now) {
-    if (!display_) return false;
-    display_->advance(now);
-    const auto* request = display_->break_request();
-    if (request == nullptr) return false;
-    const pdp7::Address address = request->address;
-    const core::Instant begun = now;
+    if (now < display_due_) return false;
+    bool granted = false;
+    if (display_) {
+      display_->advance(now);
+      if (const auto* request = display_->break_request()) {
+        grant(*request, now);
+        granted = true;
+      }
+    }
+    display_due_ = display_ ? display_->deadline() : core::never;
+    return granted;
+  }
+
+  // The request is copied: it is the display's own and goes as soon as it is met.
+  template <class Request>
+  void grant(const Request request, core::Instant& now) {
+    const core::Word18 word = request.write ? request.word : core_.read(request.address);
+    const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
+    report({now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request->write) {
-      const core::Word18 word = request->word;
-      core_.write(address, word);
-      report({begun, pdp7::machine_cycle, pdp7::Verb::break_write, address, word});
+    if (request.write) {
+      core_.write(request.address, word);
       display_->deposited(now);
     } else {
-      const core::Word18 word = core_.read(address);
-      ++counts_.display_words;
-      report({begun, pdp7::machine_cycle, pdp7::Verb::break_read, address, word});
       display_->deliver(now, word);
     }
-    return true;
   }
 
   bool clock_tick(core::Instant& now) {
     constexpr pdp7::Address counter = 7;
-    if (!devices_.clock.take_tick(now)) return false;
+    if (now < devices_due_ || !devices_.clock.take_tick(now)) return false;
     const core::Word18 count = core_.read(counter) + core::Word18(1);
     core_.write(counter, count);
     const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
@@ -253,10 +267,8 @@ class BasicPdp7 {
     return true;
   }
 
-  // The earliest instant at which any device will by itself want a cycle or change its interrupt request.
-  [[nodiscard]] core::Instant deadline() const {
-    return display_ ? std::min(devices_.deadline(), display_->deadline()) : devices_.deadline();
-  }
+  // The program or the host has touched a device: what it will do next is to be asked again.
+  void forget_deadlines() { display_due_ = devices_due_ = core::Instant::min(); }
 
   struct IotEffect {
     pdp7::IotReply reply;
@@ -267,15 +279,15 @@ class BasicPdp7 {
   // The pulses of an IOT whose Fetch cycle ends at `now`.
   [[gnu::noinline]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac) {
     std::uint32_t elsewhere = 0;
-    if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now)) elsewhere = pdp7::status::light_pen;
+    if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now))
+      elsewhere = pdp7::status::light_pen;
     pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
-    if (display_ && is_display_iot(word)) {
-      display_iot(*display_, now, word, reply);
-      if ((word & 07704U) == 00604U) ++counts_.display_starts;
-    }
+    if (display_ && is_display_iot(word)) display_iot(*display_, now, word, reply);
     if (display_ && pdp7::clears_all_flags(word)) display_->clear_flags(now);
-    // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits for.
+    // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits
+    // for.
     const bool look = (word & 06U) != 0;
+    if (look) forget_deadlines();
     return {reply, configuration_.timing.iot_stretch[(word >> 6) & 077U], look};
   }
 
@@ -303,6 +315,9 @@ class BasicPdp7 {
   pdp7::Peripherals devices_;
   pdp7::Console console_;
   std::optional<Display> display_;
+  // Nothing happens by itself before these. Valid inside a run.
+  core::Instant display_due_{};
+  core::Instant devices_due_{};
   Counts counts_;
   std::vector<Unanswered> unanswered_;
   Observer& observer_;

@@ -2,10 +2,10 @@
 //
 //   700501 IDVE  700504 IDRS  700512 IDRA  700601 IDSI  700606 IDLA  700614 IDRD
 //   700701 IDSP  700704 IDCF  700712 IDRC  701001 IDHE  701012 (347: return address)
-// Pulse 1 skips, 2 reads, 4 acts, in this order. On device 06 pulse 2 clears the address counter and 4 ORs AC into it
-// and starts, so 606 loads, and 614 (which clears AC first) starts at the address already there. Pulse 2 of device 06
-// by itself is no instruction of the display and goes unanswered. Source: Type 340 programs of the Cambridge CAD
-// Group (1972); inferred: IDRD.
+// Pulse 1 skips, 2 reads, 4 acts, in this order. On device 06 pulse 2 clears the address counter and 4 ORs AC
+// into it and starts, so 606 loads, and 614 (which clears AC first) starts at the address already there.
+// Pulse 2 of device 06 by itself is no instruction of the display and goes unanswered. Source: Type 340
+// programs of the Cambridge CAD Group (1972); inferred: IDRD.
 #pragma once
 
 #include <cstdint>

@@ -18,10 +18,10 @@
 namespace sightline::machines {
 
 struct InstructionRecord {
-  core::Instant time;       // start of its fetch
+  core::Instant time;  // start of its fetch
   core::Instant end;
-  pdp7::Address pc;         // where it stood
-  core::Word18 word;        // what stood there when it was fetched
+  pdp7::Address pc;   // where it stood
+  core::Word18 word;  // what stood there when it was fetched
   const pdp7::State& before;
   const pdp7::State& after;
 };

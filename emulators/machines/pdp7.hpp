@@ -16,7 +16,8 @@ struct Pdp7Options {
   std::optional<type340::Options> display;  // nullopt: no display on the machine
 };
 
-// `Sink` takes the strokes (core/stroke.hpp), `Observer` watches the processor (observer.hpp). Both outlive it.
+// `Sink` takes the strokes (core/stroke.hpp), `Observer` watches the processor (observer.hpp). Both outlive
+// it.
 template <class Sink = core::NoStrokes, class Observer = NoObserver>
 class Pdp7 : public BasicPdp7<type340::Display<Sink>, Observer> {
  public:

@@ -1,7 +1,9 @@
-// The processor's side of the PDP-7's bus while a program runs: core memory, time, and the way to the devices.
+// The processor's side of the PDP-7's bus while a program runs: core memory, time, and the way to the
+// devices.
 //
-// It lives in the locals of one run and touches the machine only on the slow paths, by value, so that a compiler can
-// keep time and the deadline in registers; every verb is inlined into the run for the same reason.
+// It lives in the locals of one run and touches the machine only on the slow paths, by value, so that a
+// compiler can keep time and the deadline in registers; every verb is inlined into the run for the same
+// reason.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +51,9 @@ class Pdp7Bus {
     asynchronous_ += duration;
   }
   [[gnu::always_inline]] core::Word18 switches() { return machine_->switches(now_); }
-  [[gnu::always_inline]] void unanswered(std::uint32_t word, pdp7::Address at) { machine_->count_unanswered(word, at); }
+  [[gnu::always_inline]] void unanswered(std::uint32_t word, pdp7::Address at) {
+    machine_->count_unanswered(word, at);
+  }
   void attention() { deadline_ = core::Instant::min(); }
 
   [[nodiscard]] bool due() const { return now_ >= deadline_; }

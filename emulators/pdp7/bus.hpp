@@ -1,12 +1,14 @@
-// What a PDP-7 processor asks of the rest of the machine: one verb is one machine cycle and moves time by itself.
+// What a PDP-7 processor asks of the rest of the machine: one verb is one machine cycle and moves time by
+// itself.
 //
 //   read(address)     a core cycle that leaves the word as it was (Fetch, Defer, Execute)
 //   write(address, w) a core cycle that replaces it
 //   modify(address)   a core cycle that reads, adds one (18 bits, wraps) and rewrites; gives the new word
-//   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow cycle's stretch
-//   idle(duration)    asynchronous time of the EAE
-// The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing in this
-// machine obeyed, attention() asks for the next instruction boundary to be looked at (an interrupt may be due).
+//   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow
+//   cycle's stretch idle(duration)    asynchronous time of the EAE
+// The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing
+// in this machine obeyed, attention() asks for the next instruction boundary to be looked at (an interrupt
+// may be due).
 #pragma once
 
 #include <concepts>
@@ -23,27 +25,32 @@ enum class Verb : std::uint8_t { read, write, modify, iot, idle, break_read, bre
 
 // One bus event as an observer sees it.
 struct Cycle {
-  core::Instant time;      // its beginning
+  core::Instant time;  // its beginning
   core::Duration length;
   Verb verb;
-  Address address;         // iot: bits 6-17 of the instruction; idle: 0
-  core::Word18 data;       // read, write: the word; modify: the word rewritten; iot: AC afterwards; idle: 0
+  Address address;    // iot: bits 6-17 of the instruction; idle: 0
+  core::Word18 data;  // read, write: the word; modify: the word rewritten; iot: AC afterwards; idle: 0
 
   friend constexpr bool operator==(const Cycle&, const Cycle&) = default;
 };
 
 struct IotReply {
-  core::Word18 ac;             // AC with what the devices put on the information collector
+  core::Word18 ac;  // AC with what the devices put on the information collector
   bool skip = false;
   std::uint32_t answered = 0;  // the pulses (bits 15-17: 4, 2, 1) that some device obeyed
 };
 
 // Codes of the IOTs that clear all flags and read the status word, which devices elsewhere take part in.
-[[nodiscard]] constexpr bool clears_all_flags(std::uint32_t word) { return (word & 07702U) == 03302U; }
-[[nodiscard]] constexpr bool reads_status(std::uint32_t word) { return (word & 07704U) == 00304U; }
+[[nodiscard]] constexpr bool clears_all_flags(std::uint32_t word) {
+  return (word & 07702U) == 03302U;
+}
+[[nodiscard]] constexpr bool reads_status(std::uint32_t word) {
+  return (word & 07704U) == 00304U;
+}
 
 template <class B>
-concept Bus = requires(B bus, Address address, core::Word18 word, core::Duration time, std::uint32_t instruction) {
+concept Bus = requires(B bus, Address address, core::Word18 word, core::Duration time,
+                       std::uint32_t instruction) {
   { bus.read(address) } -> std::same_as<core::Word18>;
   bus.write(address, word);
   { bus.modify(address) } -> std::same_as<core::Word18>;

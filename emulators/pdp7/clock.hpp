@@ -1,8 +1,9 @@
-// The real-time clock: while it is on, every period of the mains counts location 7 up by one in a stolen cycle; when
-// the count passes from 777777 to 0 the clock flag rises and asks for a program interrupt.
+// The real-time clock: while it is on, every period of the mains counts location 7 up by one in a stolen
+// cycle; when the count passes from 777777 to 0 the clock flag rises and asks for a program interrupt.
 //
-// The mains runs from instant zero whether the clock is on or not, so the first tick after CLON comes within a period.
-// The machine does the counting (it owns core memory); this holds the switch, the flag and the phase.
+// The mains runs from instant zero whether the clock is on or not, so the first tick after CLON comes within
+// a period. The machine does the counting (it owns core memory); this holds the switch, the flag and the
+// phase.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,10 @@
-// The PDP-7 processor: decodes by the table of isa.hpp and does everything else through bus verbs, so that the time
-// of an instruction is a consequence of the cycles it asks for (a test compares their sum with the table).
+// The PDP-7 processor: decodes by the table of isa.hpp and does everything else through bus verbs, so that
+// the time of an instruction is a consequence of the cycles it asks for (a test compares their sum with the
+// table).
 //
-// Left out: the ADDRESS switches and single-step keys of the console, and memory protection. Sources: PDP-4 manual
-// pages 16-23 and 57-58, with which the PDP-7 is program compatible; where that is silent, the choice is stated.
+// Left out: the ADDRESS switches and single-step keys of the console, and memory protection. Sources: PDP-4
+// manual pages 16-23 and 57-58, with which the PDP-7 is program compatible; where that is silent, the choice
+// is stated.
 #pragma once
 
 #include <cstddef>
@@ -39,16 +41,18 @@ namespace detail {
   return instructions[i];
 }
 
-// Bits 0-3, by which the processor branches; from the table, so that they are written down once. The EAE commands
-// share theirs, and so do OPR and LAW, which bit 4 tells apart.
-[[nodiscard]] consteval std::uint32_t code(Operation operation) { return row_of(operation).value >> 14; }
+// Bits 0-3, by which the processor branches; from the table, so that they are written down once. The EAE
+// commands share theirs, and so do OPR and LAW, which bit 4 tells apart.
+[[nodiscard]] consteval std::uint32_t code(Operation operation) {
+  return row_of(operation).value >> 14;
+}
 
 }  // namespace detail
 
-// The processor is a value that holds its bus by value, a light handle on the machine behind it. That lets the loop that
-// owns it keep registers and time in host registers: the common instructions are inlined there, and the others are
-// executed on a copy out of line, because a call that took the address of the registers would keep them in memory, at
-// half the speed.
+// The processor is a value that holds its bus by value, a light handle on the machine behind it. That lets
+// the loop that owns it keep registers and time in host registers: the common instructions are inlined there,
+// and the others are executed on a copy out of line, because a call that took the address of the registers
+// would keep them in memory, at half the speed.
 template <Bus B>
 class Cpu {
  public:
@@ -65,7 +69,8 @@ class Cpu {
     const Address at = state_.pc;
     const std::uint32_t word = bus_.read(at).value();
     state_.pc = next_in_bank(at);
-    if (execute_common(word, at & bank_mask)) [[likely]] return Outcome::completed;
+    if (execute_common(word, at & bank_mask)) [[likely]]
+      return Outcome::completed;
     Cpu copy = *this;
     const Outcome outcome = copy.execute_rare(word, at);
     *this = copy;
@@ -87,8 +92,8 @@ class Cpu {
   }
 
  private:
-  // The memory references but CAL and XCT, LAW, and OPR without OAS and HLT; false: not one of these, nothing done.
-  // `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it.
+  // The memory references but CAL and XCT, LAW, and OPR without OAS and HLT; false: not one of these, nothing
+  // done. `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it.
   [[gnu::always_inline]] constexpr bool execute_common(std::uint32_t word, Address bank) {
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
     constexpr Instruction law = detail::row_of(Operation::law);
@@ -97,10 +102,14 @@ class Cpu {
       case detail::code(Operation::jms): jump_to_subroutine(effective(word, bank)); return true;
       case detail::code(Operation::dzm): bus_.write(effective(word, bank), core::Word18(0)); return true;
       case detail::code(Operation::lac): state_.ac = bus_.read(effective(word, bank)); return true;
-      case detail::code(Operation::xor_): state_.ac = state_.ac ^ bus_.read(effective(word, bank)); return true;
+      case detail::code(Operation::xor_):
+        state_.ac = state_.ac ^ bus_.read(effective(word, bank));
+        return true;
       case detail::code(Operation::add): ones_complement_add(bus_.read(effective(word, bank))); return true;
       case detail::code(Operation::tad): twos_complement_add(bus_.read(effective(word, bank))); return true;
-      case detail::code(Operation::and_): state_.ac = state_.ac & bus_.read(effective(word, bank)); return true;
+      case detail::code(Operation::and_):
+        state_.ac = state_.ac & bus_.read(effective(word, bank));
+        return true;
       case detail::code(Operation::isz):
         if (bus_.modify(effective(word, bank)).value() == 0) skip();
         return true;
@@ -157,8 +166,8 @@ class Cpu {
                          : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
   }
 
-  // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1. (Another
-  // simulator changes the mode first; a program outside bank 0 could then not be returned to.)
+  // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
+  // (Another simulator changes the mode first; a program outside bank 0 could then not be returned to.)
   [[gnu::always_inline]] constexpr void jump(std::uint32_t word, Address bank) {
     const Address direct = bank | (word & in_bank_mask);
     if ((word & indirect_bit) == 0) {
@@ -188,7 +197,8 @@ class Cpu {
     std::uint32_t sum = state_.ac.value() + operand.value();
     if (sum > core::Word18::mask) ++sum;
     const core::Word18 result(sum);
-    if (state_.ac.negative() == operand.negative() && result.negative() != operand.negative()) state_.link = true;
+    if (state_.ac.negative() == operand.negative() && result.negative() != operand.negative())
+      state_.link = true;
     state_.ac = result;
   }
 
@@ -225,7 +235,8 @@ class Cpu {
     state_.mq = result.registers.mq;
     state_.sc = result.registers.sc;
     state_.link = result.registers.link;
-    const core::Duration stepping = eae_step(word) * result.steps + (is_setup(word) ? timing_->eae_setup : core::Duration{});
+    const core::Duration stepping =
+        eae_step(word) * result.steps + (is_setup(word) ? timing_->eae_setup : core::Duration{});
     if (stepping.count() != 0) bus_.idle(stepping);
     return Outcome::completed;
   }
@@ -241,8 +252,9 @@ class Cpu {
     }
   }
 
-  // Bit 14 clears AC before the pulses; those of the interrupt system and the memory extension stay in the processor,
-  // the rest goes out. A pulse that nothing answers makes the instruction one that this machine does not have.
+  // Bit 14 clears AC before the pulses; those of the interrupt system and the memory extension stay in the
+  // processor, the rest goes out. A pulse that nothing answers makes the instruction one that this machine
+  // does not have.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
     if (state_.trap_mode) return trap();
     if ((word & 010U) != 0) state_.ac = core::Word18(0);
@@ -293,8 +305,8 @@ class Cpu {
     return model_->strict ? Outcome::unanswered : Outcome::completed;
   }
 
-  // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is at 2. Its
-  // Break cycle is taken to follow the instruction directly (unknown).
+  // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is
+  // at 2. Its Break cycle is taken to follow the instruction directly (unknown).
   constexpr Outcome trap() {
     enter_bank_zero(2);
     state_.extend = true;

@@ -1,8 +1,8 @@
 // The Type 177 Extended Arithmetic Element: the whole of class 64, as pure functions on {AC, MQ, SC, L}.
 //
-// The step counter is kept counting down to zero; the machine holds its complement and counts up, which OSC shows.
-// Left out: time (the caller turns `steps` into it). Event order and commands: EAE instruction list confirmed by three
-// symbol tables and by a second simulator's results for 6688 operand sets.
+// The step counter is kept counting down to zero; the machine holds its complement and counts up, which OSC
+// shows. Left out: time (the caller turns `steps` into it). Event order and commands: EAE instruction list
+// confirmed by three symbol tables and by a second simulator's results for 6688 operand sets.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,12 @@ inline constexpr std::uint32_t word_sign = 0400000;
 inline constexpr std::uint32_t word_mask = 0777777;
 
 // The counter runs down to zero before it is tested: a count of 0 means 64 steps.
-[[nodiscard]] constexpr int full_count(std::uint32_t count) { return count == 0 ? 64 : static_cast<int>(count); }
+[[nodiscard]] constexpr int full_count(std::uint32_t count) {
+  return count == 0 ? 64 : static_cast<int>(count);
+}
 
-// Add and shift right. `product_negative` complements both halves: the 36-bit one's complement of the product.
+// Add and shift right. `product_negative` complements both halves: the 36-bit one's complement of the
+// product.
 [[nodiscard]] constexpr EaeResult multiply(EaeRegisters r, std::uint32_t count, std::uint32_t multiplicand,
                                            bool product_negative) {
   std::uint32_t ac = r.ac.value();
@@ -56,8 +59,8 @@ inline constexpr std::uint32_t word_mask = 0777777;
   return {{core::Word18(ac), core::Word18(mq), core::Word<6>(0), false}, steps};
 }
 
-// Non-restoring; the remainder is corrected at the end. Refused with L = 1 when the quotient would not fit, after the
-// first subtraction, so AC is already less by the divisor.
+// Non-restoring; the remainder is corrected at the end. Refused with L = 1 when the quotient would not fit,
+// after the first subtraction, so AC is already less by the divisor.
 [[nodiscard]] constexpr EaeResult divide(EaeRegisters r, std::uint32_t count, std::uint32_t divisor,
                                          bool dividend_negative, bool quotient_negative) {
   if (r.ac.value() >= divisor) return {{core::Word18(r.ac.value() - divisor), r.mq, r.sc, true}, 1};
@@ -92,7 +95,8 @@ inline constexpr std::uint32_t word_mask = 0777777;
   return {r, steps};
 }
 
-// The 36 bits AC:MQ with 64 copies of L at either side are shifted as one number; counts above 36 change nothing more.
+// The 36 bits AC:MQ with 64 copies of L at either side are shifted as one number; counts above 36 change
+// nothing more.
 [[nodiscard]] constexpr EaeResult shift_long(EaeRegisters r, std::uint32_t count, bool left) {
   constexpr std::uint64_t both_mask = (std::uint64_t{1} << 36) - 1;
   const std::uint32_t n = count < 36 ? count : 36;

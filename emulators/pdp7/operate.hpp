@@ -1,8 +1,9 @@
 // The operate class (74xxxx): several microinstructions in one word, in a fixed order of events.
 //
-// Order (PDP-4 manual page 58): the skip is decided on AC and L as they were; CLA, CLL; CMA, CML; OAS; rotate; HLT at
-// the end of the cycle. The PDP-4 manual calls rotating together with CMA, CML or OAS illegal; here, as on another
-// simulator, the order above decides. RAL with RAR is undefined on the machine and rotates nothing.
+// Order (PDP-4 manual page 58): the skip is decided on AC and L as they were; CLA, CLL; CMA, CML; OAS;
+// rotate; HLT at the end of the cycle. The PDP-4 manual calls rotating together with CMA, CML or OAS illegal;
+// here, as on another simulator, the order above decides. RAL with RAR is undefined on the machine and
+// rotates nothing.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +19,18 @@ struct Operated {
 };
 
 namespace operate_bits {
-inline constexpr std::uint32_t cma = 01, cml = 02, oas = 04, ral = 010, rar = 020, hlt = 040, sma = 0100, sza = 0200,
-                               snl = 0400, invert = 01000, twice = 02000, cll = 04000, cla = 010000;
+inline constexpr std::uint32_t cma = 01, cml = 02, oas = 04, ral = 010, rar = 020, hlt = 040, sma = 0100,
+                               sza = 0200, snl = 0400, invert = 01000, twice = 02000, cll = 04000,
+                               cla = 010000;
 }
 
 // L,AC as 19 bits, one place to the left or right.
-[[nodiscard]] constexpr std::uint32_t rotate_left(std::uint32_t lac) { return ((lac << 1) | (lac >> 18)) & 01777777U; }
-[[nodiscard]] constexpr std::uint32_t rotate_right(std::uint32_t lac) { return ((lac >> 1) | (lac << 18)) & 01777777U; }
+[[nodiscard]] constexpr std::uint32_t rotate_left(std::uint32_t lac) {
+  return ((lac << 1) | (lac >> 18)) & 01777777U;
+}
+[[nodiscard]] constexpr std::uint32_t rotate_right(std::uint32_t lac) {
+  return ((lac >> 1) | (lac << 18)) & 01777777U;
+}
 
 // Whether the skip microinstructions of `word` skip: the OR of the chosen conditions, inverted by bit 8.
 [[nodiscard]] constexpr bool operate_skips(std::uint32_t word, core::Word18 ac, bool link) {
@@ -35,7 +41,8 @@ inline constexpr std::uint32_t cma = 01, cml = 02, oas = 04, ral = 010, rar = 02
 }
 
 // Everything but HLT; `switches` are the AC switches, read only by OAS.
-[[nodiscard]] constexpr Operated operate(std::uint32_t word, core::Word18 ac, bool link, core::Word18 switches) {
+[[nodiscard]] constexpr Operated operate(std::uint32_t word, core::Word18 ac, bool link,
+                                         core::Word18 switches) {
   using namespace operate_bits;
   Operated result{ac, link, operate_skips(word, ac, link)};
   if ((word & cla) != 0) result.ac = core::Word18(0);

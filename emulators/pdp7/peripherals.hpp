@@ -1,10 +1,11 @@
-// The devices on the PDP-7's IOT bus other than a display: clock, reader, punch, teletype; which IOT pulse does what,
-// the IORS status word, the interrupt request and the skip tests.
+// The devices on the PDP-7's IOT bus other than a display: clock, reader, punch, teletype; which IOT pulse
+// does what, the IORS status word, the interrupt request and the skip tests.
 //
-// Bits 6-11 of an IOT choose the device, bits 12-13 its subdevice (040, 020 below), bits 15-17 make pulses 4, 2, 1,
-// which act in the order 1, 2, 4. Every device is brought up to date before it is touched and publishes the next
-// instant at which it will do something; one that is absent has none. Sources: PDP-4 manual pages 23 and 65, codes
-// and IORS bits as another simulator has them. The EAE step counter is left out of IORS (unknown).
+// Bits 6-11 of an IOT choose the device, bits 12-13 its subdevice (040, 020 below), bits 15-17 make pulses 4,
+// 2, 1, which act in the order 1, 2, 4. Every device is brought up to date before it is touched and publishes
+// the next instant at which it will do something; one that is absent has none. Sources: PDP-4 manual pages 23
+// and 65, codes and IORS bits as another simulator has them. The EAE step counter is left out of IORS
+// (unknown).
 #pragma once
 
 #include <algorithm>
@@ -61,7 +62,8 @@ class Peripherals {
     return reply;
   }
 
-  // Everything up to `now` has happened, except clock ticks, which need a memory cycle (see Clock::take_tick).
+  // Everything up to `now` has happened, except clock ticks, which need a memory cycle (see
+  // Clock::take_tick).
   void advance(core::Instant now) {
     reader.advance(now);
     punch.advance(now);
@@ -70,7 +72,8 @@ class Peripherals {
   }
 
   [[nodiscard]] core::Instant deadline() const {
-    return std::min({clock.deadline(), reader.deadline(), punch.deadline(), keyboard.deadline(), printer.deadline()});
+    return std::min(
+        {clock.deadline(), reader.deadline(), punch.deadline(), keyboard.deadline(), printer.deadline()});
   }
 
   [[nodiscard]] bool interrupt_request() const {
@@ -140,7 +143,8 @@ class Peripherals {
     if ((word & 02U) != 0) punch.clear_flag();
     if ((word & 04U) != 0) {
       const std::uint32_t line = reply.ac.value();
-      punch.start(now, static_cast<std::uint8_t>((word & subdevice) != 0 ? (line & 077U) | 0200U : line & 0377U));
+      punch.start(now,
+                  static_cast<std::uint8_t>((word & subdevice) != 0 ? (line & 077U) | 0200U : line & 0377U));
     }
     reply.answered |= word & 06U;
   }

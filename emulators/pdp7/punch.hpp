@@ -1,7 +1,7 @@
 // The paper-tape punch: PSA punches AC 10-17 as they are, PSB AC 12-17 with hole 8.
 //
-// The line is on the tape, and the flag up, one line time after the request; a request made before that replaces it,
-// as the punch buffer does. Codes as another simulator has them.
+// The line is on the tape, and the flag up, one line time after the request; a request made before that
+// replaces it, as the punch buffer does. Codes as another simulator has them.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // The paper-tape reader: RSA reads one line of eight holes, RSB a binary word of three lines with hole 8.
 //
-// A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape that ends
-// before the request is met leaves the reader running and its flag down. A new request abandons one under way, the
-// tape standing where it had come to. Codes: PDP-4 manual page 65; three-line words as another simulator has them.
+// A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape
+// that ends before the request is met leaves the reader running and its flag down. A new request abandons one
+// under way, the tape standing where it had come to. Codes: PDP-4 manual page 65; three-line words as another
+// simulator has them.
 #pragma once
 
 #include <cstddef>

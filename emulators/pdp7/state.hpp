@@ -1,7 +1,7 @@
 // The registers a PDP-7 program can see, and the word that saves them.
 //
-// MA, MB and IR live inside one instruction and are not kept. Source: PDP-4 manual page 17; the extend and trap bits
-// follow the Type 148 and the trap option of the PDP-7.
+// MA, MB and IR live inside one instruction and are not kept. Source: PDP-4 manual page 17; the extend and
+// trap bits follow the Type 148 and the trap option of the PDP-7.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,20 @@ namespace sightline::pdp7 {
 // A 15-bit core address; without the Type 148 only the low 13 bits are ever non-zero.
 using Address = std::uint32_t;
 
-inline constexpr Address bank_mask = 060000;    // which 8K bank
-inline constexpr Address in_bank_mask = 017777; // the place inside it
+inline constexpr Address bank_mask = 060000;     // which 8K bank
+inline constexpr Address in_bank_mask = 017777;  // the place inside it
 inline constexpr Address address_mask = 077777;
 
 // The address after `a`, inside the same 8K bank: 17777 is followed by 00000.
-[[nodiscard]] constexpr Address next_in_bank(Address a) { return (a & bank_mask) | ((a + 1) & in_bank_mask); }
+[[nodiscard]] constexpr Address next_in_bank(Address a) {
+  return (a & bank_mask) | ((a + 1) & in_bank_mask);
+}
 
 struct State {
   core::Word18 ac;
   core::Word18 mq;
-  core::Word<6> sc;      // step counter of the EAE, counting down to 0
-  Address pc = 0;        // 15 bits
+  core::Word<6> sc;  // step counter of the EAE, counting down to 0
+  Address pc = 0;    // 15 bits
   bool link = false;
   bool interrupts_on = false;
   bool interrupts_deferred = false;  // ION was the last instruction: one more runs before a break

@@ -1,8 +1,9 @@
 // The KSR 33 teletype: a keyboard and a printer that share nothing but the cabinet and the character time.
 //
-// The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been sent waits
-// for the line; one that arrives before the program has read the last overwrites it. The printer's flag rises one
-// character time after TLS; a TLS before that replaces the character. Codes as another simulator has them.
+// The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been
+// sent waits for the line; one that arrives before the program has read the last overwrites it. The printer's
+// flag rises one character time after TLS; a TLS before that replaces the character. Codes as another
+// simulator has them.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,9 @@ class Keyboard {
     }
   }
 
-  [[nodiscard]] core::Instant deadline() const { return next_ < keys_.size() ? keys_[next_].arrives : core::never; }
+  [[nodiscard]] core::Instant deadline() const {
+    return next_ < keys_.size() ? keys_[next_].arrives : core::never;
+  }
   [[nodiscard]] bool flag() const { return flag_; }
   void clear_flag() { flag_ = false; }
   [[nodiscard]] std::uint8_t buffer() const { return buffer_; }

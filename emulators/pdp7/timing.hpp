@@ -1,8 +1,8 @@
 // The times of a PDP-7 that no document at hand settles, in one place, each with its status.
 //
-// Everything that is a whole number of core cycles follows from the bus verbs of cpu.hpp and is not here. Status:
-// confirmed (a DEC document), memory (figures remembered from the 1965 users handbook, not verified), unknown (chosen;
-// the reason is beside it). Every value can be set per machine; none is read from the host.
+// Everything that is a whole number of core cycles follows from the bus verbs of cpu.hpp and is not here.
+// Status: confirmed (a DEC document), memory (figures remembered from the 1965 users handbook, not verified),
+// unknown (chosen; the reason is beside it). Every value can be set per machine; none is read from the host.
 #pragma once
 
 #include <array>
@@ -16,27 +16,29 @@ namespace sightline::pdp7 {
 inline constexpr core::Duration machine_cycle{1750};
 
 struct Timing {
-  // Stretch of the fetch cycle by each IOT device (bits 6-11). That slow cycles exist is confirmed (interface manual
-  // F-78A, "Slow Cycle Facility"); which devices ask for them and for how long is unknown. None by default.
+  // Stretch of the fetch cycle by each IOT device (bits 6-11). That slow cycles exist is confirmed (interface
+  // manual F-78A, "Slow Cycle Facility"); which devices ask for them and for how long is unknown. None by
+  // default.
   std::array<core::Duration, 64> iot_stretch{};
 
-  // Asynchronous stepping of the Type 177 EAE, added to the whole cycles. Unknown; the multiply and divide steps give
-  // the remembered worst cases of 6.1 us for 18 steps and 9.0 us for 19.
+  // Asynchronous stepping of the Type 177 EAE, added to the whole cycles. Unknown; the multiply and divide
+  // steps give the remembered worst cases of 6.1 us for 18 steps and 9.0 us for 19.
   core::Duration eae_setup{0};
   core::Duration eae_shift_step{140};
   core::Duration eae_normalize_step{140};
   core::Duration eae_multiply_step{144};
   core::Duration eae_divide_step{290};
 
-  // Program interrupt: Break cycles before the fetch at 1. Unknown; the PDP-4 uses one (PDP-4 manual, page 16).
+  // Program interrupt: Break cycles before the fetch at 1. Unknown; the PDP-4 uses one (PDP-4 manual, page
+  // 16).
   int interrupt_cycles = 1;
   // Clock tick: Break cycles for counting location 7. Unknown; read, count and rewrite fit in one core cycle.
   int clock_tick_cycles = 1;
   // Mains frequency. Confirmed as line-driven; 50 Hz in Cambridge, 60 Hz in the United States.
   std::int64_t clock_hertz = 50;
 
-  core::Duration reader_line{3'333'333};          // 300 lines a second; memory
-  core::Duration punch_line{15'797'788};          // 63.3 lines a second; memory
+  core::Duration reader_line{3'333'333};           // 300 lines a second; memory
+  core::Duration punch_line{15'797'788};           // 63.3 lines a second; memory
   core::Duration teletype_character{100'000'000};  // 10 characters a second; memory
 
   friend constexpr bool operator==(const Timing&, const Timing&) = default;

@@ -1,5 +1,5 @@
-// A display that only does what the PDP-7 can feel of one: it asks for the word at its address counter, steps on, asks
-// again a set time after each word, and stops with an interrupt request at a word of all ones.
+// A display that only does what the PDP-7 can feel of one: it asks for the word at its address counter, steps
+// on, asks again a set time after each word, and stops with an interrupt request at a word of all ones.
 #pragma once
 
 #include <cstdint>

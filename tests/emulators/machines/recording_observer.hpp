@@ -22,7 +22,9 @@ struct RecordingObserver {
     pdp7::State after;
   };
 
-  void instruction(const machines::InstructionRecord& r) { steps.push_back({r.time, r.end, r.pc, r.word, r.after}); }
+  void instruction(const machines::InstructionRecord& r) {
+    steps.push_back({r.time, r.end, r.pc, r.word, r.after});
+  }
   void cycle(const pdp7::Cycle& c) {
     events.push_back(c);
     if (c.verb == pdp7::Verb::write && c.address == stop_on_write) asked = true;

@@ -26,7 +26,9 @@ struct TranscriptCase {
   std::vector<std::pair<std::string, std::uint32_t>> end;
 };
 
-inline std::uint32_t octal(const std::string& text) { return static_cast<std::uint32_t>(std::stoul(text, nullptr, 8)); }
+inline std::uint32_t octal(const std::string& text) {
+  return static_cast<std::uint32_t>(std::stoul(text, nullptr, 8));
+}
 
 namespace detail {
 

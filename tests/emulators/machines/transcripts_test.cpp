@@ -19,13 +19,14 @@ using tests::TranscriptCase;
 using Machine = machines::BasicPdp7<tests::FakeDisplay, tests::RecordingObserver>;
 
 const std::vector<TranscriptCase>& all_cases() {
-  static const std::vector<TranscriptCase> cases = tests::read_transcripts(SIGHTLINE_TEST_DATA "/transcripts/pdp7");
+  static const std::vector<TranscriptCase> cases =
+      tests::read_transcripts(SIGHTLINE_TEST_DATA "/transcripts/pdp7");
   return cases;
 }
 
 std::string text_of(const pdp7::Cycle& cycle) {
-  static constexpr const char* names[] = {"read",       "write",       "modify",      "iot", "idle",
-                                          "break_read", "break_write", "break_modify"};
+  static constexpr const char* names[] = {"read", "write",      "modify",      "iot",
+                                          "idle", "break_read", "break_write", "break_modify"};
   std::ostringstream out;
   out << core::nanoseconds_of(cycle.time) << ' ' << names[static_cast<int>(cycle.verb)] << ' ';
   if (cycle.verb == pdp7::Verb::idle) {

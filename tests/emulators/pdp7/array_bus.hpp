@@ -1,5 +1,5 @@
-// The smallest bus a PDP-7 processor runs on: an array of words that counts its cycles, and devices that answer as the
-// test says.
+// The smallest bus a PDP-7 processor runs on: an array of words that counts its cycles, and devices that
+// answer as the test says.
 #pragma once
 
 #include <array>

@@ -1,10 +1,10 @@
 // Laws of the EAE over seeded random operands, in plain arithmetic of the host.
+#include "emulators/pdp7/eae.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <random>
-
-#include "emulators/pdp7/eae.hpp"
 
 namespace sightline {
 namespace {
@@ -15,7 +15,9 @@ constexpr std::uint64_t mask36 = (std::uint64_t{1} << 36) - 1;
 pdp7::EaeRegisters registers(std::uint32_t ac, std::uint32_t mq, bool link) {
   return {core::Word18(ac), core::Word18(mq), core::Word<6>(025), link};
 }
-std::uint64_t both(const pdp7::EaeRegisters& r) { return (std::uint64_t{r.ac.value()} << 18) | r.mq.value(); }
+std::uint64_t both(const pdp7::EaeRegisters& r) {
+  return (std::uint64_t{r.ac.value()} << 18) | r.mq.value();
+}
 std::int64_t ones(std::uint32_t word) {
   return (word & 0400000U) != 0 ? -static_cast<std::int64_t>(~word & mask) : static_cast<std::int64_t>(word);
 }
@@ -115,7 +117,8 @@ TEST_F(EaeLaws, LongShiftsMoveThirtySixBitsAndFillWithTheLink) {
     const auto short_left = pdp7::execute_eae(0640700 + count, before, {}).registers;
     ASSERT_EQ(short_left.mq, before.mq);
     ASSERT_EQ(short_left.ac.value(),
-              pdp7::execute_eae(0640600 + count, registers(before.ac.value(), before.link ? mask : 0, before.link), {})
+              pdp7::execute_eae(0640600 + count,
+                                registers(before.ac.value(), before.link ? mask : 0, before.link), {})
                   .registers.ac.value());
   }
 }

@@ -1,10 +1,12 @@
-// The instruction table as a check on the processor: its cycles against the bus verbs an instruction really uses.
+// The instruction table as a check on the processor: its cycles against the bus verbs an instruction really
+// uses.
+#include "emulators/pdp7/isa.hpp"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string_view>
 
-#include "emulators/pdp7/isa.hpp"
 #include "tests/emulators/pdp7/array_bus.hpp"
 
 namespace sightline {

@@ -1,10 +1,11 @@
 // All operate words against a rule that works on one bit at a time and shares nothing with the processor's.
+#include "emulators/pdp7/operate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <utility>
 
-#include "emulators/pdp7/operate.hpp"
 #include "tests/emulators/pdp7/array_bus.hpp"
 
 namespace sightline {
@@ -20,7 +21,9 @@ Bits bits_of(std::uint32_t ac, bool link) {
   return bits;
 }
 
-bool microbit(std::uint32_t word, unsigned dec_bit) { return ((word >> (17 - dec_bit)) & 1U) != 0; }
+bool microbit(std::uint32_t word, unsigned dec_bit) {
+  return ((word >> (17 - dec_bit)) & 1U) != 0;
+}
 
 std::pair<Bits, bool> rule(std::uint32_t word, Bits b, std::uint32_t switches) {
   bool zero = true;
@@ -65,7 +68,8 @@ TEST(Pdp7Operate, EveryWordObeysTheOrderOfEvents) {
         state.link = link;
         const pdp7::State after = tests::run_on_array(machine, state);
         const auto [bits, skip] = rule(word, bits_of(ac, link), switches);
-        ASSERT_EQ(bits_of(after.ac.value(), after.link), bits) << std::oct << word << " AC=" << ac << " L=" << link;
+        ASSERT_EQ(bits_of(after.ac.value(), after.link), bits)
+            << std::oct << word << " AC=" << ac << " L=" << link;
         ASSERT_EQ(after.pc, skip ? 0102U : 0101U) << std::oct << word << " AC=" << ac << " L=" << link;
       }
     }

@@ -36,8 +36,8 @@ TEST(Pdp7Vectors, AllResultsOfAnotherSimulatorAreReproduced) {
     state.mq = core::Word18(v[2]);
     state.link = v[3] != 0;
     const pdp7::State after = tests::run_on_array(machine, state);
-    const std::vector<std::uint32_t> got{after.ac.value(), after.mq.value(), after.link ? 1U : 0U, after.sc.value(),
-                                         after.pc};
+    const std::vector<std::uint32_t> got{after.ac.value(), after.mq.value(), after.link ? 1U : 0U,
+                                         after.sc.value(), after.pc};
     ASSERT_EQ(got, (std::vector<std::uint32_t>(v.begin() + 5, v.end()))) << line;
     ++cases;
   }
