@@ -6,20 +6,20 @@
 / octal; negate is cma, tad (1.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
-/ constants   07722 records   11273 mask stack   12305 and 15142 the two display
+/ constants   10035 records   11406 mask stack   12420 and 15210 the two display
 / files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
 
-recs=7722               / records of openings: 5 words each
+recs=10035              / records of openings: 5 words each
 recmax=224              / 148 of them
-recend=11266            / and one for an opening beyond these
-stack=11273
-stkend=12175            / 450 words; one frame more may be written beyond
-filea=12305
-fileb=15142
-filsiz=2635             / 1437 words each
+recend=11401            / and one for an opening beyond these
+stack=11406
+stkend=12310            / 450 words; one frame more may be written beyond
+filea=12420
+fileb=15210
+filsiz=2570             / 1400 words each
 
 mulac=640122            / MUL that keeps AC: it is added to the product
 

@@ -163,6 +163,9 @@ crossb, jms plane
 cross1, lac r
         jms zleast      / the least z at which the plane is in the bound
         dac zh
+        cma
+        tad (1
+        dac nzh
         clc
         dac ringf
         lac (polq-1
@@ -175,6 +178,7 @@ cross1, lac r
         tad (777777
         dac 10
         jms chain
+        lac pcur
         jms wrap
         lac pn
         tad (777775
@@ -531,7 +535,8 @@ axis2,  0
 revers, 0               / the ring runs clockwise on the screen
 ringf,  0               / nonzero: collect the outline as a polygon
 r,      0               / the opening's plane as seen from the eye
-zh,     0               / the opening's least z in the bound
+zh,     0               / the opening's least z in the bound, and minus it
+nzh,    0
 ucell,  0               / the coordinate that varies along the plane
 rec,    0               / the opening's record
 crossf, 0

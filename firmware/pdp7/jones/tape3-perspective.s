@@ -55,7 +55,16 @@ setb1,  0               / K doubles: the cap halves
 / The bound B = min(K*z, 377777) and the divisor, for the point's new z.
 newz,   0
         lac pz
-        jms setz
+        IFNZRO EAE <
+        dac pjz
+        rcr
+        dac pjh
+        >
+        IFZERO EAE <
+        cma
+        tad (1
+        dac pjnz
+        >
         lac pz
         tad nzcap
         sma
@@ -99,11 +108,6 @@ chain,  0
         dac nvec
 vector, lac i 10
         dac vecw
-        and (77777      / sign-extend the magnitude
-        xor (40000
-        tad (740000
-        dac mag
-        lac vecw
         rtl             / L = bit 1, AC0 = bit 2
         szl
         jmp vecjk
@@ -113,7 +117,11 @@ vector, lac i 10
 / Along i: y and z stay.
         lac px
         dac told
-        tad mag
+        lac vecw
+        and (77777      / sign-extend the magnitude
+        xor (40000
+        tad (740000
+        tad px
         dac px
         lac vecw
         sma
@@ -192,7 +200,11 @@ vecjk,  spa
 / Along j: x and z stay.
         lac py
         dac told
-        tad mag
+        lac vecw
+        and (77777
+        xor (40000
+        tad (740000
+        tad py
         dac py
         lac vecw
         sma
@@ -268,7 +280,12 @@ vecjz,  dzm vy
 / Along k: x and y stay, both projections move.
 veck,   lac pz
         dac told
-        tad mag
+        lac vecw
+        and (77777
+        xor (40000
+        tad (740000
+        dac mag
+        tad pz
         dac pz
         lac vecw
         sma
@@ -315,7 +332,8 @@ veck3,  lac sx
         clc
         dac vx
         dac vy
-        jmp veckl
+        jms clip2
+        jmp vecend      / no bend: both ends are in the bound
 veck5,  lac px          / raise both ends to the least z in the bound
         jms zleast
         dac zmin
@@ -355,8 +373,21 @@ veck5,  lac px          / raise both ends to the least z in the bound
 veckl,  jms clip2
         jmp veckm
 veckz,  jms newz
-        dzm vx
+        lac ringf
+        sna
+        jmp veckd
+        lac vx
+        sza
+        lac vy
+        sna
+        jmp veckb
+        lac mag
+        sma
+        jmp veckd       / going away from a point in the bound: no bend
+veckb,  jms middle
+veckd,  dzm vx
         dzm vy
+        jmp vecend
 veckm,  lac ringf
         sza
         jms middle
@@ -371,9 +402,7 @@ vecnxt, lac ringf
 
 / Append the corner reached, drawn back into the bound, to the polygon.
 corner, 0
-        lac zh
-        cma
-        tad (1
+        lac nzh
         tad pz
         spa
         jmp corne3      / nearer than the plane's least z

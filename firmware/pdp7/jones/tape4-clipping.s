@@ -286,6 +286,9 @@ getedg, 0
         dac edx
         lac i 13
         dac edy
+        cma
+        tad (1
+        dac nedy
         jmp i getedg
 
 / On which side of the edge is (spx, spy)?  AC negative: outside.  The signs
@@ -343,9 +346,7 @@ dist2,  0
         lac spx
         tad neax
         dac smb
-        lac edy
-        cma
-        tad (1
+        lac nedy
         jms addprd
         jmp i dist2
 
@@ -442,6 +443,7 @@ neax,   0               / minus the start of the edge
 neay,   0
 edx,    0               / its vector
 edy,    0
+nedy,   0
 eu,     0
 ev,     0
 acch,   0               / double accumulator

@@ -181,24 +181,17 @@ appen2, lac apy
         lac apx
         jmp appen1
 
-/ The polygon is complete: count it, and drop the last vertex if it equals the
-/ first.
+/ The polygon written behind the word AC is complete: count it, and drop the
+/ last vertex if it equals the first.
 wrap,   0
+        tad (1
+        dac t1
         lac pnroom
         tad (21
         dac pn
         tad (777776
         spa
         jmp i wrap
-        lac 11          / the first vertex is 2*pn words back
-        tad (1
-        dac t1
-        lac pn
-        rcl
-        cma
-        tad (1
-        tad t1
-        dac t1
         lac i t1
         sad lastx
         skp
@@ -298,8 +291,13 @@ isec0,  lac (0
         jmp i isect
 
 / One round of clipping against the line whose distance of (lbx, lby) the
-/ three instructions at shd1 give; the third comes in AC.  AC on return = the
-/ number of vertices, or 0.
+/ three instructions at shd1 give; the third comes in AC.  p is (lax, lay) at
+/ distance dp, q the vertex after it.  AC on return = the number of vertices,
+/ or 0.
+shd1,   lac lbx
+shd2,   cma
+shd3,   tad xhi1
+
 shpass, 0
         dac shd3
         lac pcur
@@ -324,79 +322,81 @@ shpass, 0
         xct shd3
         dac dp
         dac shfd
-        dzm shwrap
-        jmp shstp1
-shnext, lac i 12
-        dac lbx
-        lac i 12
-        dac lby
-shd1,   lac lbx
-shd2,   cma
-shd3,   tad xhi1
-        dac dq
-shside, lac dp
         spa
         jmp shout
-        lac lax         / p is inside: append it
-        sad lastx
-        jmp shapp
+
+/ p is inside: it stays.  It cannot repeat the vertex before.
+shin,   lac lax
         dac i 11
-        dac lastx
         lac lay
         dac i 11
-        dac lasty
         isz pnroom
         skp
         jmp flt4
-        lac dq
-        sma
-        jmp shstep
-        jmp shcros
-shapp,  dac apx         / it may repeat the last
+shin1,  isz shcnt
+        jmp shin2
+        lac lax
+        dac lastx
         lac lay
-        dac apy
-        jms append
-        lac dq
-        sma
-        jmp shstep
-        jmp shcros
-shout,  lac dq
+        dac lasty
+        jms shlast      / from the last vertex to the first
         spa
-        jmp shstep
-shcros, lac shd1
-        sad (jms shslop
-        jmp shcr1
-        jms ratio1
-        jmp shcr2
-shcr1,  jms both2
-shcr2,  jms cross
-        lac crx
-        dac apx
-        lac cry
-        dac apy
-        jms append
-shstep, lac lbx
+        jms shcros
+        jmp shdone
+shin2,  lac i 12
+        dac lbx
+        lac i 12
+        dac lby
+        xct shd1
+        xct shd2
+        xct shd3
+        spa
+        jmp shin3
+        dac dp
+        lac lbx
         dac lax
         lac lby
         dac lay
-        lac dq
-        dac dp
-shstp1, isz shcnt
-        jmp shnext
-        lac shwrap      / one side more: from the last vertex to the first
-        sza
-        jmp shlast
-        lac shfx
+        jmp shin
+shin3,  dac dq          / it leaves
+        lac lax
+        dac lastx
+        lac lay
+        dac lasty
+        jms shcros
+
+shout,  isz shcnt
+        jmp shout1
+        jms shlast
+        sma
+        jms shcros
+        jmp shdone
+shout1, lac i 12
         dac lbx
-        lac shfy
+        lac i 12
         dac lby
-        lac shfd
-        dac dq
-        clc
-        dac shcnt
-        dac shwrap
-        jmp shside
-shlast, jms wrap
+        xct shd1
+        xct shd2
+        xct shd3
+        sma
+        jmp shout2
+        dac dp
+        lac lbx
+        dac lax
+        lac lby
+        dac lay
+        jmp shout
+shout2, dac dq          / it enters; the first vertex may be the crossing
+        jms shcros
+        lac lax
+        dac apx
+        lac lay
+        dac apy
+        jms append
+        jmp shin1
+
+shdone, lac palt
+        jms wrap
         lac pcur        / the result is the current polygon
         dac t1
         lac palt
@@ -411,6 +411,36 @@ shlast, jms wrap
         jmp i shpass
 shnone, lac (0
         jmp i shpass
+
+shlast, 0               / q = the first vertex: AC its distance
+        lac shfx
+        dac lbx
+        lac shfy
+        dac lby
+        lac shfd
+        dac dq
+        jmp i shlast
+
+shcros, 0               / append the crossing of p-q; q becomes p
+        lac shd1
+        sad (jms shslop
+        jmp shcr1
+        jms ratio1
+        skp
+shcr1,  jms both2
+        jms cross
+        lac crx
+        dac apx
+        lac cry
+        dac apy
+        jms append
+        lac lbx
+        dac lax
+        lac lby
+        dac lay
+        lac dq
+        dac dp
+        jmp i shcros
 
 shslop, 0               / the side of the sloped edge
         lac lbx
@@ -537,7 +567,6 @@ bylo,   0
 byhi,   0
 shcnt,  0
 shfd,   0
-shwrap, 0
 shfx,   0
 shfy,   0
 nfx,    0
