@@ -1,8 +1,8 @@
 // Core images for tests of Jones's program: data elements put together by hand, word by word.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "emulators/core/word.hpp"
@@ -84,5 +84,16 @@ class TestCore {
     return at;
   }
 };
+
+// A row of doorways whose left sides lie on one ray through the eye.
+inline TestCore grazing_doorways(std::int32_t count) {
+  std::vector<TestChain> cells(static_cast<std::size_t>(count) + 1);
+  std::vector<TestOpening> openings;
+  for (std::int32_t i = 1; i <= count; ++i) {
+    openings.push_back(
+        {static_cast<std::size_t>(i) - 1, static_cast<std::size_t>(i), doorway(100 * i, i, 80, -20, 20)});
+  }
+  return {cells, openings};
+}
 
 }  // namespace sightline::harness::jones
