@@ -1,8 +1,8 @@
 // What all subcommands of `sightline` share: exit codes, how they fail, how they read and write.
 //
-// Data goes to standard output, talk to standard error. A subcommand returns by setting its exit code, or throws a
-// Failure, which main prints. Outputs appear whole or not at all: they are opened before the work, so that a path that
-// cannot be written is known at once, and put in their places after it.
+// Data goes to standard output, talk to standard error. A subcommand returns by setting its exit code, or
+// throws a Failure, which main prints. Outputs appear whole or not at all: they are opened before the work,
+// so that a path that cannot be written is known at once, and put in their places after it.
 #pragma once
 
 #include <cstdint>

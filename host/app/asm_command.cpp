@@ -1,0 +1,156 @@
+// See asm_command.hpp.
+#include "host/app/asm_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tools/asm/pdp7.hpp"
+#include "tools/image/octal.hpp"
+#include "tools/image/tape.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+struct AsmArguments {
+  std::vector<std::string> sources;
+  std::vector<std::string> defines;
+  std::string output;
+  std::string format = "rim";
+  std::string listing;
+  std::string symbols;
+  bool twos_complement = false;
+  bool undefined_are_variables = false;
+  bool first_line_is_title = false;
+};
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  sightline asm pdp7 hello.s -o hello.rim --listing hello.lst\n"
+    "      a tape for `sightline run pdp7 --load hello.rim`, and a listing to read beside it\n"
+    "  sightline asm pdp7 -D EAE=0 program.s data.s --format octal -o program.oct\n"
+    "      two source tapes of one program, for a machine without the EAE, as an octal core image\n\n"
+    "The sources are read one after the other, as the tapes of one program; `-` is standard input. Numbers "
+    "are octal.\n"
+    "rim: paper tape in read-in mode, carries addresses below 20000 and the start address. hri: tape for the "
+    "READ IN\n"
+    "key, carries no address: load it with FILE@ADDRESS. octal: text, six-digit words, `NNNNN:` sets the "
+    "address, no\n"
+    "start address. Errors name file:line:column; when there is one nothing is written.\n";
+
+// "found X, expected Y" from the reader of definitions becomes a Failure.
+assembler::Options options_from(const AsmArguments& arguments) {
+  assembler::Options options;
+  for (const std::string& text : arguments.defines) {
+    auto define = assembler::parse_define(text);
+    if (const auto* message = std::get_if<std::string>(&define)) {
+      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
+    }
+    options.defines.push_back(std::get<assembler::Define>(std::move(define)));
+  }
+  options.twos_complement = arguments.twos_complement;
+  options.undefined_are_variables = arguments.undefined_are_variables;
+  options.first_line_is_title = arguments.first_line_is_title;
+  return options;
+}
+
+picture::Bytes encoded(const image::CoreImage& core, const AsmArguments& arguments) {
+  if (arguments.format == "octal") {
+    const std::string text = image::write_octal(core);
+    return {text.begin(), text.end()};
+  }
+  const std::string file = arguments.output == "-" ? "standard output" : arguments.output;
+  const auto tape = arguments.format == "hri" ? image::write_hri(core, file) : image::write_rim(core, file);
+  if (!tape) throw Failure(ExitCode::bad_input, image::to_string(tape.error()));
+  return tape.value();
+}
+
+std::string summary(const assembler::Assembly& assembly, const AsmArguments& arguments) {
+  const auto& words = assembly.image.words;
+  std::string text = fmt::format("{} words", words.size());
+  if (!words.empty()) text += fmt::format(" in {:05o}-{:05o}", words.begin()->first, words.rbegin()->first);
+  if (assembly.image.start) {
+    text += fmt::format(", start {:05o}", *assembly.image.start);
+  } else {
+    text += ", no start address";
+  }
+  text += fmt::format(", {} symbols", assembly.symbols.size());
+  if (arguments.output.empty()) return text + "; checked only, -o FILE writes it";
+  if (arguments.format == "hri" && !words.empty())
+    text += fmt::format("; load it @{:o}", words.begin()->first);
+  return text;
+}
+
+void refuse_two_on_stdout(const AsmArguments& arguments) {
+  const int on_stdout = (arguments.output == "-" ? 1 : 0) + (arguments.listing == "-" ? 1 : 0) +
+                        (arguments.symbols == "-" ? 1 : 0);
+  if (on_stdout > 1) throw Failure(ExitCode::usage, "only one of -o, --listing and --symbols can be `-`");
+}
+
+void assemble(const AsmArguments& arguments) {
+  refuse_two_on_stdout(arguments);
+  const assembler::Options options = options_from(arguments);
+  std::vector<assembler::SourceFile> sources;
+  for (const std::string& path : arguments.sources)
+    sources.push_back({shown_name(path), read_input_text(path)});
+  const assembler::Assembly assembly = assembler::assemble_pdp7(sources, options);
+  for (const auto& diagnostic : assembly.diagnostics)
+    fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
+  if (!assembly.ok()) throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
+
+  std::vector<Output> outputs;
+  const auto put = [&outputs](const std::string& path, const auto& content) {
+    if (path.empty()) return;
+    outputs.emplace_back(path).write(content);
+  };
+  if (!arguments.output.empty())
+    put(arguments.output, std::span<const std::uint8_t>(encoded(assembly.image, arguments)));
+  put(arguments.listing, std::string_view(assembler::write_listing(assembly.listing)));
+  put(arguments.symbols, std::string_view(assembler::write_symbols(assembly.symbols)));
+  for (Output& output : outputs) output.commit();
+  complain(summary(assembly, arguments));
+}
+
+}  // namespace
+
+void add_asm_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command = app.add_subcommand("asm", "Assemble symbolic source");
+  command->require_subcommand(1);
+  CLI::App* const pdp7 =
+      command->add_subcommand("pdp7", "Assemble PDP-7 symbolic source (DEC syntax, DIGITAL-7-3-S)");
+  const auto arguments = std::make_shared<AsmArguments>();
+  pdp7->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")->required();
+  pdp7->add_option("-D", arguments->defines,
+                   "Define a symbol, NAME=VALUE, VALUE in octal; wins over the source's own")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  pdp7->add_option("-o,--output", arguments->output, "Where the program goes; - is standard output")
+      ->type_name("FILE");
+  pdp7->add_option("--format", arguments->format, "Form of the program: rim, hri or octal")
+      ->check(CLI::IsMember({"rim", "hri", "octal"}))
+      ->capture_default_str()
+      ->type_name("FORMAT");
+  pdp7->add_option("--listing", arguments->listing, "Write address, octal word and source, line by line")
+      ->type_name("FILE");
+  pdp7->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
+      ->type_name("FILE");
+  pdp7->add_flag("--twos-complement", arguments->twos_complement,
+                 "-1 is 777777 (default: one's complement, 777776)");
+  pdp7->add_flag("--undefined-are-variables", arguments->undefined_are_variables,
+                 "DEC's rule: an undefined symbol is a variable (default: an error)");
+  pdp7->add_flag("--title", arguments->first_line_is_title,
+                 "The first line of each source is a title, not assembled");
+  pdp7->footer(examples);
+  pdp7->callback([arguments, &exit_code] {
+    assemble(*arguments);
+    exit_code = ExitCode::ok;
+  });
+}
+
+}  // namespace sightline::app

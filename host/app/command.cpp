@@ -1,0 +1,107 @@
+// See command.hpp.
+#include "host/app/command.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <system_error>
+
+namespace sightline::app {
+
+namespace {
+
+constexpr std::size_t largest_input = std::size_t{1} << 30;
+
+picture::Bytes read_stdin() {
+  picture::Bytes bytes;
+  std::vector<std::uint8_t> block(65536);
+  while (true) {
+    const std::size_t n = std::fread(block.data(), 1, block.size(), stdin);
+    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(n));
+    if (bytes.size() > largest_input) throw Failure(ExitCode::io, "standard input: more than 1 GiB");
+    if (n == block.size()) continue;
+    if (std::ferror(stdin) != 0) throw Failure(ExitCode::io, "standard input: cannot read");
+    return bytes;
+  }
+}
+
+}  // namespace
+
+void complain(std::string_view text) {
+  fmt::print(stderr, "sightline: {}\n", text);
+}
+void warn(std::string_view text) {
+  fmt::print(stderr, "sightline: warning: {}\n", text);
+}
+
+std::string shown_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+picture::Bytes read_input(const std::string& path) {
+  if (path == "-") return read_stdin();
+  auto bytes = picture::read_file(path, largest_input);
+  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  return std::move(*bytes);
+}
+
+std::string read_input_text(const std::string& path) {
+  const picture::Bytes bytes = read_input(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_stdout(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
+}
+
+void check_stdout() {
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    const int code = errno != 0 ? errno : EIO;
+    throw Failure(ExitCode::io, "standard output: cannot write: " + std::generic_category().message(code));
+  }
+}
+
+Output::Output(const std::string& path) {
+  if (path == "-") return;
+  auto file = picture::AtomicFile::create(path);
+  if (!file) throw Failure(ExitCode::io, file.error().message());
+  file_ = std::make_unique<picture::AtomicFile>(std::move(*file));
+}
+
+void Output::write(std::string_view text) {
+  if (file_) {
+    file_->write(text);
+  } else {
+    write_stdout(text);
+  }
+}
+
+void Output::write(std::span<const std::uint8_t> bytes) {
+  if (file_) {
+    file_->write(bytes);
+  } else {
+    static_cast<void>(std::fwrite(bytes.data(), 1, bytes.size(), stdout));
+  }
+}
+
+void Output::commit() {
+  if (!file_) return check_stdout();
+  const auto done = file_->commit();
+  if (!done) throw Failure(ExitCode::io, done.error().message());
+}
+
+std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
+                             std::string_view what) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 8);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || value > most) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
+  }
+  return value;
+}
+
+}  // namespace sightline::app

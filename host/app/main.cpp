@@ -1,0 +1,116 @@
+// The command `sightline`: finds the subcommand, prints what it fails with, and gives its exit code.
+//
+// Exit codes are this program's own (command.hpp), not those of the command-line library.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "host/app/asm_command.hpp"
+#include "host/app/command.hpp"
+#include "host/app/disasm_command.hpp"
+#include "host/app/run_command.hpp"
+#include "host/app/scene_command.hpp"
+
+namespace {
+
+using sightline::app::ExitCode;
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  sightline asm pdp7 hello.s -o hello.rim && sightline run pdp7 --load hello.rim\n"
+    "      assemble a program and run it on the PDP-7\n"
+    "  sightline scene info roberts\n"
+    "      what one of the built-in scenes is made of\n\n"
+    "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal. Data "
+    "goes to\n"
+    "standard output, messages to standard error.\n";
+
+// From the whole command to the subcommand the user got to.
+std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
+  std::vector<const CLI::App*> way{&app};
+  for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands()) {
+    way.push_back(below.front());
+  }
+  return way;
+}
+
+void finish_help(CLI::App& app) {
+  app.footer(app.get_footer() + (app.get_footer().empty() ? "" : "\n") +
+             std::string(sightline::app::exit_code_help));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) finish_help(*command);
+}
+
+std::vector<const CLI::App*> choices(const CLI::App& command) {
+  return command.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// A command that only chooses between others shows their options too; one that has a single choice, that one.
+void print_help(const CLI::App& app) {
+  std::vector<const CLI::App*> path = way_to_subcommand(app);
+  if (path.size() > 1 && choices(*path.back()).size() == 1) path.push_back(choices(*path.back()).front());
+  const bool expand = path.size() > 1 && !choices(*path.back()).empty();
+  std::string parents;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) parents += (i == 0 ? "" : " ") + path[i]->get_name();
+  sightline::app::write_stdout(
+      path.back()->help(parents, expand ? CLI::AppFormatMode::All : CLI::AppFormatMode::Normal));
+}
+
+// The library only says that a subcommand is required.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = *way_to_subcommand(app).back();
+  if (choices(command).empty()) return error.what();
+  std::string names;
+  for (const CLI::App* choice : choices(command)) names += (names.empty() ? "" : ", ") + choice->get_name();
+  const auto rest = command.remaining();
+  return (rest.empty() ? "found no more arguments" : "found \"" + rest.front() + "\"") +
+         ", expected one of " + names;
+}
+
+ExitCode run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print_help(app);
+  } catch (const CLI::CallForVersion& version) {
+    sightline::app::write_stdout(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    sightline::app::complain(explain(app, error));
+    std::string name;
+    for (const CLI::App* command : way_to_subcommand(app)) name += command->get_name() + " ";
+    sightline::app::complain("see `" + name + "--help`");
+    return ExitCode::usage;
+  }
+  sightline::app::check_stdout();
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ExitCode exit_code = ExitCode::ok;
+  try {
+    CLI::App app("Sightline: hidden-line programs of 1971-1990 on the machines they were written for",
+                 "sightline");
+    app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
+    app.require_subcommand(1);
+    sightline::app::add_asm_command(app, exit_code);
+    sightline::app::add_disasm_command(app, exit_code);
+    sightline::app::add_run_command(app, exit_code);
+    sightline::app::add_scene_command(app, exit_code);
+    app.footer(examples);
+    finish_help(app);
+    exit_code = run(app, argc, argv, exit_code);
+  } catch (const sightline::app::Failure& failure) {
+    sightline::app::complain(failure.what());
+    exit_code = failure.code();
+  } catch (const std::bad_alloc&) {
+    sightline::app::complain("not enough memory");
+    exit_code = ExitCode::io;
+  } catch (const std::exception& error) {
+    sightline::app::complain(std::string("internal error: ") + error.what());
+    exit_code = ExitCode::io;
+  }
+  return static_cast<int>(exit_code);
+}

@@ -1,0 +1,66 @@
+// See progress.hpp.
+#include "host/app/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace sightline::app {
+
+namespace {
+
+// The one thing a signal handler may write to.
+volatile std::sig_atomic_t interrupt_pressed = 0;
+
+extern "C" void remember_interrupt(int) {
+  interrupt_pressed = 1;
+}
+
+bool is_terminal() {
+  const char* const kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+}  // namespace
+
+InterruptKey::InterruptKey() {
+  interrupt_pressed = 0;
+  struct sigaction action {};
+  action.sa_handler = &remember_interrupt;
+  // The handler goes after the first time: a run that does not come to an end can still be ended.
+  action.sa_flags = SA_RESETHAND;
+  static_cast<void>(sigaction(SIGINT, &action, nullptr));
+}
+
+InterruptKey::~InterruptKey() {
+  static_cast<void>(std::signal(SIGINT, SIG_DFL));
+}
+
+bool InterruptKey::pressed() {
+  return interrupt_pressed != 0;
+}
+
+ProgressLine::ProgressLine()
+    : next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)), terminal_(is_terminal()) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::show(const harness::Progress& progress) {
+  if (!terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  shown_ = true;
+  fmt::print(stderr, "\r\033[K{:.1f} s emulated, {} million instructions (Ctrl-C stops)",
+             static_cast<double>(core::nanoseconds_of(progress.now)) / 1e9,
+             progress.instructions / 1'000'000);
+  static_cast<void>(std::fflush(stderr));
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,38 @@
+// What a person in front of a long run sees and can do: a line of progress on a terminal, and Ctrl-C.
+#pragma once
+
+#include <chrono>
+
+#include "host/harness/run_pdp7.hpp"
+
+namespace sightline::app {
+
+// While it lives the first Ctrl-C is remembered instead of ending the process; a second one ends it.
+class InterruptKey {
+ public:
+  InterruptKey();
+  ~InterruptKey();
+  InterruptKey(const InterruptKey&) = delete;
+  InterruptKey& operator=(const InterruptKey&) = delete;
+
+  [[nodiscard]] static bool pressed();
+};
+
+// Rewrites one line on standard error a few times a second, beginning after one second; nothing unless
+// standard error is a terminal that can. Host time decides when it is shown, never what the run does.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const harness::Progress& progress);
+
+ private:
+  std::chrono::steady_clock::time_point next_;
+  bool terminal_ = false;
+  bool shown_ = false;
+};
+
+}  // namespace sightline::app

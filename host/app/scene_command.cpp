@@ -1,0 +1,245 @@
+// See scene_command.hpp.
+#include "host/app/scene_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/app/scene_argument.hpp"
+#include "host/scene/builtin.hpp"
+#include "host/scene/check.hpp"
+#include "host/scene/encode.hpp"
+#include "host/scene/read.hpp"
+#include "host/scene/tape.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct SceneArguments {
+  std::string scene;
+  std::string at;
+  std::string output = "-";
+  bool json = false;
+};
+
+void print_json(const ordered_json& document) {
+  write_stdout(document.dump(2) + "\n");
+}
+
+scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
+  auto result = scene::encode(scene);
+  if (auto* error = std::get_if<scene::SceneError>(&result)) {
+    error->source = source;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  return std::get<scene::EncodedScene>(std::move(result));
+}
+
+// --- tape
+
+constexpr const char* tape_examples =
+    "Examples:\n"
+    "  sightline scene tape house -o house.s\n"
+    "      the source tape that is assembled together with the program\n"
+    "  sightline scene tape my-room.json --at 120,60,30 -o room.s\n"
+    "      a scene of your own, seen from another point; its cell becomes the initial one\n\n"
+    "--at takes decimal numbers; x points right, y up, z away from the viewer. A point inside a solid, "
+    "outside\n"
+    "everything, or too near the far side of its cell is an error.\n";
+
+void tape(const SceneArguments& arguments) {
+  scene::TapeOptions options;
+  if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
+  const scene::CellScene scene = load_scene(arguments.scene);
+  auto text = scene::write_tape(scene, options);
+  if (auto* error = std::get_if<scene::SceneError>(&text)) {
+    error->source = arguments.scene;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  Output output(arguments.output);
+  output.write(std::get<std::string>(text));
+  output.commit();
+}
+
+void add_tape(CLI::App& parent, ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand("tape", "Write a scene as the program's source tape");
+  const auto arguments = std::make_shared<SceneArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  command->add_option("--at", arguments->at, "The eye (default: the scene's own view)")->type_name("X,Y,Z");
+  command->add_option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
+      ->capture_default_str()
+      ->type_name("FILE");
+  command->footer(tape_examples);
+  command->callback([arguments, &exit_code] {
+    tape(*arguments);
+    exit_code = ExitCode::ok;
+  });
+}
+
+// --- check
+
+constexpr const char* check_examples =
+    "Examples:\n"
+    "  sightline scene check my-room.json\n"
+    "      every error on a line: file, cell, opening or solid, and what is wrong with it\n"
+    "  sightline scene check --json my-room.json\n"
+    "      the same as one JSON document, for a program\n\n"
+    "Checked, exactly: cells and solids overlap nowhere and fill the outer box; every opening is shared by "
+    "its two\n"
+    "cells and its outline closes; every point of every face is opaque or in one opening; lines lie on their "
+    "cell; the\n"
+    "default view is in a cell. A scene with errors ends with exit code 4.\n";
+
+std::vector<scene::SceneError> errors_of(const std::string& name) {
+  require_scene_exists(name);
+  const auto builtin = scene::builtin_scene_text(name);
+  const std::string text = builtin ? std::string(*builtin) : read_input_text(name);
+  const auto read = scene::read_cell_scene(text, name);
+  if (const auto* error = std::get_if<scene::SceneError>(&read)) return {*error};
+  auto errors = scene::check_scene(std::get<scene::CellScene>(read));
+  for (scene::SceneError& error : errors) error.source = name;
+  return errors;
+}
+
+ExitCode check(const SceneArguments& arguments) {
+  const auto errors = errors_of(arguments.scene);
+  if (arguments.json) {
+    ordered_json document{
+        {"schema", "sightline/scene-check/1"}, {"scene", arguments.scene}, {"possible", errors.empty()}};
+    document["errors"] = ordered_json::array();
+    for (const auto& error : errors)
+      document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
+    print_json(document);
+  } else {
+    for (const auto& error : errors) complain(error.message());
+    if (errors.empty()) write_stdout(arguments.scene + ": a possible scene\n");
+  }
+  return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
+}
+
+void add_check(CLI::App& parent, ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand("check", "Say everything that is wrong with a scene");
+  const auto arguments = std::make_shared<SceneArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
+  command->footer(check_examples);
+  command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+}
+
+// --- info
+
+constexpr const char* info_examples =
+    "Examples:\n"
+    "  sightline scene info street4\n"
+    "      how many cells, openings and lines, and how much of core they take\n"
+    "  sightline scene info --json street4\n"
+    "      the same as one JSON document\n";
+
+std::string text_of(const geometry::Point& p) {
+  return fmt::format("{},{},{}", p[0], p[1], p[2]);
+}
+
+std::string text_of(const geometry::Box& box) {
+  return fmt::format("x {}..{}  y {}..{}  z {}..{}", box.low[0], box.high[0], box.low[1], box.high[1],
+                     box.low[2], box.high[2]);
+}
+
+ordered_json json_of(const geometry::Box& box) {
+  return ordered_json::array({box.low, box.high});
+}
+
+void info(const SceneArguments& arguments) {
+  const scene::CellScene scene = load_scene(arguments.scene);
+  const scene::EncodedScene core = encoded(scene, arguments.scene);
+  std::size_t lines = 0;
+  for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
+  if (arguments.json) {
+    print_json({{"schema", "sightline/scene-info/1"},
+                {"name", scene.name},
+                {"cells", scene.cells.size()},
+                {"openings", scene.openings.size()},
+                {"solids", scene.solids.size()},
+                {"walls", scene.walls.size()},
+                {"cell_lines", lines},
+                {"outer", json_of(scene.outer)},
+                {"default_view", scene.default_view},
+                {"initial_cell", core.initial_cell},
+                {"eye_limits", json_of(core.eye_limits)},
+                {"words", core.words.size()},
+                {"cell_words", core.cell_words},
+                {"opening_words", core.opening_words}});
+    return;
+  }
+  write_stdout(fmt::format("name           {}\n", scene.name));
+  write_stdout(fmt::format("cells          {}, with {} lines\n", scene.cells.size(), lines));
+  write_stdout(fmt::format("openings       {}\n", scene.openings.size()));
+  write_stdout(fmt::format("matter         {} solids, {} walls\n", scene.solids.size(), scene.walls.size()));
+  write_stdout(fmt::format("outer box      {}\n", text_of(scene.outer)));
+  write_stdout(
+      fmt::format("default view   {}, in cell {}\n", text_of(scene.default_view), core.initial_cell));
+  write_stdout(fmt::format("eye may move   {}\n", text_of(core.eye_limits)));
+  write_stdout(fmt::format("words of core  {} of {} (cells {}, openings {}, header {})\n", core.words.size(),
+                           scene::core_words, core.cell_words, core.opening_words,
+                           scene::scene_header_words));
+}
+
+void add_info(CLI::App& parent, ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
+  const auto arguments = std::make_shared<SceneArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
+  command->footer(info_examples);
+  command->callback([arguments, &exit_code] {
+    info(*arguments);
+    exit_code = ExitCode::ok;
+  });
+}
+
+// --- list
+
+constexpr const char* list_examples =
+    "Examples:\n"
+    "  sightline scene list\n"
+    "  for s in $(sightline scene list); do sightline scene info $s; done\n";
+
+void add_list(CLI::App& parent, ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand("list", "The names of the built-in scenes");
+  const auto arguments = std::make_shared<SceneArguments>();
+  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
+  command->footer(list_examples);
+  command->callback([arguments, &exit_code] {
+    const auto names = scene::builtin_scene_names();
+    if (arguments->json) {
+      print_json({{"schema", "sightline/scene-list/1"}, {"scenes", names}});
+    } else {
+      for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
+    }
+    exit_code = ExitCode::ok;
+  });
+}
+
+}  // namespace
+
+void add_scene_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command = app.add_subcommand("scene", "Check, describe and encode scenes");
+  command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  sightline scene info house\n"
+      "  sightline scene tape house -o house.s\n");
+  add_tape(*command, exit_code);
+  add_check(*command, exit_code);
+  add_info(*command, exit_code);
+  add_list(*command, exit_code);
+}
+
+}  // namespace sightline::app
