@@ -33,28 +33,26 @@ visit,  isz depth
         jms chain       / its lines, through the mask
         lac 10
         dac lp          / the word before its list of openings
+        lac i 10
+        and (17777
+        sza
         jmp opnext
+        jmp oplast      / a cell without openings
 
 / Back in a cell: has it openings that are not examined yet?
 opback, lac i lp
         spa
         jmp oplast
 
-opnext, lac lp
-        tad (1
-        dac lp
+opnext, isz lp
         lac i lp
         and (17777
-        sna
-        jmp oplast      / a cell without openings
         dac elem
-        lac i elem
-        and (17777
-        dac nxcell
         lac i elem
         spa
         jmp opn1
-        dzm tolow       / N=0: the far cell is on the high side
+        lac (1          / N=0: the far cell is on the high side
+        dac tolow
         lac elem
         tad (1
         jmp opn2
@@ -68,37 +66,27 @@ opn2,   dac org         / the opening's X word, and its name
 
 / Test an opening.  What is known of it holds for the whole pass, and is kept
 / in a record found by its address: no two openings begin in the same eight
-/ words.  First word: 1 or 2, the eye is before its plane looking to the high
-/ or to the low side; 4, it has a real line; 10, known.  Then its box on the
-/ screen.
+/ words.  First word: 1 or 40000, the eye is before its plane looking to the
+/ high or to the low side; 4, it has a real line; 10, known.  Then its box on
+/ the screen.
 opens,  lac org
         tad (-scene+1
         rcr
-        rcr
-        rcr
+        and (377774     / four words for each eight,
         dac t1
-        tad (-recmax+1
-        spa
-        jmp open1
-        lac (recend     / beyond the table: worked out every time
-        dac rec
-        dzm recend
-        jmp open2
-open1,  lac t1
-        rcl
-        rcl
+        rcr
+        rcr             / and a fifth
         tad t1
-        tad (recs
-        dac rec
-open2,  lac i rec
+        tad (recs-1
+        dac 15
+        tad (-recend+2
+        sma
+        jms beyond
+        lac i 15
         sna
         jms newrec
         dac t1
-        lac tolow
-        sza
-        lac (1
-        tad (1
-        and t1
+        and tolow
         dac crossf      / nonzero: the eye may look through
         sza
         jmp open3
@@ -106,9 +94,7 @@ open2,  lac i rec
         and (4
         sna
         jmp opback      / neither a way nor a line
-open3,  lac rec
-        dac 15
-        lac i 15        / apart from the mask: nothing can be seen
+open3,  lac i 15        / apart from the mask: nothing can be seen
         dac bxlo
         cma
         tad xhi1
@@ -205,7 +191,8 @@ descnd, lac depth
         jms push
         lac org
         dac entry
-        lac nxcell
+        lac i elem
+        and (17777
         dac cell
         jmp visit
 
@@ -270,8 +257,17 @@ plane3, lac org         / across k
         dzm r           / nothing is seen towards the back
         jmp i plane
 
-/ Make the record of an opening: AC = its first word.
+/ An opening beyond the table is worked out every time.
+beyond, 0
+        lac (recend-1
+        dac 15
+        dzm recend
+        jmp i beyond
+
+/ Make the record of an opening, whose first word 15 points at: AC = that word.
 newrec, 0
+        lac 15
+        dac rec
         jms plane
         lac org         / the ends of its extent along each axis
         tad (777777
@@ -369,8 +365,9 @@ newr10, lac r
         jmp newr11
         isz i rec       / beyond the eye: to be crossed upwards
         jmp newr12
-newr11, isz i rec
-        isz i rec
+newr11, lac i rec
+        tad (40000
+        dac i rec
 newr12, lac org         / a real line?
         tad (3
         dac 15
@@ -387,7 +384,9 @@ newr13, lac i 15
 newr14, lac i rec
         tad (4
         dac i rec
-newre9, lac i rec
+newre9, lac rec
+        dac 15
+        lac i rec
         jmp i newrec
 
 clproj, 0
@@ -525,9 +524,8 @@ cell,   0
 entry,  0               / the opening by which the cell was entered
 lp,     0               / place in the cell's list of openings
 elem,   0
-nxcell, 0
 org,    0
-tolow,  0               / 40000: the far cell is on the low side
+tolow,  0               / far cell on the low side 40000, on the high side 1
 vec1,   0
 vec2,   0
 axis1,  0
