@@ -45,7 +45,9 @@ template <Bus B>
 class Cpu {
  public:
   constexpr Cpu(const B& bus, const Model& model, const Timing& timing, const State& state)
-      : bus_(bus), model_(&model), timing_(&timing), state_(state) {}
+      : bus_(bus), model_(&model), timing_(&timing), state_(state) {
+    state_.pc &= address_mask;
+  }
 
   [[nodiscard]] constexpr const State& state() const { return state_; }
   [[nodiscard]] constexpr State& state() { return state_; }
