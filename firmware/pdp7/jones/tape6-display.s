@@ -57,11 +57,11 @@ piece,  0
         jms signmg
         dac pdy
         lac t3
+        cll
         rtl
         rtl
         rtl
         rtl
-        ral
         dac pysign      / 100000 if down
         lac pdx
         sna
