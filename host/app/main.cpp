@@ -9,7 +9,9 @@
 
 #include "host/app/asm_command.hpp"
 #include "host/app/command.hpp"
+#include "host/app/demo_command.hpp"
 #include "host/app/disasm_command.hpp"
+#include "host/app/jones_command.hpp"
 #include "host/app/run_command.hpp"
 #include "host/app/scene_command.hpp"
 
@@ -68,7 +70,18 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
          ", expected one of " + names;
 }
 
+// An empty value would pass for an option not given: "--at $UNSET" must not draw another picture in silence.
+void refuse_empty_arguments(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (argv[i][0] != '\0') continue;
+    throw sightline::app::Failure(
+        ExitCode::usage,
+        "found an empty argument after \"" + std::string(argv[i - 1]) + "\", expected something in it");
+  }
+}
+
 ExitCode run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
+  refuse_empty_arguments(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -95,6 +108,8 @@ int main(int argc, char** argv) {
                  "sightline");
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
     app.require_subcommand(1);
+    sightline::app::add_demo_command(app, exit_code);
+    sightline::app::add_jones_command(app, exit_code);
     sightline::app::add_asm_command(app, exit_code);
     sightline::app::add_disasm_command(app, exit_code);
     sightline::app::add_run_command(app, exit_code);

@@ -1,0 +1,132 @@
+#include "host/app/demo_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/app/jones_pictures.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/harness/jones_guest.hpp"
+#include "host/harness/jones_program.hpp"
+#include "host/scene/builtin.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace jones = harness::jones;
+using nlohmann::ordered_json;
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  sightline demo\n"
+    "      assemble Jones's program, run it on all scenes with and without the EAE, write the pictures to out/\n"
+    "  sightline demo -o pictures --json\n"
+    "      the same, the table as one JSON document\n";
+
+struct Arguments {
+  std::string directory = "out";
+  bool json = false;
+};
+
+struct Row {
+  std::string scene;
+  bool eae = false;
+  std::size_t cells = 0;
+  std::uint32_t words = 0;
+  jones::GuestView view;
+  double refreshes = 0;
+};
+
+Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
+  jones::ProgramOptions program_options;
+  program_options.eae = eae;
+  auto assembled = jones::assemble_program(scene, program_options);
+  if (auto* error = std::get_if<scene::SceneError>(&assembled)) {
+    error->source = name;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  const auto& program = std::get<jones::Program>(assembled);
+  jones::GuestOptions options;
+  options.eae = eae;
+  if (eae) options.photograph = photograph_time;  // the pictures are the same without
+  const jones::GuestRun run = jones::run_guest(program, options);
+  if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
+  if (eae) {
+    write_jones_pictures(directory, file_stem(scene.name),
+                         fmt::format("{}, Jones 1971 on the PDP-7 with EAE", scene.name), run);
+  }
+  return {name,       eae, program.scene.cell_addresses.size(), program.words_used, run.views.back(),
+          1.0 / std::chrono::duration<double>(run.refresh_period).count()};
+}
+
+std::string table_of(const std::vector<Row>& rows) {
+  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
+                                 "segments", "words of core", "refreshes/s");
+  for (const Row& row : rows) {
+    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
+                        std::chrono::duration<double>(row.view.time).count(),
+                        fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
+                        fmt::format("{}/{}", row.words, scene::core_words), row.refreshes);
+  }
+  text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
+  return text;
+}
+
+ordered_json document_of(const std::vector<Row>& rows, const std::string& directory) {
+  ordered_json document{{"schema", "sightline/demo/1"}, {"pictures", directory}};
+  document["views"] = ordered_json::array();
+  for (const Row& row : rows) {
+    document["views"].push_back({{"scene", row.scene},
+                                 {"eae", row.eae},
+                                 {"status", jones::name(row.view.status)},
+                                 {"emulated_ns", row.view.time.count()},
+                                 {"cells_read", row.view.distinct_cells},
+                                 {"cells", row.cells},
+                                 {"segments", row.view.pieces},
+                                 {"core_words_used", row.words},
+                                 {"refreshes_per_second", row.refreshes}});
+  }
+  return document;
+}
+
+ExitCode run(const Arguments& arguments) {
+  std::vector<Row> rows;
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::CellScene scene = load_scene(std::string(name));
+    for (const bool eae : {true, false})
+      rows.push_back(run_scene(std::string(name), scene, eae, arguments.directory));
+  }
+  if (arguments.json) {
+    write_stdout(document_of(rows, arguments.directory).dump(2) + "\n");
+  } else {
+    write_stdout(table_of(rows));
+    write_stdout(fmt::format("Pictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
+                             "for drawing programs.\n",
+                             arguments.directory));
+  }
+  ExitCode code = ExitCode::ok;
+  for (const Row& row : rows) {
+    if (row.view.status == jones::Status::complete) continue;
+    complain(fmt::format("{}: the view stopped: {}", row.scene, jones::name(row.view.status)));
+    code = ExitCode::guest_failed;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command = app.add_subcommand("demo", "Run every scene and print the table");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "One JSON document instead of the table");
+  command->footer(examples);
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace sightline::app
