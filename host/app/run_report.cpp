@@ -106,8 +106,9 @@ void warn_about(const harness::Pdp7Report& report) {
       warn(fmt::format("and {} more such codes", report.unanswered.size() - most_warnings));
       break;
     }
-    warn(fmt::format("PC {:05o}: {:06o} does nothing, {} ({} times in all)", entry.first_pc, entry.word,
-                     why_unanswered(entry.word), entry.count));
+    warn(fmt::format("PC {:05o}: {:06o} does nothing, {} ({})", entry.first_pc, entry.word,
+                     why_unanswered(entry.word),
+                     entry.count == 1 ? "once" : fmt::format("{} times", entry.count)));
   }
   if (report.reader_out_of_tape) warn("the program waits for the paper-tape reader, which has no more tape");
 }
@@ -115,7 +116,9 @@ void warn_about(const harness::Pdp7Report& report) {
 ExitCode judge(const harness::Pdp7Report& report) {
   const pdp7::Address at = before(report.registers.pc);
   switch (report.stop) {
-    case harness::Stop::interrupted: return ExitCode::interrupted;
+    case harness::Stop::interrupted:
+      complain("stopped by Ctrl-C; all outputs hold what was done so far");
+      return ExitCode::interrupted;
     case harness::Stop::xct_chain:
       complain(fmt::format("PC {:05o}: stopped: a chain of more than {} XCT instructions", at,
                            pdp7::longest_xct_chain));

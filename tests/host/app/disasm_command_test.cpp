@@ -1,0 +1,74 @@
+// `sightline disasm`: what comes out assembles to the same words; damaged files are named with their place.
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using sightline::test::has;
+
+class DisasmCommand : public sightline::test::CommandLine {};
+
+TEST_F(DisasmCommand, RoundTripOfEveryFormat) {
+  write("a.s", "100/\ngo,\tlac i 10\n\tspa cla\n\tisz 7777\n\tjmp go\n\t123456\n\t-7\n\tSTART go\n");
+  for (const std::string format : {"rim", "octal", "hri"}) {
+    ASSERT_EQ(sightline({"asm", "pdp7", "a.s", "--format", format, "-o", "a.image"}).exit_code, 0);
+    const std::string file = format == "hri" ? "a.image@100" : "a.image";
+    for (const std::string machine : {"pdp7", "type340"}) {
+      const auto ran = sightline({"disasm", machine, file, "-o", "again.s"});
+      ASSERT_EQ(ran.exit_code, 0) << ran.err;
+      EXPECT_EQ(sightline({"disasm", machine, file}).out, read("again.s"));
+      ASSERT_EQ(sightline({"asm", "pdp7", "again.s", "--format", format, "-o", "b.image"}).exit_code, 0);
+      EXPECT_EQ(read("b.image"), read("a.image")) << machine << " " << format;
+    }
+  }
+}
+
+TEST_F(DisasmCommand, NamesInstructionsAndDisplayWords) {
+  const std::string image = "00100: 200105 740040";
+  EXPECT_TRUE(has(sightline({"disasm", "pdp7", "-"}, image).out, "lac 105"));
+  EXPECT_TRUE(has(sightline({"disasm", "pdp7", "-"}, image).out, "hlt"));
+  write("stop.oct", "003000");
+  const auto display = sightline({"disasm", "type340", "stop.oct@200"});
+  EXPECT_TRUE(has(display.out, "003000")) << display.out;
+  EXPECT_TRUE(has(display.out, "stop")) << display.out;
+  EXPECT_TRUE(has(display.out, "200/")) << display.out;
+}
+
+TEST_F(DisasmCommand, DamagedFilesAreNamedWithTheirPlace) {
+  write("a.s", "100/\n\tlac 105\n\thlt\n\tSTART 100\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "a.s", "-o", "a.rim"}).exit_code, 0);
+  const std::string tape = read("a.rim");
+  const std::size_t first = tape.find_first_not_of('\0');
+  write("cut.rim", tape.substr(0, first + 7));
+  write("cut-in-word.rim", tape.substr(0, first + 5));
+  std::string holes = tape;
+  holes[first + 4] = '\1';
+  write("hole8.rim", holes);
+  write("text.oct", "000000 000009\n");
+  write("far.oct", "77777: 000000 000000\n");
+  write("empty", "");
+  write("noise", std::string("\xff\xfe\x03", 3));
+  for (const char* file :
+       {"cut.rim", "cut-in-word.rim", "hole8.rim", "text.oct", "far.oct", "empty", "noise"}) {
+    const auto ran = sightline({"disasm", "pdp7", file, "-o", "out.s"});
+    EXPECT_EQ(ran.exit_code, 4) << file << ": " << ran.err;
+    EXPECT_TRUE(has(ran.err, file)) << ran.err;
+    EXPECT_TRUE(has(ran.err, "expected")) << ran.err;
+    EXPECT_FALSE(exists("out.s"));
+  }
+  EXPECT_TRUE(has(sightline({"disasm", "pdp7", "text.oct"}).err, "text.oct:1:8"));
+}
+
+TEST_F(DisasmCommand, ExitCodes) {
+  write("a.hri.s", "100/\n\thlt\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "a.hri.s", "--format", "hri", "-o", "a.hri"}).exit_code, 0);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.hri"}).exit_code, 4);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.hri@100"}).exit_code, 0);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.hri@100000"}).exit_code, 2);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.hri@9"}).exit_code, 2);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "none"}).exit_code, 5);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.hri@100", "-o", "no/where"}).exit_code, 5);
+  EXPECT_EQ(sightline({"disasm", "pdp7"}).exit_code, 2);
+  EXPECT_EQ(sightline({"disasm", "pdp8", "a.hri"}).exit_code, 2);
+}
+
+}  // namespace

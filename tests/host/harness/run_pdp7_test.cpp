@@ -1,0 +1,132 @@
+// One run of a PDP-7 program: that being asked in between changes nothing, and what a run keeps of its
+// strokes.
+#include "host/harness/run_pdp7.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace sightline::harness {
+namespace {
+
+std::map<pdp7::Address, core::Word18> words_at(pdp7::Address address,
+                                               std::initializer_list<std::uint32_t> words) {
+  std::map<pdp7::Address, core::Word18> core;
+  for (const std::uint32_t word : words) core[address++] = core::Word18(word);
+  return core;
+}
+
+// Counts at 200 for ever, with the clock interrupting every 20 ms. Each interrupt starts the display again,
+// whose data breaks fall between the counts; the tenth halts.
+Pdp7Job busy_job() {
+  Pdp7Job job;
+  job.machine.display = type340::Options{};
+  job.core = words_at(0, {0, 0600300});  // 0: what the interrupt stores; 1: JMP 300
+  job.core[7] = core::Word18(0777777);   // the clock's counter: the next tick interrupts
+  // LAC 203, IDLA, CLON, ION, ISZ 200, NOP, JMP 104
+  job.core.merge(words_at(0100, {0200203, 0700606, 0700044, 0700042, 0440200, 0740000, 0600104}));
+  // The count; interrupts still to come, -10; AC kept during one; where the display file is.
+  job.core.merge(words_at(0200, {0, 0777766, 0, 0000400}));
+  // DAC 202, CLC, DAC 7, CLON, LAC 203, IDLA, ISZ 201, SKP, HLT, LAC 202, ION, JMP I 0
+  job.core.merge(words_at(0300, {0040202, 0750001, 0040007, 0700044, 0200203, 0700606, 0440201, 0741000,
+                                 0740040, 0200202, 0700042, 0620000}));
+  // Scale 1, intensity 7; y 400; x 400, lit; a vector of 100 to the right, lit; stop, without interrupt.
+  job.core.merge(words_at(0400, {0020117, 0220400, 0102400, 0600100, 0002000}));
+  job.start = 0100;
+  return job;
+}
+
+void expect_same(const Pdp7Report& a, const Pdp7Report& b) {
+  EXPECT_EQ(a.stop, b.stop);
+  EXPECT_EQ(a.registers, b.registers);
+  EXPECT_EQ(a.end, b.end);
+  EXPECT_EQ(a.counts.instructions, b.counts.instructions);
+  EXPECT_EQ(a.counts.machine_cycles, b.counts.machine_cycles);
+  EXPECT_EQ(a.counts.stolen_cycles, b.counts.stolen_cycles);
+  EXPECT_EQ(a.display_words, b.display_words);
+  EXPECT_EQ(a.core, b.core);
+}
+
+TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
+  Pdp7Job job = busy_job();
+  job.limits.instructions = 20'000'000;
+  const Pdp7Report alone = run_pdp7(job);
+  EXPECT_EQ(alone.stop, Stop::halt);
+  EXPECT_EQ(alone.core[0201].value(), 0U);
+  EXPECT_EQ(alone.passes_started, 11U);
+  EXPECT_EQ(alone.passes, 10U);  // HLT cuts the last one short
+  int asked = 0;
+  // A counter that never comes to its end keeps the run going past several questions.
+  job.core[0201] = core::Word18(0);
+  const Pdp7Report long_alone = run_pdp7(job);
+  EXPECT_EQ(long_alone.stop, Stop::instruction_limit);
+  job.keep_running = [&asked](const Progress&) { return ++asked > 0; };
+  const Pdp7Report in_between = run_pdp7(job);
+  EXPECT_GE(asked, 3);
+  expect_same(in_between, long_alone);
+}
+
+TEST(RunPdp7, ATraceOrAScreenChangesNothing) {
+  Pdp7Job job = busy_job();
+  const Pdp7Report alone = run_pdp7(job);
+  std::size_t traced = 0;
+  job.trace = [&traced](std::string_view text) {
+    traced += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  };
+  std::size_t logged = 0;
+  Screen::Wishes wishes;
+  wishes.log = [&logged](std::string_view text) { logged += text.size(); };
+  Screen screen(wishes);
+  job.screen = &screen;
+  const Pdp7Report watched = run_pdp7(job);
+  expect_same(watched, alone);
+  EXPECT_EQ(traced, alone.counts.instructions);
+  EXPECT_GT(logged, 0U);
+}
+
+TEST(RunPdp7, CanBeStopped) {
+  Pdp7Job job;
+  job.core = words_at(0, {0600000});
+  int asked = 0;
+  job.keep_running = [&asked](const Progress& progress) {
+    EXPECT_GT(progress.instructions, 0U);
+    return ++asked < 3;
+  };
+  const Pdp7Report report = run_pdp7(job);
+  EXPECT_EQ(report.stop, Stop::interrupted);
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(RunPdp7, DumpOfFourThousandWords) {
+  Pdp7Job job;
+  job.machine.configuration.core_words = 4096;
+  job.core = words_at(0, {0740040});
+  job.core[07777] = core::Word18(0123456);
+  job.registers.ac = core::Word18(0777777);
+  job.registers.link = true;
+  const std::string dump = dump_text(run_pdp7(job));
+  EXPECT_TRUE(dump.starts_with("00001 777777 1 000000 00\n740040 000000 ")) << dump.substr(0, 60);
+  EXPECT_TRUE(dump.ends_with(" 000000 123456\n"));
+  EXPECT_EQ(dump.size(), 25U + 4096U * 7U);
+}
+
+TEST(Screen, KeepsTheLastCompletePassOrTheNewestStrokes) {
+  const auto stroke = [](std::uint16_t x) { return core::Stroke{core::at_nanoseconds(x), x, 0, 7, 0}; };
+  Screen::Wishes wishes;
+  wishes.picture = true;
+  Screen screen(wishes);
+  screen.begin_pass(core::at_nanoseconds(0));
+  screen.stroke(stroke(1));
+  screen.begin_pass(core::at_nanoseconds(2));
+  screen.stroke(stroke(2));
+  EXPECT_FALSE(screen.has_complete_pass());
+  EXPECT_EQ(screen.picture_strokes(), (std::vector{stroke(1), stroke(2)}));
+  screen.end_pass(core::at_nanoseconds(3));
+  screen.stroke(stroke(3));
+  EXPECT_TRUE(screen.has_complete_pass());
+  EXPECT_EQ(screen.picture_strokes(), std::vector{stroke(2)});
+}
+
+}  // namespace
+}  // namespace sightline::harness
