@@ -57,6 +57,7 @@ newz,   0
         lac pz
         IFNZRO EAE <
         dac pjz
+        dac pjzn
         rcr
         dac pjh
         >
@@ -529,8 +530,7 @@ clamp,  0
         spa
         jmp clamp1
         cma
-        tad (1
-        tad bound
+        tad bound       / B-1 - x: at B either way gives B
         sma
         jmp clamp2
         lac bound
@@ -582,16 +582,14 @@ raise1, lac t1
         IFNZRO EAE <
 setz,   0
         dac pjz
+        dac pjzn
         rcr
         dac pjh
         jmp i setz
 
 proj,   0
-        dac pjs
-        sma
-        jmp .+3
-        cma
-        tad (1
+        spa
+        jmp proj1
         lmq
         lac pjh         / mulac adds it to the product
         cll
@@ -601,12 +599,22 @@ pjw,    0
 pjz,    0
         szl
         jmp flt3
-        lac pjs
-        spa
-        jmp proj1
         lacq
         jmp i proj
-proj1,  lacq
+proj1,  cma             / the same of a negative one
+        tad (1
+        dac pjx
+        lac pjw
+        lmq
+        lac pjh
+        cll
+        mulac
+pjx,    0
+        div
+pjzn,   0
+        szl
+        jmp flt3
+        lacq
         cma
         tad (1
         jmp i proj
@@ -657,8 +665,8 @@ proj3,  lac t1
 pjw,    0               / W
 pjnz,   0
 pjq,    0
-        >
 pjs,    0
+        >
 
 nex,    0               / minus the eye
 ney,    0

@@ -180,6 +180,8 @@ part,   0               / AC = sign * muldiv |AC|
         jmp i part
         spa
         jmp part1
+        sad mdd         / across a side of the box
+        jmp part2
         jms muldiv
         jmp i part
 part1,  cma
@@ -187,6 +189,8 @@ part1,  cma
         jms muldiv
         cma
         tad (1
+        jmp i part
+part2,  lac mdm
         jmp i part
 
 / Ratio |dp| / (|dp|+|dq|) of two single distances of unlike sign.

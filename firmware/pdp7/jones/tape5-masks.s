@@ -120,8 +120,7 @@ box1,   isz cnt
         jmp i box
         lac i 12
         dac t1
-        cma
-        tad (1
+        cma             / an equal one may replace the bound
         dac t3
         tad bxlo
         spa
@@ -138,7 +137,6 @@ box2,   lac t3
 box3,   lac i 12
         dac t1
         cma
-        tad (1
         dac t3
         tad bylo
         spa
@@ -216,52 +214,50 @@ isect,  0
         tad nxlo
         sma
         jmp isec2
-        lac (lac lbx
-        dac shd1
-        lac (nop
-        dac shd2
-        lac (tad nxlo
-        jms shpass
-        sna
-        jmp i isect
+        jms shside
+        lac lbx
+        nop
+        tad nxlo
+        lac nxlo        / what is left lies within the line
+        cma
+        tad (1
+        dac bxlo
 isec2,  lac bxhi
         cma
         tad xhi1
         sma
         jmp isec3
-        lac (lac lbx
-        dac shd1
-        lac (cma
-        dac shd2
-        lac (tad xhi1
-        jms shpass
-        sna
-        jmp i isect
+        jms shside
+        lac lbx
+        cma
+        tad xhi1
+        lac xhi1
+        tad (777777
+        dac bxhi
 isec3,  lac bylo
         tad nylo
         sma
         jmp isec4
-        lac (lac lby
-        dac shd1
-        lac (nop
-        dac shd2
-        lac (tad nylo
-        jms shpass
-        sna
-        jmp i isect
+        jms shside
+        lac lby
+        nop
+        tad nylo
+        lac nylo
+        cma
+        tad (1
+        dac bylo
 isec4,  lac byhi
         cma
         tad yhi1
         sma
         jmp isec5
-        lac (lac lby
-        dac shd1
-        lac (cma
-        dac shd2
-        lac (tad yhi1
-        jms shpass
-        sna
-        jmp i isect
+        jms shside
+        lac lby
+        cma
+        tad yhi1
+        lac yhi1
+        tad (777777
+        dac byhi
 isec5,  lac nslope
         sna
         jmp isec7
@@ -269,6 +265,23 @@ isec5,  lac nslope
         lac (slopes-1
         dac 13
 isec6,  jms getedg
+        lac edy         / the corner of the box that is farthest out
+        sma
+        jmp isec8
+        lac bxlo
+        skp
+isec8,  lac bxhi
+        dac spx
+        lac edx
+        sma
+        jmp isec9
+        lac byhi
+        skp
+isec9,  lac bylo
+        dac spy
+        jms side2
+        sma
+        jmp isec10      / all inside: nothing to cut
         lac (jms shslop
         dac shd1
         lac (nop
@@ -276,7 +289,7 @@ isec6,  jms getedg
         jms shpass
         sna
         jmp i isect
-        isz nsl
+isec10, isz nsl
         jmp isec6
 isec7,  jms box
         lac bxlo
@@ -289,6 +302,21 @@ isec7,  jms box
         jmp i isect
 isec0,  lac (0
         jmp i isect
+
+/ A round of clipping against a side of the box: the three instructions follow.
+shside, 0
+        lac i shside
+        dac shd1
+        isz shside
+        lac i shside
+        dac shd2
+        isz shside
+        lac i shside
+        isz shside
+        jms shpass
+        sna
+        jmp isec0
+        jmp i shside
 
 / One round of clipping against the line whose distance of (lbx, lby) the
 / three instructions at shd1 give; the third comes in AC.  p is (lax, lay) at
