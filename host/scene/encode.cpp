@@ -211,8 +211,8 @@ std::optional<SceneError> too_large(const CellScene& scene, std::uint32_t base) 
 Box limits_in(const Box& cell) {
   Box limits;
   for (std::size_t a = 0; a < 3; ++a) {
-    limits.low[a] = cell.low[a] + 1;
-    limits.high[a] = cell.high[a] - (a == 2 ? near_plane : 1);
+    limits.low[a] = cell.low[a] + near_plane;
+    limits.high[a] = cell.high[a] - near_plane;
   }
   return limits;
 }

@@ -3,8 +3,8 @@
 //
 // In core, from the base address on:
 // - header: address of the initial cell; number of cells; eye x, y, z; the box in which the eye may move: low
-//   x, high x, low y, high y, low z, high z (the initial cell less 1 on each side, less 8 at its high z: the
-//   program clips at z = 8).
+//   x, high x, low y, high y, low z, high z (the initial cell less 1 on each side: the
+//   program's near plane is at z = 1).
 // - cells: X Y Z n, n vectors, the opening list. X Y Z is the start of the first line (the cell's low corner
 //   if it has none). A vector is F(0) A(1-2) magnitude(3-17), the magnitude signed, 15 bits, A = 1, 2, 3 for
 //   i, j, k. A list entry is L(0) address(5-17): the address of the word of the opening-element that names
@@ -31,7 +31,7 @@ namespace sightline::scene {
 
 inline constexpr std::uint32_t core_words = 8192;  // of the machine Jones used
 inline constexpr std::size_t scene_header_words = 11;
-inline constexpr std::int32_t near_plane = 8;  // the eye keeps this far from its cell's high z
+inline constexpr std::int32_t near_plane = 1;  // the eye keeps this far from its cell's faces
 
 struct TapeOptions {
   // The eye, and with it the initial cell; the scene's default view if not given.

@@ -9,7 +9,7 @@ scene,  c0                  / initial cell
         000001              / eye: lowest y 1
         000453              / eye: highest y 299
         000001              / eye: lowest z 1
-        000610              / eye: highest z 392
+        000617              / eye: highest z 399
 c0,     000000              / cell 0: origin x 0
         000000              / cell 0: origin y 0
         000000              / cell 0: origin z 0

@@ -9,7 +9,7 @@ scene,  c1                  / initial cell
         777635              / eye: lowest y -99
         000453              / eye: highest y 299
         000013              / eye: lowest z 11
-        001120              / eye: highest z 592
+        001127              / eye: highest z 599
 c0,     777160              / cell 0: origin x -400
         777324              / cell 0: origin y -300
         000012              / cell 0: origin z 10

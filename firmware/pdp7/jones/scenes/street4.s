@@ -9,7 +9,7 @@ scene,  c0                  / initial cell
         000001              / eye: lowest y 1
         001273              / eye: highest y 699
         000013              / eye: lowest z 11
-        000610              / eye: highest z 392
+        000617              / eye: highest z 399
 c0,     776340              / cell 0: origin x -800
         000000              / cell 0: origin y 0
         000012              / cell 0: origin z 10
