@@ -129,7 +129,7 @@ TEST(Encode, OpeningsFollowTheFormat) {
   }
 }
 
-// The house by hand: living room limits x 1..599, y 1..249, z 1..392.
+// The house by hand: living room limits x 1..599, y 1..249, z 1..399.
 TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
   const EncodedScene result = encoded(builtin_scene("house"), {}, 01000);
   const std::vector<std::uint32_t> expected{01013, 3, 480, 160, 20, 1, 599, 1, 249, 1, 399};
