@@ -208,12 +208,8 @@ newpar, 0
         dzm sumz
         dzm sums
         ion
-        lac scene+5
-        dac limlo
-        lac scene+6
-        dac limhi
         lac ex
-        jms limit
+        jms limitx
         dac ex
         lac scene+7
         dac limlo
@@ -237,6 +233,16 @@ newpar, 0
         jms limit
         dac scale
         jmp i newpar
+
+limitx, 0               / AC within the box's low x..high x
+        dac limt
+        lac scene+5
+        dac limlo
+        lac scene+6
+        dac limhi
+        lac limt
+        jms limit
+        jmp i limitx
 
 limit,  0               / AC within limlo..limhi
         dac limt
@@ -276,15 +282,11 @@ monwin, 0
 
 lefwin, 0
         jms halfw
-        lac scene+5
-        dac limlo
-        lac scene+6
-        dac limhi
         lac eyesep
         cma
         tad (1
         tad ex
-        jms limit
+        jms limitx
         dac pex
         lac (1001       / 2*256+1
         dac cx2
@@ -292,13 +294,9 @@ lefwin, 0
 
 rigwin, 0
         jms halfw
-        lac scene+5
-        dac limlo
-        lac scene+6
-        dac limhi
         lac eyesep
         tad ex
-        jms limit
+        jms limitx
         dac pex
         lac (3001       / 2*768+1
         dac cx2

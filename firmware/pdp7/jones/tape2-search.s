@@ -130,6 +130,43 @@ open3,  lac i 15        / apart from the mask: nothing can be seen
 
 / The eye may look through: outline and polygon together.
 crossb, jms plane
+        IFNZRO EAE <
+        lac rectf
+        sza
+        jmp crosbp      / tried as a box, to no avail
+        lac nring
+        sad (4
+        lac ucell
+        sza
+        jmp crosbp
+
+/ A rectangle across k is its box on the screen: if no sloped edge of the mask
+/ cuts it, so is what is left of it, and no polygon is needed.  (Without the EAE
+/ core is too full for this.)
+        lac nring
+        dac pn
+        dac rectf
+        dzm revers
+        jms isect
+        dzm rectf
+        dac pn          / 0: nothing is left
+        dzm ringf
+        lac org
+        tad (777777
+        dac 10
+        jms chain
+        lac pn
+        sna
+        jmp opback
+        jms stackm
+        jms setbox
+        dzm nslope
+        jmp descnd
+crosbr, lac org         / a sloped edge cuts it: begin again
+        jmp opens+1
+        >
+
+crosbp, dzm rectf
         lac vec1
         xor vec2
         xor tolow
@@ -246,7 +283,8 @@ plane2, lac (px         / across j
         tad ney
         dac r
         jmp i plane
-plane3, lac org         / across k
+plane3, dzm ucell       / across k
+        lac org
         tad (2
         dac t1
         lac i t1
@@ -303,38 +341,29 @@ newrec, 0
         jmp newre1
         lac (1
         dac ext+4
-newre1, lac rec
-        tad (1
-        dac rxlo
-        tad (1
-        dac rxhi
-        tad (1
-        dac rylo
-        tad (1
-        dac ryhi
-        lac ext+4       / seen largest at the nearest z
+newre1, lac ext+4       / seen largest at the nearest z
         dac pz
         jms newz
         lac ext
         sma
         jmp newre2
         jms clproj
-        dac i rxlo
+        dac bxlo
 newre2, lac ext+1
         spa
         jmp newre3
         jms clproj
-        dac i rxhi
+        dac bxhi
 newre3, lac ext+2
         sma
         jmp newre4
         jms clproj
-        dac i rylo
+        dac bylo
 newre4, lac ext+3
         spa
         jmp newre5
         jms clproj
-        dac i ryhi
+        dac byhi
 newre5, lac ext+5       / and smallest at the farthest
         dac pz
         jms newz
@@ -342,23 +371,33 @@ newre5, lac ext+5       / and smallest at the farthest
         spa
         jmp newre6
         jms clproj
-        dac i rxlo
+        dac bxlo
 newre6, lac ext+1
         sma
         jmp newre7
         jms clproj
-        dac i rxhi
+        dac bxhi
 newre7, lac ext+2
         spa
         jmp newre8
         jms clproj
-        dac i rylo
+        dac bylo
 newre8, lac ext+3
         sma
         jmp newr10
         jms clproj
-        dac i ryhi
-newr10, lac r
+        dac byhi
+newr10, lac rec
+        dac 15
+        lac bxlo
+        dac i 15
+        lac bxhi
+        dac i 15
+        lac bylo
+        dac i 15
+        lac byhi
+        dac i 15
+        lac r
         sna
         jmp newr12
         spa
@@ -461,20 +500,13 @@ oplast, lac depth
 / The stack holds a mask (its count, its box, its sloped edges), then where the
 / search stands: place in the list, entry and cell.  One word ties the frames.
 stackm, 0
+        lac (maskw-1
+        dac 15
         lac sp
         tad (777777
         dac 16
-        lac (maskw-1
-        dac 15
         lac nslope
-        rcl
-        rcl
-        tad (-5+1
-        dac cnt
-stack1, lac i 15
-        dac i 16
-        isz cnt
-        jmp stack1
+        jms copy
         lac 16
         tad (1
         dac spnew
@@ -487,15 +519,31 @@ unstak, 0               / the mask at sp is the current one again
         lac (maskw-1
         dac 16
         lac i sp
+        jms copy
+        jmp i unstak
+
+copy,   0               / a mask of -AC sloped edges from 15 to 16
         rcl
         rcl
-        tad (-5+1
         dac cnt
-unsta1, lac i 15
+        lac i 15        / the count and the box
+        dac i 16
+        lac i 15
+        dac i 16
+        lac i 15
+        dac i 16
+        lac i 15
+        dac i 16
+        lac i 15
+        dac i 16
+        lac cnt
+        sna
+        jmp i copy
+copy1,  lac i 15        / the edges
         dac i 16
         isz cnt
-        jmp unsta1
-        jmp i unstak
+        jmp copy1
+        jmp i copy
 
 push,   0               / the rest of the frame, behind the mask
         lac spnew
@@ -535,7 +583,8 @@ ringf,  0               / nonzero: collect the outline as a polygon
 r,      0               / the opening's plane as seen from the eye
 zh,     0               / the opening's least z in the bound, and minus it
 nzh,    0
-ucell,  0               / the coordinate that varies along the plane
+ucell,  0               / the coordinate that varies along the plane; 0: across k
+rectf,  0               / nonzero: isect has a box only, no polygon
 rec,    0               / the opening's record
 crossf, 0
 nring,  0
@@ -548,10 +597,6 @@ ext,    0               / extent of an opening from the eye: x, y, z, low and hi
 exaxis, 0
 excell, 0
 exsum,  0
-rxlo,   0
-rxhi,   0
-rylo,   0
-ryhi,   0
 sp,     0               / first free word of the stack
 spnew,  0
 cnt,    0

@@ -430,9 +430,9 @@ corne1, lac vy
         sad py
         isz vy
 corne2, lac sx
-        dac apx
+        dac crx
         lac sy
-        dac apy
+        dac cry
         jms append
         jmp i corner
 corne3, lac pz
@@ -443,11 +443,11 @@ corne3, lac pz
         lac px
         jms clamp
         jms proj
-        dac apx
+        dac crx
         lac py
         jms clamp
         jms proj
-        dac apy
+        dac cry
         jms append
         lac told
         dac pz
@@ -487,10 +487,10 @@ middle, 0
         jms setz
         lac px
         jms proj
-        dac apx
+        dac crx
         lac py
         jms proj
-        dac apy
+        dac cry
         jms append
         lac pz
         jms setz

@@ -160,23 +160,23 @@ newpol, 0
         dac lastx
         jmp i newpol
 
-/ Append (apx, apy) to the polygon that 11 writes, unless it repeats the last.
+/ Append (crx, cry) to the polygon that 11 writes, unless it repeats the last.
 append, 0
-        lac apx
+        lac crx
         sad lastx
         jmp appen2
 appen1, dac i 11
         dac lastx
-        lac apy
+        lac cry
         dac i 11
         dac lasty
         isz pnroom
         jmp i append
         jmp flt4
-appen2, lac apy
+appen2, lac cry
         sad lasty
         jmp i append
-        lac apx
+        lac crx
         jmp appen1
 
 / The polygon written behind the word AC is complete: count it, and drop the
@@ -205,7 +205,8 @@ wrap,   0
         jmp i wrap
 
 / Intersect the projected opening, whose box is within bxlo bxhi bylo byhi, with
-/ the mask; AC = 0 if nothing is left but a point or a line along an axis.
+/ the mask; AC = 0 if nothing is left but a point or a line along an axis.  With
+/ rectf set there is the box alone, and it becomes that of the intersection.
 isect,  0
         lac revers
         sza
@@ -282,6 +283,11 @@ isec9,  lac bylo
         jms side2
         sma
         jmp isec10      / all inside: nothing to cut
+        IFNZRO EAE <
+        lac rectf
+        sza
+        jmp crosbr
+        >
         lac (jms shslop
         dac shd1
         lac (nop
@@ -291,7 +297,9 @@ isec9,  lac bylo
         jmp i isect
 isec10, isz nsl
         jmp isec6
-isec7,  jms box
+isec7,  lac rectf
+        sna
+        jms box
         lac bxlo
         sad bxhi
         jmp isec0
@@ -305,6 +313,9 @@ isec0,  lac (0
 
 / A round of clipping against a side of the box: the three instructions follow.
 shside, 0
+        lac rectf
+        sza
+        jmp shsid1
         lac i shside
         dac shd1
         isz shside
@@ -316,6 +327,10 @@ shside, 0
         jms shpass
         sna
         jmp isec0
+        jmp i shside
+shsid1, lac shside      / a box only: the caller cuts it
+        tad (3
+        dac shside
         jmp i shside
 
 / One round of clipping against the line whose distance of (lbx, lby) the
@@ -417,20 +432,15 @@ shout1, lac i 12
 shout2, dac dq          / it enters; the first vertex may be the crossing
         jms shcros
         lac lax
-        dac apx
+        dac crx
         lac lay
-        dac apy
+        dac cry
         jms append
         jmp shin1
 
 shdone, lac palt
         jms wrap
-        lac pcur        / the result is the current polygon
-        dac t1
-        lac palt
-        dac pcur
-        lac t1
-        dac palt
+        jms swap        / the result is the current polygon
         lac pn
         tad (777775
         spa
@@ -457,10 +467,6 @@ shcros, 0               / append the crossing of p-q; q becomes p
         skp
 shcr1,  jms both2
         jms cross
-        lac crx
-        dac apx
-        lac cry
-        dac apy
         jms append
         lac lbx
         dac lax
@@ -503,13 +509,17 @@ turn1,  lac i t1
         dac t1
         isz cnt
         jmp turn1
+        jms swap
+        jmp i turn
+
+swap,   0
         lac pcur
         dac t1
         lac palt
         dac pcur
         lac t1
         dac palt
-        jmp i turn
+        jmp i swap
 
 / AC = 0 if the polygon has no area.
 area2,  0
@@ -587,8 +597,6 @@ polq=.
 pnroom, 0               / vertices so far, less 17
 lastx,  0
 lasty,  0
-apx,    0
-apy,    0
 bxlo,   0
 bxhi,   0
 bylo,   0
