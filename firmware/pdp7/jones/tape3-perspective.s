@@ -545,7 +545,7 @@ clamp1, tad bound
 clamp2, lac t1
         jmp i clamp
 
-/ AC = max(8, (|AC|+K-1)/K): the least z at which a coordinate is in the bound
+/ AC = max(1, (|AC|+K-1)/K): the least z at which a coordinate is in the bound
 zleast, 0
         sma
         jmp .+3

@@ -13,14 +13,12 @@ clip2,  0
         tad nxlo
         sma
         jmp clxh
-        dac dq
         jms crosb
         jmp clxh
 clxla,  lac lbx
         tad nxlo
         spa
         jmp i clip2
-        dac dq
         jms crosa
 
 clxh,   lac lax         / x <= xhi
@@ -34,7 +32,6 @@ clxh,   lac lax         / x <= xhi
         tad xhi1
         sma
         jmp clyl
-        dac dq
         jms crosb
         jmp clyl
 clxha,  lac lbx
@@ -42,7 +39,6 @@ clxha,  lac lbx
         tad xhi1
         spa
         jmp i clip2
-        dac dq
         jms crosa
 
 clyl,   lac lay         / y >= ylo
@@ -54,14 +50,12 @@ clyl,   lac lay         / y >= ylo
         tad nylo
         sma
         jmp clyh
-        dac dq
         jms crosb
         jmp clyh
 clyla,  lac lby
         tad nylo
         spa
         jmp i clip2
-        dac dq
         jms crosa
 
 clyh,   lac lay         / y <= yhi
@@ -75,7 +69,6 @@ clyh,   lac lay         / y <= yhi
         tad yhi1
         sma
         jmp clslop
-        dac dq
         jms crosb
         jmp clslop
 clyha,  lac lby
@@ -83,7 +76,6 @@ clyha,  lac lby
         tad yhi1
         spa
         jmp i clip2
-        dac dq
         jms crosa
 
 clslop, lac nslope      / minus the number of sloped edges
@@ -131,13 +123,24 @@ cldone, lac lax
 clpiec, jms piece
         jmp i clip2
 
-/ A or B becomes the crossing with a side of the box.
+/ A or B becomes the crossing with a side of the box; AC = the distance of B.
 crosa,  0
-        jms ratio1
+        dac mdd
+        lac dp          / A is outside
+        cma
+        tad (1
+        dac mdm
+        tad mdd
+        dac mdd
         jms crosta
         jmp i crosa
 crosb,  0
-        jms ratio1
+        cma             / B is outside
+        tad (1
+        tad dp
+        dac mdd
+        lac dp
+        dac mdm
         jms crostb
         jmp i crosb
 
