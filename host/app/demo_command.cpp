@@ -6,10 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "host/app/jones_pictures.hpp"
+#include "host/app/jones_session.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/harness/jones_guest.hpp"
-#include "host/harness/jones_program.hpp"
 #include "host/scene/builtin.hpp"
 
 namespace sightline::app {
@@ -22,7 +20,8 @@ using nlohmann::ordered_json;
 constexpr const char* examples =
     "Examples:\n"
     "  sightline demo\n"
-    "      assemble Jones's program, run it on all scenes with and without the EAE, write the pictures to out/\n"
+    "      assemble Jones's program, run it on all scenes with and without the EAE, write the pictures to "
+    "out/\n"
     "  sightline demo -o pictures --json\n"
     "      the same, the table as one JSON document\n";
 
@@ -40,36 +39,35 @@ struct Row {
   double refreshes = 0;
 };
 
-Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
+Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae,
+              const std::string& directory) {
   jones::ProgramOptions program_options;
   program_options.eae = eae;
-  auto assembled = jones::assemble_program(scene, program_options);
-  if (auto* error = std::get_if<scene::SceneError>(&assembled)) {
-    error->source = name;
-    throw Failure(ExitCode::bad_input, error->message());
-  }
-  const auto& program = std::get<jones::Program>(assembled);
+  const jones::Program program = assembled(scene, name, program_options);
   jones::GuestOptions options;
   options.eae = eae;
   if (eae) options.photograph = photograph_time;  // the pictures are the same without
   const jones::GuestRun run = jones::run_guest(program, options);
   if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
   if (eae) {
-    write_jones_pictures(directory, file_stem(scene.name),
-                         fmt::format("{}, Jones 1971 on the PDP-7 with EAE", scene.name), run);
+    write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);
   }
-  return {name,       eae, program.scene.cell_addresses.size(), program.words_used, run.views.back(),
-          1.0 / std::chrono::duration<double>(run.refresh_period).count()};
+  return {name,
+          eae,
+          program.scene.cell_addresses.size(),
+          program.words_used,
+          run.views.back(),
+          refreshes_per_second(run)};
 }
 
 std::string table_of(const std::vector<Row>& rows) {
-  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
-                                 "segments", "words of core", "refreshes/s");
+  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds",
+                                 "cells", "segments", "words of core", "refreshes/s");
   for (const Row& row : rows) {
-    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
-                        std::chrono::duration<double>(row.view.time).count(),
-                        fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
-                        fmt::format("{}/{}", row.words, scene::core_words), row.refreshes);
+    text +=
+        fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
+                    seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells),
+                    row.view.pieces, fmt::format("{}/{}", row.words, scene::core_words), row.refreshes);
   }
   text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
   return text;
@@ -103,9 +101,10 @@ ExitCode run(const Arguments& arguments) {
     write_stdout(document_of(rows, arguments.directory).dump(2) + "\n");
   } else {
     write_stdout(table_of(rows));
-    write_stdout(fmt::format("Pictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
-                             "for drawing programs.\n",
-                             arguments.directory));
+    write_stdout(
+        fmt::format("Pictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
+                    "for drawing programs.\n",
+                    arguments.directory));
   }
   ExitCode code = ExitCode::ok;
   for (const Row& row : rows) {

@@ -7,11 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "host/app/jones_pictures.hpp"
+#include "host/app/jones_session.hpp"
 #include "host/app/run_scripts.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/harness/jones_guest.hpp"
-#include "host/harness/jones_program.hpp"
 
 namespace sightline::app {
 
@@ -26,10 +24,13 @@ constexpr const char* examples =
     "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
     "  sightline jones street4 --no-eae --at 120,90,60 --scale 700\n"
     "      another view, without the extended arithmetic element\n\n"
-    "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed and\n"
-    "steals cycles. --switches takes a script of lines `SECONDS OCTAL` for the AC switches: 400000 left, 200000\n"
+    "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed "
+    "and\n"
+    "steals cycles. --switches takes a script of lines `SECONDS OCTAL` for the AC switches: 400000 left, "
+    "200000\n"
     "right, 100000 up, 040000 down, 020000 in, 010000 out, 004000 bigger, 002000 smaller, 2 lines at once,\n"
-    "1 stereo pair; they take effect between views. Seconds are emulated. A picture below 30 refreshes a second\n"
+    "1 stereo pair; they take effect between views. Seconds are emulated. A picture below 30 refreshes a "
+    "second\n"
     "flickers. Pictures: SCENE.png (one pass, every point), SCENE-phosphor.png (the screen), SCENE.svg.\n";
 
 struct Arguments {
@@ -47,18 +48,11 @@ struct Arguments {
 
 constexpr double flicker_limit = 30.0;
 
-double seconds(core::Duration time) { return std::chrono::duration<double>(time).count(); }
-
 jones::Program program_for(const scene::CellScene& scene, const Arguments& arguments) {
   jones::ProgramOptions options;
   options.eae = !arguments.no_eae;
   if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
-  auto program = jones::assemble_program(scene, options);
-  if (auto* error = std::get_if<scene::SceneError>(&program)) {
-    error->source = arguments.scene;
-    throw Failure(ExitCode::bad_input, error->message());
-  }
-  return std::get<jones::Program>(std::move(program));
+  return assembled(scene, arguments.scene, options);
 }
 
 jones::GuestOptions guest_options(const Arguments& arguments) {
@@ -70,7 +64,8 @@ jones::GuestOptions guest_options(const Arguments& arguments) {
   options.views = arguments.views;
   options.photograph = photograph_time;
   if (!arguments.switches.empty()) {
-    options.switches = read_switch_script(read_input_text(arguments.switches), shown_name(arguments.switches));
+    options.switches =
+        read_switch_script(read_input_text(arguments.switches), shown_name(arguments.switches));
     // The modes asked for on the command line stay up whatever else the script does.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : options.switches) setting.switches = setting.switches | modes;
@@ -78,20 +73,16 @@ jones::GuestOptions guest_options(const Arguments& arguments) {
   return options;
 }
 
-double refreshes(const jones::GuestRun& run) {
-  return run.refresh_period.count() > 0 ? 1.0 / seconds(run.refresh_period) : 0.0;
-}
-
-ordered_json document_of(const Arguments& arguments, const jones::Program& program, const jones::GuestRun& run,
-                         const std::vector<std::string>& pictures) {
+ordered_json document_of(const Arguments& arguments, const jones::Program& program,
+                         const jones::GuestRun& run, const std::vector<std::string>& pictures) {
   ordered_json document{{"schema", "sightline/jones/1"},
                         {"scene", arguments.scene},
                         {"eae", !arguments.no_eae},
                         {"eye", program.scene.eye},
                         {"cells", program.scene.cell_addresses.size()},
                         {"core_words_used", program.words_used},
-                        {"refreshes_per_second", refreshes(run)},
-                        {"flicker", refreshes(run) < flicker_limit}};
+                        {"refreshes_per_second", refreshes_per_second(run)},
+                        {"flicker", refreshes_per_second(run) < flicker_limit}};
   document["views"] = ordered_json::array();
   for (const jones::GuestView& view : run.views) {
     document["views"].push_back({{"status", jones::name(view.status)},
@@ -109,7 +100,8 @@ ordered_json document_of(const Arguments& arguments, const jones::Program& progr
   return document;
 }
 
-std::string summary_of(const Arguments& arguments, const jones::Program& program, const jones::GuestRun& run) {
+std::string summary_of(const Arguments& arguments, const jones::Program& program,
+                       const jones::GuestRun& run) {
   const jones::GuestView& view = run.views.back();
   const auto& eye = program.scene.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
@@ -126,8 +118,8 @@ std::string summary_of(const Arguments& arguments, const jones::Program& program
   text += fmt::format("segments         {}\n", view.pieces);
   text += fmt::format("display words    {}\n", view.display_file.size());
   text += fmt::format("core used        {} of {} words\n", program.words_used, scene::core_words);
-  text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes(run),
-                      refreshes(run) < flicker_limit ? "flickers" : "steady");
+  text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
+                      refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");
   return text;
 }
 
@@ -136,13 +128,12 @@ ExitCode run(const Arguments& arguments) {
   const jones::Program program = program_for(scene, arguments);
   const jones::GuestRun result = jones::run_guest(program, guest_options(arguments));
   if (result.timed_out || result.views.empty()) {
-    complain(fmt::format("{}: the program did not complete a view in {:.0f} emulated seconds", arguments.scene,
-                         seconds(result.emulated)));
+    complain(fmt::format("{}: the program did not complete a view in {:.0f} emulated seconds",
+                         arguments.scene, seconds(result.emulated)));
     return ExitCode::guest_failed;
   }
-  const auto pictures = write_jones_pictures(
-      arguments.directory, file_stem(scene.name),
-      fmt::format("{}, Jones 1971 on the PDP-7 {} EAE", scene.name, arguments.no_eae ? "without" : "with"), result);
+  const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
+                                             title_of(scene.name, !arguments.no_eae), result);
   if (arguments.json) {
     write_stdout(document_of(arguments, program, result, pictures).dump(2) + "\n");
   } else {
@@ -159,7 +150,8 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_jones_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the PDP-7");
+  CLI::App* const command =
+      app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the PDP-7");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
   command->add_flag("--no-eae,!--eae", arguments->no_eae, "Without (with) the extended arithmetic element");

@@ -13,7 +13,8 @@ constexpr std::uint32_t stop_word = 0003000;
 template <class Machine>
 void load(Machine& machine, const Program& program, const GuestOptions& options) {
   for (const auto& [address, word] : program.core) machine.deposit(address, word);
-  if (options.scale) machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
+  if (options.scale)
+    machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
   if (!options.clock) machine.deposit(program.labels.clock, core::Word18(clof));
   machine.console().set(core::Word18((options.stereo ? 1U : 0U) | (options.immediate ? 2U : 0U)));
   if (!options.switches.empty()) machine.console().schedule(options.switches);

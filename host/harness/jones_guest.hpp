@@ -1,8 +1,9 @@
-// Runs Jones's program on the emulated PDP-7 with its Type 340 and reports each view: what was drawn, how long the
-// machine took, and what it looked at.
+// Runs Jones's program on the emulated PDP-7 with its Type 340 and reports each view: what was drawn, how
+// long the machine took, and what it looked at.
 //
-// A view's time runs from the fetch at `search` to the store into `file` (jones.md section 7); where lines are added
-// at once, to the count of complete views. Everything is watched from outside: nothing is added to the program.
+// A view's time runs from the fetch at `search` to the store into `file` (jones.md section 7); where lines
+// are added at once, to the count of complete views. Everything is watched from outside: nothing is added to
+// the program.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +28,9 @@ struct GuestOptions {
   bool clock = true;
   std::vector<pdp7::SwitchSetting> switches;  // a person at the console; instead of the two above
   int views = 2;
-  bool display = true;                               // false: views are computed with no display on the machine
-  core::Duration photograph = core::Duration(0);     // keep strokes of this long after the last view's first pass
+  bool display = true;  // false: views are computed with no display on the machine
+  core::Duration photograph =
+      core::Duration(0);  // keep strokes of this long after the last view's first pass
   core::Duration time_limit = std::chrono::seconds(600);  // emulated
 };
 
@@ -50,10 +52,11 @@ struct GuestRun {
   bool timed_out = false;
   std::uint64_t instructions = 0;
   core::Duration emulated{};
-  // The display: the last view's file, run once from IDLA to its stop, and the time from one IDLA to the next.
+  // The display: the last view's file, run once from IDLA to its stop, and the time from one IDLA to the
+  // next.
   std::vector<core::Stroke> pass;
-  core::Duration refresh_period{};             // 0: not seen
-  std::vector<core::Stroke> photograph;        // strokes up to shutter_close
+  core::Duration refresh_period{};       // 0: not seen
+  std::vector<core::Stroke> photograph;  // strokes up to shutter_close
   core::Instant shutter_close{};
 };
 

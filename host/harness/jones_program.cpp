@@ -59,7 +59,8 @@ std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene
   if (auto* error = std::get_if<scene::SceneError>(&tape)) return *error;
   assembler::Options assembler_options;
   assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
-  const auto assembly = assembler::assemble_pdp7(sources_with(std::get<std::string>(tape)), assembler_options);
+  const auto assembly =
+      assembler::assemble_pdp7(sources_with(std::get<std::string>(tape)), assembler_options);
   if (!assembly.ok()) throw std::logic_error("the program does not assemble:\n" + all_diagnostics(assembly));
 
   Program program;
@@ -69,9 +70,9 @@ std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene
   const std::uint32_t tables = words_of(assembly, "recs");
   const std::uint32_t end = program.core.rbegin()->first + 1;
   if (end > tables) {
-    return scene::SceneError{"", "",
-                             fmt::format("found {} words too many for the machine's core beside the program",
-                                         end - tables)};
+    return scene::SceneError{
+        "", "",
+        fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
   }
   auto encoded = scene::encode(scene, options.tape, program.labels.scene);
   if (auto* error = std::get_if<scene::SceneError>(&encoded)) return *error;

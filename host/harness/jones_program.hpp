@@ -1,8 +1,9 @@
-// Jones's program with a scene, assembled from its source tapes: what goes into the machine's core, and where its
-// labels are.
+// Jones's program with a scene, assembled from its source tapes: what goes into the machine's core, and where
+// its labels are.
 //
 // The program's tapes (firmware/pdp7/jones) are embedded, so that the command needs no files. The sources are
-// assembled anew for each scene, as the paper describes ("assembled and loaded into core together with the program").
+// assembled anew for each scene, as the paper describes ("assembled and loaded into core together with the
+// program").
 #pragma once
 
 #include <cstdint>
@@ -26,20 +27,20 @@ namespace sightline::harness::jones {
 
 // Labels of the program (NOTES.md maps the paper's terms to them).
 struct Labels {
-  pdp7::Address start = 0;         // where the machine is started
-  pdp7::Address clock = 0;         // clkop: CLON, or CLOF to run without the clock
-  pdp7::Address scale = 0;         // scale0: S of the first view
-  pdp7::Address search = 0;        // a view begins
-  pdp7::Address visit = 0;         // a cell is visited
-  pdp7::Address opening = 0;       // an opening is tested
-  pdp7::Address line = 0;          // clip2: a line is clipped (its second word; the first keeps the return)
-  pdp7::Address piece = 0;         // drawn: a piece goes into the file
-  pdp7::Address file = 0;          // the current display file; storing here publishes a view
-  pdp7::Address views = 0;         // counts complete views
-  pdp7::Address file_begun = 0;    // dfs: first word of the file being made
-  pdp7::Address status = 0;        // of the last view
-  pdp7::Address scene = 0;         // header of the scene
-  std::uint32_t file_words = 0;    // room of one display file
+  pdp7::Address start = 0;       // where the machine is started
+  pdp7::Address clock = 0;       // clkop: CLON, or CLOF to run without the clock
+  pdp7::Address scale = 0;       // scale0: S of the first view
+  pdp7::Address search = 0;      // a view begins
+  pdp7::Address visit = 0;       // a cell is visited
+  pdp7::Address opening = 0;     // an opening is tested
+  pdp7::Address line = 0;        // clip2: a line is clipped (its second word; the first keeps the return)
+  pdp7::Address piece = 0;       // drawn: a piece goes into the file
+  pdp7::Address file = 0;        // the current display file; storing here publishes a view
+  pdp7::Address views = 0;       // counts complete views
+  pdp7::Address file_begun = 0;  // dfs: first word of the file being made
+  pdp7::Address status = 0;      // of the last view
+  pdp7::Address scene = 0;       // header of the scene
+  std::uint32_t file_words = 0;  // room of one display file
 };
 
 struct Program {
@@ -48,7 +49,8 @@ struct Program {
   Labels labels;
   scene::EncodedScene scene;        // based at labels.scene: which words belong to which cell
   std::uint32_t program_words = 0;  // instructions, variables and constants
-  std::uint32_t words_used = 0;     // all that the run needs of core: the above, scene, records, stack, two files
+  std::uint32_t words_used =
+      0;  // all that the run needs of core: the above, scene, records, stack, two files
 };
 
 struct ProgramOptions {

@@ -1,6 +1,6 @@
-// What is watched while Jones's program runs: a machine observer that counts fetches at the program's labels, marks
-// the cells whose words the processor reads, and stops the run when a view is published; and a stroke sink that knows
-// which pass of the display began when.
+// What is watched while Jones's program runs: a machine observer that counts fetches at the program's labels,
+// marks the cells whose words the processor reads, and stops the run when a view is published; and a stroke
+// sink that knows which pass of the display began when.
 #pragma once
 
 #include <cstdint>
@@ -80,7 +80,7 @@ class PassWatch {
  private:
   Watch* watch_ = nullptr;
   core::Instant from_ = core::never;
-  std::optional<core::Instant> begun_;       // of the pass waited for
+  std::optional<core::Instant> begun_;  // of the pass waited for
   bool ended_ = false;
   std::optional<core::Instant> next_begun_;
   bool keeping_ = false;

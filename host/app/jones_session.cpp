@@ -1,4 +1,4 @@
-#include "host/app/jones_pictures.hpp"
+#include "host/app/jones_session.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -15,7 +15,8 @@ namespace sightline::app {
 namespace {
 
 picture::Bytes png_bytes(const picture::Image& image, const std::string& title, const std::string& what) {
-  auto bytes = picture::encode_png(image, {{"Title", title}, {"Description", what}, {"Software", "sightline"}});
+  auto bytes =
+      picture::encode_png(image, {{"Title", title}, {"Description", what}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   return *bytes;
 }
@@ -35,6 +36,28 @@ void make_directory(const std::string& directory) {
 
 }  // namespace
 
+harness::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
+                                  const harness::jones::ProgramOptions& options) {
+  auto program = harness::jones::assemble_program(scene, options);
+  if (auto* error = std::get_if<scene::SceneError>(&program)) {
+    error->source = source;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  return std::get<harness::jones::Program>(std::move(program));
+}
+
+std::string title_of(const std::string& scene_name, bool eae) {
+  return scene_name + ", Jones 1971 on the PDP-7 " + (eae ? "with" : "without") + " EAE";
+}
+
+double seconds(core::Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+double refreshes_per_second(const harness::jones::GuestRun& run) {
+  return run.refresh_period.count() > 0 ? 1.0 / seconds(run.refresh_period) : 0.0;
+}
+
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,
                                               const std::string& title, const harness::jones::GuestRun& run) {
   make_directory(directory);
@@ -47,8 +70,8 @@ std::vector<std::string> write_jones_pictures(const std::string& directory, cons
     picture::PhosphorPhotograph photograph(run.shutter_close - photograph_time, run.shutter_close);
     photograph.expose(run.photograph);
     paths.push_back(base + "-phosphor.png");
-    write_file(paths.back(), std::span<const std::uint8_t>(
-                                 png_bytes(photograph.develop(), title, "the P7 screen, shutter open for 0.2 s")));
+    write_file(paths.back(), std::span<const std::uint8_t>(png_bytes(
+                                 photograph.develop(), title, "the P7 screen, shutter open for 0.2 s")));
   }
   return paths;
 }
@@ -58,7 +81,8 @@ std::string file_stem(const std::string& scene_name) {
   std::replace_if(
       stem.begin(), stem.end(),
       [](char c) {
-        return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_');
+        return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                 c == '_');
       },
       '_');
   return stem;
