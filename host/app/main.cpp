@@ -21,13 +21,12 @@ using sightline::app::ExitCode;
 
 constexpr const char* examples =
     "Examples:\n"
+    "  sightline jones house -o out\n"
+    "      run Jones's program on a scene: pictures in out/, times on the terminal\n"
     "  sightline asm pdp7 hello.s -o hello.rim && sightline run pdp7 --load hello.rim\n"
-    "      assemble a program and run it on the PDP-7\n"
-    "  sightline scene info roberts\n"
-    "      what one of the built-in scenes is made of\n\n"
-    "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal. Data "
-    "goes to\n"
-    "standard output, messages to standard error.\n";
+    "      assemble a program of your own and run it on the PDP-7\n\n"
+    "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal.\n"
+    "Data goes to standard output, messages to standard error.\n";
 
 // From the whole command to the subcommand the user got to.
 std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {

@@ -32,7 +32,7 @@ InterruptKey::InterruptKey() {
   struct sigaction action {};
   action.sa_handler = &remember_interrupt;
   // The handler goes after the first time: a run that does not come to an end can still be ended.
-  action.sa_flags = SA_RESETHAND;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   static_cast<void>(sigaction(SIGINT, &action, nullptr));
 }
 

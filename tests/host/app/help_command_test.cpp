@@ -25,7 +25,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "demo", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
@@ -44,6 +44,9 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"scene", "list"}, {"--json"});
   expect_help({"scene"}, {"tape", "check", "info", "list", "--at"});
   expect_help({"disasm"}, {"pdp7", "type340"});
+  expect_help({"jones"}, {"SCENE", "--eae", "--no-eae", "--at", "--scale", "--switches", "--stereo",
+                          "--immediate", "-o"});
+  expect_help({"demo"}, {"-o"});
 }
 
 TEST_F(HelpCommand, ShowsTheCommandAsItIsTyped) {
