@@ -1,0 +1,87 @@
+// Jones's program in core, put together once a scene and kind of machine, and the place of the eye in it changed by
+// hand, as a person at the console would deposit it (NOTES.md, "Reading and changing it").
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/harness/jones_program.hpp"
+#include "host/harness/jones_twin.hpp"
+#include "host/scene/cell_scene.hpp"
+#include "tests/host/scene/scene_support.hpp"
+
+namespace sightline::harness::jones {
+
+inline constexpr std::array scene_names{"house", "roberts", "street4", "corridor8", "corridor32"};
+
+inline Program assembled(const scene::CellScene& scene, bool eae) {
+  ProgramOptions options;
+  options.eae = eae;
+  auto program = assemble_program(scene, options);
+  if (const auto* error = std::get_if<scene::SceneError>(&program)) {
+    ADD_FAILURE() << error->message();
+    return {};
+  }
+  return std::get<Program>(std::move(program));
+}
+
+inline Program assembled(std::string_view scene, bool eae) { return assembled(scene::builtin_scene(scene), eae); }
+
+// A tag of the program. The tests use only such as its comments explain.
+inline pdp7::Address tag(const Program& program, std::string_view name) {
+  const auto found = program.symbols.find(name);
+  if (found == program.symbols.end()) {
+    ADD_FAILURE() << "the program has no tag " << name;
+    return 0;
+  }
+  return found->second;
+}
+
+inline core::Word18 word_of(std::int32_t number) { return core::Word18(static_cast<std::uint32_t>(number)); }
+
+inline void put_eye(Program& program, const SpacePoint& eye) {
+  program.core[program.labels.scene + 2] = word_of(eye.x);
+  program.core[program.labels.scene + 3] = word_of(eye.y);
+  program.core[program.labels.scene + 4] = word_of(eye.z);
+}
+
+// What the twin reads: the same core, with nothing where the tapes put nothing.
+inline std::vector<core::Word18> image_of(const Program& program) {
+  std::vector<core::Word18> words(core_words);
+  for (const auto& [address, word] : program.core) words.at(address) = word;
+  return words;
+}
+
+inline View twin_view(const Program& program, Parameters parameters = {}) {
+  const auto image = image_of(program);
+  parameters.eye = default_parameters(image, program.labels.scene).eye;
+  return run(image, program.labels.scene, parameters);
+}
+
+inline std::string octal(const std::vector<core::Word18>& words, std::size_t at) {
+  if (at >= words.size()) return "nothing";
+  std::string digits;
+  for (int shift = 15; shift >= 0; shift -= 3)
+    digits += static_cast<char>('0' + static_cast<int>(words[at].value() >> shift & 7U));
+  return digits;
+}
+
+// Two display files, bit for bit.
+inline testing::AssertionResult same_words(const std::vector<core::Word18>& guest,
+                                           const std::vector<core::Word18>& twin) {
+  if (guest == twin) return testing::AssertionSuccess();
+  std::size_t at = 0;
+  while (at < guest.size() && at < twin.size() && guest[at] == twin[at]) ++at;
+  return testing::AssertionFailure() << guest.size() << " words on the machine, " << twin.size()
+                                     << " of the twin; word " << at << " is " << octal(guest, at) << ", not "
+                                     << octal(twin, at);
+}
+
+}  // namespace sightline::harness::jones

@@ -1,0 +1,106 @@
+// Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search went, and
+// which cell stood at each depth. Much less than harness/jones_watch, and independent of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "emulators/machines/pdp7.hpp"
+#include "tests/firmware/jones_core.hpp"
+
+namespace sightline::harness::jones {
+
+class PathWatch {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  PathWatch(const Program& program, bool immediate)
+      : labels_(program.labels), depth_at_(tag(program, "depth")), cell_at_(tag(program, "cell")), immediate_(immediate) {}
+
+  void cycle(const pdp7::Cycle& cycle) {
+    const bool writes = cycle.verb == pdp7::Verb::write, counts = cycle.verb == pdp7::Verb::modify;
+    if (cycle.verb == pdp7::Verb::read && cycle.address == labels_.search) {
+      begun_ = cycle.time;
+      searching_ = true;
+    }
+    if (!searching_) return;
+    if (writes && cycle.address == cell_at_) cell_ = cycle.data.value();
+    if (counts && cycle.address == depth_at_) visit(cycle.data.value());
+    if (immediate_ ? counts && cycle.address == labels_.views : writes && cycle.address == labels_.file) {
+      ended_ = cycle.time + cycle.length;
+      stop_ = true;
+    }
+  }
+  bool stop() { return std::exchange(stop_, false); }
+
+  [[nodiscard]] core::Duration time() const { return ended_ - begun_; }
+  [[nodiscard]] std::uint64_t visits() const { return visits_; }
+  [[nodiscard]] std::size_t depth() const { return deepest_; }
+  // A cell was entered that the path to it had already led through.
+  [[nodiscard]] bool reentered() const { return reentered_; }
+
+ private:
+  void visit(std::size_t depth) {
+    ++visits_;
+    deepest_ = std::max(deepest_, depth);
+    path_.resize(depth - 1);
+    reentered_ = reentered_ || std::find(path_.begin(), path_.end(), cell_) != path_.end();
+    path_.push_back(cell_);
+  }
+
+  Labels labels_;
+  pdp7::Address depth_at_;
+  pdp7::Address cell_at_;
+  bool immediate_;
+  bool searching_ = false;
+  bool stop_ = false;
+  core::Instant begun_{};
+  core::Instant ended_{};
+  std::uint32_t cell_ = 0;
+  std::uint64_t visits_ = 0;
+  std::size_t deepest_ = 0;
+  bool reentered_ = false;
+  std::vector<std::uint32_t> path_;
+};
+
+// One view, with no display on the machine and no clock.
+struct DarkView {
+  Status status = Status::unfinished;  // no view within the limit of time
+  std::vector<core::Word18> display_file;
+  core::Duration time{};
+  std::uint64_t visits = 0;
+  std::size_t depth = 0;
+  bool reentered = false;
+};
+
+inline DarkView dark_view(const Program& program, bool eae, const Parameters& parameters) {
+  PathWatch watch(program, parameters.immediate);
+  machines::Pdp7Options options;
+  options.configuration.model.eae = eae;
+  core::NoStrokes nobody;
+  machines::Pdp7<core::NoStrokes, PathWatch> machine(options, nobody, watch);
+  for (const auto& [address, word] : program.core) machine.deposit(address, word);
+  machine.deposit(program.labels.scale, word_of(parameters.scale));
+  machine.deposit(program.labels.clock, core::Word18(0700004));
+  machine.console().set(core::Word18((parameters.stereo ? 1U : 0U) | (parameters.immediate ? 2U : 0U)));
+  machine.start(program.labels.start);
+  machines::Limits limits;
+  limits.until = core::Instant(std::chrono::seconds(600));
+  DarkView view;
+  if (machine.run(limits) != machines::StopReason::observer) return view;
+  view.status = static_cast<Status>(machine.peek(program.labels.status).value());
+  pdp7::Address at = machine.peek(program.labels.file_begun).value();
+  do view.display_file.push_back(machine.peek(at++));
+  while (view.display_file.back().value() != 03000 && view.display_file.size() < program.labels.file_words);
+  view.time = watch.time();
+  view.visits = watch.visits();
+  view.depth = watch.depth();
+  view.reentered = watch.reentered();
+  return view;
+}
+
+}  // namespace sightline::harness::jones
