@@ -1,0 +1,233 @@
+// Any bytes as a PDP-7 with a Type 340: how it is put together, its registers, its tape and keys, and what
+// stands in its core. It is run twice: once with nobody looking, in one piece; once with every cycle and
+// flash watched, in many pieces. Both must end in the same state at the same instant, and what was watched
+// must keep the machine's laws.
+//
+// Input: a header of 24 bytes (Header), then words of three bytes, high byte first, from Header::load on.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "emulators/core/stroke.hpp"
+#include "emulators/machines/pdp7.hpp"
+
+namespace {
+
+using namespace sightline;
+
+constexpr std::uint64_t most_instructions = 3000;
+constexpr core::Instant latest = core::at_nanoseconds(100'000'000);  // long EAE steps do not make a run long
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+// Takes bytes off the front; zeros after the end.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
+  [[nodiscard]] bool empty() const { return at_ == end_; }
+  std::uint32_t take(int count) {
+    std::uint32_t value = 0;
+    for (; count > 0; --count) value = value << 8 | (at_ == end_ ? 0U : *at_++);
+    return value;
+  }
+
+ private:
+  const std::uint8_t* at_;
+  const std::uint8_t* end_;
+};
+
+// Members are in the order of the input's bytes; the number of bytes stands beside each.
+struct Header {
+  explicit Header(Bytes& in)
+      : machine(in.take(1)),
+        devices(in.take(1)),
+        modes(in.take(1)),
+        core_seed(in.take(1)),
+        start(in.take(2)),
+        load(in.take(2)),
+        display_file(in.take(2)),
+        ac(in.take(3)),
+        mq(in.take(3)),
+        sc(in.take(1)),
+        switches(in.take(3)),
+        switches_later(in.take(3)),
+        pen(in.take(1)) {}
+
+  std::uint32_t
+      machine;  // 1: bits 0-1 memory, 2 EAE, 3 trap mode, 4 strict, 5 type 347, 6 type 342, 7 flash again
+  std::uint32_t
+      devices;  // 1: bits 0-3 clock, reader, punch, teletype; 4 60 Hz; 5 slow IOTs; 6 quick; 7 display
+  std::uint32_t
+      modes;  // 1: bits 0 link, 1 interrupts, 2 extend, 3 trap mode, 4 IDLA first, 5 pen, 6 key, 7 tape
+  std::uint32_t core_seed;       // 1: 0 core is zero
+  std::uint32_t start;           // 2
+  std::uint32_t load;            // 2
+  std::uint32_t display_file;    // 2
+  std::uint32_t ac, mq;          // 3, 3
+  std::uint32_t sc;              // 1
+  std::uint32_t switches;        // 3
+  std::uint32_t switches_later;  // 3: after 1 ms
+  std::uint32_t pen;             // 1: how long the light takes, in tens of nanoseconds
+};
+
+[[nodiscard]] bool has(std::uint32_t bits, unsigned n) {
+  return (bits >> n & 1U) != 0;
+}
+
+machines::Pdp7Options options_of(const Header& header) {
+  machines::Pdp7Options options;
+  machines::Configuration& machine = options.configuration;
+  machine.core_words = 4096U << (header.machine & 3U);
+  machine.model.eae = has(header.machine, 2);
+  machine.model.trap_mode = has(header.machine, 3);
+  machine.model.strict = has(header.machine, 4);
+  machine.devices = {has(header.devices, 0), has(header.devices, 1), has(header.devices, 2),
+                     has(header.devices, 3)};
+  if (has(header.devices, 4)) machine.timing.clock_hertz = 60;
+  if (has(header.devices, 5)) machine.timing.iot_stretch.fill(core::Duration(777));
+  if (has(header.devices, 6)) {  // so that flags rise and ticks come within a short run
+    machine.timing.clock_hertz = 10'000;
+    machine.timing.reader_line = core::Duration(3'333);
+    machine.timing.punch_line = core::Duration(15'797);
+    machine.timing.teletype_character = core::Duration(100'000);
+  }
+  if (!has(header.devices, 7)) {
+    type340::Options display;
+    display.subroutines_347 = has(header.machine, 5);
+    display.characters_342 = has(header.machine, 6);
+    display.flash_again = !has(header.machine, 7);
+    options.display = display;
+  }
+  return options;
+}
+
+template <class Machine>
+void set_up(Machine& machine, const Header& header, Bytes words) {
+  if (header.core_seed != 0) machine.randomise_core(header.core_seed);
+  for (pdp7::Address at = header.load & pdp7::address_mask; !words.empty(); ++at)
+    machine.deposit(at & pdp7::address_mask, core::Word18(words.take(3)));
+  if (has(header.modes, 7))
+    machine.devices().reader.load({0300, 0201, 0, 0377, 0212, 0100, 0205, 0206, 0207});
+  if (has(header.modes, 6)) machine.devices().keyboard.press(core::at_nanoseconds(50'000), 0101);
+  machine.console().set(core::Word18(header.switches));
+  machine.console().schedule({{core::at_nanoseconds(1'000'000), core::Word18(header.switches_later)}});
+  machine.start(header.start);
+  pdp7::State& registers = machine.registers();
+  registers.ac = core::Word18(header.ac);
+  registers.mq = core::Word18(header.mq);
+  registers.sc = core::Word<6>(header.sc);
+  registers.link = has(header.modes, 0);
+  registers.interrupts_on = has(header.modes, 1);
+  registers.extend = has(header.modes, 2) && machine.configuration().model.extend;
+  registers.trap_mode = has(header.modes, 3) && machine.configuration().model.trap_mode;
+  if (machine.display() == nullptr) return;
+  if (has(header.modes, 5))
+    machine.display()->point_light_pen(
+        type340::LightPen{0, 0, 700, 700, core::Duration(10) * static_cast<int>(header.pen)});
+  if (has(header.modes, 4))
+    machine.display()->load_address_and_start(machine.now(), core::Word18(header.display_file));
+}
+
+// Runs to a stop that is no limit, or to the limits; `part` instructions at a time.
+template <class Machine>
+machines::StopReason run(Machine& machine, std::uint64_t part) {
+  machines::StopReason reason = machines::StopReason::instruction_limit;
+  std::uint64_t left = most_instructions;
+  while (left != 0 && reason == machines::StopReason::instruction_limit) {
+    const std::uint64_t now = std::min(part, left);
+    reason = machine.run({now, latest});
+    left -= now;
+  }
+  return reason;
+}
+
+struct Screen {
+  static constexpr bool consumes = true;
+  core::Instant last{};
+  void begin_pass(core::Instant) {}
+  void end_pass(core::Instant) {}
+  void stroke(const core::Stroke& stroke) {
+    require(stroke.x < 1024 && stroke.y < 1024 && stroke.intensity < 8);
+    require(stroke.address < 8192 && stroke.time >= last);
+    last = stroke.time;
+  }
+};
+
+// No cycle overlaps the one before it and none is missing between two; an instruction begins and ends with
+// one.
+struct Watcher {
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+  core::Instant reached{};
+  core::Instant last_end{};
+  std::uint64_t count = 0;
+  void cycle(const pdp7::Cycle& cycle) {
+    require(cycle.time == reached && cycle.length.count() >= 0);
+    require(cycle.address <= pdp7::address_mask);
+    reached = cycle.time + cycle.length;
+  }
+  void instruction(const machines::InstructionRecord& record) {
+    require(record.time >= last_end && record.end - record.time >= pdp7::machine_cycle);
+    require(record.end == reached && record.after.pc <= pdp7::address_mask);
+    last_end = record.end;
+    ++count;
+  }
+  static bool stop() { return false; }
+};
+
+template <class Machine>
+void check_laws(const Machine& machine) {
+  const machines::Counts counts = machine.counts();
+  require(counts.instructions <= most_instructions);
+  require(counts.machine_cycles >= counts.instructions + counts.stolen_cycles);
+  const auto core = machine.core();
+  require(core.size() == machine.configuration().core_words);
+  require(std::all_of(core.data() + core.size(), core.data() + pdp7::address_mask + 1,
+                      [](core::Word18 word) { return word.value() == 0; }));
+}
+
+template <class A, class B>
+void check_same(const A& a, const B& b) {
+  require(a.registers() == b.registers() && a.now() == b.now());
+  require(a.counts().instructions == b.counts().instructions);
+  require(a.counts().stolen_cycles == b.counts().stolen_cycles);
+  require(std::equal(a.core().begin(), a.core().end(), b.core().begin(), b.core().end()));
+  require(a.devices().punch.tape() == b.devices().punch.tape());
+  require(a.devices().printer.printed() == b.devices().printer.printed());
+  require(std::equal(a.unanswered().begin(), a.unanswered().end(), b.unanswered().begin(),
+                     b.unanswered().end(), [](const machines::Unanswered& x, const machines::Unanswered& y) {
+                       return x.word == y.word && x.count == y.count && x.first_pc == y.first_pc;
+                     }));
+  if (a.display() == nullptr) return;
+  require(a.display()->counters().words == b.display()->counters().words);
+  require(a.display()->counters().passes_stopped == b.display()->counters().passes_stopped);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes words(data, size);
+  const Header header(words);
+  core::NoStrokes nobody;
+  machines::NoObserver unseen;
+  machines::Pdp7<> alone(options_of(header), nobody, unseen);
+  set_up(alone, header, words);
+  const machines::StopReason reason = run(alone, most_instructions);
+  check_laws(alone);
+
+  Screen screen;
+  Watcher watcher;
+  machines::Pdp7<Screen, Watcher> watched(options_of(header), screen, watcher);
+  set_up(watched, header, words);
+  require(run(watched, 7) == reason);
+  check_laws(watched);
+  require(watcher.count == watched.counts().instructions && watcher.reached == watched.now());
+  check_same(alone, watched);
+  return 0;
+}
