@@ -201,8 +201,14 @@ class BasicPdp7 {
         granted = true;
       }
     }
-    display_due_ = display_ ? display_->deadline() : core::never;
+    display_due_ = display_ ? next_display_event(now) : core::never;
     return granted;
+  }
+
+  // A word deposited for the display (Type 347) raises the next request at once: that is no deadline any
+  // more.
+  [[nodiscard]] core::Instant next_display_event(core::Instant now) const {
+    return display_->break_request() != nullptr ? now : display_->deadline();
   }
 
   // The request is copied: it is the display's own and goes as soon as it is met.

@@ -63,7 +63,8 @@ class Cpu {
       return Outcome::completed;
     Cpu copy = *this;
     const Outcome outcome = copy.execute_rare(word, at);
-    *this = copy;
+    bus_ = copy.bus_;
+    state_ = copy.state_;
     return outcome;
   }
 
