@@ -67,6 +67,16 @@ class PathWatch {
   std::vector<std::uint32_t> path_;
 };
 
+// The file being made, which is the one just published, up to its stop.
+template <class Machine>
+std::vector<core::Word18> file_words(const Machine& machine, const Program& program) {
+  std::vector<core::Word18> words;
+  pdp7::Address at = machine.peek(program.labels.file_begun).value();
+  do words.push_back(machine.peek(at++));
+  while (words.back().value() != 03000 && words.size() < program.labels.file_words);
+  return words;
+}
+
 // One view, with no display on the machine and no clock.
 struct DarkView {
   Status status = Status::unfinished;  // no view within the limit of time
@@ -93,9 +103,7 @@ inline DarkView dark_view(const Program& program, bool eae, const Parameters& pa
   DarkView view;
   if (machine.run(limits) != machines::StopReason::observer) return view;
   view.status = static_cast<Status>(machine.peek(program.labels.status).value());
-  pdp7::Address at = machine.peek(program.labels.file_begun).value();
-  do view.display_file.push_back(machine.peek(at++));
-  while (view.display_file.back().value() != 03000 && view.display_file.size() < program.labels.file_words);
+  view.display_file = file_words(machine, program);
   view.time = watch.time();
   view.visits = watch.visits();
   view.depth = watch.depth();

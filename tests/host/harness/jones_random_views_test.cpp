@@ -56,7 +56,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, b
     options.stereo = parameters.stereo;
     options.immediate = parameters.immediate;
     const GuestRun run = run_guest(program, options);
-    ASSERT_EQ(run.views.size(), 2U);
+    ASSERT_EQ(run.views.size(), 2U) << expected.display_file.size() << " display words";
     for (const GuestView& view : run.views) {
       EXPECT_EQ(name(view.status), name(expected.status));
       EXPECT_TRUE(same_words(view.display_file, expected.display_file));
@@ -64,7 +64,8 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, b
       EXPECT_EQ(view.distinct_cells, expected.counts.distinct_cells);
       EXPECT_EQ(view.pieces, expected.counts.pieces);
     }
-    EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
+    // Where lines are added at once the first view is shown while it is made, too.
+    if (!parameters.immediate) EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
   }
 };
 

@@ -1,0 +1,256 @@
+// What a person at the console has of Jones's program: the switches, lines added at once, a picture that is nothing,
+// and what becomes of a view that cannot be completed. Source: SPECIFICATION.md sections 5 and 6.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "emulators/machines/pdp7.hpp"
+#include "host/harness/jones_guest.hpp"
+#include "tests/firmware/jones_core.hpp"
+#include "tests/firmware/jones_drawn_points.hpp"
+#include "tests/firmware/jones_scenes.hpp"
+
+namespace sightline::harness::jones {
+namespace {
+
+constexpr std::uint32_t left = 0400000, right = 0200000, up = 0100000, down = 040000, in = 020000, out = 010000,
+                        bigger = 04000, smaller = 02000;
+
+core::Instant at(double seconds) { return core::Instant(core::Duration(static_cast<std::int64_t>(seconds * 1e9))); }
+
+struct Console {
+  SpacePoint eye;
+  std::int32_t scale = 0;
+  std::int32_t views = 0;
+};
+
+class JonesSwitches : public testing::Test {
+ protected:
+  // The switches are up from just after half a second for `held` seconds; then what is summed up is applied.
+  Console after(std::uint32_t switches, double held) {
+    core::NoStrokes screen;
+    machines::NoObserver nobody;
+    machines::Pdp7Options options;
+    options.display.emplace();
+    machines::Pdp7<> machine(options, screen, nobody);
+    for (const auto& [address, word] : program.core) machine.deposit(address, word);
+    machine.console().schedule({{at(0.507), core::Word18(switches)}, {at(0.507 + held), core::Word18(0)}});
+    machine.start(program.labels.start);
+    machines::Limits limits;
+    limits.until = at(0.507 + held + 1.0);
+    EXPECT_EQ(machine.run(limits), machines::StopReason::time_limit);
+    const auto cell = [&](const char* name) { return machine.peek(tag(program, name)).twos_complement(); };
+    return {{cell("ex"), cell("ey"), cell("ez")}, cell("scale"), cell("views")};
+  }
+  void SetUp() override {
+    const geometry::Box& box = program.scene.eye_limits;
+    home = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2};
+    put_eye(program, home);
+  }
+  Program program = assembled("corridor8", true);
+  SpacePoint home;
+};
+
+TEST_F(JonesSwitches, FiftyStepsASecondBetweenViews) {
+  const Console still = after(0, 1.0);
+  EXPECT_EQ(still.eye, home);
+  EXPECT_EQ(still.scale, 512);
+  EXPECT_GT(still.views, 5);
+  EXPECT_EQ(after(left, 1.0).eye, (SpacePoint{home.x - 50, home.y, home.z}));
+  EXPECT_EQ(after(right, 1.0).eye, (SpacePoint{home.x + 50, home.y, home.z}));
+  EXPECT_EQ(after(up, 1.0).eye, (SpacePoint{home.x, home.y + 50, home.z}));
+  EXPECT_EQ(after(down, 1.0).eye, (SpacePoint{home.x, home.y - 50, home.z}));
+  EXPECT_EQ(after(in, 1.0).eye, (SpacePoint{home.x, home.y, home.z + 50}));
+  EXPECT_EQ(after(out, 1.0).eye, (SpacePoint{home.x, home.y, home.z - 50}));
+  EXPECT_EQ(after(bigger, 1.0).scale, 512 + 50 * 8);
+  EXPECT_EQ(after(smaller, 1.0).scale, 512 - 50 * 8);
+  const Console three = after(right | up | out | bigger, 0.2);
+  EXPECT_EQ(three.eye, (SpacePoint{home.x + 10, home.y + 10, home.z - 10}));
+  EXPECT_EQ(three.scale, 512 + 10 * 8);
+}
+
+TEST_F(JonesSwitches, OppositesCancel) {
+  const Console all = after(left | right | up | down | in | out | bigger | smaller, 1.0);
+  EXPECT_EQ(all.eye, home);
+  EXPECT_EQ(all.scale, 512);
+}
+
+TEST_F(JonesSwitches, ScaleStaysInItsRange) {
+  EXPECT_EQ(after(bigger, 10.0).scale, 4096);
+  EXPECT_EQ(after(smaller, 2.0).scale, 64);
+}
+
+TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
+  const geometry::Box& box = program.scene.eye_limits;
+  EXPECT_EQ(after(left, 5.0).eye.x, box.low[0]);
+  EXPECT_EQ(after(right, 5.0).eye.x, box.high[0]);
+  EXPECT_EQ(after(down, 5.0).eye.y, box.low[1]);
+  EXPECT_EQ(after(up, 5.0).eye.y, box.high[1]);
+  EXPECT_EQ(after(out, 5.0).eye.z, box.low[2]);
+}
+
+// Close to the far wall nothing may be seen at all; that must not keep the machine from going on.
+TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
+  program = assembled(one_cell({200, 200, 50}, {{0, 0, 0}, {400, 400, 400}}, {}), true);
+  ASSERT_EQ(twin_view(program).display_file.size(), 2U);
+  const Console seen = after(0, 1.0);
+  EXPECT_GT(seen.views, 10);
+  std::printf("%d views of nothing\n", seen.views);
+  GuestOptions options;
+  options.time_limit = std::chrono::seconds(5);
+  const GuestRun run = run_guest(program, options);
+  EXPECT_FALSE(run.timed_out);
+  EXPECT_EQ(run.views.size(), 2U);
+  EXPECT_TRUE(run.pass.empty());
+}
+
+// Follows the file on the screen after every store into one of the two files.
+class FileWatch {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  explicit FileWatch(const Program& program)
+      : program_(program), shadow_(image_of(program)), file_(program.labels.file), running_(tag(program, "runing")) {}
+
+  void cycle(const pdp7::Cycle& cycle) {
+    if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
+    shadow_.at(cycle.address) = cycle.data;
+    if (cycle.address == program_.labels.views) stop_ = true;
+    const pdp7::Address first = tag(program_, "filea");
+    if (cycle.address < first || shadow_.at(running_).value() == 0) return;
+    ++stores_;
+    if (!terminated()) ++runaways_;
+  }
+  bool stop() { return std::exchange(stop_, false); }
+  [[nodiscard]] int stores() const { return stores_; }
+  [[nodiscard]] int runaways() const { return runaways_; }
+
+ private:
+  [[nodiscard]] bool terminated() const {
+    std::uint32_t mode = 0;
+    for (std::uint32_t n = 0, from = shadow_.at(file_).value(); n < program_.labels.file_words; ++n) {
+      const core::Word18 word = shadow_.at(from + n);
+      if (mode == 0 && word.bit(7)) return true;
+      if (mode != 4) {
+        mode = word.field(2, 4);
+      } else if (word.bit(0)) {
+        mode = 0;
+      }
+      if (mode != 0 && mode != 1 && mode != 4) return false;
+    }
+    return false;
+  }
+
+  const Program& program_;
+  std::vector<core::Word18> shadow_;
+  pdp7::Address file_;
+  pdp7::Address running_;
+  bool stop_ = false;
+  int stores_ = 0;
+  int runaways_ = 0;
+};
+
+// How many flashes each pass had.
+struct PassSizes {
+  static constexpr bool consumes = true;
+  void begin_pass(core::Instant) { sizes.push_back(0); }
+  void stroke(const core::Stroke&) {
+    if (!sizes.empty()) ++sizes.back();
+  }
+  void end_pass(core::Instant) {}
+  std::vector<int> sizes;
+};
+
+TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
+  for (const bool eae : {true, false}) {
+    const Program program = assembled("roberts", eae);
+    FileWatch watch(program);
+    PassSizes screen;
+    machines::Pdp7Options options;
+    options.configuration.model.eae = eae;
+    options.display.emplace();
+    machines::Pdp7<PassSizes, FileWatch> machine(options, screen, watch);
+    for (const auto& [address, word] : program.core) machine.deposit(address, word);
+    machine.console().set(core::Word18(2));
+    machine.start(program.labels.start);
+    machines::Limits limits;
+    limits.until = at(60);
+    for (int stop = 0; stop < 3; ++stop) {  // the first is the count set to zero
+      screen.sizes.clear();
+      ASSERT_EQ(machine.run(limits), machines::StopReason::observer);
+    }
+    EXPECT_GT(watch.stores(), 300);
+    EXPECT_EQ(watch.runaways(), 0);
+    // View 2: the last picture until there is a line, then more and more.
+    ASSERT_GT(screen.sizes.size(), 5U);
+    screen.sizes.pop_back();  // under way when the view ended
+    const auto shortest = std::min_element(screen.sizes.begin() + 1, screen.sizes.end());
+    EXPECT_TRUE(std::is_sorted(shortest, screen.sizes.end()));
+    EXPECT_LT(2 * *shortest, screen.sizes.back());
+    const auto end = std::unique(screen.sizes.begin(), screen.sizes.end());
+    EXPECT_GT(end - screen.sizes.begin(), 4);
+  }
+}
+
+// A view that cannot be completed: its status, what there is of it on the screen, and the next view.
+class JonesStatus : public testing::TestWithParam<bool> {
+ protected:
+  void expect(Program program, Status status, std::size_t least_pieces) const {
+    const View expected = twin_view(program);
+    ASSERT_EQ(name(expected.status), name(status));
+    GuestOptions options;
+    options.eae = GetParam();
+    const GuestRun run = run_guest(program, options);
+    ASSERT_EQ(run.views.size(), 2U);
+    for (const GuestView& view : run.views) {
+      EXPECT_EQ(name(view.status), name(status));
+      EXPECT_TRUE(same_words(view.display_file, expected.display_file));
+      EXPECT_GE(view.pieces, least_pieces);
+    }
+    EXPECT_EQ(points_of(run.pass), drawn_points(expected.display_file));
+  }
+  static Program with(const scene::CellScene& scene) { return assembled(scene, GetParam()); }
+};
+
+TEST_P(JonesStatus, StackOverflow) {
+  scene::CellScene scene = grazing_doorways_scene(51);
+  scene.cells[0].lines = {{{0, 0, 100}, {400, 0, 100}}};
+  expect(with(scene), Status::stack_overflow, 1);
+  scene = grazing_doorways_scene(50);
+  scene.cells[0].lines = {{{0, 0, 100}, {400, 0, 100}}};
+  expect(with(scene), Status::complete, 1);
+}
+
+TEST_P(JonesStatus, DisplayFileOverflow) {
+  expect(with(many_lines(349)), Status::complete, 349);
+  expect(with(many_lines(360)), Status::display_file_overflow, 349);
+}
+
+TEST_P(JonesStatus, TooManyMaskVertices) {
+  expect(with(stairs(7)), Status::complete, 16);
+  expect(with(stairs(8)), Status::too_many_mask_vertices, 15);
+}
+
+TEST_P(JonesStatus, DeeperThanTheNumberOfCells) {
+  Program program = with(scene::builtin_scene("house"));
+  program.core[program.labels.scene + 1] = core::Word18(1);
+  expect(program, Status::deeper_than_cells, 1);
+}
+
+TEST_P(JonesStatus, BadDataElement) {
+  Program program = with(scene::builtin_scene("house"));
+  const pdp7::Address vectors = program.scene.cell_addresses.at(program.scene.initial_cell) + 4;
+  constexpr std::uint32_t without_axis = 0477777;
+  program.core[vectors + 3] = program.core[vectors + 3] & core::Word18(without_axis);
+  expect(program, Status::bad_data_element, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Eae, JonesStatus, testing::Bool(),
+                         [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
+
+}  // namespace
+}  // namespace sightline::harness::jones

@@ -1,0 +1,189 @@
+// `sightline jones` and `sightline demo`: views, pictures, figures, and what is said when something is wrong.
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using sightline::test::Arguments;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class JonesCommand : public sightline::test::CommandLine {
+ protected:
+  static json scene_of(const std::string& name) {
+    std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/scene/builtin/" + name + ".json");
+    return json::parse(stream);
+  }
+  json report(Arguments arguments) {
+    arguments.insert(arguments.begin(), "jones");
+    arguments.push_back("--json");
+    const Ran ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return ran.exit_code == 0 ? json::parse(ran.out) : json{};
+  }
+  [[nodiscard]] bool is_png(const std::string& name) const { return read(name).starts_with("\x89PNG\r\n\x1a\n"); }
+};
+
+TEST_F(JonesCommand, WritesPicturesAndSaysWhatItCost) {
+  const Ran ran = sightline({"jones", "house", "-o", "pictures"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* line : {"view 1", "view 2", "status           complete", "instructions", "cells read       3 of 3, 4 visits",
+                           "openings tested", "lines clipped", "segments", "display words", "of 8192 words", "refresh"}) {
+    EXPECT_TRUE(has(ran.out, line)) << line << '\n' << ran.out;
+  }
+  EXPECT_TRUE(is_png("pictures/house.png"));
+  EXPECT_TRUE(is_png("pictures/house-phosphor.png"));
+  EXPECT_TRUE(has(read("pictures/house.svg"), "<svg"));
+}
+
+TEST_F(JonesCommand, JsonFields) {
+  const json r = report({"roberts"});
+  EXPECT_EQ(r.at("schema"), "sightline/jones/1");
+  EXPECT_EQ(r.at("scene"), "roberts");
+  EXPECT_EQ(r.at("eae"), true);
+  EXPECT_EQ(r.at("eye"), scene_of("roberts").at("default_view"));
+  EXPECT_EQ(r.at("cells"), scene_of("roberts").at("cells").size());
+  EXPECT_LE(r.at("core_words_used").get<int>(), 8192);
+  const double rate = r.at("refreshes_per_second").get<double>();
+  EXPECT_GT(rate, 1.0);
+  EXPECT_EQ(r.at("flicker").get<bool>(), rate < 30.0);
+  ASSERT_EQ(r.at("views").size(), 2U);
+  for (const json& view : r.at("views")) {
+    EXPECT_EQ(view.at("status"), "complete");
+    for (const char* field : {"emulated_ns", "instructions", "cells_read", "visits", "openings_tested", "lines_clipped",
+                              "segments", "display_words"}) {
+      EXPECT_GT(view.at(field).get<std::int64_t>(), 0) << field;
+    }
+  }
+  EXPECT_EQ(r.at("views")[0].at("segments"), r.at("views")[1].at("segments"));
+  ASSERT_EQ(r.at("pictures").size(), 3U);
+  for (const json& picture : r.at("pictures")) EXPECT_TRUE(exists(picture.get<std::string>()));
+}
+
+TEST_F(JonesCommand, TheSameBytesEveryTime) {
+  const Ran first = sightline({"jones", "house", "--json", "-o", "out"});
+  const std::string picture = read("out/house-phosphor.png");
+  EXPECT_EQ(sightline({"jones", "house", "--json", "-o", "out"}).out, first.out);
+  EXPECT_EQ(read("out/house-phosphor.png"), picture);
+}
+
+TEST_F(JonesCommand, WithoutTheEaeTheSamePictureTakesLonger) {
+  const json with = report({"house", "--eae", "-o", "with"});
+  const json without = report({"house", "--no-eae", "-o", "without"});
+  EXPECT_EQ(without.at("eae"), false);
+  EXPECT_GT(without.at("views")[1].at("emulated_ns").get<std::int64_t>(),
+            with.at("views")[1].at("emulated_ns").get<std::int64_t>());
+  EXPECT_EQ(without.at("views")[1].at("display_words"), with.at("views")[1].at("display_words"));
+}
+
+TEST_F(JonesCommand, AnotherPlaceScaleAndMode) {
+  const json scene = scene_of("corridor8");
+  const json& box = scene.at("cells").at(1);
+  const json& low = box.contains("box") ? box.at("box").at(0) : box.at(0);
+  const std::string at = std::to_string(low[0].get<int>() + 100) + "," + std::to_string(low[1].get<int>() + 100) + "," +
+                         std::to_string(low[2].get<int>() + 100);
+  const json there = report({"corridor8", "--at", at});
+  EXPECT_EQ(there.at("eye")[2], low[2].get<int>() + 100);
+  const json wide = report({"corridor8", "--scale", "256"}), near = report({"corridor8", "--scale", "2048"});
+  EXPECT_NE(wide.at("views")[1], near.at("views")[1]);
+  const json mono = report({"house"}), pair = report({"house", "--stereo"}), at_once = report({"house", "--immediate"});
+  EXPECT_GT(pair.at("views")[1].at("visits"), mono.at("views")[1].at("visits"));
+  EXPECT_EQ(at_once.at("views")[1].at("segments"), mono.at("views")[1].at("segments"));
+  EXPECT_EQ(report({"house", "--views", "4"}).at("views").size(), 4U);
+}
+
+TEST_F(JonesCommand, ASwitchScriptMovesTheEye) {
+  write("right.txt", "0 200000\n");
+  const json still = report({"corridor8", "--views", "6"});
+  const json moved = report({"corridor8", "--views", "6", "--switches", "right.txt"});
+  EXPECT_EQ(still.at("views")[0].at("display_words"), moved.at("views")[0].at("display_words"));
+  EXPECT_NE(still.at("views")[5].at("emulated_ns"), moved.at("views")[5].at("emulated_ns"));
+  write("wrong.txt", "0 200000\nsoon 1\n");
+  const Ran wrong = sightline({"jones", "house", "--switches", "wrong.txt", "-o", "none"});
+  EXPECT_EQ(wrong.exit_code, 4);
+  EXPECT_TRUE(has(wrong.err, "wrong.txt:2")) << wrong.err;
+  EXPECT_FALSE(exists("none"));
+}
+
+TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
+  const json solid = scene_of("roberts").at("solids").at(0);
+  std::string inside;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    inside += (axis == 0 ? "" : ",") + std::to_string((solid[0][axis].get<int>() + solid[1][axis].get<int>()) / 2);
+  }
+  for (const std::string& at : {inside, std::string("16000,16000,16000")}) {
+    const Ran ran = sightline({"jones", "roberts", "--at", at});
+    EXPECT_EQ(ran.exit_code, 4) << at;
+    EXPECT_TRUE(has(ran.err, "roberts")) << ran.err;
+    EXPECT_TRUE(ran.out.empty());
+    EXPECT_FALSE(exists("out"));
+  }
+}
+
+TEST_F(JonesCommand, WrongArguments) {
+  for (const Arguments& wrong : {Arguments{"house", "--scale", "63"}, Arguments{"house", "--scale", "4097"},
+                                 Arguments{"house", "--scale", "big"}, Arguments{"house", "--at", "1,2"},
+                                 Arguments{"house", "--views", "0"}, Arguments{"house", "--nonsense"}, Arguments{}}) {
+    Arguments arguments{"jones"};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    const Ran ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << (wrong.empty() ? "" : wrong.back());
+    EXPECT_FALSE(ran.err.empty());
+    EXPECT_FALSE(exists("out"));
+  }
+}
+
+TEST_F(JonesCommand, AFolderThatCannotBeMade) {
+  write("file", "");
+  const Ran ran = sightline({"jones", "house", "-o", "file/pictures"});
+  EXPECT_EQ(ran.exit_code, 5);
+  EXPECT_TRUE(has(ran.err, "file/pictures")) << ran.err;
+}
+
+TEST_F(JonesCommand, ScenesThatAreNoScenes) {
+  json scene = scene_of("house");
+  scene["cells"].push_back(scene["cells"][0]);
+  scene["cell_lines"].push_back(json::array());
+  write("overlap.json", scene.dump());
+  const Ran overlap = sightline({"jones", "overlap.json"});
+  EXPECT_EQ(overlap.exit_code, 4);
+  EXPECT_TRUE(has(overlap.err, "overlap.json")) << overlap.err;
+  write("half.json", scene_of("house").dump().substr(0, 400));
+  EXPECT_EQ(sightline({"jones", "half.json"}).exit_code, 4);
+  const Ran missing = sightline({"jones", "missing.json"});
+  EXPECT_NE(missing.exit_code, 0);
+  EXPECT_TRUE(has(missing.err, "missing.json")) << missing.err;
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(JonesCommand, DemoPrintsTheTableAndWritesThePictures) {
+  const Ran ran = sightline({"demo", "-o", "pictures"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "}) rows += line.starts_with(scene);
+  }
+  EXPECT_EQ(rows, 10) << ran.out;
+  EXPECT_TRUE(has(ran.out, "a few seconds"));
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
+    ++pictures;
+    EXPECT_GT(entry.file_size(), 1000U) << entry.path();
+  }
+  EXPECT_EQ(pictures, 15);
+  const Ran document = sightline({"demo", "--json", "-o", "pictures"});
+  ASSERT_EQ(document.exit_code, 0);
+  const json r = json::parse(document.out);
+  ASSERT_EQ(r.at("views").size(), 10U);
+  for (const json& view : r.at("views")) {
+    EXPECT_EQ(view.at("status"), "complete");
+    EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
+  }
+}
+
+}  // namespace
