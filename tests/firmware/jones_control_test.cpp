@@ -97,7 +97,6 @@ TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
   ASSERT_EQ(twin_view(program).display_file.size(), 2U);
   const Console seen = after(0, 1.0);
   EXPECT_GT(seen.views, 10);
-  std::printf("%d views of nothing\n", seen.views);
   GuestOptions options;
   options.time_limit = std::chrono::seconds(5);
   const GuestRun run = run_guest(program, options);
@@ -204,6 +203,7 @@ class JonesStatus : public testing::TestWithParam<bool> {
     ASSERT_EQ(name(expected.status), name(status));
     GuestOptions options;
     options.eae = GetParam();
+    options.time_limit = std::chrono::seconds(60);
     const GuestRun run = run_guest(program, options);
     ASSERT_EQ(run.views.size(), 2U);
     for (const GuestView& view : run.views) {
@@ -218,10 +218,10 @@ class JonesStatus : public testing::TestWithParam<bool> {
 
 TEST_P(JonesStatus, StackOverflow) {
   scene::CellScene scene = grazing_doorways_scene(51);
-  scene.cells[0].lines = {{{0, 0, 100}, {400, 0, 100}}};
+  scene.cells[0].lines = {{{150, 150, 100}, {250, 150, 100}}};
   expect(with(scene), Status::stack_overflow, 1);
   scene = grazing_doorways_scene(50);
-  scene.cells[0].lines = {{{0, 0, 100}, {400, 0, 100}}};
+  scene.cells[0].lines = {{{150, 150, 100}, {250, 150, 100}}};
   expect(with(scene), Status::complete, 1);
 }
 
@@ -243,9 +243,11 @@ TEST_P(JonesStatus, DeeperThanTheNumberOfCells) {
 
 TEST_P(JonesStatus, BadDataElement) {
   Program program = with(scene::builtin_scene("house"));
-  const pdp7::Address vectors = program.scene.cell_addresses.at(program.scene.initial_cell) + 4;
+  // The last vector of the initial cell: the lines before it are drawn.
+  const pdp7::Address count = program.scene.cell_addresses.at(program.scene.initial_cell) + 3;
   constexpr std::uint32_t without_axis = 0477777;
-  program.core[vectors + 3] = program.core[vectors + 3] & core::Word18(without_axis);
+  core::Word18& last = program.core[count + program.core[count].value()];
+  last = last & core::Word18(without_axis);
   expect(program, Status::bad_data_element, 1);
 }
 

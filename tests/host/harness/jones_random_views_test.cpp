@@ -55,6 +55,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, b
     options.scale = parameters.scale;
     options.stereo = parameters.stereo;
     options.immediate = parameters.immediate;
+    options.time_limit = std::chrono::seconds(60);
     const GuestRun run = run_guest(program, options);
     ASSERT_EQ(run.views.size(), 2U) << expected.display_file.size() << " display words";
     for (const GuestView& view : run.views) {
