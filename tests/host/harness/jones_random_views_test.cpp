@@ -66,7 +66,9 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, b
       EXPECT_EQ(view.pieces, expected.counts.pieces);
     }
     // Where lines are added at once the first view is shown while it is made, too.
-    if (!parameters.immediate) EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
+    if (!parameters.immediate) {
+      EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
+    }
   }
 };
 
