@@ -118,6 +118,7 @@ std::string summary_of(const Arguments& arguments, const jones::Program& program
   text += fmt::format("segments         {}\n", view.pieces);
   text += fmt::format("display words    {}\n", view.display_file.size());
   text += fmt::format("core used        {} of {} words\n", program.words_used, scene::core_words);
+  if (run.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
   text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
                       refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");
   return text;

@@ -1,5 +1,7 @@
 #include "host/harness/jones_guest.hpp"
 
+#include <algorithm>
+
 #include "emulators/machines/pdp7.hpp"
 #include "host/harness/jones_watch.hpp"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t clof = 0700004;
 constexpr std::uint32_t stop_word = 0003000;
+// Far longer than the interrupt handler takes to start the display again.
+constexpr core::Duration longest_pause = std::chrono::milliseconds(10);
 
 template <class Machine>
 void load(Machine& machine, const Program& program, const GuestOptions& options) {
@@ -79,6 +83,11 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
     passes.wait_from(machine.now(), watch);
     while (!passes.complete() && !run.timed_out)
       run.timed_out = machine.run(limits) != machines::StopReason::observer;
+    // A picture of nothing is not refreshed.
+    machines::Limits soon = limits;
+    soon.until = std::min(limits.until, machine.now() + longest_pause);
+    while (!run.timed_out && !passes.repeated() && machine.run(soon) == machines::StopReason::observer) {
+    }
     run.pass = passes.pass();
     run.refresh_period = passes.period();
     if (options.photograph.count() > 0) {

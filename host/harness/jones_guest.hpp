@@ -55,7 +55,7 @@ struct GuestRun {
   // The display: the last view's file, run once from IDLA to its stop, and the time from one IDLA to the
   // next.
   std::vector<core::Stroke> pass;
-  core::Duration refresh_period{};       // 0: not seen
+  core::Duration refresh_period{};       // 0: not seen, as of a picture of nothing
   std::vector<core::Stroke> photograph;  // strokes up to shutter_close
   core::Instant shutter_close{};
 };

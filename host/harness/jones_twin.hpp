@@ -19,7 +19,7 @@ namespace sightline::harness::jones {
 
 inline constexpr std::size_t core_words = 8192;
 inline constexpr int mask_stack_words = 450;
-inline constexpr std::size_t display_file_words = 1600;
+inline constexpr std::size_t display_file_words = 1384;
 
 enum class Status : std::uint8_t {
   complete,

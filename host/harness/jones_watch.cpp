@@ -97,7 +97,9 @@ void PassWatch::stroke(const core::Stroke& stroke) {
 }
 
 void PassWatch::end_pass(core::Instant) {
-  if (begun_) ended_ = true;
+  if (!begun_ || ended_) return;
+  ended_ = true;
+  watch_->request_stop();
 }
 
 core::Duration PassWatch::period() const {

@@ -63,7 +63,8 @@ class PassWatch {
  public:
   static constexpr bool consumes = true;
 
-  // Wait for a pass that begins at or after `from` and is complete, and for the next pass to begin.
+  // Wait for a pass that begins at or after `from`: a stop is asked for when it is complete, and again when
+  // the next pass begins.
   void wait_from(core::Instant from, Watch& watch);
   // Keep every stroke from now on, for a photograph.
   void keep_strokes() { keeping_ = true; }
@@ -72,8 +73,10 @@ class PassWatch {
   void stroke(const core::Stroke& stroke);
   void end_pass(core::Instant t);
 
-  [[nodiscard]] bool complete() const { return next_begun_.has_value(); }
+  [[nodiscard]] bool complete() const { return ended_; }
+  [[nodiscard]] bool repeated() const { return next_begun_.has_value(); }
   [[nodiscard]] const std::vector<core::Stroke>& pass() const { return pass_; }
+  // From its beginning to that of the next pass; 0 while that has not begun.
   [[nodiscard]] core::Duration period() const;
   [[nodiscard]] const std::vector<core::Stroke>& kept() const { return kept_; }
 

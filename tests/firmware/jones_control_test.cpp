@@ -226,8 +226,8 @@ TEST_P(JonesStatus, StackOverflow) {
 }
 
 TEST_P(JonesStatus, DisplayFileOverflow) {
-  expect(with(many_lines(349)), Status::complete, 349);
-  expect(with(many_lines(360)), Status::display_file_overflow, 349);
+  expect(with(many_lines(345)), Status::complete, 345);
+  expect(with(many_lines(360)), Status::display_file_overflow, 345);
 }
 
 TEST_P(JonesStatus, TooManyMaskVertices) {

@@ -6,20 +6,20 @@
 / octal; negate is cma, tad (1.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
-/ constants   10035 records   11406 mask stack   12420 and 15210 the two display
+/ constants   10075 records   11446 mask stack   12460 and 15230 the two display
 / files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
 
-recs=10035              / records of openings: 5 words each
+recs=10075              / records of openings: 5 words each
 recmax=224              / 148 of them
-recend=11401            / and one for an opening beyond these
-stack=11406
-stkend=12310            / 450 words; one frame more may be written beyond
-filea=12420
-fileb=15210
-filsiz=2570             / 1400 words each
+recend=11441            / and one for an opening beyond these
+stack=11446
+stkend=12350            / 450 words; one frame more may be written beyond
+filea=12460
+fileb=15230
+filsiz=2550             / 1384 words each
 
 mulac=640122            / MUL that keeps AC: it is added to the product
 
@@ -107,6 +107,12 @@ intr,   dac intac
         jmp intr1
         lac file
         dac shown
+        tad (1
+        dac intpt
+        lac i intpt
+        sad (3000
+        jmp intr3       / a picture of nothing: once is enough
+        lac file
         idla
         jmp intrx
 intr1,  clsf
@@ -118,6 +124,9 @@ intr2,  idcf
         tcf
         pcf
         rcf
+        jmp intrx
+intr3,  idcf            / refreshed, it would leave the program no time
+        dzm runing
 intrx,  lac 0
         ral             / the link as it was
         lac intac
@@ -339,6 +348,7 @@ limlo,  0
 limhi,  0
 limt,   0
 intac,  0
+intpt,  0
 tksw,   0
 tkn,    0
 tkcell, 0

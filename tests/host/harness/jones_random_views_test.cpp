@@ -1,8 +1,8 @@
-// Jones's program on the emulated PDP-7 against its native twin over random views of every scene: the same display
-// words and the same status, bit for bit, with the EAE and without, in every mode.
+// Jones's program on the emulated PDP-7 against its native twin over random views of every scene: the same
+// display words and the same status, bit for bit, with the EAE and without, in every mode.
 //
-// Most views are computed with no display on the machine; some run as a person would see them, the second view while
-// the first is refreshed. The worst time of a view is recorded without a limit.
+// Most views are computed with no display on the machine; some run as a person would see them, the second
+// view while the first is refreshed. The worst time of a view is recorded without a limit.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -39,17 +39,19 @@ Parameters random_parameters(Dice& dice) {
 }
 
 std::string described(const Parameters& p) {
-  return "eye " + std::to_string(p.eye.x) + ',' + std::to_string(p.eye.y) + ',' + std::to_string(p.eye.z) + " scale " +
-         std::to_string(p.scale) + (p.stereo ? " stereo" : "") + (p.immediate ? " immediate" : "");
+  return "eye " + std::to_string(p.eye.x) + ',' + std::to_string(p.eye.y) + ',' + std::to_string(p.eye.z) +
+         " scale " + std::to_string(p.scale) + (p.stereo ? " stereo" : "") +
+         (p.immediate ? " immediate" : "");
 }
 
-class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, bool>> {
+class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, bool>> {
  protected:
-  const char* scene() const { return std::get<0>(GetParam()); }
+  std::string scene() const { return std::get<0>(GetParam()); }
   bool eae() const { return std::get<1>(GetParam()); }
 
   // The same view with the picture before it on the screen.
-  void expect_same_with_display(const Program& program, const Parameters& parameters, const View& expected) const {
+  void expect_same_with_display(const Program& program, const Parameters& parameters,
+                                const View& expected) const {
     GuestOptions options;
     options.eae = eae();
     options.scale = parameters.scale;
@@ -65,8 +67,9 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<const char*, b
       EXPECT_EQ(view.distinct_cells, expected.counts.distinct_cells);
       EXPECT_EQ(view.pieces, expected.counts.pieces);
     }
-    // Where lines are added at once the first view is shown while it is made, too.
-    if (!parameters.immediate) {
+    // Where lines are added at once the first view is shown while it is made, too; a picture of nothing is
+    // not refreshed.
+    if (!parameters.immediate && run.views[0].pieces > 0) {
       EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
     }
   }
@@ -85,7 +88,7 @@ TEST_P(JonesRandomViews, GuestAndTwinAgree) {
     Parameters parameters = random_parameters(dice);
     parameters.eye = random_eye(program.scene.eye_limits, dice);
     put_eye(program, parameters.eye);
-    SCOPED_TRACE(std::string(scene()) + (eae() ? " with EAE " : " without EAE ") + described(parameters));
+    SCOPED_TRACE(scene() + (eae() ? " with EAE " : " without EAE ") + described(parameters));
     const View expected = twin_view(program, parameters);
     const DarkView view = dark_view(program, eae(), parameters);
     ASSERT_EQ(name(view.status), name(expected.status));
@@ -106,18 +109,18 @@ TEST_P(JonesRandomViews, GuestAndTwinAgree) {
     }
   }
   const auto seconds = [](core::Duration time) { return std::chrono::duration<double>(time).count(); };
-  std::printf("%-10s %-11s %d views: mean %.3f s, worst %.3f s (%s); depth %zu of %zu cells, visits %llu, words %zu\n",
-              scene(), eae() ? "with EAE" : "without EAE", views, seconds(sum) / views,
-              seconds(worst), worst_view.c_str(), deepest, cells, static_cast<unsigned long long>(most_visits),
-              longest_file);
+  std::printf(
+      "%-10s %-11s %d views: mean %.3f s, worst %.3f s (%s); depth %zu of %zu cells, visits %llu, words "
+      "%zu\n",
+      scene().c_str(), eae() ? "with EAE" : "without EAE", views, seconds(sum) / views, seconds(worst),
+      worst_view.c_str(), deepest, cells, static_cast<unsigned long long>(most_visits), longest_file);
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesRandomViews,
-                         testing::Combine(testing::ValuesIn(scene_names), testing::Bool()),
-                         [](const auto& p) {
-                           return std::string(std::get<0>(p.param)) +
-                                  (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    BuiltIn, JonesRandomViews,
+    testing::Combine(testing::ValuesIn(std::vector<std::string>(scene_names.begin(), scene_names.end())),
+                     testing::Bool()),
+    [](const auto& p) { return std::get<0>(p.param) + (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae"); });
 
 }  // namespace
 }  // namespace sightline::harness::jones

@@ -62,8 +62,8 @@ TEST(JonesTwinStatus, DisplayFileOverflowLeavesRoomForTheStop) {
   }
   const View view = view_of(TestCore({chain}, {}));
   EXPECT_EQ(view.status, Status::display_file_overflow);
-  EXPECT_EQ(view.counts.pieces, 399U) << "four words each in 1598";
-  EXPECT_EQ(view.display_file.size(), 1598U);
+  EXPECT_EQ(view.counts.pieces, 345U) << "four words each in 1384, less the first and the stop";
+  EXPECT_EQ(view.display_file.size(), 1382U);
   EXPECT_TRUE(decode(view).well_formed);
 }
 

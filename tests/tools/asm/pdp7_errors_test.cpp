@@ -139,8 +139,13 @@ TEST(Pdp7ErrorsAtOnce, AllOfAFileInOneRunInTheirOrder) {
 }
 
 TEST(Pdp7ErrorsAtOnce, DeepNestingIsRefusedNotObeyed) {
-  EXPECT_FALSE(assemble(std::string(100000, '(') + "1").ok());
-  EXPECT_TRUE(assemble(std::string(100000, '-') + "1").ok());
+  const auto repeated = [](char c) {  // then a 1
+    std::string text(100000, c);
+    text.push_back('1');
+    return text;
+  };
+  EXPECT_FALSE(assemble(repeated('(')).ok());
+  EXPECT_TRUE(assemble(repeated('-')).ok());
   std::string blocks;
   for (int i = 0; i < 100000; ++i) blocks += "ifzero 0 <";
   EXPECT_FALSE(assemble(blocks).ok());
