@@ -1,5 +1,7 @@
 // A display that only does what the PDP-7 can feel of one: it asks for the word at its address counter, steps
-// on, asks again a set time after each word, and stops with an interrupt request at a word of all ones.
+// on, asks again a set time after each word, and stops with an interrupt request at a word of all ones. One
+// that deposits writes its first word instead, and asks for the next as soon as that is done, as the Type 347
+// does.
 #pragma once
 
 #include <cstdint>
@@ -69,7 +71,9 @@ class FakeDisplay {
   }
   void deposited(core::Instant at) {
     deposited_at = at;
-    request_.reset();
+    deposits_ = false;
+    counter_ = (counter_ + 1) & 017777;
+    request_ = FakeRequest{at, static_cast<std::uint16_t>(counter_), false, core::Word18()};
   }
   [[nodiscard]] bool interrupt_request() const { return stopped_ || edge_flags || pen_flag; }
 

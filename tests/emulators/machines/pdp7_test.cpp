@@ -247,5 +247,33 @@ TEST_F(Pdp7, ARealDisplayRunsItsFileWhileTheProcessorCounts) {
   EXPECT_LE(elapsed, 534'600 + 7 * 2 * 1750 + 4 * 1750);
 }
 
+// A real Type 340 with the 347 option: mode 7 at 300, DDS 350 at 301, stop at 302. A word takes 3.3 us, a
+// break waits for the end of the JMP: asked for at 5250, 10300, 15550 (the write) and, as the deposit is
+// done, at 17500.
+TEST_F(Pdp7, ADepositOfTheRealDisplayIsFollowedAtOnceByItsNextWord) {
+  core::NoStrokes sink;
+  type340::Options options;
+  options.subroutines_347 = true;
+  machines::Pdp7<core::NoStrokes, tests::RecordingObserver> machine({{}, options}, sink, recorder_);
+  load(machine, 0100, {0200200, 0700606, 0600102});
+  load(machine, 0200, {0300});
+  load(machine, 0300, {0160000, 0200350, 0003000});
+  machine.start(0100);
+  machine.run({20, core::never});
+  std::vector<std::vector<std::int64_t>> breaks;
+  for (const pdp7::Cycle& c : recorder_.events) {
+    if (c.verb != pdp7::Verb::break_read && c.verb != pdp7::Verb::break_write) continue;
+    breaks.push_back(
+        {core::nanoseconds_of(c.time), c.verb == pdp7::Verb::break_write ? 1 : 0, c.address, c.data.value()});
+  }
+  const std::vector<std::vector<std::int64_t>> expected{{5250, 0, 0300, 0160000},
+                                                        {10500, 0, 0301, 0200350},
+                                                        {15750, 1, 0350, 0400000},
+                                                        {17500, 0, 0302, 0003000}};
+  EXPECT_EQ(breaks, expected);
+  EXPECT_EQ(machine.peek(0350).value(), 0400000U);
+  EXPECT_TRUE(machine.display()->stop_interrupt(machine.now()));
+}
+
 }  // namespace
 }  // namespace sightline
