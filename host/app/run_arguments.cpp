@@ -8,6 +8,7 @@
 #include "host/app/command.hpp"
 #include "host/app/image_argument.hpp"
 #include "host/app/run_scripts.hpp"
+#include "host/app/run_timing.hpp"
 
 namespace sightline::app {
 
@@ -20,6 +21,7 @@ machines::Pdp7Options machine_from(const RunArguments& arguments) {
   machine.configuration.core_words = kilowords * 1024;
   machine.configuration.model.eae = !arguments.no_eae;
   machine.configuration.model.strict = arguments.strict;
+  set_timing(machine.configuration.timing, timing_settings(arguments.timings));
   if (!arguments.wants_display()) return machine;
   const auto has = [&arguments](const char* name) {
     return std::find(arguments.display_options.begin(), arguments.display_options.end(), name) !=
@@ -95,6 +97,10 @@ harness::Pdp7Job job_from(const RunArguments& arguments) {
   if (!arguments.reader.empty()) job.reader_tape = read_input(arguments.reader);
   if (!arguments.keyboard.empty()) {
     job.keys = read_keyboard_script(read_input_text(arguments.keyboard), shown_name(arguments.keyboard));
+  }
+  if (!arguments.light_pen.empty()) {
+    job.pen_script =
+        read_light_pen_script(read_input_text(arguments.light_pen), shown_name(arguments.light_pen));
   }
   return job;
 }

@@ -16,11 +16,13 @@ struct RunArguments {
   bool eae = false;  // changes nothing: it is the default
   bool no_eae = false;
   std::vector<std::string> sets;
+  std::vector<std::string> timings;
   std::string switches;
   std::string max_instructions;
   std::string max_time;
   bool display = false;
   std::vector<std::string> display_options;
+  std::string light_pen;
   bool strict = false;
   std::string dump;
   std::string trace;
@@ -37,7 +39,9 @@ struct RunArguments {
   [[nodiscard]] bool wants_strokes() const {
     return !strokes.empty() || !png.empty() || !phosphor.empty() || !svg.empty();
   }
-  [[nodiscard]] bool wants_display() const { return display || !display_options.empty() || wants_strokes(); }
+  [[nodiscard]] bool wants_display() const {
+    return display || !display_options.empty() || !light_pen.empty() || wants_strokes();
+  }
 };
 
 // Everything but the takers of trace and strokes; reads all input files. Failures as they come.

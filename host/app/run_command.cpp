@@ -9,6 +9,7 @@
 #include "host/app/run_arguments.hpp"
 #include "host/app/run_outputs.hpp"
 #include "host/app/run_report.hpp"
+#include "host/app/run_timing.hpp"
 
 namespace sightline::app {
 
@@ -38,6 +39,12 @@ constexpr const char* examples =
     "Formats:\n"
     "  switch script    lines `SECONDS OCTAL`, # begins a comment\n"
     "  keyboard script  lines `SECONDS TEXT`, with \\r \\n \\t \\\\ and \\NNN (octal)\n"
+    "  light-pen script lines `SECONDS X Y [RADIUS]` or `SECONDS off`, in order of time: from then on the "
+    "pen "
+    "sees the\n"
+    "                   square of RADIUS points (default 4) around X Y, decimal, (0, 0) lower left; # begins "
+    "a "
+    "comment\n"
     "  dump             `PC AC L MQ SC`, then all words of core, eight to a line, six digits\n"
     "  trace            `TIME_NS PC WORD INSTRUCTION AC L MQ`, a line an instruction, registers after it\n"
     "  strokes          `T_NS X Y INTENSITY ADDRESS`, a line a flash of the beam\n";
@@ -59,7 +66,7 @@ ExitCode run(const RunArguments& arguments) {
   warn_about(report);
   outputs.write(report);
   if (!outputs.uses_stdout())
-    write_stdout(arguments.json ? json_report(job, report) : table_report(job, report));
+    write_stdout(arguments.json ? json_report(arguments, job, report) : table_report(job, report));
   return judge(report);
 }
 
@@ -87,6 +94,12 @@ void add_machine_options(CLI::App& command, RunArguments& to) {
       ->check(CLI::IsMember({"342", "347"}))
       ->allow_extra_args(false)
       ->type_name("342|347");
+  command.add_option("--light-pen", to.light_pen, "A script of where the display's light pen points when")
+      ->type_name("SCRIPT");
+  command
+      .add_option("--timing", to.timings, "Set a time of the machine that no document settles; names below")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   command.add_option("--reader", to.reader, "The tape in the paper-tape reader")->type_name("FILE");
   command.add_option("--keyboard", to.keyboard, "A script of what is typed when")->type_name("SCRIPT");
   command.add_option("--max-instructions", to.max_instructions, "Stop after this many instructions")
@@ -118,7 +131,8 @@ void add_run_command(CLI::App& app, ExitCode& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   add_machine_options(*pdp7, *arguments);
   add_output_options(*pdp7, *arguments);
-  pdp7->footer(examples);
+  pdp7->footer(examples + ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" +
+                           timing_help()));
   pdp7->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

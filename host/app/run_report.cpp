@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emulators/pdp7/cpu.hpp"
+#include "host/app/run_timing.hpp"
 
 namespace sightline::app {
 
@@ -52,7 +53,8 @@ ordered_json registers_of(const harness::Pdp7Report& report) {
 
 }  // namespace
 
-std::string json_report(const harness::Pdp7Job& job, const harness::Pdp7Report& report) {
+std::string json_report(const RunArguments& arguments, const harness::Pdp7Job& job,
+                        const harness::Pdp7Report& report) {
   const machines::Configuration& machine = job.machine.configuration;
   ordered_json document{{"schema", "sightline/run-pdp7/1"},
                         {"stop_reason", harness::name_of(report.stop)},
@@ -70,6 +72,10 @@ std::string json_report(const harness::Pdp7Job& job, const harness::Pdp7Report& 
                          {"eae", machine.model.eae},
                          {"extend_mode", machine.core_words > 8192},
                          {"display", job.machine.display.has_value()}};
+  document["timing"] = ordered_json::object();
+  for (const TimingSetting& setting : timing_settings(arguments.timings)) {
+    document["timing"][setting.name] = setting.value;
+  }
   document["reader_out_of_tape"] = report.reader_out_of_tape;
   document["unanswered"] = ordered_json::array();
   for (const machines::Unanswered& entry : report.unanswered) {

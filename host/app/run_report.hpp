@@ -9,8 +9,10 @@
 
 namespace sightline::app {
 
-// One JSON document, schema sightline/run-pdp7/1. Addresses and words are octal strings, counts numbers.
-[[nodiscard]] std::string json_report(const harness::Pdp7Job& job, const harness::Pdp7Report& report);
+// One JSON document, schema sightline/run-pdp7/1. Addresses and words are octal strings, counts numbers;
+// "timing" has what --timing set.
+[[nodiscard]] std::string json_report(const RunArguments& arguments, const harness::Pdp7Job& job,
+                                      const harness::Pdp7Report& report);
 
 // The same for a person, some lines.
 [[nodiscard]] std::string table_report(const harness::Pdp7Job& job, const harness::Pdp7Report& report);

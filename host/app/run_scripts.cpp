@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -42,10 +43,46 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// The field of view that `X Y [RADIUS]` means; nothing if it means none.
+std::optional<type340::LightPen> parse_field_of_view(std::string_view text) {
+  static constexpr std::uint32_t last_point = type340::Registers::screen_mask;
+  constexpr std::uint32_t usual_radius = 4;
+  std::array<std::uint32_t, 3> numbers{0, 0, usual_radius};
+  std::size_t count = 0;
+  for (; !text.empty(); text = trimmed(text)) {
+    const std::size_t length = std::min(text.find_first_of(blanks), text.size());
+    const char* const end = text.data() + length;
+    if (count == numbers.size()) return std::nullopt;
+    const auto [after, error] = std::from_chars(text.data(), end, numbers[count]);
+    if (error != std::errc{} || after != end || numbers[count] > last_point) return std::nullopt;
+    ++count;
+    text.remove_prefix(length);
+  }
+  if (count < 2) return std::nullopt;
+  const auto [x, y, radius] = numbers;
+  const auto low = [r = radius](std::uint32_t at) {
+    return static_cast<std::uint16_t>(at - std::min(at, r));
+  };
+  const auto high = [r = radius](std::uint32_t at) {
+    return static_cast<std::uint16_t>(std::min(at + r, last_point));
+  };
+  type340::LightPen pen;
+  pen.left = low(x);
+  pen.bottom = low(y);
+  pen.right = high(x);
+  pen.top = high(y);
+  return pen;
+}
+
 [[noreturn]] void script_failure(const std::string& file, std::size_t line, std::string_view found,
                                  std::string_view expected) {
   throw Failure(ExitCode::bad_input,
                 fmt::format("{}:{}: error: found \"{}\", expected {}", file, line, found, expected));
+}
+
+void check_order(const std::string& file, std::size_t line, core::Instant last, core::Instant when) {
+  if (when < last)
+    script_failure(file, line, "a time before the one of the line above", "lines in order of time");
 }
 
 // Calls take(line number, instant, what) for every line of the script.
@@ -150,8 +187,7 @@ std::vector<harness::KeyPress> read_keyboard_script(std::string_view text, const
   std::vector<harness::KeyPress> keys;
   core::Instant last{};
   each_line(text, file, [&](std::size_t line, core::Instant when, std::string_view typed) {
-    if (when < last)
-      script_failure(file, line, "a time before the one of the line above", "lines in order of time");
+    check_order(file, line, last, when);
     last = when;
     while (!typed.empty()) {
       const std::string_view rest = typed;
@@ -163,6 +199,21 @@ std::vector<harness::KeyPress> read_keyboard_script(std::string_view text, const
     }
   });
   return keys;
+}
+
+std::vector<harness::PenMove> read_light_pen_script(std::string_view text, const std::string& file) {
+  std::vector<harness::PenMove> moves;
+  core::Instant last{};
+  each_line(text, file, [&](std::size_t line, core::Instant when, std::string_view what) {
+    check_order(file, line, last, when);
+    last = when;
+    const std::string_view where = trimmed(what.substr(0, what.find('#')));
+    const auto pen = parse_field_of_view(where);
+    if (!pen && where != "off")
+      script_failure(file, line, where, "off, or X Y and perhaps RADIUS, decimal points from 0 to 1023");
+    moves.push_back({when, pen});
+  });
+  return moves;
 }
 
 }  // namespace sightline::app

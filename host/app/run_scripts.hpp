@@ -33,4 +33,10 @@ void set_register(harness::RegisterSettings& registers, const std::string& text,
 [[nodiscard]] std::vector<harness::KeyPress> read_keyboard_script(std::string_view text,
                                                                   const std::string& file);
 
+// WHAT is `X Y [RADIUS]`, decimal display points, or `off`: from then on the pen sees the square of RADIUS (4
+// if not given) points around (X, Y), as far as it is on the screen, or nothing; # begins a comment anywhere.
+// Failure bad_input.
+[[nodiscard]] std::vector<harness::PenMove> read_light_pen_script(std::string_view text,
+                                                                  const std::string& file);
+
 }  // namespace sightline::app

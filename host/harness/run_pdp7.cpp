@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "tools/disasm/disasm.hpp"
 
@@ -85,17 +86,35 @@ void set_up(Machine& machine, const Pdp7Job& job) {
   machine.console().set(set.switches.value_or(core::Word18(0)));
 }
 
-// In slices only if somebody wants to be asked in between; a slice's end changes nothing in the machine.
+// Moves the pen as far as the script has come, and says when it goes on. The display stands at the machine's
+// own time between runs, which is what its pen asks for.
+template <class Machine>
+core::Instant move_pen(Machine& machine, std::span<const PenMove>& script) {
+  while (!script.empty() && script.front().time <= machine.now()) {
+    machine.display()->point_light_pen(script.front().pen);
+    script = script.subspan(1);
+  }
+  return script.empty() ? core::never : script.front().time;
+}
+
+// In slices only if somebody wants to be asked in between or moves the light pen; a slice's end changes
+// nothing in the machine.
 template <class Machine>
 Stop run_to_stop(Machine& machine, const Pdp7Job& job) {
-  if (!job.keep_running) return stop_of(machine.run(job.limits));
+  std::span<const PenMove> script;
+  if (machine.display() != nullptr) script = job.pen_script;
   std::uint64_t left = job.limits.instructions;
   while (true) {
-    const std::uint64_t now = std::min(left, slice);
-    const Stop stop = stop_of(machine.run({now, job.limits.until}));
-    left -= now;
-    if (stop != Stop::instruction_limit || left == 0) return stop;
-    if (!job.keep_running({machine.counts().instructions, machine.now()})) return Stop::interrupted;
+    const core::Instant until = std::min(job.limits.until, move_pen(machine, script));
+    const std::uint64_t now = job.keep_running ? std::min(left, slice) : left;
+    const std::uint64_t before = machine.counts().instructions;
+    const Stop stop = stop_of(machine.run({now, until}));
+    left -= machine.counts().instructions - before;
+    const bool slice_done = stop == Stop::instruction_limit && left != 0;
+    const bool pen_due = stop == Stop::time_limit && machine.now() < job.limits.until;
+    if (!slice_done && !pen_due) return stop;
+    if (job.keep_running && !job.keep_running({machine.counts().instructions, machine.now()}))
+      return Stop::interrupted;
   }
 }
 

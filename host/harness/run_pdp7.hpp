@@ -41,6 +41,12 @@ struct KeyPress {
   std::uint8_t code;  // 7 bits
 };
 
+// Someone holds the light pen elsewhere: at the first instruction boundary at or after `time`.
+struct PenMove {
+  core::Instant time;
+  std::optional<type340::LightPen> pen;  // nullopt: taken away
+};
+
 struct Progress {
   std::uint64_t instructions;
   core::Instant now;
@@ -55,6 +61,7 @@ struct Pdp7Job {
   std::vector<pdp7::SwitchSetting> switch_script;
   std::vector<std::uint8_t> reader_tape;  // one byte a line, hole 8 = 0200
   std::vector<KeyPress> keys;             // not before one another
+  std::vector<PenMove> pen_script;        // likewise; nothing without a display
   machines::Limits limits;
 
   TextTaker trace;           // empty: no trace. One line an instruction, see trace_line_help

@@ -30,12 +30,38 @@ TEST_F(HelpCommand, NamesEveryOption) {
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
   expect_help({"disasm", "type340"}, {"FILE", "-o"});
-  const std::vector<std::string> run{
-      "--load",     "--start",    "--memory",           "4k",     "8k",         "16k",
-      "32k",        "--eae",      "--no-eae",           "--set",  "--switches", "--display",
-      "--strict",   "--max-time", "--max-instructions", "--dump", "--trace",    "--strokes",
-      "--png",      "--svg",      "--phosphor",         "--json", "--reader",   "--punch",
-      "--keyboard", "--teletype", "--display-option"};
+  const std::vector<std::string> run{"--load",
+                                     "--start",
+                                     "--memory",
+                                     "4k",
+                                     "8k",
+                                     "16k",
+                                     "32k",
+                                     "--eae",
+                                     "--no-eae",
+                                     "--set",
+                                     "--switches",
+                                     "--display",
+                                     "--strict",
+                                     "--max-time",
+                                     "--max-instructions",
+                                     "--dump",
+                                     "--trace",
+                                     "--strokes",
+                                     "--png",
+                                     "--svg",
+                                     "--phosphor",
+                                     "--json",
+                                     "--reader",
+                                     "--punch",
+                                     "--keyboard",
+                                     "--teletype",
+                                     "--display-option",
+                                     "--light-pen",
+                                     "--timing",
+                                     "eae_setup",
+                                     "interrupt_cycles",
+                                     "iot_stretch.DD"};
   expect_help({"run", "pdp7"}, run);
   expect_help({"run"}, run);
   expect_help({"scene", "tape"}, {"SCENE", "--at", "-o"});

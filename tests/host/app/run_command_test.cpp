@@ -1,12 +1,16 @@
-// `sightline run pdp7`: every option, every way to stop, every bad input.
+// `sightline run pdp7`: the machine and its core, every way to stop, reports, bad input.
 //
 // Expected registers, times and words are worked out by hand from the instruction list (1.75 us a cycle;
 // memory references two cycles, JMP and OPR one).
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "host/picture/png.hpp"
-#include "tests/host/app/command_line.hpp"
+#include "tests/host/app/run_fixture.hpp"
 
 namespace {
 
@@ -15,31 +19,7 @@ using sightline::test::Arguments;
 using sightline::test::has;
 using sightline::test::Ran;
 
-class RunCommand : public sightline::test::CommandLine {
- protected:
-  // LAC 103, TAD 104, HLT; 3 and 5.
-  static constexpr const char* add = "00100: 200103 340104 740040 000003 000005\n";
-  // JMP .
-  static constexpr const char* forever = "00100: 600100\n";
-  // Starts the display at 106 and waits for its stop interrupt, again and again. The file: scale 1, intensity
-  // 7; y 400; x 400, lit; a vector of 100 to the right, lit, then mode 0; stop and interrupt.
-  static constexpr const char* picture =
-      "00100: 200105 700606 700601 600102 600100 000106 020117 220400 102400 600100 003000\n";
-  // The same without a stop: modes 0 and 0 again, from 106 round through all of core.
-  static constexpr const char* endless =
-      "00100: 200105 700606 600102\n00105: 000106 020117 220400 102400 600100\n";
-
-  Ran run(Arguments options) {
-    options.insert(options.begin(), {"run", "pdp7"});
-    return sightline(options);
-  }
-  json report(Arguments options) {
-    options.push_back("--json");
-    const Ran ran = run(std::move(options));
-    EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    return json::parse(ran.out, nullptr, false);
-  }
-};
+class RunCommand : public sightline::test::RunPdp7 {};
 
 TEST_F(RunCommand, JsonReport) {
   write("add.oct", add);
@@ -123,23 +103,6 @@ TEST_F(RunCommand, RegistersAndSwitches) {
                                              "ion":0})"));
   write("las.oct", "00000: 750004 740040\n");
   EXPECT_EQ(report({"--load", "las.oct", "--switches", "707070"}).at("registers").at("ac"), "707070");
-}
-
-TEST_F(RunCommand, SwitchScript) {
-  write("wait.oct", "00000: 750004 741200 600000 740040\n");  // LAS, SNA, JMP 0, HLT
-  write("turns.txt", "# a person\n0.5 1234   # now\n\n  1.5 1\n");
-  const json r = report({"--load", "wait.oct", "--switches", "turns.txt"});
-  EXPECT_EQ(r.at("registers").at("ac"), "001234");
-  EXPECT_GE(r.at("emulated_ns"), 500'000'000);
-  EXPECT_LT(r.at("emulated_ns"), 500'020'000);
-  write("bad.txt", "0 1\n0.5 8\n");
-  const Ran bad = run({"--load", "wait.oct", "--switches", "bad.txt"});
-  EXPECT_EQ(bad.exit_code, 4);
-  EXPECT_TRUE(has(bad.err, "bad.txt:2: error: found \"8\"")) << bad.err;
-  write("bad.txt", "soon 1\n");
-  EXPECT_EQ(run({"--load", "wait.oct", "--switches", "bad.txt"}).exit_code, 4);
-  EXPECT_EQ(run({"--load", "wait.oct", "--switches", "none.txt"}).exit_code, 5);
-  EXPECT_EQ(run({"--load", "wait.oct", "--switches", "1000000"}).exit_code, 2);
 }
 
 TEST_F(RunCommand, Limits) {
@@ -234,85 +197,6 @@ TEST_F(RunCommand, SeveralLoadsLaterOnesWin) {
   EXPECT_EQ(run({"--load", "add.hri", "--start", "100"}).exit_code, 4);
 }
 
-TEST_F(RunCommand, PictureOfTheLastCompletePass) {
-  write("picture.oct", picture);
-  const json r = report({"--load", "picture.oct", "--start", "100", "--max-time", "0.1", "--png", "p.png",
-                         "--svg", "p.svg", "--phosphor", "photo.png", "--strokes", "strokes"});
-  EXPECT_EQ(r.at("machine").at("display"), true);
-  EXPECT_GT(r.at("passes"), 100);
-  EXPECT_GE(r.at("display_words"), r.at("passes").get<int>() * 5);
-  EXPECT_GE(r.at("stolen_cycles"), r.at("display_words"));
-  const auto png = sightline::picture::read_png(path("p.png").string());
-  ASSERT_TRUE(png);
-  std::vector<std::uint8_t> expected(std::size_t{1024} * 1024);
-  for (std::size_t x = 0400; x <= 0500; ++x) expected[(1023 - 0400) * 1024 + x] = 255;
-  EXPECT_EQ(png->image.pixels, expected);
-  EXPECT_TRUE(has(png->text.at(1).second, "last complete pass"));
-  EXPECT_TRUE(has(read("p.svg"), "<polyline"));
-  EXPECT_TRUE(sightline::picture::read_png(path("photo.png").string()));
-  EXPECT_TRUE(has(read("strokes"), " 256 256 7 00110\n")) << read("strokes").substr(0, 200);
-  EXPECT_TRUE(has(read("strokes"), " 320 256 7 00111\n"));
-}
-
-TEST_F(RunCommand, ADisplayFileThatNeverStops) {
-  write("endless.oct", endless);
-  const Ran ran =
-      run({"--load", "endless.oct", "--start", "100", "--max-time", "0.2", "--png", "p.png", "--json"});
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(json::parse(ran.out).at("passes"), 0);
-  EXPECT_EQ(json::parse(ran.out).at("passes_started"), 1);
-  EXPECT_TRUE(has(ran.err, "no complete pass")) << ran.err;
-  const auto png = sightline::picture::read_png(path("p.png").string());
-  ASSERT_TRUE(png);
-  EXPECT_TRUE(has(png->text.at(1).second, "no complete pass"));
-  EXPECT_GE(std::count(png->image.pixels.begin(), png->image.pixels.end(), 255), 65);
-}
-
-TEST_F(RunCommand, DisplayOptions) {
-  // IDLA of a file that enters mode 3 (characters) at once, with a stop after it: without the 342 it hangs.
-  write("text.oct", "00100: 200103 700606 600102 000104 060117 015437\n");
-  const Arguments options{"--load", "text.oct", "--start", "100", "--max-time", "0.1", "--strokes", "s"};
-  Arguments with = options;
-  with.insert(with.end(), {"--display-option", "342"});
-  ASSERT_EQ(run(options).exit_code, 0);
-  EXPECT_EQ(read("s"), "");
-  ASSERT_EQ(run(with).exit_code, 0);
-  EXPECT_NE(read("s"), "");
-  EXPECT_EQ(run({"--display-option", "999", "--max-instructions", "1"}).exit_code, 2);
-}
-
-TEST_F(RunCommand, TapeReaderPunchAndTeletype) {
-  // RSA, RSF, JMP .-1, RRB; PLS, PSF, JMP .-1; TLS, TSF, JMP .-1; HLT.
-  write("copy.oct", "00100: 700104 700101 600101 700112 700206 700201 600105 700406 700401 600110 740040\n");
-  write("tape", "\301");
-  ASSERT_EQ(run({"--load", "copy.oct", "--start", "100", "--reader", "tape", "--punch", "punched",
-                 "--teletype", "typed"})
-                .exit_code,
-            0);
-  EXPECT_EQ(read("punched"), "\301");
-  EXPECT_EQ(read("typed"), "A");
-  const Ran hungry = run({"--load", "copy.oct", "--start", "100", "--max-time", "1", "--json"});
-  EXPECT_TRUE(json::parse(hungry.out).at("reader_out_of_tape"));
-  EXPECT_TRUE(has(hungry.err, "no more tape")) << hungry.err;
-  EXPECT_EQ(run({"--load", "copy.oct", "--reader", "none"}).exit_code, 5);
-}
-
-TEST_F(RunCommand, KeyboardScript) {
-  // KSF, JMP .-1, KRB, SAD 111, HLT, TLS, TSF, JMP .-1, JMP 100; 111: what carriage return comes as.
-  write("echo.oct", "00100: 700301 600100 700312 540111 740040 700406 700401 600106 600100 000215\n");
-  write("keys.txt", "# greets\n0.2 Hi \\101\n1.5 \\r\n");
-  ASSERT_EQ(run({"--load", "echo.oct", "--start", "100", "--keyboard", "keys.txt", "--teletype", "typed"})
-                .exit_code,
-            0);
-  EXPECT_EQ(read("typed"), "Hi A");
-  write("keys.txt", "1 a\n0.5 b\n");
-  EXPECT_EQ(run({"--load", "echo.oct", "--keyboard", "keys.txt"}).exit_code, 4);
-  write("keys.txt", "1 \\q\n");
-  const Ran bad = run({"--load", "echo.oct", "--keyboard", "keys.txt"});
-  EXPECT_EQ(bad.exit_code, 4);
-  EXPECT_TRUE(has(bad.err, "keys.txt:1: error:")) << bad.err;
-}
-
 TEST_F(RunCommand, BadFiles) {
   write("bad.oct", "00100: 200103 34010x\n");
   const Ran ran = run({"--load", "bad.oct", "--dump", "core"});
@@ -369,6 +253,67 @@ TEST_F(RunCommand, SameBytesEveryTime) {
     for (const std::string& text : all) EXPECT_FALSE(text.empty());
     if (turn == 0) first = all;
     EXPECT_EQ(all, first);
+  }
+}
+
+// 3 cycles of 1750 ns and the steps of the EAE, counted in its description; IORS with 500 ns more; a clock
+// whose first tick, at the first boundary after its period, interrupts and halts.
+TEST_F(RunCommand, TimesThatCanBeSet) {
+  write("mul.oct", "00000: 653122 000007 740040\n");  // 18 steps
+  write("div.oct", "00000: 653323 000007 740040\n");  // 19
+  write("norm.oct", "00000: 640444 740040\n");        // of 000007: 14
+  write("lls.oct", "00000: 640621 740040\n");         // 17
+  write("lmq.oct", "00000: 652000 740040\n");
+  write("iors.oct", "00000: 700314 740040\n");
+  write("clock.oct", "00000: 600100\n00001: 740040\n00007: 777777\n00100: 700044 700042 600102\n");
+  struct Case {
+    std::string file, setting;
+    int expected_ns;
+  };
+  for (const Case& c : std::vector<Case>{{"mul.oct", "eae_multiply_step=100", 5250 + 1800},
+                                         {"div.oct", "eae_divide_step=100", 5250 + 1900},
+                                         {"norm.oct", "eae_normalize_step=100", 3500 + 1400},
+                                         {"lls.oct", "eae_shift_step=100", 3500 + 1700},
+                                         {"lmq.oct", "eae_setup=123", 3500 + 123},
+                                         {"iors.oct", "iot_stretch.03=500", 3500 + 500},
+                                         {"iors.oct", "iot_stretch.04=500", 3500},
+                                         {"clock.oct", "clock_hertz=50", 20'000'750 + 5250},
+                                         {"clock.oct", "clock_hertz=400", 2'500'750 + 5250},
+                                         {"clock.oct", "interrupt_cycles=3", 20'000'750 + 5250 + 3500},
+                                         {"clock.oct", "clock_tick_cycles=2", 20'000'750 + 5250 + 1750}}) {
+    const json r = report({"--load", c.file, "--set", "AC=7", "--timing", c.setting, "--max-time", "1"});
+    EXPECT_EQ(r.at("emulated_ns"), c.expected_ns) << c.file << " " << c.setting;
+    EXPECT_EQ(r.at("stop_reason"), "halt");
+  }
+  const json r = report({"--load", "mul.oct", "--timing", "reader_line=7", "--timing", "iot_stretch.77=1",
+                         "--timing", "reader_line=8"});
+  EXPECT_EQ(r.at("timing"), json::parse(R"({"reader_line":8,"iot_stretch.77":1})"));
+  EXPECT_EQ(report({"--load", "mul.oct"}).at("timing"), json::object());
+}
+
+TEST_F(RunCommand, TimesThatCannotBeSet) {
+  write("halt.oct", "00000: 740040\n");
+  for (const auto& [setting, word] :
+       std::vector<std::pair<std::string, std::string>>{{"eae_setup", "found \"\""},
+                                                        {"eae_setup=", "found \"\""},
+                                                        {"eae_setup=fast", "found \"fast\""},
+                                                        {"eae_setup=1.5", "found \"1.5\""},
+                                                        {"eae_setup=-1", "0 to 10000 (ns)"},
+                                                        {"eae_setup=10001", "0 to 10000 (ns)"},
+                                                        {"eae_setup=99999999999999999999", "0 to 10000 (ns)"},
+                                                        {"clock_hertz=0", "1 to 400 (Hz)"},
+                                                        {"interrupt_cycles=101", "1 to 100 (cycles)"},
+                                                        {"machine_cycle=1", "eae_setup eae_shift_step"},
+                                                        {"=1", "NAME=VALUE"},
+                                                        {"iot_stretch=1", "iot_stretch.DD"},
+                                                        {"iot_stretch.3=1", "two octal digits"},
+                                                        {"iot_stretch.08=1", "two octal digits"},
+                                                        {"iot_stretch.100=1", "two octal digits"},
+                                                        {"iot_stretch.DD=1", "two octal digits"}}) {
+    const Ran ran = run({"--load", "halt.oct", "--timing", setting});
+    EXPECT_EQ(ran.exit_code, 2) << setting;
+    EXPECT_TRUE(has(ran.err, "--timing")) << ran.err;
+    EXPECT_TRUE(has(ran.err, word)) << ran.err;
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
+#include <string>
 
 namespace sightline::harness {
 namespace {
@@ -37,8 +39,7 @@ Pdp7Job busy_job() {
   return job;
 }
 
-void expect_same(const Pdp7Report& a, const Pdp7Report& b) {
-  EXPECT_EQ(a.stop, b.stop);
+void expect_same_state(const Pdp7Report& a, const Pdp7Report& b) {
   EXPECT_EQ(a.registers, b.registers);
   EXPECT_EQ(a.end, b.end);
   EXPECT_EQ(a.counts.instructions, b.counts.instructions);
@@ -46,6 +47,11 @@ void expect_same(const Pdp7Report& a, const Pdp7Report& b) {
   EXPECT_EQ(a.counts.stolen_cycles, b.counts.stolen_cycles);
   EXPECT_EQ(a.display_words, b.display_words);
   EXPECT_EQ(a.core, b.core);
+}
+
+void expect_same(const Pdp7Report& a, const Pdp7Report& b) {
+  EXPECT_EQ(a.stop, b.stop);
+  expect_same_state(a, b);
 }
 
 TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
@@ -65,6 +71,60 @@ TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
   const Pdp7Report in_between = run_pdp7(job);
   EXPECT_GE(asked, 3);
   expect_same(in_between, long_alone);
+}
+
+// What a run leaves behind: trace and strokes as text.
+struct Watched {
+  Pdp7Report report;
+  std::string trace;
+  std::string strokes;
+};
+
+Watched watch(Pdp7Job job) {
+  Watched watched;
+  job.trace = [&watched](std::string_view text) { watched.trace += text; };
+  Screen::Wishes wishes;
+  wishes.log = [&watched](std::string_view text) { watched.strokes += text; };
+  Screen screen(wishes);
+  job.screen = &screen;
+  watched.report = run_pdp7(job);
+  return watched;
+}
+
+TEST(RunPdp7, MovingThePenWhereItSeesNothingChangesNothing) {
+  Pdp7Job job = busy_job();
+  const Watched alone = watch(job);
+  ASSERT_EQ(alone.report.stop, Stop::halt);
+  // The display file never enables the pen, so even one that sees all of the screen has no effect.
+  for (std::int64_t i = 0; i < 3000; ++i) {
+    const core::Instant when = core::at_nanoseconds(i * 97'003);
+    const type340::LightPen everywhere{.right = 1023, .top = 1023};
+    job.pen_script.push_back({when, i % 3 == 0 ? std::optional(everywhere) : std::nullopt});
+  }
+  ASSERT_GT(job.pen_script.back().time, alone.report.end);
+  const Watched moved = watch(job);
+  expect_same(moved.report, alone.report);
+  EXPECT_EQ(moved.trace, alone.trace);
+  EXPECT_EQ(moved.strokes, alone.strokes);
+  EXPECT_FALSE(alone.strokes.empty());
+  job.limits.until = core::at_nanoseconds(50'000'000);
+  const Watched cut = watch(job);
+  EXPECT_EQ(cut.report.stop, Stop::time_limit);
+  job.limits.until = core::never;
+  job.limits.instructions = cut.report.counts.instructions;
+  const Watched counted = watch(job);
+  EXPECT_EQ(counted.report.stop, Stop::instruction_limit);
+  expect_same_state(counted.report, cut.report);
+  EXPECT_EQ(counted.trace, cut.trace);
+}
+
+TEST(RunPdp7, APenWithoutADisplayIsNothing) {
+  Pdp7Job job = busy_job();
+  job.machine.display = std::nullopt;
+  job.limits.instructions = 1000;
+  const Pdp7Report alone = run_pdp7(job);
+  job.pen_script = {{core::at_nanoseconds(0), type340::LightPen{}}};
+  expect_same(run_pdp7(job), alone);
 }
 
 TEST(RunPdp7, ATraceOrAScreenChangesNothing) {
