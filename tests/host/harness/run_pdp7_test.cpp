@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace sightline::harness {
 namespace {
@@ -116,6 +118,41 @@ TEST(RunPdp7, MovingThePenWhereItSeesNothingChangesNothing) {
   EXPECT_EQ(counted.report.stop, Stop::instruction_limit);
   expect_same_state(counted.report, cut.report);
   EXPECT_EQ(counted.trace, cut.trace);
+}
+
+// The numbers lines begin with.
+std::vector<std::int64_t> first_fields(const std::string& text) {
+  std::vector<std::int64_t> fields;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) fields.push_back(std::stoll(line));
+  return fields;
+}
+
+// A single lit point, waited for with IDSP: the pen finds it if it was pointed at a boundary before the
+// flash.
+TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
+  Pdp7Job job;
+  job.machine.display = type340::Options{};
+  job.core = words_at(0100, {0200107, 0700606, 0700701, 0600102, 0740040});
+  job.core.merge(words_at(0107, {0000110, 0034117, 0220400, 0002600, 0003000}));
+  job.start = 0100;
+  job.limits.instructions = 200;
+  const Watched alone = watch(job);
+  ASSERT_EQ(alone.report.stop, Stop::instruction_limit);
+  const std::vector<std::int64_t> boundaries = first_fields(alone.trace);
+  const std::vector<std::int64_t> flashes = first_fields(alone.strokes);
+  ASSERT_EQ(flashes.size(), 1U);
+  const std::int64_t flash = flashes[0];
+  int found = 0;
+  for (std::int64_t t = flash - 5000; t <= flash + 3000; t += 50) {
+    const std::int64_t moved = *std::lower_bound(boundaries.begin(), boundaries.end(), t);
+    job.pen_script = {{core::at_nanoseconds(t), type340::LightPen{.right = 1023, .top = 1023}}};
+    const bool halted = run_pdp7(job).stop == Stop::halt;
+    EXPECT_EQ(halted, moved < flash) << t << " " << moved << " " << flash;
+    found += halted ? 1 : 0;
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_LT(found, 161);
 }
 
 TEST(RunPdp7, APenWithoutADisplayIsNothing) {
