@@ -1,0 +1,69 @@
+// Emulated time of the 8080's side: T-states, the periods of the processor's clock, counted from the start of a run.
+//
+// How long a T-state lasts is a parameter of the machine, so it is no unit of time: ClockRate converts, in whole
+// arithmetic, where a device's data sheet speaks of seconds. TStates cannot be mixed with core::Duration by accident:
+// their tick has no common unit with the nanosecond, and adding or comparing the two does not compile.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <ratio>
+
+#include "emulators/core/time.hpp"
+
+namespace sightline::core {
+
+// A tag, not a length: the denominator is the largest prime below 2^63, so a common unit with any other period
+// would overflow std::ratio.
+struct TStateTick {
+  using period = std::ratio<1, 9'223'372'036'854'775'783>;
+};
+using TStates = std::chrono::duration<std::int64_t, TStateTick::period>;
+
+struct TStateClock {
+  using rep = std::int64_t;
+  using period = TStateTick::period;
+  using duration = TStates;
+  using time_point = std::chrono::time_point<TStateClock, TStates>;
+  static constexpr bool is_steady = true;
+};
+using TStateInstant = TStateClock::time_point;
+
+// Later than any instant a run can reach: the deadline of a device that will do nothing by itself.
+inline constexpr TStateInstant never_t = TStateInstant::max();
+
+[[nodiscard]] constexpr TStateInstant at_t_state(std::int64_t t) { return TStateInstant(TStates(t)); }
+[[nodiscard]] constexpr std::int64_t t_states_of(TStateInstant t) { return t.time_since_epoch().count(); }
+
+// The frequency of the processor's clock. Both conversions are exact for 1 Hz to 1 GHz, without overflow within 290
+// years; `never_t` and what lies beyond becomes `never`.
+struct ClockRate {
+  std::int64_t hertz = 3'000'000;
+
+  // The beginning of T-state t, rounded down to a whole nanosecond. t must not lie before the run.
+  [[nodiscard]] constexpr Instant to_nanoseconds(TStateInstant t) const {
+    const std::int64_t seconds = t_states_of(t) / hertz;
+    const std::int64_t rest = t_states_of(t) % hertz;
+    if (seconds >= longest_run) return never;
+    return at_nanoseconds(seconds * second + rest * second / hertz);
+  }
+  // The fewest T-states that last at least `busy`, which must not be negative.
+  [[nodiscard]] constexpr TStates t_states_in(Duration busy) const {
+    const std::int64_t seconds = busy.count() / second;
+    const std::int64_t rest = busy.count() % second;
+    return TStates(seconds * hertz + (rest * hertz + second - 1) / second);
+  }
+
+ private:
+  static constexpr std::int64_t second = 1'000'000'000;
+  static constexpr std::int64_t longest_run = 9'200'000'000;  // seconds that fit into an Instant
+};
+
+static_assert(ClockRate{}.to_nanoseconds(at_t_state(1)) == at_nanoseconds(333));
+static_assert(ClockRate{}.to_nanoseconds(at_t_state(3'000'003)) == at_nanoseconds(1'000'001'000));
+static_assert(ClockRate{}.to_nanoseconds(never_t) == never);
+static_assert(ClockRate{}.t_states_in(Duration(333)) == TStates(1));
+static_assert(ClockRate{}.t_states_in(Duration(334)) == TStates(2));
+static_assert(ClockRate{}.t_states_in(Duration(1'000'000'000)) == TStates(3'000'000));
+
+}  // namespace sightline::core
