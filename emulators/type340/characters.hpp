@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "emulators/type340/glyphs.hpp"
+#include "emulators/core/glyphs.hpp"
 #include "emulators/type340/words.hpp"
 
 namespace sightline::type340 {
@@ -52,7 +52,7 @@ struct Dot {
 [[nodiscard]] constexpr std::size_t row_of(int y) { return static_cast<std::size_t>(6 - y); }
 
 // The dot of `left` nearest to `from`, lowest and leftmost first; from itself when none is left.
-[[nodiscard]] constexpr Dot nearest(const Glyph& left, Dot from) {
+[[nodiscard]] constexpr Dot nearest(const core::Glyph& left, Dot from) {
   Dot best = from;
   int best_distance = 100;
   for (int y = 0; y < 7; ++y) {
@@ -78,7 +78,7 @@ constexpr void walk(CharacterPath& path, Dot at, Dot to, bool lit) {
   } while (distance(at, to) != 0);
 }
 
-[[nodiscard]] constexpr CharacterPath draw(Glyph left) {
+[[nodiscard]] constexpr CharacterPath draw(core::Glyph left) {
   CharacterPath path;
   Dot at{0, 0};
   while (std::any_of(left.begin(), left.end(), [](std::uint8_t row) { return row != 0; })) {
@@ -101,9 +101,9 @@ constexpr void walk(CharacterPath& path, Dot at, Dot to, bool lit) {
     return path;
   }
   if (six_bits == code::space) return detail::draw({});
-  if (six_bits > code::space) return detail::draw(signs_and_digits[six_bits - code::space - 1U]);
+  if (six_bits > code::space) return detail::draw(core::signs_and_digits[six_bits - code::space - 1U]);
   if (six_bits == 0 || six_bits > code::line_feed) return {};
-  return detail::draw((shift_out ? small_letters : capital_letters)[six_bits - 1U]);
+  return detail::draw((shift_out ? core::small_letters : core::capital_letters)[six_bits - 1U]);
 }
 
 }  // namespace sightline::type340

@@ -1,17 +1,19 @@
-// Character shapes of the Type 342: seven rows of five dots each, top row first, bit 4 of a row its leftmost dot.
+// Character shapes for the character generators: seven rows of five dots each, top row first, bit 4 of a row its
+// leftmost dot.
 //
-// APPROXIMATE. DEC's stroke tables are not at hand: the shapes are ours. Known are the 5x7 cell, the codes of the first
-// set (DEC trimmed ASCII) and that the second set holds the small letters.
+// APPROXIMATE. Neither DEC's stroke tables nor Thomson's character ROM are at hand: the shapes are ours. Known are the
+// 5x7 cell of the Type 342, the codes of its first set (DEC trimmed ASCII), that its second set holds the small letters,
+// and that the EF9365 draws ASCII 20h to 7Fh in a 5x8 cell.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-namespace sightline::type340 {
+namespace sightline::core {
 
 using Glyph = std::array<std::uint8_t, 7>;
 
-// Codes 01-32, first set.
+// ASCII 41h-5Ah; codes 01-32 of the Type 342, first set.
 inline constexpr std::array capital_letters{
     Glyph{016, 021, 021, 037, 021, 021, 021},  // A
     Glyph{036, 021, 021, 036, 021, 021, 036},  // B
@@ -41,7 +43,7 @@ inline constexpr std::array capital_letters{
     Glyph{037, 001, 002, 004, 010, 020, 037},  // Z
 };
 
-// Codes 01-32, second set.
+// ASCII 61h-7Ah; codes 01-32 of the Type 342, second set.
 inline constexpr std::array small_letters{
     Glyph{000, 000, 016, 001, 017, 021, 017},  // a
     Glyph{020, 020, 036, 021, 021, 021, 036},  // b
@@ -71,7 +73,7 @@ inline constexpr std::array small_letters{
     Glyph{000, 000, 037, 002, 004, 010, 037},  // z
 };
 
-// Codes 41-77, both sets.
+// ASCII 21h-3Fh; codes 41-77 of the Type 342, both sets.
 inline constexpr std::array signs_and_digits{
     Glyph{004, 004, 004, 004, 004, 000, 004},  // !
     Glyph{012, 012, 012, 000, 000, 000, 000},  // "
@@ -106,4 +108,36 @@ inline constexpr std::array signs_and_digits{
     Glyph{016, 021, 001, 002, 004, 000, 004},  // ?
 };
 
-}  // namespace sightline::type340
+// ASCII 5Bh-60h.
+inline constexpr std::array signs_after_capitals{
+    Glyph{016, 010, 010, 010, 010, 010, 016},  // [
+    Glyph{000, 020, 010, 004, 002, 001, 000},  // backslash
+    Glyph{016, 002, 002, 002, 002, 002, 016},  // ]
+    Glyph{004, 012, 021, 000, 000, 000, 000},  // ^
+    Glyph{000, 000, 000, 000, 000, 000, 037},  // _
+    Glyph{010, 004, 002, 000, 000, 000, 000},  // `
+};
+
+// ASCII 7Bh-7Fh. What the chips draw for 7Fh, the code of a deleted character, is unknown: a grey cell here.
+inline constexpr std::array signs_after_small_letters{
+    Glyph{002, 004, 004, 010, 004, 004, 002},  // {
+    Glyph{004, 004, 004, 004, 004, 004, 004},  // |
+    Glyph{010, 004, 004, 002, 004, 004, 010},  // }
+    Glyph{000, 000, 010, 025, 002, 000, 000},  // ~
+    Glyph{025, 012, 025, 012, 025, 012, 025},  // 7Fh
+};
+
+inline constexpr Glyph commercial_at{016, 021, 025, 027, 026, 020, 017};
+
+// The shape of an ASCII code; nothing for codes below 21h and above 7Fh.
+[[nodiscard]] constexpr Glyph ascii_glyph(std::uint8_t code) {
+  if (code < 0x21 || code > 0x7F) return {};
+  if (code < 0x40) return signs_and_digits[code - 0x21U];
+  if (code == 0x40) return commercial_at;
+  if (code <= 'Z') return capital_letters[code - 0x41U];
+  if (code <= 0x60) return signs_after_capitals[code - 0x5BU];
+  if (code <= 'z') return small_letters[code - 0x61U];
+  return signs_after_small_letters[code - 0x7BU];
+}
+
+}  // namespace sightline::core
