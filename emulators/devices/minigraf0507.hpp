@@ -1,0 +1,126 @@
+// The Aritma Minigraf 0507 plotter, its stepping motors driven straight from one output port.
+//
+// Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm forward, one
+// less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected. There is no status. A
+// step that follows the last one of its motor too soon is missed, and so is any change of phase by 2 to 6: the motor
+// stays where it is, the program's idea of the place is wrong from then on, and only the count tells. After power on
+// both phases stand at 0 and the pen is up.
+//
+// The field is 1500 by 2100 steps; nothing stops the pen at its edge, as the maker warns: steps beyond are made and
+// counted. How fast the motors follow and how long the pen takes is not known (machines of 1985 were slower by 40 per
+// cent than later ones): both are parameters. A step made before the pen has had its time draws nothing and is counted.
+// Strokes: one where the pen is lowered (with the time it touches) and one for each port write that moved a lowered
+// pen, at the instant of the write; a pen lowered in the same write as a step touches where the step ends. Intensity 7,
+// address 0. A place left of or below the field cannot be a Stroke and is only counted.
+// Sources: the maker's description for the PMD-85 (sapi.cz 0507_pmd85), MAME's iq151 minigraf for the bits.
+#pragma once
+
+#include <cstdint>
+
+#include "emulators/core/tstates.hpp"
+#include "emulators/devices/plotter.hpp"
+
+namespace sightline::devices {
+
+namespace minigraf0507 {
+inline constexpr std::int32_t width = 1500;   // steps of 1/8 mm
+inline constexpr std::int32_t height = 2100;
+inline constexpr std::uint8_t pen_bit = 0x80;
+}  // namespace minigraf0507
+
+struct MinigrafTimes {
+  core::Duration shortest_step{3'333'333};  // of one motor; chosen: 300 a second
+  core::Duration pen{0};                    // from the order until it touches
+};
+
+struct MinigrafCounts {
+  std::uint64_t steps = 0;         // port writes that moved the pen, up or down
+  std::uint64_t steps_pen_up = 0;  // of them without drawing
+  std::uint64_t pen_lifts = 0;
+  std::uint64_t missed_fast = 0;   // steps of a motor that came too soon
+  std::uint64_t missed_jump = 0;   // phases changed by more than one
+  std::uint64_t steps_early = 0;   // before the lowered pen had touched; also in steps_pen_up
+  std::uint64_t off_field = 0;
+};
+
+template <class Sink>
+class Minigraf0507 {
+ public:
+  Minigraf0507(core::ClockRate rate, Sink& sink, MinigrafTimes times = {}, PlotterPlace start = {})
+      : rate_(rate),
+        shortest_step_(rate.t_states_in(times.shortest_step)),
+        pen_time_(rate.t_states_in(times.pen)),
+        sink_(sink),
+        place_(start) {}
+
+  void write(std::uint8_t value, core::TStateInstant at) {
+    const std::int32_t dx = x_.follow(value & 7U, at, shortest_step_, counts_);
+    const std::int32_t dy = y_.follow((value >> 3) & 7U, at, shortest_step_, counts_);
+    const bool was_down = pen_down_;
+    set_pen((value & minigraf0507::pen_bit) != 0, at);
+    if (dx != 0 || dy != 0) move(dx, dy, was_down, at);
+    if (pen_down_ && !was_down) mark(sink_, place_, rate_.to_nanoseconds(touches_at_));
+  }
+
+  [[nodiscard]] PlotterPlace place() const { return place_; }
+  [[nodiscard]] bool pen_is_down() const { return pen_down_; }
+  [[nodiscard]] const MinigrafCounts& counts() const { return counts_; }
+
+ private:
+  struct Motor {
+    std::uint8_t phase = 0;
+    bool moved = false;
+    core::TStateInstant last{};
+
+    // The step made: -1, 0 or 1.
+    std::int32_t follow(std::uint8_t wanted, core::TStateInstant at, core::TStates shortest, MinigrafCounts& counts) {
+      const unsigned change = (wanted - phase) & 7U;
+      phase = wanted;
+      if (change == 0) return 0;
+      if (change != 1 && change != 7) {
+        ++counts.missed_jump;
+        return 0;
+      }
+      if (moved && at - last < shortest) {
+        ++counts.missed_fast;
+        return 0;
+      }
+      moved = true;
+      last = at;
+      return change == 1 ? 1 : -1;
+    }
+  };
+
+  void set_pen(bool down, core::TStateInstant at) {
+    if (pen_down_ && !down) ++counts_.pen_lifts;
+    if (down && !pen_down_) touches_at_ = at + pen_time_;
+    pen_down_ = down;
+  }
+
+  void move(std::int32_t dx, std::int32_t dy, bool lowered_before, core::TStateInstant at) {
+    place_.x += dx;
+    place_.y += dy;
+    ++counts_.steps;
+    if (place_.x < 0 || place_.x > minigraf0507::width || place_.y < 0 || place_.y > minigraf0507::height)
+      ++counts_.off_field;
+    const bool drawing = pen_down_ && lowered_before && touches_at_ <= at;
+    if (drawing)
+      mark(sink_, place_, rate_.to_nanoseconds(at));
+    else
+      ++counts_.steps_pen_up;
+    if (pen_down_ && lowered_before && !drawing) ++counts_.steps_early;
+  }
+
+  core::ClockRate rate_;
+  core::TStates shortest_step_;
+  core::TStates pen_time_;
+  Sink& sink_;
+  PlotterPlace place_;
+  Motor x_;
+  Motor y_;
+  bool pen_down_ = false;
+  core::TStateInstant touches_at_{};
+  MinigrafCounts counts_;
+};
+
+}  // namespace sightline::devices

@@ -1,0 +1,29 @@
+// What the incremental plotters share: a place counted in steps, and the mark the pen leaves there.
+//
+// A Stroke holds coordinates of 0 to 65535; a place outside cannot be drawn, and the plotter counts it.
+#pragma once
+
+#include <cstdint>
+
+#include "emulators/core/stroke.hpp"
+#include "emulators/core/time.hpp"
+
+namespace sightline::devices {
+
+struct PlotterPlace {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend constexpr bool operator==(const PlotterPlace&, const PlotterPlace&) = default;
+};
+
+// Hands the mark at `place` to the sink. False when no Stroke can hold it.
+template <class Sink>
+bool mark(Sink& sink, PlotterPlace place, core::Instant when) {
+  constexpr std::int32_t largest = 0xFFFF;
+  if (place.x < 0 || place.x > largest || place.y < 0 || place.y > largest) return false;
+  if constexpr (Sink::consumes)
+    sink.stroke({when, static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y), 7, 0});
+  return true;
+}
+
+}  // namespace sightline::devices
