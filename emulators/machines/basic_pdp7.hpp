@@ -98,19 +98,21 @@ class BasicPdp7 {
     forget_deadlines();
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
-    while (left != 0) {
+    for (;;) {
+      const bool due = cpu.bus().due();
+      if (due && left == 0) break;
       if constexpr (Observer::stops) {
         if (observer_.stop()) {
           reason = StopReason::observer;
           break;
         }
       }
-      if (cpu.bus().due()) [[unlikely]] {
+      if (due) [[unlikely]] {
         if (cpu.bus().now() >= limits.until) {
           reason = StopReason::time_limit;
           break;
         }
-        if (attend(cpu, limits.until)) continue;
+        if (attend(cpu, limits.until, left)) continue;
       }
       --left;
       const pdp7::Outcome outcome = step(cpu);
@@ -159,14 +161,13 @@ class BasicPdp7 {
 
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
-  [[gnu::always_inline]] bool attend(pdp7::Cpu<Bus>& cpu, core::Instant until) {
-    pdp7::State& state = cpu.state();
+  [[gnu::always_inline]] bool attend(pdp7::Cpu<Bus>& cpu, core::Instant until, std::uint64_t left) {
     Bus& bus = cpu.bus();
-    const bool deferred = state.interrupts_deferred;
-    const Attention found = look_around(bus.now(), state.interrupts_on && !deferred);
-    state.interrupts_deferred = false;
+    const bool deferred = cpu.interrupts_deferred();
+    const Attention found = look_around(bus.now(), cpu.interrupts_open(), until, left);
+    cpu.end_interrupt_delay();
     bus.set_now(found.now);
-    bus.set_deadline(deferred ? core::Instant::min() : std::min(found.deadline, until));
+    bus.set_deadline(deferred ? core::Instant::min() : found.deadline);
     if (found.interrupt) cpu.interrupt();
     return found.interrupt;
   }
@@ -178,7 +179,8 @@ class BasicPdp7 {
   };
 
   // Gives the devices the cycles they ask for. In and out by value: see run().
-  [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open) {
+  [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
+                                          std::uint64_t left) {
     while (display_break(now) || clock_tick(now)) {
     }
     if (now >= devices_due_) {
@@ -187,7 +189,14 @@ class BasicPdp7 {
     }
     const bool interrupt =
         interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
-    return {now, std::min(display_due_, devices_due_), interrupt};
+    return {now, std::min({display_due_, devices_due_, until, shortest_end(now, left)}), interrupt};
+  }
+
+  // No run of `left` instructions ends before this: each takes a cycle at least. So the instructions need to
+  // be counted, but the limit to be looked at only with the other deadlines.
+  static constexpr core::Instant shortest_end(core::Instant now, std::uint64_t left) {
+    constexpr std::uint64_t many = std::uint64_t{1} << 32;
+    return now + pdp7::machine_cycle * static_cast<std::int64_t>(std::min(left, many));
   }
 
   // One data break, if one is asked for.
