@@ -1,0 +1,67 @@
+// A function of two variables as a rectangle of heights: what Skala's programs draw (Skala 1985, section 2).
+//
+// x runs along a slice, z from slice to slice; an unrotated picture has slice 0 in front. A height that is
+// not finite is undefined: the surface has a hole there. Where the samples lie is kept in normalised
+// coordinates, since a picture only needs those; the domain is kept to be shown to people.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sightline::scene {
+
+// From low to high, both included.
+struct Interval {
+  double low = 0;
+  double high = 0;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+struct GridSize {
+  std::size_t points = 33;  // along x, in every slice
+  std::size_t slices = 30;  // along z
+};
+
+// At the door of every reader and sampler; a program may also build smaller grids, down to a single point.
+inline constexpr GridSize smallest_grid{2, 2};
+inline constexpr GridSize largest_grid{1024, 1024};
+
+struct HeightGrid {
+  std::vector<double> x;        // of the points, ascending in [-1, 1]
+  std::vector<double> z;        // of the slices, ascending in [-1, 1]
+  std::vector<double> heights;  // z.size() slices of x.size() heights
+  Interval domain_x;            // what [-1, 1] stands for
+  Interval domain_z;
+  Interval range;  // heights drawn at -1 and +1; equal ones: everything is flat
+
+  [[nodiscard]] std::size_t points() const { return x.size(); }
+  [[nodiscard]] std::size_t slices() const { return z.size(); }
+  [[nodiscard]] double height(std::size_t point, std::size_t slice) const {
+    return heights[slice * x.size() + point];
+  }
+};
+
+// Why there is no grid, and where: the only way the samplers and readers of grids fail.
+struct HeightError {
+  std::string source;    // the file, or the option, as the user named it
+  std::string place;     // "3:12": line and column from 1 (an expression: the column); empty: the whole
+  std::string found;     // what is there
+  std::string expected;  // empty: nothing to add
+  std::string text;      // an expression: itself, to be shown with `caret` under it; else empty
+  std::size_t caret = 0;
+
+  // "source:place: found X, expected Y", for an expression followed by its text and a line with a caret.
+  [[nodiscard]] std::string message() const;
+};
+
+// `count` positions at equal distances from -1 to 1, of exact symmetry about 0; a single one is at 0.
+[[nodiscard]] std::vector<double> even_positions(std::size_t count);
+
+// The least and the greatest finite value. {0, 0} if there is none.
+[[nodiscard]] Interval finite_range(const std::vector<double>& values);
+
+[[nodiscard]] bool anywhere_finite(const HeightGrid& grid);
+
+}  // namespace sightline::scene
