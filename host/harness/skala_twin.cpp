@@ -1,0 +1,23 @@
+#include "host/harness/skala_twin.hpp"
+
+#include "host/harness/skala_twin_drawing.hpp"
+#include "host/harness/skala_twin_receipt.hpp"
+
+namespace sightline::harness {
+
+SkalaPicture run_skala_twin(std::span<const std::uint8_t> stream, const SkalaEquipment& equipment) {
+  const SkalaReceipt receipt = receive_skala_stream(stream);
+  SkalaPicture picture;
+  SkalaDrawing drawing(picture, equipment);
+  for (const SkalaReceivedCommand& received : receipt.drawn) {
+    if (drawing.obey(received)) continue;
+    picture.status = SkalaStatus::device_missing;
+    picture.bytes_taken = received.last_byte + 1;
+    return picture;
+  }
+  picture.status = receipt.status;
+  picture.bytes_taken = receipt.bytes_taken;
+  return picture;
+}
+
+}  // namespace sightline::harness

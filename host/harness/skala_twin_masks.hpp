@@ -1,0 +1,58 @@
+// The masks of the Skala program: in every column of the screen the strip [MB, MT] behind which nothing is
+// seen, and the one column that is being visited. Source: firmware/i8080/skala/SPECIFICATION.md sections 2
+// and 4; the strip is the paper's MaskTop and MaskBottom, the pending column stands for its M1T and M1B.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "host/harness/skala_twin.hpp"
+#include "host/harness/skala_twin_line.hpp"
+
+namespace sightline::harness {
+
+// Where the surface turned away from the eye in a column just folded.
+struct SkalaFoldPoints {
+  std::optional<SkalaPoint> top;
+  std::optional<SkalaPoint> bottom;
+};
+
+class SkalaMasks {
+ public:
+  // Works on the masks and fold flags in `columns`, which must outlive it.
+  explicit SkalaMasks(SkalaColumns& columns) : columns_(columns) { reset(); }
+
+  void reset();
+
+  [[nodiscard]] bool visited(std::uint8_t x) const {
+    return columns_.mask_top[x] != 0 || columns_.mask_bottom[x] != 255;
+  }
+  // The test of DRAW and SURFACE: strictly outside the strip.
+  [[nodiscard]] bool outside(SkalaPoint point) const {
+    return point.y > columns_.mask_top[point.x] || point.y < columns_.mask_bottom[point.x];
+  }
+  [[nodiscard]] bool on_border(SkalaPoint point) const {
+    return point.y == columns_.mask_top[point.x] || point.y == columns_.mask_bottom[point.x];
+  }
+  // The test of TESTDRAW: outside, or in the outermost two rows of the strip.
+  [[nodiscard]] bool outside_with_slack(SkalaPoint point) const;
+
+  // The point belongs to the pending column. The fold points are those of the column that was pending before.
+  SkalaFoldPoints touch(SkalaPoint point);
+  SkalaFoldPoints fold();
+
+ private:
+  struct Pending {
+    std::uint8_t x;
+    std::uint8_t low;
+    std::uint8_t high;
+  };
+
+  [[nodiscard]] std::optional<SkalaPoint> fold_top(const Pending& column);
+  [[nodiscard]] std::optional<SkalaPoint> fold_bottom(const Pending& column);
+
+  SkalaColumns& columns_;
+  std::optional<Pending> pending_;
+};
+
+}  // namespace sightline::harness
