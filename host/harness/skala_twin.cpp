@@ -5,10 +5,10 @@
 
 namespace sightline::harness {
 
-SkalaPicture run_skala_twin(std::span<const std::uint8_t> stream, const SkalaEquipment& equipment) {
+SkalaTwinPicture run_skala_twin(std::span<const std::uint8_t> stream, const SkalaEquipment& equipment) {
   const SkalaReceipt receipt = receive_skala_stream(stream);
-  SkalaPicture picture;
-  SkalaDrawing drawing(picture, equipment);
+  SkalaTwinPicture picture;
+  SkalaTwinDrawing drawing(picture, equipment);
   for (const SkalaReceivedCommand& received : receipt.drawn) {
     if (drawing.obey(received)) continue;
     picture.status = SkalaStatus::device_missing;

@@ -42,7 +42,7 @@ struct SkalaPlotterMove {
   friend bool operator==(const SkalaPlotterMove&, const SkalaPlotterMove&) = default;
 };
 
-struct SkalaCounts {
+struct SkalaTwinCounts {
   std::uint64_t points_walked = 0;   // steps of lines, curves, slices and outlines, seen or not
   std::uint64_t points_plotted = 0;  // dots written to a raster board, a dot written twice counted twice;
                                      // visible points on a plotter, dropped ones included
@@ -51,7 +51,7 @@ struct SkalaCounts {
   std::uint64_t steps_pen_up = 0;
 };
 
-struct SkalaPicture {
+struct SkalaTwinPicture {
   SkalaStatus status = SkalaStatus::running;
   // How many bytes of the stream the program has looked at; after an error the last of them is the offending
   // one.
@@ -59,7 +59,7 @@ struct SkalaPicture {
   std::array<core::Raster, 2> rasters{};  // of the EF9365 board and of the ALT-256 board
   std::vector<SkalaPlotterMove> moves;    // of the plotters, in order
   SkalaColumns columns;                   // at the end; the pending column is not folded in
-  SkalaCounts counts;
+  SkalaTwinCounts counts;
 
   // Of a raster device only.
   [[nodiscard]] const core::Raster& raster(SkalaDevice device) const {
@@ -74,7 +74,7 @@ struct SkalaEquipment {
 
 // What has happened when the program has taken all bytes of `stream` it ever will. A stream without END ends
 // in status `running`, and what stands in the buffer then is not drawn.
-[[nodiscard]] SkalaPicture run_skala_twin(std::span<const std::uint8_t> stream,
-                                          const SkalaEquipment& equipment = {});
+[[nodiscard]] SkalaTwinPicture run_skala_twin(std::span<const std::uint8_t> stream,
+                                              const SkalaEquipment& equipment = {});
 
 }  // namespace sightline::harness

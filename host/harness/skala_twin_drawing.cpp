@@ -13,13 +13,13 @@ namespace {
 
 }  // namespace
 
-SkalaDrawing::SkalaDrawing(SkalaPicture& picture, const SkalaEquipment& equipment)
+SkalaTwinDrawing::SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment)
     : picture_(picture),
       equipment_(equipment),
       masks_(picture.columns),
       pen_(picture.moves, picture.counts) {}
 
-bool SkalaDrawing::obey(const SkalaReceivedCommand& received) {
+bool SkalaTwinDrawing::obey(const SkalaReceivedCommand& received) {
   const auto arguments = received.arguments;
   switch (received.command) {
     case SkalaCommand::end:
@@ -44,7 +44,7 @@ bool SkalaDrawing::obey(const SkalaReceivedCommand& received) {
   return true;
 }
 
-bool SkalaDrawing::select_device(std::uint8_t argument) {
+bool SkalaTwinDrawing::select_device(std::uint8_t argument) {
   const std::uint8_t number = argument & 3U;
   const auto device = static_cast<SkalaDevice>(number);
   if (!equipment_.present[number] && device != SkalaDevice::minigraf) return false;
@@ -53,7 +53,7 @@ bool SkalaDrawing::select_device(std::uint8_t argument) {
   return true;
 }
 
-void SkalaDrawing::reset() {
+void SkalaTwinDrawing::reset() {
   masks_.reset();
   picture_.columns.previous_level.fill(0);
   at_ = {};
@@ -69,7 +69,7 @@ void SkalaDrawing::reset() {
   }
 }
 
-void SkalaDrawing::move_to(SkalaPoint point) {
+void SkalaTwinDrawing::move_to(SkalaPoint point) {
   if (point == at_) return;
   at_ = point;
   fresh_ = true;
@@ -77,7 +77,7 @@ void SkalaDrawing::move_to(SkalaPoint point) {
   pen_.end_run();
 }
 
-void SkalaDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) {
+void SkalaTwinDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) {
   mode = effective(mode);
   if (mode == Mode::travel) {
     if (point != at_) pen_.end_run();
@@ -94,7 +94,7 @@ void SkalaDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) {
   level_ = level;
 }
 
-void SkalaDrawing::curve(std::span<const std::uint8_t> arguments) {
+void SkalaTwinDrawing::curve(std::span<const std::uint8_t> arguments) {
   std::uint8_t x = arguments[0];
   const auto heights = arguments.subspan(2);
   move_to({x, heights[0]});
@@ -102,12 +102,12 @@ void SkalaDrawing::curve(std::span<const std::uint8_t> arguments) {
 }
 
 // Ends a slice. A shaded column of the next slice is entered anew, with visibility or without.
-void SkalaDrawing::commit() {
+void SkalaTwinDrawing::commit() {
   shaded_column_.reset();
   if (visibility_) plot_fold(masks_.fold());
 }
 
-void SkalaDrawing::outline() {
+void SkalaTwinDrawing::outline() {
   if (!visibility_) return;
   plot_fold(masks_.fold());
   for (int first = 0; first < 256; ++first) {
@@ -120,7 +120,7 @@ void SkalaDrawing::outline() {
 }
 
 // Along the top of the visited columns first..last and back along the bottom.
-void SkalaDrawing::outline_run(int first, int last) {
+void SkalaTwinDrawing::outline_run(int first, int last) {
   const auto point = [](int x, const std::array<std::uint8_t, 256>& mask) {
     return SkalaPoint{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
   };
@@ -130,14 +130,14 @@ void SkalaDrawing::outline_run(int first, int last) {
   for (int x = last; x >= first; --x) line_to(point(x, columns.mask_bottom), Mode::plain);
 }
 
-SkalaDrawing::Mode SkalaDrawing::effective(Mode mode) const {
+SkalaTwinDrawing::Mode SkalaTwinDrawing::effective(Mode mode) const {
   if ((mode == Mode::surface || mode == Mode::rim) && !on_raster()) mode = Mode::draw;
   if (visibility_) return mode;
   if (mode == Mode::mask) return Mode::travel;
   return mode == Mode::draw || mode == Mode::test ? Mode::plain : mode;
 }
 
-void SkalaDrawing::step(SkalaPoint point, Mode mode) {
+void SkalaTwinDrawing::step(SkalaPoint point, Mode mode) {
   ++picture_.counts.points_walked;
   switch (mode) {
     case Mode::draw:
@@ -158,12 +158,12 @@ void SkalaDrawing::step(SkalaPoint point, Mode mode) {
 
 // A pen goes on along the border of the strip once it draws: lifting it for every point that only touches the
 // horizon would turn close curves into dots.
-bool SkalaDrawing::visible_to_draw(SkalaPoint point) const {
+bool SkalaTwinDrawing::visible_to_draw(SkalaPoint point) const {
   if (masks_.outside(point)) return true;
   return !on_raster() && pen_.in_run() && masks_.on_border(point);
 }
 
-void SkalaDrawing::ink(bool visible, SkalaPoint point) {
+void SkalaTwinDrawing::ink(bool visible, SkalaPoint point) {
   if (on_raster()) {
     if (visible) plot(point, colour_);
   } else if (visible) {
@@ -174,12 +174,12 @@ void SkalaDrawing::ink(bool visible, SkalaPoint point) {
   }
 }
 
-void SkalaDrawing::plot(SkalaPoint point, std::uint8_t colour) {
+void SkalaTwinDrawing::plot(SkalaPoint point, std::uint8_t colour) {
   ++picture_.counts.points_plotted;
   picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].set(point.x, point.y, colour);
 }
 
-void SkalaDrawing::plot_fold(const SkalaFoldPoints& points) {
+void SkalaTwinDrawing::plot_fold(const SkalaFoldPoints& points) {
   if (silhouette_ == 0 || !on_raster()) return;
   if (points.top) plot(*points.top, silhouette_);
   if (points.bottom) plot(*points.bottom, silhouette_);

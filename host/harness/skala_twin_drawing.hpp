@@ -15,10 +15,10 @@
 
 namespace sightline::harness {
 
-class SkalaDrawing {
+class SkalaTwinDrawing {
  public:
   // Draws into `picture`, which must outlive it, as a program that has just been started.
-  SkalaDrawing(SkalaPicture& picture, const SkalaEquipment& equipment);
+  SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment);
 
   // False when the device of a DEVICE command does not answer; nothing has changed then.
   [[nodiscard]] bool obey(const SkalaReceivedCommand& received);
@@ -60,7 +60,7 @@ class SkalaDrawing {
 
   [[nodiscard]] bool on_raster() const { return is_raster(device_); }
 
-  SkalaPicture& picture_;
+  SkalaTwinPicture& picture_;
   SkalaEquipment equipment_;
   SkalaMasks masks_;
   SkalaPlotterPen pen_;

@@ -14,7 +14,7 @@ namespace sightline::harness {
 class SkalaPlotterPen {
  public:
   // Movements are appended to `moves` and counted in `counts`; both must outlive the pen.
-  SkalaPlotterPen(std::vector<SkalaPlotterMove>& moves, SkalaCounts& counts)
+  SkalaPlotterPen(std::vector<SkalaPlotterMove>& moves, SkalaTwinCounts& counts)
       : moves_(moves), counts_(counts) {}
 
   // The next visible point. Within a run it is a neighbour of the one before.
@@ -30,7 +30,7 @@ class SkalaPlotterPen {
   void step_towards(SkalaPoint point);
 
   std::vector<SkalaPlotterMove>& moves_;
-  SkalaCounts& counts_;
+  SkalaTwinCounts& counts_;
   SkalaPoint at_;  // where the pen really is
   bool down_ = false;
   int run_points_ = 0;     // of the present run, not counted beyond two

@@ -4,7 +4,7 @@
 
 namespace sightline::harness {
 
-void SkalaDrawing::surface(std::span<const std::uint8_t> arguments) {
+void SkalaTwinDrawing::surface(std::span<const std::uint8_t> arguments) {
   auto vertices = arguments.subspan(1);
   move_to({vertices[0], vertices[1]});
   level_ = vertices[2] & 7U;
@@ -12,7 +12,7 @@ void SkalaDrawing::surface(std::span<const std::uint8_t> arguments) {
     line_to({vertices[0], vertices[1]}, Mode::surface, vertices[2] & 7U);
 }
 
-void SkalaDrawing::rim(SkalaPoint point, std::uint8_t level) {
+void SkalaTwinDrawing::rim(SkalaPoint point, std::uint8_t level) {
   if (!fresh_) {
     line_to(point, Mode::rim, level);
     return;
@@ -21,14 +21,14 @@ void SkalaDrawing::rim(SkalaPoint point, std::uint8_t level) {
   level_ = level;
 }
 
-void SkalaDrawing::gap(std::span<const std::uint8_t> arguments) {
+void SkalaTwinDrawing::gap(std::span<const std::uint8_t> arguments) {
   const int first = arguments[0];
   const int count = skala_count(arguments[1]);
   for (int x = first; x < first + count; ++x)
     picture_.columns.previous_level[static_cast<std::size_t>(x)] = 0;
 }
 
-void SkalaDrawing::shade(SkalaPoint point, bool may_fill) {
+void SkalaTwinDrawing::shade(SkalaPoint point, bool may_fill) {
   SkalaColumns& columns = picture_.columns;
   const bool visible = !visibility_ || masks_.outside(point);
   const bool entered = shaded_column_ != point.x;
@@ -42,7 +42,7 @@ void SkalaDrawing::shade(SkalaPoint point, bool may_fill) {
   if (visibility_) plot_fold(masks_.touch(point));
 }
 
-void SkalaDrawing::fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level) {
+void SkalaTwinDrawing::fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level) {
   plot(from, level_);
   const SkalaPoint to{from.x, to_y};
   const int towards = skala_sign(to.y - from.y);
