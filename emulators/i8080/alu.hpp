@@ -1,0 +1,108 @@
+// What the 8080's arithmetic does to the accumulator and to F (S Z 0 AC 0 P 1 CY).
+//
+// Source: Intel MCS-80 User's Manual, chapter 4; where it is silent (AC of the logical operations and of DAA, the
+// constant bits of F) the chip itself, as measured on the gate-level model of the KR580VM80A. Not modelled: the NEC
+// uPD8080A without F and AMD's Am9080A, whose AC differs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "emulators/i8080/isa.hpp"
+#include "emulators/i8080/state.hpp"
+
+namespace sightline::i8080 {
+
+struct Result {
+  Byte value;
+  Byte flags;  // the whole of F
+};
+
+namespace detail {
+
+// S, Z and P of every byte, and the bit that is always one. P is even parity.
+inline constexpr auto sign_zero_parity = [] {
+  std::array<Byte, 256> table{};
+  for (unsigned value = 0; value < 256; ++value) {
+    unsigned ones = 0;
+    for (unsigned bits = value; bits != 0; bits >>= 1) ones += bits & 1U;
+    table[value] = static_cast<Byte>((value & flag::sign) | (value == 0 ? flag::zero : 0) |
+                                     (ones % 2 == 0 ? flag::parity : 0) | flag::always_one);
+  }
+  return table;
+}();
+
+}  // namespace detail
+
+// a + operand + carry (0 or 1). AC is the carry out of bit 3.
+[[nodiscard]] [[gnu::always_inline]] constexpr Result add(Byte a, Byte operand, unsigned carry) {
+  const unsigned sum = a + operand + carry;
+  const unsigned carries = a ^ operand ^ sum;  // bit n: the carry into bit n
+  const Byte value = static_cast<Byte>(sum);
+  return {value, static_cast<Byte>(detail::sign_zero_parity[value] | (carries & flag::auxiliary) | sum >> 8)};
+}
+
+// a - operand - borrow (0 or 1). The machine adds the complement: AC is the carry of that sum, so 1 means that the low
+// digit did not borrow, while CY is turned round and means a borrow.
+[[nodiscard]] [[gnu::always_inline]] constexpr Result subtract(Byte a, Byte operand, unsigned borrow) {
+  const unsigned difference = static_cast<unsigned>(a) - operand - borrow;
+  const unsigned borrows = a ^ operand ^ difference;
+  const Byte value = static_cast<Byte>(difference);
+  return {value, static_cast<Byte>(detail::sign_zero_parity[value] | (~borrows & flag::auxiliary) |
+                                   (difference >> 8 & flag::carry))};
+}
+
+// AC is the OR of the operands' bits 3: what the adder's carry chain shows when it is told to AND.
+[[nodiscard]] [[gnu::always_inline]] constexpr Result and_(Byte a, Byte operand) {
+  const Byte value = a & operand;
+  return {value, static_cast<Byte>(detail::sign_zero_parity[value] | ((a | operand) << 1 & flag::auxiliary))};
+}
+[[nodiscard]] [[gnu::always_inline]] constexpr Result exclusive_or(Byte a, Byte operand) {
+  const Byte value = a ^ operand;
+  return {value, detail::sign_zero_parity[value]};
+}
+[[nodiscard]] [[gnu::always_inline]] constexpr Result or_(Byte a, Byte operand) {
+  const Byte value = a | operand;
+  return {value, detail::sign_zero_parity[value]};
+}
+
+// INR and DCR leave CY alone.
+[[nodiscard]] [[gnu::always_inline]] constexpr Result increment(Byte value, Byte flags) {
+  const Byte result = static_cast<Byte>(value + 1);
+  const unsigned auxiliary = (result & 0x0FU) == 0 ? flag::auxiliary : 0;
+  return {result, static_cast<Byte>(detail::sign_zero_parity[result] | auxiliary | (flags & flag::carry))};
+}
+[[nodiscard]] [[gnu::always_inline]] constexpr Result decrement(Byte value, Byte flags) {
+  const Byte result = static_cast<Byte>(value - 1);
+  const unsigned auxiliary = (result & 0x0FU) != 0x0F ? flag::auxiliary : 0;
+  return {result, static_cast<Byte>(detail::sign_zero_parity[result] | auxiliary | (flags & flag::carry))};
+}
+
+// DAA corrects a sum of two packed decimal numbers; it knows nothing of subtraction. CY is set, never cleared.
+[[nodiscard]] constexpr Result decimal_adjust(Byte a, Byte flags) {
+  const bool low_digit = (flags & flag::auxiliary) != 0 || (a & 0x0FU) > 9;
+  const bool high_digit = (flags & flag::carry) != 0 || a > 0x99;
+  Result result = add(a, static_cast<Byte>((low_digit ? 0x06 : 0) | (high_digit ? 0x60 : 0)), 0);
+  result.flags = static_cast<Byte>((result.flags & ~flag::carry) | (high_digit ? flag::carry : 0));
+  return result;
+}
+
+// RLC, RRC, RAL and RAR change CY only.
+[[nodiscard]] constexpr Byte with_carry(Byte flags, unsigned carry) {
+  return static_cast<Byte>((flags & ~flag::carry) | carry);
+}
+[[nodiscard]] constexpr Result rotate_left(Byte a, Byte flags, unsigned into_bit_0) {
+  return {static_cast<Byte>(a << 1 | into_bit_0), with_carry(flags, a >> 7)};
+}
+[[nodiscard]] constexpr Result rotate_right(Byte a, Byte flags, unsigned into_bit_7) {
+  return {static_cast<Byte>(a >> 1 | into_bit_7 << 7), with_carry(flags, a & 1U)};
+}
+
+// The condition in bits 5-3 of a jump, call or return: NZ Z NC C PO PE P M.
+[[nodiscard]] [[gnu::always_inline]] constexpr bool holds(unsigned condition, Byte flags) {
+  constexpr std::array<Byte, 4> tested{flag::zero, flag::carry, flag::parity, flag::sign};
+  return ((flags & tested[condition >> 1]) != 0) == ((condition & 1U) != 0);
+}
+
+}  // namespace sightline::i8080

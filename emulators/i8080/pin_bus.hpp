@@ -1,0 +1,225 @@
+// The 8080's bus T-state by T-state: READY, HOLD and INT sampled when the chip samples them, and what every pin shows
+// at the end of each T-state.
+//
+// For boards whose memory makes the processor wait or that take the bus from it, and for the reference data. A board
+// is a type with
+//   PinInputs inputs()                          the levels during the T-state that is about to pass
+//   Byte read(Status, Address)                  asked once a cycle, in T2; also ports and the acknowledge
+//   void write(Status, Address, Byte)           in T3
+//   void t_state(const PinState&)               what the pins showed
+//
+// Left out: what the address pins show in T4 and T5 (undefined on the real part; here they keep the cycle's address).
+// Sources: MCS-80 User's Manual, chapter 2; the instants at which flip-flops are set are those of the gate-level model
+// of the KR580VM80A.
+#pragma once
+
+#include <cstdint>
+
+#include "emulators/i8080/bus.hpp"
+#include "emulators/i8080/cpu.hpp"
+#include "emulators/i8080/state.hpp"
+
+namespace sightline::i8080 {
+
+enum class TState : std::uint8_t { t1, t2, wait, t3, t4, t5, held };
+enum class DataPins : std::uint8_t { out, in, floating };
+
+struct PinInputs {
+  bool interrupt = false;
+  bool ready = true;
+  bool hold = false;
+};
+
+struct PinState {
+  PinInputs inputs;
+  TState state;
+  Address address;
+  DataPins direction;
+  Byte data;  // 0 while floating
+  bool sync;
+  bool data_in;       // DBIN
+  bool write_strobe;  // WR# low
+  bool waiting;       // WAIT
+  bool hold_acknowledge;
+  bool interrupts_on;  // INTE
+  Status status;       // of the last cycle that had one
+};
+
+template <class Board>
+class PinBus {
+ public:
+  PinBus(Board& board, bool interrupts_on)
+      : board_(&board), interrupts_on_(interrupts_on), next_interrupts_on_(interrupts_on) {}
+
+  Byte fetch(Status cycle, Address address) {
+    if ((cycle & status::acknowledge) != 0) acknowledged_ = true;
+    const Byte opcode = read(cycle, address);
+    tick(TState::t4);
+    return opcode;
+  }
+
+  Byte read(Status cycle, Address address) {
+    begin(cycle, address);
+    const Byte byte = board_->read(status_, address);
+    pins_ = {DataPins::in, byte, false, true, false};
+    tick(TState::t2);
+    while (!ready_) tick(TState::wait);
+    pins_ = {};
+    tick(TState::t3);
+    return byte;
+  }
+
+  void write(Status cycle, Address address, Byte byte) {
+    begin(cycle, address);
+    pins_ = {DataPins::out, byte, false, false, false};
+    tick(TState::t2);
+    pins_.write_strobe = true;
+    while (!ready_) tick(TState::wait);
+    board_->write(status_, address, byte);
+    tick(TState::t3);
+    pins_ = {};
+  }
+
+  // The port number stands on both halves of the address.
+  Byte in(Status cycle, Byte port) { return read(cycle, joined(port, port)); }
+  void out(Status cycle, Byte port, Byte byte) { write(cycle, joined(port, port), byte); }
+
+  // READY is not looked at, the status and the address stay; HOLD is met as in a write.
+  void internal(Byte first, Byte then) {
+    wait_while_held();
+    reading_ = false;
+    pins_ = {DataPins::out, first, false, false, false};
+    tick(TState::t1);
+    pins_.data = then;
+    tick(TState::t2);
+    tick(TState::t3);
+    pins_ = {};
+  }
+
+  void extend(int t_states) {
+    tick(t_states == 1 ? TState::t5 : TState::t4);
+    if (t_states == 2) tick(TState::t5);
+  }
+
+  void halt(Status cycle, Address address) {
+    begin(cycle, address);
+    halted_ = true;
+    pins_ = {};
+    tick(TState::t2);
+    wait_in_halt();
+  }
+
+  // One more TW; true: it was the last, the next T-state is T1 of a fetch or an acknowledge. An INT that the chip saw
+  // ends the halt three T-states later even if it has gone by then.
+  bool wait_in_halt() {
+    const bool last = waking_;
+    tick(TState::wait);
+    waking_ = acknowledged_;
+    if (!last) return false;
+    waking_ = false;
+    woken_ = true;
+    return true;
+  }
+
+  void interrupt_enable(bool on) { next_interrupts_on_ = on; }
+  void attention() {}
+  void end_acknowledge() { acknowledged_ = false; }
+  bool acknowledging() {
+    wait_while_held();
+    return acknowledged_ && interrupt_;
+  }
+
+  // INT in the T-state before the T1 that comes next, with INTE's own flip-flop left to the processor.
+  bool interrupt() {
+    wait_while_held();
+    return interrupt_ && (!hold_ || acknowledged_);
+  }
+
+ private:
+  struct Pins {
+    DataPins direction = DataPins::floating;
+    Byte data = 0;
+    bool sync = false;
+    bool data_in = false;
+    bool write_strobe = false;
+  };
+
+  void begin(Status cycle, Address address) {
+    wait_while_held();
+    status_ = static_cast<Status>(cycle | (halted_ ? status::halt : 0));
+    halted_ = woken_ = false;
+    reading_ = (cycle & status::read) != 0;
+    address_ = address;
+    interrupts_on_ = next_interrupts_on_;
+    pins_ = {DataPins::out, status_, true, false, false};
+    tick(TState::t1);
+  }
+
+  // A cycle does not begin while HOLD is granted. The end of a halt does not ask.
+  void wait_while_held() {
+    while (hold_ && !woken_) tick(TState::held);
+  }
+
+  // One T-state: phi1, what the pins show, phi2.
+  void tick(TState state) {
+    hold_acknowledge_ =
+        hold_ && (hold_acknowledge_ || after_write_ || halted_ || (state == TState::t3 && reading_));
+    if (halted_ && state == TState::wait && interrupts_on_ && !hold_) acknowledged_ = true;
+    if (!interrupt_) acknowledged_ = false;
+    const PinInputs inputs = board_->inputs();
+    board_->t_state({inputs, state, address_, pins_.direction, pins_.data, pins_.sync, pins_.data_in,
+                     pins_.write_strobe, state == TState::wait, hold_acknowledge_, interrupts_on_, status_});
+    after_write_ = state == TState::t3 && !reading_;
+    if (!inputs.hold) hold_ = false;
+    else if (!acknowledged_ && (state == TState::t2 || state == TState::wait)) hold_ = true;
+    interrupt_ = inputs.interrupt;
+    ready_ = inputs.ready;
+  }
+
+  Board* board_;
+  Pins pins_;
+  Address address_ = 0;
+  Status status_ = 0;
+  bool reading_ = true;
+  bool interrupts_on_;
+  bool next_interrupts_on_;
+  bool interrupt_ = false;  // INT and READY as they were in the last T-state
+  bool ready_ = true;
+  bool hold_ = false;  // the HOLD flip-flop
+  bool hold_acknowledge_ = false;
+  bool after_write_ = false;
+  bool acknowledged_ = false;  // the INTA latch
+  bool halted_ = false;        // since the halt cycle no other has begun
+  bool waking_ = false;
+  bool woken_ = false;
+};
+
+// An 8080 on such a bus.
+template <class Board>
+class PinMachine {
+ public:
+  PinMachine(Board& board, const State& state) : cpu_(PinBus<Board>(board, state.interrupts_on), state) {}
+
+  [[nodiscard]] const State& registers() const { return cpu_.state(); }
+  [[nodiscard]] State& registers() { return cpu_.state(); }
+  void reset() { cpu_.reset(); }
+
+  // One instruction from memory or from the interrupting device; in a halt, one TW.
+  void step() {
+    State& state = cpu_.state();
+    if (state.halted) {
+      if (!cpu_.bus().wait_in_halt()) return;
+      state.halted = false;
+    }
+    const bool interrupt = cpu_.bus().interrupt();
+    const bool open = state.interrupts_on && !state.deferred;
+    state.deferred = false;
+    if (interrupt && (open || cpu_.bus().acknowledging())) cpu_.acknowledge();
+    else cpu_.step();
+  }
+
+ private:
+  Cpu<PinBus<Board>> cpu_;
+};
+
+}  // namespace sightline::i8080

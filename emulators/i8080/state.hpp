@@ -1,0 +1,42 @@
+// The registers of the 8080, and what it remembers from one instruction to the next.
+//
+// The 8080 keeps its registers in pairs, and so does this; a single register is half of one. Bits 3 and 5 of F read 0
+// and bit 1 reads 1 (measured: POP PSW cannot change them).
+#pragma once
+
+#include <cstdint>
+
+#include "emulators/i8080/isa.hpp"
+
+namespace sightline::i8080 {
+
+using Byte = std::uint8_t;
+using Address = std::uint16_t;
+
+[[nodiscard]] constexpr Byte high(Address pair) { return static_cast<Byte>(pair >> 8); }
+[[nodiscard]] constexpr Byte low(Address pair) { return static_cast<Byte>(pair); }
+[[nodiscard]] constexpr Address joined(Byte high_byte, Byte low_byte) {
+  return static_cast<Address>(high_byte << 8 | low_byte);
+}
+
+// F with its constant bits as the machine has them, whatever was asked for.
+[[nodiscard]] constexpr Byte as_flags(Byte value) {
+  return static_cast<Byte>((value & flag::all) | flag::always_one);
+}
+
+struct State {
+  Byte a = 0;
+  Byte f = flag::always_one;
+  Address bc = 0;
+  Address de = 0;
+  Address hl = 0;
+  Address sp = 0;
+  Address pc = 0;
+  bool interrupts_on = false;  // INTE
+  bool deferred = false;       // the last instruction was EI or DI: INT is not looked at after it
+  bool halted = false;         // HLT was executed and nothing has ended it yet
+
+  friend constexpr bool operator==(const State&, const State&) = default;
+};
+
+}  // namespace sightline::i8080
