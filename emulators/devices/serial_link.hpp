@@ -1,0 +1,118 @@
+// The slow, authentic link to the host computer: an 8251 on a line at 9600 baud.
+//
+// The host sends its bytes one after the other. By itself it looks at RTS before each character and waits while the
+// program has it off; set to send blindly it starts at a given instant and never looks, so that a program that is late
+// loses characters (overrun) as it would have. What the program transmits is collected by the chip.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "emulators/core/tstates.hpp"
+#include "emulators/devices/i8251.hpp"
+
+namespace sightline::devices {
+
+struct SerialHost {
+  std::int64_t chip_clock_hertz = 153'600;  // 9600 baud at x16
+  std::int64_t baud = 9600;                 // of the host
+  SerialFormat format{};                    // of the host: 8 bits, no parity, 1 stop bit
+  bool watches_rts = true;
+  core::TStateInstant starts{};             // first start bit not before
+  core::Duration gap{0};                    // between the stop bit and the next start bit
+};
+
+class SerialLink {
+ public:
+  // The bytes the host will send must stay where they are.
+  SerialLink(core::ClockRate rate, std::span<const std::uint8_t> bytes, SerialHost host = {})
+      : rate_(rate),
+        chip_(rate, host.chip_clock_hertz),
+        host_(host),
+        gap_(rate.t_states_in(host.gap)),
+        bytes_(bytes),
+        line_free_(host.starts) {
+    if (!host.watches_rts) plan(line_free_);
+  }
+
+  // Odd addresses are control and status, even ones data.
+  [[nodiscard]] std::uint8_t read(std::uint8_t address, core::TStateInstant at) {
+    advance(at);
+    return (address & 1U) != 0 ? chip_.read_status() : chip_.read_data();
+  }
+  void write(std::uint8_t address, std::uint8_t value, core::TStateInstant at) {
+    advance(at);
+    if ((address & 1U) == 0) {
+      chip_.write_data(value, at);
+      return;
+    }
+    chip_.write_control(value, at);
+    if (start_ == core::never_t && allowed()) plan(std::max(line_free_, at));
+  }
+
+  void advance(core::TStateInstant now) {
+    chip_.advance(now);
+    while (next_event() <= now) {
+      if (sampled_ <= start_)
+        deliver();
+      else
+        begin();
+    }
+  }
+  [[nodiscard]] core::TStateInstant deadline() const { return std::min(next_event(), chip_.deadline()); }
+
+  [[nodiscard]] const I8251& chip() const { return chip_; }
+  // Characters the host has begun to send.
+  [[nodiscard]] std::size_t sent() const { return sent_; }
+  // Of them those that began while a receiver set to a slower line was still sampling the last one.
+  [[nodiscard]] std::uint64_t unseen() const { return unseen_; }
+
+ private:
+  [[nodiscard]] core::TStateInstant next_event() const { return std::min(start_, sampled_); }
+  [[nodiscard]] bool allowed() const { return !host_.watches_rts || chip_.request_to_send(); }
+
+  // The next start bit at `when`, if there is anything left to send.
+  void plan(core::TStateInstant when) { start_ = sent_ < bytes_.size() ? when : core::never_t; }
+
+  void deliver() {
+    sampled_ = core::never_t;
+    chip_.receive(frame_);
+  }
+
+  // A start bit, unless RTS has gone: then the host waits until it is asserted again.
+  void begin() {
+    const core::TStateInstant now = start_;
+    start_ = core::never_t;
+    if (!allowed()) return;
+    const std::uint8_t value = bytes_[sent_++];
+    const core::TStates lasts = host_half_bits(host_.format.half_bits());
+    line_free_ = now + lasts + gap_;
+    plan(line_free_);
+    if (sampled_ != core::never_t) {
+      ++unseen_;
+      return;
+    }
+    frame_ = host_.format.frame(value, host_.baud);
+    sampled_ = now + (chip_.programmed() ? chip_.sampling_time() : lasts);
+  }
+
+  [[nodiscard]] core::TStates host_half_bits(std::int64_t n) const {
+    return core::TStates((n * rate_.hertz + 2 * host_.baud - 1) / (2 * host_.baud));
+  }
+
+  core::ClockRate rate_;
+  I8251 chip_;
+  SerialHost host_;
+  core::TStates gap_;
+  std::span<const std::uint8_t> bytes_;
+  std::size_t sent_ = 0;
+  SerialFrame frame_;
+  std::uint64_t unseen_ = 0;
+  core::TStateInstant line_free_;
+  core::TStateInstant start_ = core::never_t;    // of the next character
+  core::TStateInstant sampled_ = core::never_t;  // the one on the line is in the receiver
+};
+
+}  // namespace sightline::devices
