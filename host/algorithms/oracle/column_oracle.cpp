@@ -1,0 +1,222 @@
+#include "host/algorithms/oracle/column_oracle.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace sightline::algorithms::oracle {
+namespace {
+
+struct Dot {
+  int y;
+  SegmentRole role;
+};
+
+// The dots of one chain in one column, in the chain's direction.
+struct Piece {
+  int rank = 0;
+  std::int64_t nearest = 0;
+  std::int64_t farthest = 0;
+  std::vector<Dot> dots;
+};
+
+using Column = std::vector<Piece>;
+using Columns = std::array<Column, raster_columns>;
+
+[[nodiscard]] std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+  return a / b - (a % b < 0 ? 1 : 0);
+}
+
+// Pieces of one chain: an array of columns of which only the last added to is still open.
+class PieceCollector {
+ public:
+  PieceCollector(Columns& columns, int rank) : columns_(columns), rank_(rank) {}
+
+  // depth_low <= true depth <= depth_high
+  void add(const RasterDot& dot, SegmentRole role, std::int64_t depth_low, std::int64_t depth_high) {
+    Column& column = columns_[static_cast<std::size_t>(dot.x)];
+    if (open_column_ != dot.x) {
+      open_column_ = dot.x;
+      column.push_back({rank_, depth_low, depth_high, {}});
+    }
+    Piece& piece = column.back();
+    piece.nearest = std::min(piece.nearest, depth_low);
+    piece.farthest = std::max(piece.farthest, depth_high);
+    piece.dots.push_back({dot.y, role});
+  }
+
+ private:
+  Columns& columns_;
+  int rank_;
+  int open_column_ = -1;
+};
+
+void collect(Columns& columns, const Chain& chain) {
+  PieceCollector pieces(columns, chain.rank);
+  bool start_pending = true;
+  for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
+    const ChainVertex& a = chain.vertices[i - 1];
+    const ChainVertex& b = chain.vertices[i];
+    if (b.role == SegmentRole::none) {
+      start_pending = true;
+      continue;
+    }
+    const auto dots = segment_dots(a.x, a.y, b.x, b.y);
+    const auto length = static_cast<std::int64_t>(dots.size()) - 1;
+    for (std::int64_t j = start_pending ? 0 : 1; j <= length; ++j) {
+      const std::int64_t span = std::max<std::int64_t>(length, 1);
+      const std::int64_t weighted = (b.depth - a.depth) * j;
+      pieces.add(dots[static_cast<std::size_t>(j)], b.role, a.depth + floor_divide(weighted, span),
+                 a.depth - floor_divide(-weighted, span));
+    }
+    start_pending = false;
+  }
+}
+
+// Nearest first. Of the pieces that no remaining one is clearly nearer than, the least rank goes first.
+[[nodiscard]] Column in_order(Column pieces, std::int64_t tolerance) {
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.rank < b.rank; });
+  Column ordered;
+  while (!pieces.empty()) {
+    const auto least = std::min_element(
+        pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.farthest < b.farthest; });
+    const std::int64_t limit = least->farthest + tolerance;
+    const auto next = std::find_if(pieces.begin(), pieces.end(),
+                                   [&](const Piece& piece) { return piece.nearest <= limit; });
+    ordered.push_back(std::move(*next));
+    pieces.erase(next);
+  }
+  return ordered;
+}
+
+[[nodiscard]] std::optional<ColumnHull> hull_of(const Piece& piece) {
+  std::optional<ColumnHull> hull;
+  for (const Dot& dot : piece.dots) {
+    if (dot.role == SegmentRole::test) continue;
+    if (!hull) hull = ColumnHull{dot.y, dot.y};
+    hull->low = std::min(hull->low, dot.y);
+    hull->high = std::max(hull->high, dot.y);
+  }
+  return hull;
+}
+
+[[nodiscard]] bool shaded(SegmentRole role) {
+  return role == SegmentRole::shade || role == SegmentRole::rim;
+}
+
+// The y where the last shaded dot of the pieces before number `count` lies.
+[[nodiscard]] std::optional<int> surface_before(const Column& pieces, std::size_t count) {
+  for (std::size_t i = count; i-- > 0;)
+    for (auto dot = pieces[i].dots.rbegin(); dot != pieces[i].dots.rend(); ++dot)
+      if (shaded(dot->role)) return dot->y;
+  return std::nullopt;
+}
+
+// Dots strictly between the two lie on the surface; the one at `from` is the slice's own.
+void light_surface(std::bitset<raster_columns>& lit, int from, int to,
+                   const std::optional<ColumnHull>& nearer) {
+  for (int y = std::min(from, to) + 1; y < std::max(from, to); ++y)
+    if (!nearer || y > nearer->high || y < nearer->low) lit.set(static_cast<std::size_t>(y));
+}
+
+void light_piece(std::bitset<raster_columns>& lit, const Column& pieces, std::size_t number,
+                 const std::optional<ColumnHull>& nearer) {
+  const Piece& piece = pieces[number];
+  for (const Dot& dot : piece.dots) {
+    const int slack = dot.role == SegmentRole::test ? 2 : 0;
+    const bool outside = !nearer || dot.y > nearer->high - slack || dot.y < nearer->low + slack;
+    if (outside && dot.role != SegmentRole::mask) lit.set(static_cast<std::size_t>(dot.y));
+  }
+  const auto entry =
+      std::find_if(piece.dots.begin(), piece.dots.end(), [](const Dot& dot) { return shaded(dot.role); });
+  if (entry == piece.dots.end() || entry->role != SegmentRole::shade) return;
+  const bool entry_outside = !nearer || entry->y > nearer->high || entry->y < nearer->low;
+  const auto before = surface_before(pieces, number);
+  if (entry_outside && before) light_surface(lit, entry->y, *before, nearer);
+}
+
+// Where the records of `values` were followed by a lesser value by more than one before the next record; the
+// first value is no record.
+[[nodiscard]] std::vector<int> records_left(const std::vector<int>& values) {
+  std::vector<int> left;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(i);
+    if (values[i] <= *std::max_element(values.begin(), at)) continue;
+    const auto next = std::find_if(at, values.end(), [&](int value) { return value > values[i]; });
+    if (std::any_of(at, next, [&](int value) { return value < values[i] - 1; })) left.push_back(values[i]);
+  }
+  return left;
+}
+
+void take_column(ColumnPicture& picture, std::size_t x, const Column& pieces) {
+  std::vector<int> highs;
+  std::vector<int> negated_lows;
+  std::optional<ColumnHull>& nearer = picture.hull[x];
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    light_piece(picture.lit[x], pieces, i, nearer);
+    const auto own = hull_of(pieces[i]);
+    if (!own) continue;
+    highs.push_back(own->high);
+    negated_lows.push_back(-own->low);
+    nearer = nearer ? ColumnHull{std::min(nearer->low, own->low), std::max(nearer->high, own->high)} : *own;
+  }
+  for (const int y : records_left(highs)) picture.silhouette[x].set(static_cast<std::size_t>(y));
+  for (const int y : records_left(negated_lows)) picture.silhouette[x].set(static_cast<std::size_t>(-y));
+}
+
+void outline_segment(ColumnPicture& picture, int x0, int y0, int x1, int y1) {
+  for (const RasterDot& dot : segment_dots(x0, y0, x1, y1))
+    picture.outline[static_cast<std::size_t>(dot.x)].set(static_cast<std::size_t>(dot.y));
+}
+
+void take_outline(ColumnPicture& picture) {
+  for (int x = 0; x < raster_columns; ++x) {
+    const auto& here = picture.hull[static_cast<std::size_t>(x)];
+    if (!here) continue;
+    const auto& before = picture.hull[static_cast<std::size_t>(std::max(x - 1, 0))];
+    const bool next_exists =
+        x + 1 < raster_columns && picture.hull[static_cast<std::size_t>(x) + 1].has_value();
+    if (x > 0 && before) {
+      outline_segment(picture, x - 1, before->high, x, here->high);
+      outline_segment(picture, x - 1, before->low, x, here->low);
+    } else {
+      outline_segment(picture, x, here->high, x, here->high);
+      outline_segment(picture, x, here->low, x, here->low);
+    }
+    if (!next_exists) outline_segment(picture, x, here->high, x, here->low);
+  }
+}
+
+}  // namespace
+
+std::vector<RasterDot> segment_dots(int x0, int y0, int x1, int y1) {
+  if (x1 < x0) {
+    auto dots = segment_dots(x1, y1, x0, y0);
+    std::reverse(dots.begin(), dots.end());
+    return dots;
+  }
+  const int width = x1 - x0;
+  const int height = std::abs(y1 - y0);
+  const int up = y1 < y0 ? -1 : 1;
+  const int length = std::max(width, height);
+  const auto on_lesser_axis = [&](int j, int extent) {
+    return length == 0 ? 0 : (2 * j * extent + length) / (2 * length);
+  };
+  std::vector<RasterDot> dots;
+  for (int j = 0; j <= length; ++j)
+    dots.push_back({x0 + (width == length ? j : on_lesser_axis(j, width)),
+                    y0 + up * (height == length ? j : on_lesser_axis(j, height))});
+  return dots;
+}
+
+ColumnPicture column_picture(const std::vector<Chain>& chains, std::int64_t depth_tolerance) {
+  Columns columns;
+  for (const Chain& chain : chains) collect(columns, chain);
+  ColumnPicture picture;
+  for (std::size_t x = 0; x < columns.size(); ++x)
+    take_column(picture, x, in_order(std::move(columns[x]), depth_tolerance));
+  take_outline(picture);
+  return picture;
+}
+
+}  // namespace sightline::algorithms::oracle

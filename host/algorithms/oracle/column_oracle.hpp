@@ -1,0 +1,83 @@
+// Which dots of a picture of slices are lit, found column by column from depths: the reference for programs
+// in the manner of Skala (1985) that rely on being sent slices from the foreground to the background.
+//
+// The picture is made of chains of straight segments between raster points, each vertex with a depth. In
+// every column of the raster all chains that pass through it are put in order of depth, and the dots of each
+// are held against the hull of everything nearer. Slow and simple; no mask is kept, no line is walked with an
+// error term.
+//
+// - A segment's dots: with greater extent L and lesser extent l, dot j (0..L) counted from the left end (from
+// the
+//   given end when the segment is vertical) lies floor((2 j l + L) / (2 L)) on the lesser axis. So a tie goes
+//   away from the left end, and a segment has the same dots in both directions.
+// - What a chain has in one column is one piece of the picture: its dots do not hide each other, and to what
+// lies
+//   behind they are one interval, from the lowest to the highest.
+// - Depth along a segment is linear in j. Two pieces whose depths in the column touch, overlap or are nearer
+// to each
+//   other than `depth_tolerance` are not ordered by depth (shared vertices, slices seen end-on, vertices
+//   rounded to columns): then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
+//   must therefore be right only where depth says nothing.
+//
+// Left out: colours and levels, gaps, lines beyond the raster.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sightline::algorithms::oracle {
+
+inline constexpr int raster_columns = 256;
+
+// What a segment does; one role for each segment, so that a chain may be inked in parts.
+enum class SegmentRole : std::uint8_t {
+  none,   // no segment: the chain is interrupted, or begins
+  draw,   // lit where it is strictly outside the hull of what is nearer; hides
+  test,   // lit there and in the outermost two rows of the hull; hides nothing
+  mask,   // never lit; hides
+  shade,  // as draw; and the surface down or up to the piece before is filled as far as it is outside
+  rim,    // as draw; the surface of a later piece may be filled up to it
+};
+
+struct ChainVertex {
+  int x = 0;                             // 0..255
+  int y = 0;                             // 0..255
+  std::int64_t depth = 0;                // greater is farther; magnitude below 2^40
+  SegmentRole role = SegmentRole::none;  // of the segment from the vertex before
+};
+
+// Monotone in x, to the right or to the left. A vertex between two interruptions has no dot; a segment of
+// length 0 has one.
+struct Chain {
+  int rank = 0;
+  std::vector<ChainVertex> vertices;
+};
+
+struct ColumnHull {
+  int low = 0;
+  int high = 0;
+};
+
+struct ColumnPicture {
+  std::array<std::bitset<raster_columns>, raster_columns> lit;  // lit[x][y]
+  std::array<std::optional<ColumnHull>, raster_columns> hull;   // of everything that hides
+  // Dots where the surface turns away from the eye: the top (bottom) of a piece that reached above (below)
+  // all nearer ones, if a later piece, before the next that reaches farther, stays more than one row inside.
+  std::array<std::bitset<raster_columns>, raster_columns> silhouette;
+  std::array<std::bitset<raster_columns>, raster_columns> outline;  // the polygon around all hulls
+};
+
+[[nodiscard]] ColumnPicture column_picture(const std::vector<Chain>& chains, std::int64_t depth_tolerance);
+
+struct RasterDot {
+  int x = 0;
+  int y = 0;
+  friend bool operator==(const RasterDot&, const RasterDot&) = default;
+};
+// The dots of the segment from (x0, y0) to (x1, y1), both ends included, in this direction.
+[[nodiscard]] std::vector<RasterDot> segment_dots(int x0, int y0, int x1, int y1);
+
+}  // namespace sightline::algorithms::oracle
