@@ -2,8 +2,8 @@
 // section 3: "the problem is how to select the order of the drawing if some transformations are made").
 //
 // An order is a view of the grid with its axes exchanged and reversed so that rows[0] is nearest. Along a
-// vertical line of the screen depth grows with z / cos A in slices along x and with -x / sin A in slices along z, which
-// gives the sign of both; cells go away from the corner nearest the eye in both directions.
+// vertical line of the screen depth grows with z / cos A in slices along x and with -x / sin A in slices
+// along z, which gives the sign of both; cells go away from the corner nearest the eye in both directions.
 #pragma once
 
 #include <cstddef>

@@ -2,20 +2,16 @@
 // where, on which device.
 #pragma once
 
-#include <cstdint>
+#include "host/harness/skala_commands.hpp"
 
 namespace sightline::harness {
 
 enum class SkalaPicture { lines, surface, contours };
 
 // Which slices are drawn: along x (z constant), along z (x constant), both cell by cell; automatic takes the
-// family that is less end-on. A surface is always one family (both counts as automatic), contours go by cells.
+// family that is less end-on. A surface is always one family (both counts as automatic), contours go by
+// cells.
 enum class SkalaFamily { along_x, along_z, both, automatic };
-
-// The numbers of the DEVICE command.
-enum class SkalaDevice : std::uint8_t { ef9365 = 0, alt256 = 1, calcomp = 2, minigraf = 3 };
-
-[[nodiscard]] constexpr bool is_plotter(SkalaDevice device) { return device >= SkalaDevice::calcomp; }
 
 struct SkalaView {
   SkalaPicture picture = SkalaPicture::lines;
