@@ -1,0 +1,62 @@
+// Words of 8080 source: statements of a line, the head of a statement, the tokens of its operands.
+//
+// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM), so is a line
+// number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment that reaches to
+// the end of the line: unlike CP/M ASM, `!` does not end it, because comments that shout are more common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sightline::assembler {
+
+// A name without its `$`, in lower case.
+[[nodiscard]] std::string folded(std::string_view name);
+[[nodiscard]] bool begins_name(char c);
+[[nodiscard]] bool continues_name(char c);
+[[nodiscard]] bool is_blank(char c);
+// Where the name at `at` ends; `at` if there is none.
+[[nodiscard]] std::size_t end_of_name(std::string_view text, std::size_t at);
+[[nodiscard]] std::size_t skip_blanks(std::string_view text, std::size_t at);
+// Behind the closing quote of the string that opens at `at`, or npos if it is not closed.
+[[nodiscard]] std::size_t end_of_string(std::string_view text, std::size_t at);
+// As much of a token as a message can show.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+// Where the statement at `from` ends: at a `!` outside strings, angle brackets and comments, or at the end of the line.
+[[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from);
+// Where the comment begins, or the length of the text.
+[[nodiscard]] std::size_t start_of_comment(std::string_view text, std::size_t from);
+
+enum class TokenKind : std::uint8_t { end, name, number, string, sign, bad };
+
+struct I8080Token {
+  TokenKind kind = TokenKind::end;
+  std::size_t column = 0;   // offset in the statement
+  std::string_view text;    // as written
+  std::string value;        // name: folded; string: without quotes; bad: what was expected
+  std::uint32_t number = 0;
+
+  [[nodiscard]] bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
+  [[nodiscard]] bool is_name(std::string_view name) const { return kind == TokenKind::name && value == name; }
+};
+
+class I8080Lexer {
+ public:
+  I8080Lexer() = default;
+  I8080Lexer(std::string_view text, std::size_t at) : text_(text), at_(at) {}
+  I8080Token next();
+
+ private:
+  I8080Token name(std::size_t start);
+  I8080Token number(std::size_t start, std::size_t digits, unsigned radix);
+  I8080Token string(std::size_t start);
+  I8080Token dollar(std::size_t start);
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace sightline::assembler

@@ -1,0 +1,64 @@
+// Macros of the 8080 assembler as texts: bodies, arguments, and the replacing of names by texts.
+//
+// A name is replaced wherever it stands as a whole name outside strings and comments, inside a string only next to `&`.
+// One `&` on either side of it goes away: that joins the text to what stands there.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tools/asm/source.hpp"
+
+namespace sightline::assembler {
+
+struct BodyLine {
+  std::string text;
+  Position at;  // of its first character
+};
+
+// What stands between MACRO, REPT, IRP or IRPC and its ENDM.
+struct Body {
+  std::vector<BodyLine> lines;
+  std::vector<std::string> locals;  // names, folded
+};
+
+struct Macro {
+  std::string name;                     // as written
+  std::vector<std::string> parameters;  // folded
+  std::shared_ptr<const Body> body;
+  Position defined;
+};
+
+struct Argument {
+  std::string text;
+  std::size_t column = 0;   // offset of its first character
+  bool evaluate = false;    // written %expression: its value is passed, in decimal
+};
+
+struct Arguments {
+  std::vector<Argument> list;
+  std::size_t unclosed = std::string_view::npos;  // offset of a `<` without `>`
+};
+
+// The arguments in text[from...], separated by commas, up to a comment. Blanks around them fall away, `<...>` makes
+// one argument of what it holds and is taken off, `^` takes the next character as it is. An empty text has no
+// arguments.
+[[nodiscard]] Arguments split_arguments(std::string_view text, std::size_t from);
+
+// A text made of another one, and where its parts come from: pairs of offsets here and there.
+struct Expansion {
+  std::string text;
+  std::vector<std::pair<std::size_t, std::size_t>> origins;
+
+  [[nodiscard]] std::size_t origin_of(std::size_t offset) const;
+};
+
+// `names` folded, each replaced by the text of the same index.
+[[nodiscard]] Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
+                                      const std::vector<std::string>& texts);
+
+}  // namespace sightline::assembler

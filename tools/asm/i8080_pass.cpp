@@ -1,0 +1,326 @@
+#include "tools/asm/i8080_pass.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "tools/image/binary.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+using image::hexadecimal;
+
+constexpr std::uint32_t memory_end = 0x10000;
+constexpr std::size_t most_diagnostics = 1000;
+constexpr std::size_t longest_expanded_line = 16384;
+constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
+constexpr std::size_t bytes_a_row = 4;          // of the listing
+constexpr std::size_t most_places_shown = 3;    // of nested expansions
+
+std::string local_name(std::size_t number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return "??" + digits;
+}
+
+}  // namespace
+
+void I8080Pass::run(std::size_t sources) {
+  program_.unknown_equates = 0;
+  program_.values_moved = false;
+  for (std::size_t file = 0; file < sources && !stopped_; ++file) {
+    push(std::make_unique<I8080Frame>(file, program_.files[file].text));
+    while (!frames_.empty() && !stopped_) {
+      if (const auto statement = frames_.back()->next_statement()) {
+        statement_ = *statement;
+        this->statement();
+      } else if (!next_line()) {
+        end_of_frame();
+      }
+    }
+  }
+}
+
+// Lines
+
+bool I8080Pass::next_line() {
+  I8080Frame& frame = *frames_.back();
+  if (!frame.next_line([this] { return local_name(++locals_); })) return false;
+  statement_ = {frame.line(), 0, true};
+  lines_ += 1 + frame.line().size() / characters_a_line;
+  if (frame.is_expansion() && frame.line().size() > longest_expanded_line) {
+    error(0, "a line of " + std::to_string(frame.line().size()) + " characters after expansion",
+          "at most " + std::to_string(longest_expanded_line));
+    stopped_ = true;
+  } else if (lines_ > options_.most_lines) {
+    error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
+          "repeats and macros that end");
+    stopped_ = true;
+  }
+  begin_row();
+  return true;
+}
+
+void I8080Pass::begin_row() {
+  if (!final_ || !options_.listing) return;
+  I8080Frame& frame = *frames_.back();
+  frame.row = program_.listing.size();
+  frame.row_filled = false;
+  program_.listing.push_back({"", "", (frame.is_expansion() ? "+" : "") + std::string(frame.line())});
+}
+
+void I8080Pass::end_of_frame() {
+  const I8080Frame& frame = *frames_.back();
+  const std::string end = frame.is_expansion() ? "the end of " + frame.name()
+                                               : "the end of " + program_.files[frame.file()].name;
+  while (conditionals_.size() > frame.conditionals) {
+    say(Severity::error, conditionals_.back().opened, end + " inside this IF", "ENDIF");
+    conditionals_.pop_back();
+  }
+  if (definition_ && definition_->frames == frames_.size()) {
+    say(Severity::error, definition_->opened, end + " inside this definition", "ENDM");
+    definition_.reset();
+  }
+  frames_.pop_back();
+}
+
+// Statements
+
+void I8080Pass::statement() {
+  I8080Frame& frame = *frames_.back();
+  statement_location_ = location_;
+  bytes_.clear();
+  shown_value_.reset();
+  shown_equated_ = said_overflow_ = said_overlap_ = false;
+  if (definition_) return collect();
+  const auto parsed = head();
+  if (!parsed) return;
+  if (active()) {
+    execute(*parsed);
+  } else if (const Word* found = word(parsed->operation, WordKind::directive);
+             found != nullptr && found->directive >= Directive::if_ && found->directive <= Directive::endif) {
+    conditional(found->directive, *parsed);
+  }
+  end_statement(frame);
+}
+
+const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
+  const Word* found = program_.vocabulary.find(name);
+  return found != nullptr && found->kind == kind ? found : nullptr;
+}
+
+// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's assemblers.
+std::optional<I8080Pass::Head> I8080Pass::head() {
+  const std::string_view text = statement_.text;
+  if (statement_.begins_line && !text.empty() && (text[0] == '*' || text[0] == '$')) return std::nullopt;
+  std::size_t at = skip_blanks(text, 0);
+  const std::size_t line_number = at;
+  while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
+  if (at < text.size() && !is_blank(text[at])) at = line_number;
+  bool first_column = statement_.begins_line && (at == 0 || at > line_number);
+  at = skip_blanks(text, at);
+  if (at >= text.size() || text[at] == ';') return std::nullopt;
+
+  Head result;
+  const std::size_t end = end_of_name(text, at);
+  const std::string_view first = text.substr(at, end - at);
+  const std::size_t next = skip_blanks(text, end);
+  const auto operation = [&](std::size_t from) {
+    const std::size_t to = end_of_name(text, from);
+    result.word = text.substr(from, to - from);
+    result.operation = folded(result.word);
+    result.operation_at = from;
+    result.operands = to;
+  };
+  const auto label = [&](std::size_t from) {
+    result.label = first;
+    result.label_at = at;
+    operation(skip_blanks(text, from));
+  };
+  if (end > at && next < text.size() && text[next] == ':') {
+    result.colon = true;
+    label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
+    return result;
+  }
+  const Word* const after = word(folded(text.substr(next, end_of_name(text, next) - next)), WordKind::directive);
+  if (end > at && after != nullptr &&
+      (after->directive == Directive::equ || after->directive == Directive::set ||
+       after->directive == Directive::macro)) {
+    label(next);
+    return result;
+  }
+  operation(at);
+  const Word* const known = program_.vocabulary.find(result.operation);
+  const bool is_operation = macros_.contains(result.operation) ||
+                            (known != nullptr && (known->kind == WordKind::mnemonic || known->kind == WordKind::directive));
+  if (first_column && end > at && !is_operation) label(next);
+  return result;
+}
+
+void I8080Pass::execute(const Head& head) {
+  const Word* const known = program_.vocabulary.find(head.operation);
+  const auto macro = macros_.find(head.operation);
+  const bool is_directive = known != nullptr && known->kind == WordKind::directive && macro == macros_.end();
+  const bool names_something =
+      is_directive && (known->directive == Directive::equ || known->directive == Directive::set ||
+                       known->directive == Directive::macro);
+  if (!head.label.empty() && !names_something) define_label(head);
+  if (macro != macros_.end()) return call(Macro(macro->second), head.operands);
+  read_operands(head.operands);
+  if (is_directive) return directive(known->directive, head);
+  if (known != nullptr && known->kind == WordKind::mnemonic) return instruction(known->rows);
+  if (head.operation.empty()) {
+    if (at_end()) return;
+    return unexpected(head.label.empty() ? "a label, an instruction, a directive or a comment"
+                                         : "an instruction or a directive");
+  }
+  error(head.operation_at, quoted(head.word), "an instruction, a directive or a macro");
+}
+
+void I8080Pass::define_label(const Head& head) {
+  enter(head.label, head.label_at, I8080SymbolKind::label, {statement_location_, true, false, false});
+  shown_value_ = statement_location_;
+}
+
+void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value) {
+  const std::string key = folded(name);
+  const Word* const reserved = program_.vocabulary.find(key);
+  if (reserved != nullptr && reserved->kind != WordKind::directive) {
+    return error(at, quoted(name), "a name that is no register, operator or instruction");
+  }
+  I8080Entry& entry = program_.symbols[key];
+  if (entry.name.empty()) entry.name = std::string(name);
+  if (entry.kind == I8080SymbolKind::define && entry.value) {
+    if (kind == I8080SymbolKind::label) error(at, "label " + quoted(name), "another name: -D defines this one");
+    return;
+  }
+  if (entry.external) return error(at, quoted(name) + ", declared external", "a name not declared external");
+  const bool again = entry.defined_in_pass == number_;
+  if (again && (kind != I8080SymbolKind::set || entry.kind != kind)) {
+    return error(at, "a second definition of " + quoted(name),
+                 "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
+  }
+  const std::optional<std::uint16_t> now =
+      value.known ? std::optional(static_cast<std::uint16_t>(value.bits)) : std::nullopt;
+  if (kind != I8080SymbolKind::set && number_ > 1 && entry.value != now) {
+    program_.values_moved = true;
+    if (now && entry.value && !said_phase_) {
+      error(at, quoted(name) + " = " + hexadecimal(*now, 4),
+            hexadecimal(*entry.value, 4) + " as in the pass before (phase error)");
+      said_phase_ = final_;
+    }
+  }
+  if (!value.known) ++program_.unknown_equates;
+  if (!again) entry.defined = place(at);
+  entry.kind = kind;
+  entry.value = now;
+  entry.forward = value.forward;
+  entry.defined_in_pass = number_;
+}
+
+// Bytes
+
+void I8080Pass::emit(std::uint8_t byte) {
+  if (location_ >= memory_end) {
+    if (!said_overflow_) error(0, "a byte past FFFF", "a program within 64K");
+    said_overflow_ = true;
+    return;
+  }
+  const auto address = static_cast<std::uint16_t>(location_++);
+  if (!final_) return;
+  if (program_.image.used(address) && !said_overlap_) {
+    warning(0, "a second byte for address " + hexadecimal(address, 4), "one");
+    said_overlap_ = true;
+  }
+  program_.image.put(address, byte);
+  bytes_.push_back(byte);
+}
+
+// `frame` is the one the statement came from: it may have opened another.
+void I8080Pass::end_statement(I8080Frame& frame) {
+  if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
+  std::size_t shown = 0;
+  do {
+    const std::size_t count = std::min(bytes_.size() - shown, bytes_a_row);
+    const std::uint32_t first = bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
+    std::string code = shown_equated_ ? "=" : "";
+    for (std::size_t i = 0; i < count; ++i) code += hexadecimal(bytes_[shown + i], 2);
+    if (frame.row_filled) program_.listing.push_back({"", "", ""});
+    ListingLine& line = frame.row_filled ? program_.listing.back() : program_.listing[*frame.row];
+    line.address = hexadecimal(first, 4);
+    line.code = std::move(code);
+    frame.row_filled = true;
+    shown += count;
+  } while (shown < bytes_.size());
+}
+
+// Tokens and messages
+
+void I8080Pass::read_operands(std::size_t at) {
+  lexer_ = I8080Lexer(statement_.text, at);
+  nesting_ = 0;
+  advance();
+}
+
+bool I8080Pass::expect_end() {
+  if (at_end()) return true;
+  unexpected("the end of the statement");
+  return false;
+}
+
+bool I8080Pass::expect_comma() {
+  if (!token_.is(',')) {
+    unexpected("','");
+    return false;
+  }
+  advance();
+  return true;
+}
+
+std::string I8080Pass::shown_token() const {
+  return at_end() ? "the end of the statement" : quoted(token_.text);
+}
+
+void I8080Pass::unexpected(std::string expected) {
+  error(token_.column, shown_token(), token_.kind == TokenKind::bad ? token_.value : std::move(expected));
+}
+
+Position I8080Pass::place(std::size_t at) const { return frames_.back()->place(statement_.offset + at); }
+
+void I8080Pass::error(std::size_t at, std::string found, std::string expected) {
+  if (final_) say(Severity::error, place(at), std::move(found), std::move(expected));
+}
+
+void I8080Pass::warning(std::size_t at, std::string found, std::string expected) {
+  if (final_) say(Severity::warning, place(at), std::move(found), std::move(expected));
+}
+
+// Inside an expansion the place is that of the macro's text; where it was called stands behind.
+std::string I8080Pass::where_from() const {
+  std::string text;
+  std::size_t shown = 0;
+  for (auto frame = frames_.rbegin(); frame != frames_.rend() && (*frame)->is_expansion(); ++frame) {
+    if (++shown > most_places_shown) return text + ", ...)";
+    const Position called = (*frame)->called();
+    text += (text.empty() ? " (in " : ", in ") + (*frame)->name() + " at " + program_.files[called.file].name + ":" +
+            std::to_string(called.line);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+void I8080Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
+  if (!final_ || stopped_) return;
+  const auto& name = program_.files[at.file].name;
+  if (program_.diagnostics.size() >= most_diagnostics) {
+    program_.diagnostics.push_back({Severity::error, name, at.line, at.column,
+                                    "more than " + std::to_string(most_diagnostics) + " errors and warnings",
+                                    "fewer; the rest is not read"});
+    stopped_ = true;
+    return;
+  }
+  program_.diagnostics.push_back(
+      {severity, name, at.line, at.column, std::move(found), std::move(expected) + where_from()});
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,49 @@
+// The words an 8080 source cannot use as names: mnemonics (of the instruction table), directives, operators, registers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "emulators/i8080/isa.hpp"
+
+namespace sightline::assembler {
+
+enum class Directive : std::uint8_t {
+  org, equ, set, db, dw, ds, dc, end,
+  if_, if_zero, if_defined, if_not_defined, if_blank, if_not_blank, if_same, if_different, else_, endif,
+  macro, endm, local, rept, irp, irpc, exitm,
+  include, maclib, external, cpu, z80,
+  ignored,  // listing controls, segments, PUBLIC, NAME: nothing to do in one absolute program
+};
+
+enum class Operator : std::uint8_t {
+  multiply, divide, mod, shl, shr, add, subtract, eq, ne, lt, le, gt, ge, not_, and_, or_, xor_, high, low, nul,
+};
+
+// The rows of the instruction table with the same mnemonic: they differ in which operands are registers and which M.
+using Mnemonic = std::vector<const i8080::Instruction*>;
+
+enum class WordKind : std::uint8_t { mnemonic, directive, operation, register_name };
+
+struct Word {
+  WordKind kind = WordKind::mnemonic;
+  Mnemonic rows;
+  Directive directive = Directive::ignored;
+  Operator operation = Operator::add;
+  std::uint8_t value = 0;  // of a register: its code; SP and PSW are 6
+};
+
+class Vocabulary {
+ public:
+  Vocabulary();
+  // By folded name; nullptr if the word is free.
+  [[nodiscard]] const Word* find(const std::string& name) const;
+
+ private:
+  std::unordered_map<std::string, Word> words_;
+};
+
+}  // namespace sightline::assembler
