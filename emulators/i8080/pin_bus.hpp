@@ -129,10 +129,12 @@ class PinBus {
     return acknowledged_ && interrupt_;
   }
 
-  // INT in the T-state before the T1 that comes next, with INTE's own flip-flop left to the processor.
+  // INT in the last T-state of the instruction. Where HOLD is granted between two instructions it is not looked at
+  // there; the second runs first.
   bool interrupt() {
+    const bool held = hold_;
     wait_while_held();
-    return interrupt_ && (!hold_ || acknowledged_);
+    return interrupt_ && !held;
   }
 
  private:
@@ -214,7 +216,7 @@ class PinMachine {
     const bool interrupt = cpu_.bus().interrupt();
     const bool open = state.interrupts_on && !state.deferred;
     state.deferred = false;
-    if (interrupt && (open || cpu_.bus().acknowledging())) cpu_.acknowledge();
+    if ((interrupt && open) || cpu_.bus().acknowledging()) cpu_.acknowledge();
     else cpu_.step();
   }
 
