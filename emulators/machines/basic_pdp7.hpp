@@ -93,7 +93,7 @@ class BasicPdp7 {
   // where it stops is left to the next run, but the display has drawn everything up to that instant.
   // Registers, time and the processor's side of the bus are locals of this function: that, and nothing else,
   // is what makes it fast.
-  StopReason run(const Limits& limits) {
+  [[gnu::noinline]] StopReason run(const Limits& limits) {
     pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
@@ -189,7 +189,8 @@ class BasicPdp7 {
     }
     const bool interrupt =
         interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
-    return {now, std::min({display_due_, devices_due_, until, shortest_end(now, left)}), interrupt};
+    const core::Instant event = std::min(display_due_, devices_due_);
+    return {now, std::min(event, std::min(until, shortest_end(now, left))), interrupt};
   }
 
   // No run of `left` instructions ends before this: each takes a cycle at least. So the instructions need to

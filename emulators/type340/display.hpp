@@ -112,7 +112,7 @@ class Display {
   [[nodiscard]] bool vector_stays_inside(VectorWord w) const;
   void do_whole_word();
   void do_pulses(int count);
-  void end_pulses();
+  void last_pulse();
   // MOVE, after a count pulse.
   void note_motion(bool moved) { registers_.move = moved || (registers_.move && options_.flash_again); }
   void plan();
@@ -123,6 +123,7 @@ class Display {
   void operate_subroutine(core::Instant t);
   void operate_character(core::Instant t);
   void count(core::Instant t);
+  void end_word(core::Instant t);
   void settled(core::Instant t);
   void next_stroke(core::Instant t);
   void start_intensify(core::Instant t);

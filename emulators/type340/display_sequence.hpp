@@ -115,6 +115,12 @@ void Display<Sink>::count(core::Instant t) {
     delays_.start(Delay::settle, t + timing::settle);
     return;
   }
+  end_word(t);
+}
+
+// Of a vector or increment word.
+template <class Sink>
+void Display<Sink>::end_word(core::Instant t) {
   if (registers_.br.bit(0)) registers_.escape();
   raise_request(t);
 }

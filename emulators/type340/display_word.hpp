@@ -76,15 +76,17 @@ void Display<Sink>::do_whole_word() {
       const VectorWord w = decode_vector(input_);
       if (Sink::consumes && w.intensify) {
         do_pulses(pulses_of_vector(w.dx, w.dy));
+        last_pulse();
       } else {
         registers_.finish_vector(w);
+        note_motion(false);
+        end_word(whole_until_);
       }
-      end_pulses();
       break;
     }
     case Mode::increment:
       do_pulses(4);
-      end_pulses();
+      last_pulse();
       break;
     default: operate(whole_until_); break;
   }
@@ -101,9 +103,9 @@ void Display<Sink>::do_pulses(int count) {
   }
 }
 
-// The last pulse, which cannot move it.
+// The one that ends the word, which cannot move it.
 template <class Sink>
-void Display<Sink>::end_pulses() {
+void Display<Sink>::last_pulse() {
   registers_.halt = true;
   count(whole_until_);
 }

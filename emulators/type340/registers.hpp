@@ -128,7 +128,7 @@ struct Registers {
     return d.moves();
   }
 
-  // All pulses of a vector that stays on the screen, but the last.
+  // All pulses of a vector that stays on the screen; the last one turns the full BRM over and moves nothing.
   void finish_vector(VectorWord w) {
     const auto moved = [this](std::uint16_t from, bool negative, int steps) {
       return static_cast<std::uint16_t>(from + (negative ? -steps : steps) * step());
@@ -136,7 +136,8 @@ struct Registers {
     x = moved(x, w.left, w.dx);
     y = moved(y, w.down, w.dy);
     move = (w.dx | w.dy) != 0;
-    rate.brm = RateMultiplier::full;
+    rate.brm = 0;
+    halt = true;
   }
 
   friend bool operator==(const Registers&, const Registers&) = default;

@@ -9,6 +9,7 @@
 // Source: logic of the count levels as drawn, taken before the pulse (as capacitor-diode gates do).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -22,6 +23,19 @@ namespace sightline::type340 {
 
 // The seven flip-flops. Bit k of brm is stage k.
 struct RateMultiplier {
+ private:
+  // Stage k lets through the bit of weight 2^(6-k).
+  static constexpr std::array<std::uint8_t, 128> weights = [] {
+    std::array<std::uint8_t, 128> table{};
+    for (unsigned stages = 0; stages < 128; ++stages) {
+      unsigned bits = 0;
+      for (unsigned k = 0; k < 7; ++k) bits |= (stages >> k & 1U) << (6 - k);
+      table[stages] = static_cast<std::uint8_t>(bits);
+    }
+    return table;
+  }();
+
+ public:
   static constexpr std::uint8_t full = 0177;
 
   struct Step {
@@ -34,9 +48,9 @@ struct RateMultiplier {
   // One count pulse for magnitudes dx, dy (0..127). Both coordinates may step in one pulse.
   constexpr Step count(std::uint8_t dx, std::uint8_t dy) {
     const auto levels = count_levels(static_cast<std::uint8_t>(dx | dy));
-    const auto rises = static_cast<std::uint8_t>(levels & ~brm);
+    const std::uint8_t passed = weights[levels & ~brm & full];
     brm ^= levels;
-    return {(reversed(rises) & dx) != 0, (reversed(rises) & dy) != 0};
+    return {(passed & dx) != 0, (passed & dy) != 0};
   }
 
   friend constexpr bool operator==(RateMultiplier, RateMultiplier) = default;
@@ -45,13 +59,6 @@ struct RateMultiplier {
   // increment), the idle ones and the first that carries anything at every pulse.
   [[nodiscard]] constexpr std::uint8_t count_levels(std::uint8_t d) const {
     return static_cast<std::uint8_t>(((brm ^ (brm + 1U)) & full) | ((2U << idle_stages(d)) - 1));
-  }
-
- private:
-  [[nodiscard]] static constexpr std::uint8_t reversed(std::uint8_t stages) {
-    unsigned weights = 0;
-    for (unsigned k = 0; k < 7; ++k) weights |= (stages >> k & 1U) << (6 - k);
-    return static_cast<std::uint8_t>(weights);
   }
 };
 
