@@ -1,9 +1,9 @@
 // What a raster board shows: 256 by 256 points of eight colours, one byte a point.
 //
-// y counts UP, as the boards and the paper do: at(0, 0) is the lower left point. In memory the bottom row comes first,
-// each row from left to right, so a writer of image files that want the top row first reads the rows backwards. The
-// value of a point is 0 (background) to 7; on a colour monitor bit 0 is red, bit 1 green, bit 2 blue, on a grey one
-// the number is the brightness.
+// y counts UP, as the boards and the paper do: at(0, 0) is the lower left point. In memory the bottom row
+// comes first, each row from left to right, so a writer of image files that want the top row first reads the
+// rows backwards. The value of a point is 0 (background) to 7; on a colour monitor bit 0 is red, bit 1 green,
+// bit 2 blue, on a grey one the number is the brightness.
 #pragma once
 
 #include <array>
@@ -20,7 +20,9 @@ class Raster {
   static constexpr std::size_t size = std::size_t{width} * height;
 
   // x from the left and y from the bottom, both 0..255 by their type.
-  [[nodiscard]] constexpr std::uint8_t at(std::uint8_t x, std::uint8_t y) const { return points_[index(x, y)]; }
+  [[nodiscard]] constexpr std::uint8_t at(std::uint8_t x, std::uint8_t y) const {
+    return points_[index(x, y)];
+  }
   constexpr void set(std::uint8_t x, std::uint8_t y, std::uint8_t value) { points_[index(x, y)] = value; }
   constexpr void fill(std::uint8_t value) { points_.fill(value); }
 
@@ -34,9 +36,7 @@ class Raster {
   friend constexpr bool operator==(const Raster&, const Raster&) = default;
 
  private:
-  static constexpr std::size_t index(std::uint8_t x, std::uint8_t y) {
-    return std::size_t{y} * width + x;
-  }
+  static constexpr std::size_t index(std::uint8_t x, std::uint8_t y) { return std::size_t{y} * width + x; }
 
   std::array<std::uint8_t, size> points_{};
 };

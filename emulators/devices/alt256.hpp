@@ -1,17 +1,19 @@
 // The other raster board: three Matrox ALT-256 cards, one bit plane each, behind one set of ports.
 //
-// Four outputs and one input are documented, their order is not. Chosen here: 0 DATA (bits 2-0; the write draws the
-// dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6 horizontal blanking.
-// The board writes one dot a scan line, in horizontal blanking: a dot ordered at any time is written when the next
-// blanking begins, and the board is ready again then. What is written to any port before that is lost and counted, as
-// on the maker's other boards. 262 lines of 63.5 us make a field (60 Hz); 240 of the 256 rows can be seen.
+// Four outputs and one input are documented, their order is not. Chosen here: 0 DATA (bits 2-0; the write
+// draws the dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6
+// horizontal blanking. The board writes one dot a scan line, in horizontal blanking: a dot ordered at any
+// time is written when the next blanking begins, and the board is ready again then. What is written to any
+// port before that is lost and counted, as on the maker's other boards. 262 lines of 63.5 us make a field (60
+// Hz); 240 of the 256 rows can be seen.
 //
-// Which way Y counts is not known of this board; up is chosen, `y_counts_down` makes it as on its LSI-11 sibling, where
-// y = 0 is at the top and the rows lost to the frame's blanking are the first ones. Either way those are the rows
-// above 239 of the Raster, and dots there are counted. The dot is in the raster from its order on, not from its slot.
-// Left out: the blanking's exact place in the line is the standard's (10.9 us at its end), not the board's.
-// Sources: Holden 2019 (memory, visible rows, three cards for eight colours); E. Smith, classiccmp (ports); J. Battle,
-// cctech 2007 (one dot a scan line); the NIH header of the MLSI 512 (register set, Y direction).
+// Which way Y counts is not known of this board; up is chosen, `y_counts_down` makes it as on its LSI-11
+// sibling, where y = 0 is at the top and the rows lost to the frame's blanking are the first ones. Either way
+// those are the rows above 239 of the Raster, and dots there are counted. The dot is in the raster from its
+// order on, not from its slot. Left out: the blanking's exact place in the line is the standard's (10.9 us at
+// its end), not the board's. Sources: Holden 2019 (memory, visible rows, three cards for eight colours); E.
+// Smith, classiccmp (ports); J. Battle, cctech 2007 (one dot a scan line); the NIH header of the MLSI 512
+// (register set, Y direction).
 #pragma once
 
 #include <cstdint>
@@ -32,7 +34,7 @@ struct Alt256Counts {
   std::uint64_t dots = 0;
   std::uint64_t dots_invisible = 0;  // in the 16 rows the frame does not show; also in `dots`
   std::uint64_t erases = 0;
-  std::uint64_t writes_lost = 0;     // while not ready: a driver's error
+  std::uint64_t writes_lost = 0;  // while not ready: a driver's error
 };
 
 class Alt256 {

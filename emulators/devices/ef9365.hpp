@@ -1,18 +1,20 @@
 // The raster board: a Thomson EF9365 graphic display processor with three bit planes and a colour latch.
 //
-// Sixteen registers, as the chip has them: 0 status (read) and command (write), 1 CTRL1, 2 CTRL2, 3 CSIZE, 5 DELTAX,
-// 7 DELTAY, 8/9 X high and low, A/B Y high and low, C/D light pen; 4, 6, E and F do not exist (read as FFh). The latch
-// beside the chip says what each plane gets when the pen writes: bits 2-0, 0 erases all planes.
+// Sixteen registers, as the chip has them: 0 status (read) and command (write), 1 CTRL1, 2 CTRL2, 3 CSIZE, 5
+// DELTAX, 7 DELTAY, 8/9 X high and low, A/B Y high and low, C/D light pen; 4, 6, E and F do not exist (read
+// as FFh). The latch beside the chip says what each plane gets when the pen writes: bits 2-0, 0 erases all
+// planes.
 //
-// A command takes effect in the raster at once, whole; only its busy time passes afterwards. A command given while the
-// chip is busy is ignored and counted: the chip would do something nobody specified. A register or the latch written
-// while the chip is busy is stored at once and counted too, because on the chip it could reach the drawing under way;
-// here it cannot. Status bits 5 and 6 rise with their event when CTRL1 enables it, and fall when status is read;
-// bit 7 and the interrupt line are their sum.
+// A command takes effect in the raster at once, whole; only its busy time passes afterwards. A command given
+// while the chip is busy is ignored and counted: the chip would do something nobody specified. A register or
+// the latch written while the chip is busy is stored at once and counted too, because on the chip it could
+// reach the drawing under way; here it cannot. Status bits 5 and 6 rise with their event when CTRL1 enables
+// it, and fall when status is read; bit 7 and the interrupt line are their sum.
 //
-// Left out: the light pen (XLP and YLP read as 0, status bits 0 and 4 stay 0, commands 08 and 09 only take time) and
-// reading the planes back (command 0F only takes time); both are counted. Waiting for the next field before a clear.
-// Sources: MAME's ef9365 device and Wikipedia's article, which agree; times in ef9365_timing.hpp.
+// Left out: the light pen (XLP and YLP read as 0, status bits 0 and 4 stay 0, commands 08 and 09 only take
+// time) and reading the planes back (command 0F only takes time); both are counted. Waiting for the next
+// field before a clear. Sources: MAME's ef9365 device and Wikipedia's article, which agree; times in
+// ef9365_timing.hpp.
 #pragma once
 
 #include <algorithm>
@@ -29,9 +31,9 @@ struct Ef9365Counts {
   std::uint64_t commands = 0;             // obeyed
   std::uint64_t commands_while_busy = 0;  // ignored: a driver's error
   std::uint64_t writes_while_busy = 0;    // registers and latch: a driver's error
-  std::uint64_t unanswered = 0;           // light pen, memory access, writes to registers that cannot be written
-  std::uint64_t dots = 0;                 // written into the planes
-  std::uint64_t dots_outside = 0;         // beyond 256 by 256
+  std::uint64_t unanswered = 0;    // light pen, memory access, writes to registers that cannot be written
+  std::uint64_t dots = 0;          // written into the planes
+  std::uint64_t dots_outside = 0;  // beyond 256 by 256
 };
 
 class Ef9365 {
@@ -136,7 +138,8 @@ class Ef9365 {
     if (raised_ != 0) bits |= Status::interrupt;
     if (!busy(at)) bits |= Status::ready;
     if (drawing_.outside()) bits |= Status::pen_outside;
-    if (rate_.to_nanoseconds(at).time_since_epoch() % ef9365::field >= ef9365::displayed) bits |= Status::blanking;
+    if (rate_.to_nanoseconds(at).time_since_epoch() % ef9365::field >= ef9365::displayed)
+      bits |= Status::blanking;
     raised_ = 0;
     return static_cast<std::uint8_t>(bits);
   }
@@ -152,7 +155,8 @@ class Ef9365 {
 
   // The first beginning of vertical blanking after `at`.
   [[nodiscard]] core::TStateInstant blanking_after(core::TStateInstant at) const {
-    const core::Duration since = rate_.to_nanoseconds(at).time_since_epoch() + ef9365::field - ef9365::displayed;
+    const core::Duration since =
+        rate_.to_nanoseconds(at).time_since_epoch() + ef9365::field - ef9365::displayed;
     const core::Duration begins = since / ef9365::field * ef9365::field + ef9365::displayed;
     return core::TStateInstant(rate_.t_states_in(begins));
   }
@@ -178,7 +182,9 @@ class Ef9365 {
     return drawn((code & 0x08U) != 0 ? directed(code, larger, larger) : directed(code, delta_x_, delta_y_));
   }
 
-  static constexpr core::Duration drawn(std::int64_t dots) { return ef9365::clocks(dots + ef9365::start_up_clocks); }
+  static constexpr core::Duration drawn(std::int64_t dots) {
+    return ef9365::clocks(dots + ef9365::start_up_clocks);
+  }
 
   // A vector whose signs are in bits 2-0 of the command: odd for both axes, even for one of them.
   std::int64_t directed(std::uint8_t code, int dx, int dy) {
@@ -203,14 +209,26 @@ class Ef9365 {
       case 0x03: drawing_.pen &= static_cast<std::uint8_t>(~ef9365::Pen::is_down); break;
       case 0x04: busy = sweep_clear(); break;
       case 0x05: drawing_.x = drawing_.y = 0; break;
-      case 0x06: drawing_.x = drawing_.y = 0; busy = sweep_clear(); break;
-      case 0x07: reset_registers(); busy = sweep_clear(); break;
+      case 0x06:
+        drawing_.x = drawing_.y = 0;
+        busy = sweep_clear();
+        break;
+      case 0x07:
+        reset_registers();
+        busy = sweep_clear();
+        break;
       case 0x0A: busy = drawn(drawing_.symbol(ef9365::block_5x8)); break;
       case 0x0B: busy = drawn(drawing_.symbol(ef9365::block_4x4)); break;
-      case 0x0C: drawing_.fill(); busy = ef9365::sweep; break;
+      case 0x0C:
+        drawing_.fill();
+        busy = ef9365::sweep;
+        break;
       case 0x0D: drawing_.x = 0; break;
       case 0x0E: drawing_.y = 0; break;
-      case 0x0F: ++counts_.unanswered; busy = ef9365::clocks(ef9365::memory_access_clocks); break;
+      case 0x0F:
+        ++counts_.unanswered;
+        busy = ef9365::clocks(ef9365::memory_access_clocks);
+        break;
       default: ++counts_.unanswered; break;
     }
     return busy;
@@ -221,7 +239,8 @@ class Ef9365 {
     return ef9365::sweep;
   }
 
-  // Command 07: CSIZE to the smallest size, all other registers of the chip to 0; the latch is not the chip's.
+  // Command 07: CSIZE to the smallest size, all other registers of the chip to 0; the latch is not the
+  // chip's.
   void reset_registers() {
     drawing_.x = drawing_.y = 0;
     drawing_.pen = drawing_.style = 0;

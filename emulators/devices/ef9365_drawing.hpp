@@ -1,14 +1,15 @@
-// The drawing half of the EF9365: the pen, vectors with their line styles, characters and blocks, on three bit planes.
+// The drawing half of the EF9365: the pen, vectors with their line styles, characters and blocks, on three
+// bit planes.
 //
-// X and Y are 12 bits and wrap; a dot is written only where both are below 256. Both end dots of a vector are drawn,
-// and a vector of no length is one dot. Of two equally near dots a vector takes the one on its starting side, in
-// either direction. A line style starts anew with every vector.
+// X and Y are 12 bits and wrap; a dot is written only where both are below 256. Both end dots of a vector are
+// drawn, and a vector of no length is one dot. Of two equally near dots a vector takes the one on its
+// starting side, in either direction. A line style starts anew with every vector.
 //
-// Not known of the chip, and chosen here: the rounding just named; where the eighth row of a character lies (below, for
-// the tails of g j p q y); that vertical writing is horizontal writing turned by 90 degrees, leaning letters included;
-// that the 4x4 block leaves a column's gap like a character (so does the emulator this follows).
-// Shapes of characters are approximate: see glyphs.hpp.
-// Sources: the register and command tables agreed on by MAME's ef9365 device and by Wikipedia's article.
+// Not known of the chip, and chosen here: the rounding just named; where the eighth row of a character lies
+// (below, for the tails of g j p q y); that vertical writing is horizontal writing turned by 90 degrees,
+// leaning letters included; that the 4x4 block leaves a column's gap like a character (so does the emulator
+// this follows). Shapes of characters are approximate: see glyphs.hpp. Sources: the register and command
+// tables agreed on by MAME's ef9365 device and by Wikipedia's article.
 #pragma once
 
 #include <algorithm>
@@ -58,9 +59,9 @@ class Drawing {
   // Coordinates of 12 bits.
   std::uint16_t x = 0;
   std::uint16_t y = 0;
-  std::uint8_t pen = 0;     // CTRL1, see Pen
-  std::uint8_t style = 0;   // CTRL2, see Style
-  std::uint8_t size = 0;    // CSIZE: P (width factor) in the high half, Q (height) in the low; 0 stands for 16
+  std::uint8_t pen = 0;    // CTRL1, see Pen
+  std::uint8_t style = 0;  // CTRL2, see Style
+  std::uint8_t size = 0;   // CSIZE: P (width factor) in the high half, Q (height) in the low; 0 stands for 16
   std::uint8_t colour = 0;  // of the planes' latch, 0..7
 
   [[nodiscard]] const core::Raster& raster() const { return raster_; }
@@ -100,10 +101,13 @@ class Drawing {
   }
 
  private:
-  // Bit n of a style says whether dot n (modulo 16) is drawn: all; 2 on, 2 off; 4 and 4; 10 on, 2 off, 2 on, 2 off.
+  // Bit n of a style says whether dot n (modulo 16) is drawn: all; 2 on, 2 off; 4 and 4; 10 on, 2 off, 2 on,
+  // 2 off.
   static constexpr std::array<std::uint16_t, 4> styles{0xFFFF, 0x3333, 0x0F0F, 0x33FF};
 
-  static constexpr std::uint16_t wrap(int coordinate) { return static_cast<std::uint16_t>(coordinate & 0xFFF); }
+  static constexpr std::uint16_t wrap(int coordinate) {
+    return static_cast<std::uint16_t>(coordinate & 0xFFF);
+  }
   static constexpr int factor(int half) { return half == 0 ? 16 : half; }
 
   // The eraser clears all planes; the pen sets each as the latch says.

@@ -1,7 +1,8 @@
 // Times of the EF9365 board, all in one place.
 //
-// The chip's clock is 1.75 MHz, 112 of its periods make a line of 64 us. What the data sheet would say is not at hand:
-// marked "chosen" is what a board of the time could have had, and what programs here are measured against.
+// The chip's clock is 1.75 MHz, 112 of its periods make a line of 64 us. What the data sheet would say is not
+// at hand: marked "chosen" is what a board of the time could have had, and what programs here are measured
+// against.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +12,12 @@
 namespace sightline::devices::ef9365 {
 
 // 4000/7 ns a period; the end of the last one rounded up.
-[[nodiscard]] constexpr core::Duration clocks(std::int64_t n) { return core::Duration((n * 4000 + 6) / 7); }
+[[nodiscard]] constexpr core::Duration clocks(std::int64_t n) {
+  return core::Duration((n * 4000 + 6) / 7);
+}
 
-// A vector or a symbol: one period a dot scanned, lit or not, and one to start (chosen; about a million dots a second
-// is documented).
+// A vector or a symbol: one period a dot scanned, lit or not, and one to start (chosen; about a million dots
+// a second is documented).
 inline constexpr std::int64_t start_up_clocks = 1;
 // Commands that only set a register (the figure another emulator uses, which says it is unchecked).
 inline constexpr std::int64_t register_command_clocks = 4;
@@ -24,8 +27,8 @@ inline constexpr std::int64_t memory_access_clocks = 64;
 inline constexpr core::Duration sweep{40'000'000};
 
 inline constexpr core::Duration line{64'000};
-inline constexpr core::Duration field = line * 312;           // 50.08 Hz, not interlaced
-inline constexpr core::Duration displayed = line * 256;       // then vertical blanking, to the end of the field
+inline constexpr core::Duration field = line * 312;      // 50.08 Hz, not interlaced
+inline constexpr core::Duration displayed = line * 256;  // then vertical blanking, to the end of the field
 
 static_assert(clocks(112) == line);
 

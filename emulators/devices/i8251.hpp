@@ -1,18 +1,18 @@
 // The 8251 serial interface (USART) in its asynchronous modes.
 //
-// After a reset the first control word is the mode: bits 1-0 the clock factor (01 x1, 10 x16, 11 x64), 3-2 the length
-// (5 to 8 bits), 4 parity on, 5 even, 7-6 the stop bits (01 one, 10 one and a half, 11 two). All later ones are
-// commands: bit 0 transmitter on, 1 DTR, 2 receiver on, 3 send break, 4 clear the errors, 5 RTS, 6 reset, 7 hunt.
-// Status: 0 TxRDY (its place is empty, whatever the enables say), 1 RxRDY, 2 TxEMPTY, 3 parity error, 4 overrun,
-// 5 framing error, 6 SYNDET, 7 DSR.
+// After a reset the first control word is the mode: bits 1-0 the clock factor (01 x1, 10 x16, 11 x64), 3-2
+// the length (5 to 8 bits), 4 parity on, 5 even, 7-6 the stop bits (01 one, 10 one and a half, 11 two). All
+// later ones are commands: bit 0 transmitter on, 1 DTR, 2 receiver on, 3 send break, 4 clear the errors, 5
+// RTS, 6 reset, 7 hunt. Status: 0 TxRDY (its place is empty, whatever the enables say), 1 RxRDY, 2 TxEMPTY, 3
+// parity error, 4 overrun, 5 framing error, 6 SYNDET, 7 DSR.
 //
-// A character stands in the receiver at the middle of its first stop bit; if the last one has not been read by then it
-// is lost and overrun is set. The receiver samples the line in the middle of each of its own bits, so a sender of another
-// speed or format gives the errors it really gives; what is left of a longer foreign character is not taken for a
-// new start bit. CTS is always granted.
-// Left out, and counted where a program asks for it: synchronous operation (the sequence of control words is kept,
-// characters go nowhere), break as a level on the line. Times are rounded up to T-states, character by character.
-// Sources: Intel's 8251 data sheet as kept by chipdir; usenet 516293 for the sequence.
+// A character stands in the receiver at the middle of its first stop bit; if the last one has not been read
+// by then it is lost and overrun is set. The receiver samples the line in the middle of each of its own bits,
+// so a sender of another speed or format gives the errors it really gives; what is left of a longer foreign
+// character is not taken for a new start bit. CTS is always granted. Left out, and counted where a program
+// asks for it: synchronous operation (the sequence of control words is kept, characters go nowhere), break as
+// a level on the line. Times are rounded up to T-states, character by character. Sources: Intel's 8251 data
+// sheet as kept by chipdir; usenet 516293 for the sequence.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,9 @@ struct SerialFrame {
   std::uint32_t levels = ~0U;  // bit n: the level during the n-th bit time
   std::int64_t baud = 9600;
 
-  [[nodiscard]] bool level(std::int64_t bit_times) const { return bit_times > 31 || (levels >> bit_times & 1U) != 0; }
+  [[nodiscard]] bool level(std::int64_t bit_times) const {
+    return bit_times > 31 || (levels >> bit_times & 1U) != 0;
+  }
 };
 
 // How characters are framed.
@@ -142,13 +144,15 @@ class I8251 {
     sample(frame);
   }
   // From the beginning of the start bit until the receiver has the character; needs a mode.
-  [[nodiscard]] core::TStates sampling_time() const { return half_bit_times(format_.half_bits() - format_.half_stop_bits + 1); }
+  [[nodiscard]] core::TStates sampling_time() const {
+    return half_bit_times(format_.half_bits() - format_.half_stop_bits + 1);
+  }
 
   [[nodiscard]] bool programmed() const { return expects_ == Expects::command && !synchronous_; }
   [[nodiscard]] const SerialFormat& format() const { return format_; }
   [[nodiscard]] bool request_to_send() const { return (command_ & 0x20U) != 0; }
-  [[nodiscard]] bool receive_ready() const { return ready_; }                           // the RxRDY pin
-  [[nodiscard]] bool transmit_ready() const { return !holding_ && transmits(); }       // the TxRDY pin
+  [[nodiscard]] bool receive_ready() const { return ready_; }                     // the RxRDY pin
+  [[nodiscard]] bool transmit_ready() const { return !holding_ && transmits(); }  // the TxRDY pin
   // Characters whose last stop bit has left, in order.
   [[nodiscard]] const std::vector<std::uint8_t>& sent() const { return sent_; }
   [[nodiscard]] const I8251Counts& counts() const { return counts_; }

@@ -1,9 +1,10 @@
 // The 8255 programmable peripheral interface: three ports of eight lines in two groups.
 //
-// Mode 0 on all ports, the mode 1 handshakes for input and output on ports A and B, mode 2 on port A, and the bit
-// set/reset word, which in modes 1 and 2 also sets the interrupt enables. Reading port C gives the levels of its lines;
-// where a line of a handshake is an input (STB#, ACK#), its place shows the interrupt enable it shares a bit with.
-// After reset all ports are inputs of mode 0. Setting a mode clears all output latches and handshakes.
+// Mode 0 on all ports, the mode 1 handshakes for input and output on ports A and B, mode 2 on port A, and the
+// bit set/reset word, which in modes 1 and 2 also sets the interrupt enables. Reading port C gives the levels
+// of its lines; where a line of a handshake is an input (STB#, ACK#), its place shows the interrupt enable it
+// shares a bit with. After reset all ports are inputs of mode 0. Setting a mode clears all output latches and
+// handshakes.
 //
 //   line     7     6     5     4     3      2     1     0
 //   A in                IBF   STB#  INTR    STB#  IBF   INTR    B in
@@ -11,9 +12,9 @@
 //   A mode 2 OBF#  ACK#  IBF   STB#  INTR
 //
 // The outside of the chip is a set of edges: strobe_falls() and strobe_rises(), acknowledge_falls() and
-// acknowledge_rises(), and the levels on lines that are inputs of mode 0. The chip itself knows no time; what sits
-// behind it has the delays. Reading the control word gives FFh, as the data sheet forbids it.
-// Source: Intel's 8255A data sheet.
+// acknowledge_rises(), and the levels on lines that are inputs of mode 0. The chip itself knows no time; what
+// sits behind it has the delays. Reading the control word gives FFh, as the data sheet forbids it. Source:
+// Intel's 8255A data sheet.
 #pragma once
 
 #include <array>
@@ -136,7 +137,8 @@ class I8255 {
     a_ = configured(a_, mode_a, (word & 0x10U) != 0);
     b_ = configured(b_, word >> 2 & 1U, (word & 0x02U) != 0);
     c_latch_ = 0;
-    c_inputs_ = static_cast<std::uint8_t>(((word & 0x08U) != 0 ? 0xF0U : 0U) | ((word & 0x01U) != 0 ? 0x0FU : 0U));
+    c_inputs_ =
+        static_cast<std::uint8_t>(((word & 0x08U) != 0 ? 0xF0U : 0U) | ((word & 0x01U) != 0 ? 0x0FU : 0U));
   }
 
   void set_bit(std::uint8_t word) {

@@ -1,18 +1,19 @@
 // The Aritma Minigraf 0507 plotter, its stepping motors driven straight from one output port.
 //
-// Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm forward, one
-// less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected. There is no status. A
-// step that follows the last one of its motor too soon is missed, and so is any change of phase by 2 to 6: the motor
-// stays where it is, the program's idea of the place is wrong from then on, and only the count tells. After power on
-// both phases stand at 0 and the pen is up.
+// Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm
+// forward, one less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected.
+// There is no status. A step that follows the last one of its motor too soon is missed, and so is any change
+// of phase by 2 to 6: the motor stays where it is, the program's idea of the place is wrong from then on, and
+// only the count tells. After power on both phases stand at 0 and the pen is up.
 //
-// The field is 1500 by 2100 steps; nothing stops the pen at its edge, as the maker warns: steps beyond are made and
-// counted. How fast the motors follow and how long the pen takes is not known (machines of 1985 were slower by 40 per
-// cent than later ones): both are parameters. A step made before the pen has had its time draws nothing and is counted.
-// Strokes: one where the pen is lowered (with the time it touches) and one for each port write that moved a lowered
-// pen, at the instant of the write; a pen lowered in the same write as a step touches where the step ends. Intensity 7,
-// address 0. A place left of or below the field cannot be a Stroke and is only counted.
-// Sources: the maker's description for the PMD-85 (sapi.cz 0507_pmd85), MAME's iq151 minigraf for the bits.
+// The field is 1500 by 2100 steps; nothing stops the pen at its edge, as the maker warns: steps beyond are
+// made and counted. How fast the motors follow and how long the pen takes is not known (machines of 1985 were
+// slower by 40 per cent than later ones): both are parameters. A step made before the pen has had its time
+// draws nothing and is counted. Strokes: one where the pen is lowered (with the time it touches) and one for
+// each port write that moved a lowered pen, at the instant of the write; a pen lowered in the same write as a
+// step touches where the step ends. Intensity 7, address 0. A place left of or below the field cannot be a
+// Stroke and is only counted. Sources: the maker's description for the PMD-85 (sapi.cz 0507_pmd85), MAME's
+// iq151 minigraf for the bits.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@
 namespace sightline::devices {
 
 namespace minigraf0507 {
-inline constexpr std::int32_t width = 1500;   // steps of 1/8 mm
+inline constexpr std::int32_t width = 1500;  // steps of 1/8 mm
 inline constexpr std::int32_t height = 2100;
 inline constexpr std::uint8_t pen_bit = 0x80;
 }  // namespace minigraf0507
@@ -37,9 +38,9 @@ struct MinigrafCounts {
   std::uint64_t steps = 0;         // port writes that moved the pen, up or down
   std::uint64_t steps_pen_up = 0;  // of them without drawing
   std::uint64_t pen_lifts = 0;
-  std::uint64_t missed_fast = 0;   // steps of a motor that came too soon
-  std::uint64_t missed_jump = 0;   // phases changed by more than one
-  std::uint64_t steps_early = 0;   // before the lowered pen had touched; also in steps_pen_up
+  std::uint64_t missed_fast = 0;  // steps of a motor that came too soon
+  std::uint64_t missed_jump = 0;  // phases changed by more than one
+  std::uint64_t steps_early = 0;  // before the lowered pen had touched; also in steps_pen_up
   std::uint64_t off_field = 0;
 };
 
@@ -73,7 +74,8 @@ class Minigraf0507 {
     core::TStateInstant last{};
 
     // The step made: -1, 0 or 1.
-    std::int32_t follow(std::uint8_t wanted, core::TStateInstant at, core::TStates shortest, MinigrafCounts& counts) {
+    std::int32_t follow(std::uint8_t wanted, core::TStateInstant at, core::TStates shortest,
+                        MinigrafCounts& counts) {
       const unsigned change = (wanted - phase) & 7U;
       phase = wanted;
       if (change == 0) return 0;

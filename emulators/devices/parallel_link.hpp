@@ -1,10 +1,11 @@
 // The fast link to the host computer: an 8255 whose port A takes the host's bytes by strobed input, mode 1.
 //
-// The host watches IBF. While it is low the host puts the next byte on the lines and pulses STB# low for 500 ns; when
-// the processor reads port A, IBF falls and the host answers after its response time (2 us unless set). Until the
-// program has set port A to mode 1 input (or mode 2) the line floats high and the host waits; setting the mode counts
-// as IBF falling. The other way, when the program writes to a port that is a strobed output, the host takes the byte
-// after its response time by pulsing ACK# low for 500 ns: port B, and port A as far as its mode has an output.
+// The host watches IBF. While it is low the host puts the next byte on the lines and pulses STB# low for 500
+// ns; when the processor reads port A, IBF falls and the host answers after its response time (2 us unless
+// set). Until the program has set port A to mode 1 input (or mode 2) the line floats high and the host waits;
+// setting the mode counts as IBF falling. The other way, when the program writes to a port that is a strobed
+// output, the host takes the byte after its response time by pulsing ACK# low for 500 ns: port B, and port A
+// as far as its mode has an output.
 //
 // Times are rounded up to T-states. Between two accesses the host's pulses are caught up with, in order.
 #pragma once
@@ -107,7 +108,8 @@ class ParallelLink {
     if (strobe_.due == core::never_t && sent_ < bytes_.size() && !chip_.input_buffer_full(I8255::Port::a))
       strobe_.due = at + response_;
     for (Taker& taker : takers_)
-      if (taker.pulse.due == core::never_t && chip_.output_buffer_full(taker.port)) taker.pulse.due = at + response_;
+      if (taker.pulse.due == core::never_t && chip_.output_buffer_full(taker.port))
+        taker.pulse.due = at + response_;
   }
 
   // A new mode clears the handshakes: what the host was about to do is void, and it looks again.

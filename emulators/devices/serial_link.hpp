@@ -1,8 +1,9 @@
 // The slow, authentic link to the host computer: an 8251 on a line at 9600 baud.
 //
-// The host sends its bytes one after the other. By itself it looks at RTS before each character and waits while the
-// program has it off; set to send blindly it starts at a given instant and never looks, so that a program that is late
-// loses characters (overrun) as it would have. What the program transmits is collected by the chip.
+// The host sends its bytes one after the other. By itself it looks at RTS before each character and waits
+// while the program has it off; set to send blindly it starts at a given instant and never looks, so that a
+// program that is late loses characters (overrun) as it would have. What the program transmits is collected
+// by the chip.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ struct SerialHost {
   std::int64_t baud = 9600;                 // of the host
   SerialFormat format{};                    // of the host: 8 bits, no parity, 1 stop bit
   bool watches_rts = true;
-  core::TStateInstant starts{};             // first start bit not before
-  core::Duration gap{0};                    // between the stop bit and the next start bit
+  core::TStateInstant starts{};  // first start bit not before
+  core::Duration gap{0};         // between the stop bit and the next start bit
 };
 
 class SerialLink {
@@ -49,7 +50,10 @@ class SerialLink {
       return;
     }
     chip_.write_control(value, at);
-    if (start_ == core::never_t && allowed()) plan(std::max(line_free_, at));
+    if (start_ == core::never_t && allowed()) {
+      plan(std::max(line_free_, at));
+      advance(at);
+    }
   }
 
   void advance(core::TStateInstant now) {

@@ -1,5 +1,5 @@
-// The ALT-256 board: one dot a scan line of 63.5 us = 190.5 T-states at 3 MHz. Blanking n begins at 52.6 + 63.5 n us:
-// T-states 157.8, 348.3, 538.8, ..., so the first whole T-state in it is 158, 349, 539.
+// The ALT-256 board: one dot a scan line of 63.5 us = 190.5 T-states at 3 MHz. Blanking n begins at 52.6
+// + 63.5 n us: T-states 157.8, 348.3, 538.8, ..., so the first whole T-state in it is 158, 349, 539.
 #include "emulators/devices/alt256.hpp"
 
 #include <gtest/gtest.h>

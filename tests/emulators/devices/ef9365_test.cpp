@@ -1,5 +1,5 @@
-// The EF9365 board register by register. Dots are written out by hand from the command table; times are the data in
-// ef9365_timing.hpp worked out in T-states at 3 MHz (12/7 T a clock).
+// The EF9365 board register by register. Dots are written out by hand from the command table; times are the
+// data in ef9365_timing.hpp worked out in T-states at 3 MHz (12/7 T a clock).
 #include "emulators/devices/ef9365.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,8 @@ class Board : public testing::Test {
     std::string text;
     for (int row = bottom + height - 1; row >= bottom; --row) {
       for (int column = left; column < left + width; ++column) {
-        const int value = board->raster().at(static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row));
+        const int value =
+            board->raster().at(static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row));
         text += value == 0 ? '.' : static_cast<char>('0' + value);
       }
       text += '\n';
@@ -126,7 +127,8 @@ struct DirectionRow {
   int dy;
 };
 // Bits 2-0 of the command, with |dx| = 3 and |dy| = 2.
-constexpr DirectionRow directions[]{{0, 3, 0}, {1, 3, 2}, {2, 0, 2}, {3, -3, 2}, {4, 0, -2}, {5, 3, -2}, {6, -3, 0}, {7, -3, -2}};
+constexpr DirectionRow directions[]{{0, 3, 0},  {1, 3, 2},  {2, 0, 2},  {3, -3, 2},
+                                    {4, 0, -2}, {5, 3, -2}, {6, -3, 0}, {7, -3, -2}};
 
 TEST_F(Board, SmallVectorsHaveTwoBitsAnAxisAndADirection) {
   for (const DirectionRow& row : directions) {
@@ -184,8 +186,8 @@ TEST_F(Board, AnExactTieStaysOnTheStartingSide) {
 TEST_F(Board, LineStyles) {
   pen_of_colour(1);
   out(0x5, 20);
-  const std::string_view lines[]{"111111111111111111111\n", "11..11..11..11..11..1\n", "1111....1111....1111.\n",
-                                 "1111111111..11..11111\n"};
+  const std::string_view lines[]{"111111111111111111111\n", "11..11..11..11..11..1\n",
+                                 "1111....1111....1111.\n", "1111111111..11..11111\n"};
   for (int style = 0; style < 4; ++style) {
     place(0, style);
     out(0x2, style);
@@ -320,14 +322,14 @@ TEST_F(Board, VerticalAndLeaningWriting) {
 
 TEST_F(Board, BusyTimes) {
   // clocks at 1.75 MHz, in T-states of 1/3 us, rounded up: n clocks are 12 n / 7.
-  EXPECT_EQ(busy_after(0x02), 7);   // 4 clocks
-  EXPECT_EQ(busy_after(0x80), 4);   // 1 dot: 2 clocks
-  EXPECT_EQ(busy_after(0xA0), 6);   // 2 dots: 3 clocks
-  EXPECT_EQ(busy_after(0xE0), 9);   // 4 dots: 5 clocks
+  EXPECT_EQ(busy_after(0x02), 7);  // 4 clocks
+  EXPECT_EQ(busy_after(0x80), 4);  // 1 dot: 2 clocks
+  EXPECT_EQ(busy_after(0xA0), 6);  // 2 dots: 3 clocks
+  EXPECT_EQ(busy_after(0xE0), 9);  // 4 dots: 5 clocks
   out(0x5, 255);
   EXPECT_EQ(busy_after(0x10), 441);  // 256 dots: 257 clocks, 440.57
   out(0x3, 0x11);
-  EXPECT_EQ(busy_after('A'), 84);   // 48 dots: 49 clocks
+  EXPECT_EQ(busy_after('A'), 84);    // 48 dots: 49 clocks
   EXPECT_EQ(busy_after(0x0F), 110);  // 64 clocks, 109.7
   EXPECT_EQ(busy_after(0x04), 120'000);
 }

@@ -1,5 +1,5 @@
-// The 8251: the sequence of control words, characters in their time (9600 baud 8N1 at 3 MHz: a bit is 312.5 T-states,
-// a character 3,125, in the receiver after 9.5 bits = 2,968.75, rounded up), and every error.
+// The 8251: the sequence of control words, characters in their time (9600 baud 8N1 at 3 MHz: a bit is 312.5
+// T-states, a character 3,125, in the receiver after 9.5 bits = 2,968.75, rounded up), and every error.
 #include "emulators/devices/i8251.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,12 @@ void programme(SerialLink& link, int mode = 0x4E, int command = 0x37) {
   link.write(1, static_cast<std::uint8_t>(mode), at_t_state(0));
   link.write(1, static_cast<std::uint8_t>(command), at_t_state(10));
 }
-int status(SerialLink& link, std::int64_t t) { return link.read(1, at_t_state(t)); }
-int data(SerialLink& link, std::int64_t t) { return link.read(0, at_t_state(t)); }
+int status(SerialLink& link, std::int64_t t) {
+  return link.read(1, at_t_state(t));
+}
+int data(SerialLink& link, std::int64_t t) {
+  return link.read(0, at_t_state(t));
+}
 
 TEST(I8251, ReceivesInItsTime) {
   SerialLink link(three_megahertz, three_bytes);
@@ -112,7 +116,8 @@ TEST(I8251, FramingErrorWhenTheFormatsDiffer) {
   EXPECT_EQ(link.chip().counts().framing_errors, 1U);
 }
 
-// A receiver at 2400 baud samples its first data bit during the host's bit time 6, data bit 5; then the line is mark.
+// A receiver at 2400 baud samples its first data bit during the host's bit time 6, data bit 5; then the line
+// is mark.
 TEST(I8251, AReceiverAtAQuarterOfTheSpeed) {
   constexpr std::array<std::uint8_t, 2> bytes{0xDF, 0x55};
   SerialLink link(three_megahertz, bytes);

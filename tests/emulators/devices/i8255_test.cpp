@@ -1,5 +1,5 @@
-// The 8255 mode by mode against the data sheet's control words and status bits, and the parallel link's handshake with
-// its times: at 3 MHz the host's 2 us are 6 T-states, its pulse of 500 ns 2 (1.5 rounded up).
+// The 8255 mode by mode against the data sheet's control words and status bits, and the parallel link's
+// handshake with its times: at 3 MHz the host's 2 us are 6 T-states, its pulse of 500 ns 2 (1.5 rounded up).
 #include "emulators/devices/i8255.hpp"
 
 #include <gtest/gtest.h>
@@ -162,10 +162,8 @@ TEST(ParallelLink, HandshakeTranscript) {
   const std::vector<PortAccess> transcript{
       {2, {90, reads, 0xFF}},    // not programmed: everything floats, the host waits
       {3, {100, !reads, 0xB0}},  // IBF falls; the host answers 6 T later
-      {2, {105, reads, 0x00}},  {2, {106, reads, 0x20}},
-      {0, {120, reads, 0x0A}},  {2, {125, reads, 0x00}},
-      {2, {126, reads, 0x20}},  {0, {130, reads, 0x80}},
-      {2, {1000, reads, 0x00}},  // nothing left to send
+      {2, {105, reads, 0x00}},  {2, {106, reads, 0x20}}, {0, {120, reads, 0x0A}},  {2, {125, reads, 0x00}},
+      {2, {126, reads, 0x20}},  {0, {130, reads, 0x80}}, {2, {1000, reads, 0x00}},  // nothing left to send
   };
   for (const auto& [address, access] : transcript) {
     if (access.reads)

@@ -1,5 +1,6 @@
-// CalComp 565 and Minigraf 0507: every direction, the handshake with its times, and everything that can go wrong.
-// At 3 MHz a CalComp step of 3.333333 ms is 10,000 T-states (9,999.999 rounded up) and a pen command 300,000.
+// CalComp 565 and Minigraf 0507: every direction, the handshake with its times, and everything that can go
+// wrong. At 3 MHz a CalComp step of 3.333333 ms is 10,000 T-states (9,999.999 rounded up) and a pen command
+// 300,000.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,12 +28,12 @@ TEST(CalComp565, HandshakeTranscript) {
   constexpr bool reads = true;
   const std::vector<Access> transcript{
       {0, reads, 0x00},        {10, !reads, 0x09},      {20, reads, 0x05},  // pen down, busy
-      {300'009, reads, 0x05},  {300'010, reads, 0x06},                     // done
-      {300'020, !reads, 0x01}, {300'030, reads, 0x05},                     // step +x+y clears DONE
-      {300'040, !reads, 0x02}, {300'050, reads, 0x85},                     // while busy: ERROR
-      {310'020, reads, 0x86},  {310'030, !reads, 0x05},                    // step -x-y clears ERROR
+      {300'009, reads, 0x05},  {300'010, reads, 0x06},                      // done
+      {300'020, !reads, 0x01}, {300'030, reads, 0x05},                      // step +x+y clears DONE
+      {300'040, !reads, 0x02}, {300'050, reads, 0x85},                      // while busy: ERROR
+      {310'020, reads, 0x86},  {310'030, !reads, 0x05},                     // step -x-y clears ERROR
       {310'040, reads, 0x05},  {320'030, reads, 0x06},  {320'040, !reads, 0x55},
-      {320'050, reads, 0x86},                                              // unknown code: ERROR, not busy
+      {320'050, reads, 0x86},  // unknown code: ERROR, not busy
       {320'060, !reads, 0x08}, {320'070, reads, 0x01},  {620'060, reads, 0x02},
   };
   for (const Access& access : transcript) {
@@ -53,7 +54,8 @@ TEST(CalComp565, HandshakeTranscript) {
 }
 
 TEST(CalComp565, EightDirectionsClockwiseFromPlusY) {
-  constexpr std::array<PlotterPlace, 8> expected{{{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
+  constexpr std::array<PlotterPlace, 8> expected{
+      {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
   KeptStrokes sink;
   for (std::uint8_t code = 0; code < 8; ++code) {
     CalComp565<KeptStrokes> plotter(three_megahertz, sink, {500, 500});
@@ -116,9 +118,10 @@ TEST(Minigraf0507, PhasesStepBothMotorsForwardAndBack) {
   out(7, 7, 1);  // 0 - 1 modulo 8
   out(7, 7, 0);
   out(7, 0, 0);
-  const std::vector<Stroke> expected{{at_nanoseconds(0), 10, 10, 7, 0},          {at_nanoseconds(3'333'333), 11, 10, 7, 0},
-                                     {at_nanoseconds(6'666'666), 12, 11, 7, 0},  {at_nanoseconds(10'000'000), 11, 11, 7, 0},
-                                     {at_nanoseconds(13'333'333), 10, 10, 7, 0}, {at_nanoseconds(16'666'666), 9, 9, 7, 0}};
+  const std::vector<Stroke> expected{
+      {at_nanoseconds(0), 10, 10, 7, 0},          {at_nanoseconds(3'333'333), 11, 10, 7, 0},
+      {at_nanoseconds(6'666'666), 12, 11, 7, 0},  {at_nanoseconds(10'000'000), 11, 11, 7, 0},
+      {at_nanoseconds(13'333'333), 10, 10, 7, 0}, {at_nanoseconds(16'666'666), 9, 9, 7, 0}};
   EXPECT_EQ(sink.strokes, expected);
   EXPECT_EQ(plotter.place(), (PlotterPlace{9, 10}));
   EXPECT_EQ(plotter.counts().steps, 6U);
@@ -129,7 +132,8 @@ TEST(Minigraf0507, PhasesStepBothMotorsForwardAndBack) {
 
 TEST(Minigraf0507, StepsTooSoonAndJumpsOfPhaseAreMissed) {
   KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {sightline::core::Duration(5'000'000), {}}, {10, 10});
+  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {sightline::core::Duration(5'000'000), {}},
+                                    {10, 10});
   plotter.write(0x01, at_t_state(0));
   plotter.write(0x02, at_t_state(14'999));
   EXPECT_EQ(plotter.place(), (PlotterPlace{11, 10}));
@@ -145,7 +149,8 @@ TEST(Minigraf0507, StepsTooSoonAndJumpsOfPhaseAreMissed) {
 
 TEST(Minigraf0507, ThePenNeedsItsTimeAndTheFieldHasNoStops) {
   KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {{}, sightline::core::Duration(10'000'000)}, {1500, 0});
+  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {{}, sightline::core::Duration(10'000'000)},
+                                    {1500, 0});
   plotter.write(0x80, at_t_state(0));
   plotter.write(0x81, at_t_state(29'999));
   EXPECT_EQ(plotter.counts().steps_early, 1U);

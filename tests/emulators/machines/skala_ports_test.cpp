@@ -1,0 +1,177 @@
+// Which port reaches which device, what happens where there is none, and whose interrupt comes first.
+#include "emulators/machines/skala_ports.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "tests/emulators/devices/device_test.hpp"
+
+namespace {
+
+using namespace sightline;
+using core::at_t_state;
+using core::never_t;
+using machines::SkalaConfiguration;
+using Ports = machines::SkalaPorts<tests::KeptStrokes>;
+
+constexpr std::array<std::uint8_t, 2> host_bytes{0x12, 0x34};
+
+SkalaConfiguration everything() {
+  SkalaConfiguration configuration;
+  configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 = true;
+  configuration.calcomp565_start = {100, 100};
+  configuration.parallel = host_bytes;
+  configuration.serial = host_bytes;
+  return configuration;
+}
+
+class SkalaPorts : public testing::Test {
+ protected:
+  void make(const SkalaConfiguration& configuration) { ports = std::make_unique<Ports>(configuration, sink); }
+  void out(int port, int value) {
+    ports->out(static_cast<std::uint8_t>(port), static_cast<std::uint8_t>(value), at_t_state(t += 1000));
+  }
+  int in(int port) { return ports->in(static_cast<std::uint8_t>(port), at_t_state(t += 1000)); }
+
+  tests::KeptStrokes sink;
+  std::unique_ptr<Ports> ports;
+  std::int64_t t = 0;
+};
+
+TEST_F(SkalaPorts, RasterBoards) {
+  make(everything());
+  out(0x50, 6);
+  EXPECT_EQ(in(0x50), 6);
+  out(0x40, 0x00);
+  out(0x40, 0x02);
+  out(0x49, 33);
+  out(0x4B, 44);
+  out(0x40, 0x80);
+  EXPECT_EQ(ports->ef9365()->raster().at(33, 44), 6);
+  EXPECT_EQ(in(0x49), 33);
+  EXPECT_EQ(in(0x40) & 0x04, 0x04);
+  out(0x31, 7);
+  out(0x32, 8);
+  out(0x30, 5);
+  EXPECT_EQ(ports->alt256()->raster().at(7, 8), 5);
+  EXPECT_EQ(in(0x30) & 0x80, 0x80);
+  out(0x33, 1);
+  EXPECT_EQ(ports->alt256()->raster().at(0, 0), 1);
+}
+
+TEST_F(SkalaPorts, Plotters) {
+  make(everything());
+  out(0x60, 0x01);
+  EXPECT_EQ(in(0x60), 0x01);
+  EXPECT_EQ(ports->calcomp565()->place(), (devices::PlotterPlace{101, 101}));
+  out(0xF0, 0x81);
+  EXPECT_EQ(ports->minigraf0507()->place(), (devices::PlotterPlace{1, 0}));
+  ASSERT_EQ(sink.strokes.size(), 1U);
+  EXPECT_EQ(sink.strokes[0].x, 1);
+}
+
+TEST_F(SkalaPorts, Links) {
+  make(everything());
+  out(0xE7, 0xB0);
+  EXPECT_EQ(in(0xE6) & 0x20, 0x20);
+  EXPECT_EQ(in(0xE4), 0x12);
+  EXPECT_EQ(in(0xE4), 0x34);
+  out(0xEF, 0x4E);
+  out(0xED, 0x27);
+  t += 2000;
+  EXPECT_EQ(in(0xEF) & 0x02, 0x02);
+  EXPECT_EQ(in(0xEC), 0x12);
+  t += 2000;
+  EXPECT_EQ(in(0xEE), 0x34);
+}
+
+TEST_F(SkalaPorts, WithoutDevicesEverythingReadsAsOnesAndIsCounted) {
+  make({});
+  for (int port = 0; port < 256; ++port) {
+    EXPECT_EQ(in(port), 0xFF) << port;
+    out(port, 0);
+  }
+  for (const auto& entry : ports->unanswered()) {
+    EXPECT_EQ(entry.reads, 1U);
+    EXPECT_EQ(entry.writes, 1U);
+  }
+  EXPECT_EQ(ports->ef9365(), nullptr);
+  EXPECT_EQ(ports->serial(), nullptr);
+  EXPECT_EQ(ports->deadline(), never_t);
+  EXPECT_FALSE(ports->interrupt());
+}
+
+TEST_F(SkalaPorts, WithAllDevicesOnlyTheirPortsAnswer) {
+  make(everything());
+  int answered = 0;
+  for (int port = 0; port < 256; ++port) {
+    in(port);
+    answered += ports->unanswered()[static_cast<std::size_t>(port)].reads == 0;
+  }
+  // 30, 40-4F, 50, 60, E4-E7, EC-EF; the Minigraf cannot be read.
+  EXPECT_EQ(answered, 1 + 16 + 1 + 1 + 4 + 4);
+  answered = 0;
+  for (int port = 0; port < 256; ++port) {
+    out(port, 0);
+    answered += ports->unanswered()[static_cast<std::size_t>(port)].writes == 0;
+  }
+  EXPECT_EQ(answered, 4 + 16 + 1 + 1 + 4 + 4 + 1);
+}
+
+TEST_F(SkalaPorts, UnconnectedDevicesNeverInterrupt) {
+  make(everything());
+  out(0x41, 0x70);
+  out(0x60, 0);
+  out(0xE7, 0xB0);
+  out(0xE7, 0x09);
+  ports->advance(at_t_state(10'000'000));
+  EXPECT_FALSE(ports->interrupt());
+  EXPECT_EQ(ports->deadline(), never_t);
+}
+
+TEST_F(SkalaPorts, PlotterDoneDrivesRestartSeven) {
+  SkalaConfiguration configuration = everything();
+  configuration.calcomp565_restart = 7;
+  make(configuration);
+  out(0x60, 2);  // at T 1000
+  EXPECT_EQ(ports->deadline(), at_t_state(11'000));
+  ports->advance(at_t_state(10'999));
+  EXPECT_FALSE(ports->interrupt());
+  ports->advance(at_t_state(11'000));
+  EXPECT_TRUE(ports->interrupt());
+  EXPECT_EQ(ports->acknowledge(at_t_state(11'010)), 0xFF);
+  t = 12'000;
+  out(0x60, 2);
+  EXPECT_FALSE(ports->interrupt());
+}
+
+TEST_F(SkalaPorts, TheHighestRestartIsAcknowledgedFirst) {
+  SkalaConfiguration configuration = everything();
+  configuration.ef9365_restart = 3;
+  configuration.parallel_restart = 5;
+  configuration.serial_receive_restart = 4;
+  make(configuration);
+  out(0x41, 0x20);
+  ports->advance(at_t_state(49'152));
+  EXPECT_EQ(ports->acknowledge(at_t_state(49'152)), 0xDF);
+  t = 50'000;
+  out(0xE7, 0xB0);
+  out(0xE7, 0x09);
+  EXPECT_TRUE(ports->interrupt());
+  EXPECT_EQ(ports->acknowledge(at_t_state(t)), 0xEF);
+  in(0xE4);
+  in(0xE4);
+  EXPECT_EQ(ports->acknowledge(at_t_state(t)), 0xDF);
+  in(0x40);
+  EXPECT_FALSE(ports->interrupt());
+  out(0xED, 0x4E);
+  out(0xED, 0x27);
+  EXPECT_EQ(ports->deadline(), at_t_state(t + 2969));
+  ports->advance(at_t_state(t + 2969));
+  EXPECT_EQ(ports->acknowledge(at_t_state(t + 3000)), 0xE7);
+}
+
+}  // namespace
