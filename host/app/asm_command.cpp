@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/app/asm_i8080_command.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/image/octal.hpp"
 #include "tools/image/tape.hpp"
@@ -122,6 +123,10 @@ void assemble(const AsmArguments& arguments) {
 void add_asm_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command = app.add_subcommand("asm", "Assemble symbolic source");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  sightline asm pdp7 hello.s -o hello.rim\n"
+      "  sightline asm i8080 hello.asm -o hello.com\n");
   CLI::App* const pdp7 =
       command->add_subcommand("pdp7", "Assemble PDP-7 symbolic source (DEC syntax, DIGITAL-7-3-S)");
   const auto arguments = std::make_shared<AsmArguments>();
@@ -151,6 +156,7 @@ void add_asm_command(CLI::App& app, ExitCode& exit_code) {
     assemble(*arguments);
     exit_code = ExitCode::ok;
   });
+  add_asm_i8080_command(*command, exit_code);
 }
 
 }  // namespace sightline::app

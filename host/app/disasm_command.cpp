@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "host/app/disasm_i8080_command.hpp"
 #include "host/app/image_argument.hpp"
 #include "tools/disasm/disasm.hpp"
 
@@ -62,16 +63,18 @@ void add_target(CLI::App& parent, const char* name, const char* what, const char
 }  // namespace
 
 void add_disasm_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("disasm", "Disassemble a tape or a core image");
+  CLI::App* const command = app.add_subcommand("disasm", "Disassemble a tape, a core image or an 8080 program");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"
       "  sightline disasm pdp7 hello.rim\n"
-      "  sightline disasm type340 picture.oct\n");
+      "  sightline disasm type340 picture.oct\n"
+      "  sightline disasm i8080 hello.com\n");
   add_target(*command, "pdp7", "PDP-7 instructions", pdp7_examples, &disassembler::disassemble_pdp7,
              exit_code);
   add_target(*command, "type340", "Display words of the Type 340", type340_examples,
              &disassembler::disassemble_type340, exit_code);
+  add_disasm_i8080_command(*command, exit_code);
 }
 
 }  // namespace sightline::app

@@ -10,8 +10,8 @@ set(RULES
   "emulators/i8080=emulators/core"
   "emulators/machines=emulators/core,emulators/devices,emulators/i8080,emulators/pdp7,emulators/type340"
   "tools/image=emulators/core/word.hpp"
-  "tools/asm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp"
-  "tools/disasm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp,emulators/type340/words.hpp"
+  "tools/asm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp,emulators/i8080/isa.hpp"
+  "tools/disasm=tools/image,emulators/core/word.hpp,emulators/pdp7/isa.hpp,emulators/type340/words.hpp,emulators/i8080/isa.hpp"
   "host/geometry="
   "host/scene=host/geometry"
   "host/picture=host/geometry,host/scene,emulators/core"
@@ -23,6 +23,7 @@ set(RULES
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/scene,host/harness,host/app"
+  "muParser=host/scene"
   "CLI/=host/app,tools"
   "gtest/=tests"
   "benchmark/=tests")

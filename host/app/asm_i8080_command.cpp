@@ -1,0 +1,145 @@
+// See asm_i8080_command.hpp.
+#include "host/app/asm_i8080_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/app/byte_image_argument.hpp"
+#include "tools/asm/i8080.hpp"
+#include "tools/image/binary.hpp"
+#include "tools/image/intel_hex.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+struct AsmArguments {
+  std::vector<std::string> sources;
+  std::vector<std::string> defines;
+  std::string output;
+  std::string format;
+  std::string listing;
+  std::string symbols;
+};
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  sightline asm i8080 hello.asm -o hello.com --listing hello.prn\n"
+    "      a CP/M program for `sightline run i8080 --cpm --load hello.com`, and a listing to read beside it\n"
+    "  sightline asm i8080 -D SERIAL=0 -D BASE=0E000H main.asm tables.asm -o monitor.hex\n"
+    "      two sources of one program as Intel HEX, which carries addresses and the start address of END\n\n"
+    "The language is that of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80. The sources are read "
+    "one after\n"
+    "the other; `-` is standard input. INCLUDE and MACLIB look beside the file they stand in.\n"
+    "com: bytes from 0100H, nothing below. bin: bytes from the lowest to the highest address, gaps as 00. hex: "
+    "Intel HEX.\n"
+    "Without --format the ending of -o decides: .com, .bin, anything else is hex.\n"
+    "Errors name file:line:column; when there is one nothing is written.\n";
+
+assembler::I8080Options options_from(const AsmArguments& arguments) {
+  assembler::I8080Options options;
+  for (const std::string& text : arguments.defines) {
+    auto define = assembler::parse_i8080_define(text);
+    if (const auto* message = std::get_if<std::string>(&define)) {
+      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
+    }
+    options.defines.push_back(std::get<assembler::I8080Define>(std::move(define)));
+  }
+  options.listing = !arguments.listing.empty();
+  // The assembler tries several names and says itself that none of them could be read.
+  options.include = [](const std::string& path) -> std::optional<std::string> {
+    try {
+      return read_input_text(path);
+    } catch (const Failure&) {
+      return std::nullopt;
+    }
+  };
+  return options;
+}
+
+picture::Bytes encoded(const image::ByteImage& memory, const AsmArguments& arguments) {
+  const ByteFormat format = arguments.format.empty() ? byte_format_of_name(arguments.output).value_or(ByteFormat::hex)
+                                                     : byte_format_named(arguments.format);
+  if (format == ByteFormat::hex) {
+    const std::string text = image::write_intel_hex(memory);
+    return {text.begin(), text.end()};
+  }
+  const std::string file = arguments.output == "-" ? "standard output" : arguments.output;
+  const auto bytes = format == ByteFormat::com ? image::write_com(memory, file) : image::write_binary(memory, file);
+  if (!bytes) throw Failure(ExitCode::bad_input, image::to_string(bytes.error()));
+  return bytes.value();
+}
+
+std::string summary(const assembler::I8080Assembly& assembly, const AsmArguments& arguments) {
+  const image::ByteImage& memory = assembly.image;
+  std::string text = fmt::format("{} bytes", memory.count());
+  if (!memory.empty()) text += fmt::format(" in {:04X}-{:04X}", memory.lowest(), memory.highest());
+  text += memory.start ? fmt::format(", start {:04X}", *memory.start) : ", no start address";
+  text += fmt::format(", {} symbols", assembly.symbols.size());
+  return arguments.output.empty() ? text + "; checked only, -o FILE writes it" : text;
+}
+
+void refuse_two_on_stdout(const AsmArguments& arguments) {
+  const int on_stdout = (arguments.output == "-" ? 1 : 0) + (arguments.listing == "-" ? 1 : 0) +
+                        (arguments.symbols == "-" ? 1 : 0);
+  if (on_stdout > 1) throw Failure(ExitCode::usage, "only one of -o, --listing and --symbols can be `-`");
+}
+
+void assemble(const AsmArguments& arguments) {
+  refuse_two_on_stdout(arguments);
+  const assembler::I8080Options options = options_from(arguments);
+  std::vector<assembler::SourceFile> sources;
+  for (const std::string& path : arguments.sources) sources.push_back({shown_name(path), read_input_text(path)});
+  const assembler::I8080Assembly assembly = assembler::assemble_i8080(sources, options);
+  for (const auto& diagnostic : assembly.diagnostics)
+    fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
+  if (!assembly.ok()) throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
+
+  std::vector<Output> outputs;
+  const auto put = [&outputs](const std::string& path, const auto& content) {
+    if (path.empty()) return;
+    outputs.emplace_back(path).write(content);
+  };
+  if (!arguments.output.empty())
+    put(arguments.output, std::span<const std::uint8_t>(encoded(assembly.image, arguments)));
+  put(arguments.listing, std::string_view(assembler::write_listing(assembly.listing)));
+  put(arguments.symbols, std::string_view(assembler::write_i8080_symbols(assembly.symbols)));
+  for (Output& output : outputs) output.commit();
+  complain(summary(assembly, arguments));
+}
+
+}  // namespace
+
+void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
+  CLI::App* const command =
+      parent.add_subcommand("i8080", "Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)");
+  const auto arguments = std::make_shared<AsmArguments>();
+  command->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")->required();
+  command
+      ->add_option("-D", arguments->defines,
+                   "Define a symbol, NAME=VALUE, VALUE as in a source (10, 0AH, 0x0A); wins over the source's own")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  command->add_option("-o,--output", arguments->output, "Where the program goes; - is standard output")
+      ->type_name("FILE");
+  command->add_option("--format", arguments->format, "Form of the program: com, bin or hex; else by the ending of -o")
+      ->check(CLI::IsMember({"com", "bin", "hex"}))
+      ->type_name("FORMAT");
+  command->add_option("--listing", arguments->listing, "Write address, bytes and source, line by line, and the symbols")
+      ->type_name("FILE");
+  command->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
+      ->type_name("FILE");
+  command->footer(examples);
+  command->callback([arguments, &exit_code] {
+    assemble(*arguments);
+    exit_code = ExitCode::ok;
+  });
+}
+
+}  // namespace sightline::app
