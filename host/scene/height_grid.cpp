@@ -35,8 +35,8 @@ Interval finite_range(const std::vector<double>& values) {
   return range;
 }
 
-bool anywhere_finite(const HeightGrid& grid) {
-  return std::any_of(grid.heights.begin(), grid.heights.end(), [](double h) { return std::isfinite(h); });
+bool anywhere_finite(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double h) { return std::isfinite(h); });
 }
 
 }  // namespace sightline::scene

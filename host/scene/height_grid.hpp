@@ -62,6 +62,6 @@ struct HeightError {
 // The least and the greatest finite value. {0, 0} if there is none.
 [[nodiscard]] Interval finite_range(const std::vector<double>& values);
 
-[[nodiscard]] bool anywhere_finite(const HeightGrid& grid);
+[[nodiscard]] bool anywhere_finite(const std::vector<double>& values);
 
 }  // namespace sightline::scene

@@ -24,6 +24,7 @@ set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/scene,host/harness,host/app"
   "muParser=host/scene"
+  "muParser=host/scene"
   "CLI/=host/app,tools"
   "gtest/=tests"
   "benchmark/=tests")
