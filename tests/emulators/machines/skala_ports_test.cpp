@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <random>
 
 #include "tests/emulators/devices/device_test.hpp"
 
@@ -172,6 +174,55 @@ TEST_F(SkalaPorts, TheHighestRestartIsAcknowledgedFirst) {
   EXPECT_EQ(ports->deadline(), at_t_state(t + 2969));
   ports->advance(at_t_state(t + 2969));
   EXPECT_EQ(ports->acknowledge(at_t_state(t + 3000)), 0xE7);
+}
+
+// Devices are caught up with when touched: looking in between must change nothing. Whatever a program writes,
+// the boards keep their limits.
+TEST_F(SkalaPorts, LookingInBetweenChangesNothing) {
+  SkalaConfiguration configuration = everything();
+  std::array<std::uint8_t, 200> bytes{};
+  for (std::size_t n = 0; n < bytes.size(); ++n) bytes[n] = static_cast<std::uint8_t>(n * 7);
+  configuration.parallel = bytes;
+  configuration.serial = bytes;
+  configuration.calcomp565_restart = 7;
+  configuration.ef9365_restart = 2;
+  tests::KeptStrokes other_sink;
+  const auto lazy = std::make_unique<Ports>(configuration, sink);
+  const auto eager = std::make_unique<Ports>(configuration, other_sink);
+  constexpr std::array<std::uint8_t, 5> pages{0x30, 0x40, 0x50, 0x60, 0xE0};
+  std::mt19937_64 random(19850101);
+  std::int64_t now = 0;
+  for (int n = 0; n < 100'000; ++n) {
+    const std::uint64_t dice = random();
+    const std::int64_t next = now + static_cast<std::int64_t>(10 + (dice >> 40 & 0x7FF));
+    for (std::int64_t between = now; between < next; between += 61) eager->advance(at_t_state(between));
+    now = next;
+    const auto port = static_cast<std::uint8_t>(dice % 16 == 0 ? 0xF0 : pages[dice % 5] | (dice >> 8 & 0x0F));
+    auto value = static_cast<std::uint8_t>(dice >> 16);
+    // Mostly what draws: few clears, few places off the screen, known plotter codes.
+    if (port == 0x40 && value < 0x10 && n % 64 != 0) value |= 0x80;
+    if ((port == 0x48 || port == 0x4A) && n % 8 != 0) value = 0;
+    if (port == 0x60) value &= 0x0F;
+    if ((dice >> 32 & 3U) == 0) {
+      ASSERT_EQ(lazy->in(port, at_t_state(now)), eager->in(port, at_t_state(now)))
+          << n << " port " << int{port};
+    } else {
+      lazy->out(port, value, at_t_state(now));
+      eager->out(port, value, at_t_state(now));
+    }
+    for (Ports* either : {lazy.get(), eager.get()})  // as the machine does at the next instruction
+      if (either->deadline() <= at_t_state(now)) either->advance(at_t_state(now));
+    ASSERT_EQ(lazy->interrupt(), eager->interrupt()) << n;
+    ASSERT_EQ(lazy->deadline(), eager->deadline()) << n;
+  }
+  EXPECT_EQ(lazy->ef9365()->raster(), eager->ef9365()->raster());
+  EXPECT_EQ(lazy->alt256()->raster(), eager->alt256()->raster());
+  EXPECT_EQ(sink.strokes, other_sink.strokes);
+  EXPECT_EQ(lazy->serial()->chip().sent(), eager->serial()->chip().sent());
+  EXPECT_GT(lazy->ef9365()->counts().dots, 1000U);
+  EXPECT_GT(lazy->calcomp565()->counts().steps, 10U);
+  for (const std::uint8_t point : lazy->ef9365()->raster().points()) ASSERT_LE(point, 7);
+  for (const std::uint8_t point : lazy->alt256()->raster().points()) ASSERT_LE(point, 7);
 }
 
 }  // namespace
