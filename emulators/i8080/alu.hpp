@@ -93,10 +93,10 @@ inline constexpr auto sign_zero_parity = [] {
   return static_cast<Byte>((flags & ~flag::carry) | carry);
 }
 [[nodiscard]] constexpr Result rotate_left(Byte a, Byte flags, unsigned into_bit_0) {
-  return {static_cast<Byte>(a << 1 | into_bit_0), with_carry(flags, a >> 7)};
+  return {static_cast<Byte>(static_cast<unsigned>(a) << 1 | into_bit_0), with_carry(flags, a >> 7U)};
 }
 [[nodiscard]] constexpr Result rotate_right(Byte a, Byte flags, unsigned into_bit_7) {
-  return {static_cast<Byte>(a >> 1 | into_bit_7 << 7), with_carry(flags, a & 1U)};
+  return {static_cast<Byte>(static_cast<unsigned>(a) >> 1 | into_bit_7 << 7), with_carry(flags, a & 1U)};
 }
 
 // The condition in bits 5-3 of a jump, call or return: NZ Z NC C PO PE P M.

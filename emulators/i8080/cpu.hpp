@@ -19,23 +19,28 @@ namespace sightline::i8080 {
 
 enum class Outcome : std::uint8_t { completed, halted };
 
-// The processor is a value that holds its bus by value, a light handle on the machine behind it. That lets the loop
-// that owns it keep registers and time in host registers; what is rare runs on a copy out of line, because a call that
-// took the address of the registers would keep them in memory.
+// The processor is a value that holds its registers and its bus by value, a light handle on the machine behind it.
+// That lets the loop that owns it keep registers and time in host registers; what is rare runs on a copy out of line,
+// because a call that took the address of the registers would keep them in memory. Control, which hardly any
+// instruction touches, stays with the owner for the same reason.
 template <Bus B>
 class Cpu {
  public:
-  constexpr Cpu(const B& bus, const State& state) : bus_(bus), state_(state) { state_.f = as_flags(state.f); }
+  // `control` must outlive the processor.
+  constexpr Cpu(const B& bus, const Registers& registers, Control& control)
+      : bus_(bus), control_(&control), registers_(registers) {
+    registers_.f = as_flags(registers.f);
+  }
 
-  [[nodiscard]] constexpr const State& state() const { return state_; }
-  [[nodiscard]] constexpr State& state() { return state_; }
+  [[nodiscard]] constexpr const Registers& registers() const { return registers_; }
+  [[nodiscard]] constexpr State state() const { return {registers_, *control_}; }
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
 
   // One instruction from memory.
   [[gnu::always_inline]] constexpr Outcome step() {
-    const Byte opcode = bus_.fetch(status::fetch_cycle, state_.pc);
-    ++state_.pc;
+    const Byte opcode = bus_.fetch(status::fetch_cycle, registers_.pc);
+    ++registers_.pc;
     return dispatch(opcode, Executor<false>{this});
   }
 
@@ -50,8 +55,8 @@ class Cpu {
 
   // The RESET pin: A, F, B to L and SP stay. The next fetch is at 0000.
   constexpr void reset() {
-    state_.pc = 0;
-    state_.interrupts_on = state_.deferred = state_.halted = false;
+    registers_.pc = 0;
+    *control_ = {};
     bus_.end_acknowledge();
     bus_.interrupt_enable(false);
   }
@@ -68,9 +73,9 @@ class Cpu {
   };
 
   [[gnu::noinline]] constexpr Outcome acknowledge_out_of_line() {
-    state_.interrupts_on = state_.halted = false;
+    control_->interrupts_on = control_->halted = false;
     bus_.interrupt_enable(false);
-    const Byte opcode = bus_.fetch(status::acknowledge_cycle, state_.pc);
+    const Byte opcode = bus_.fetch(status::acknowledge_cycle, registers_.pc);
     return dispatch(opcode, Executor<true>{this});
   }
 
@@ -83,8 +88,8 @@ class Cpu {
     }
     if constexpr (row.cycles[0].t_states == 5) bus_.extend(1);
     if constexpr (row.operation == Operation::hlt) {
-      bus_.halt(cycle<Jammed>(status::halt_cycle), static_cast<Address>(state_.pc - (Jammed ? 0 : 1)));
-      state_.halted = true;
+      bus_.halt(cycle<Jammed>(status::halt_cycle), static_cast<Address>(registers_.pc - (Jammed ? 0 : 1)));
+      control_->halted = true;
       bus_.attention();
       return Outcome::halted;
     } else {
@@ -110,20 +115,20 @@ class Cpu {
     if constexpr (operation == Operation::lxi) {
       pair<pair_code>() = next_word<Jammed>();
     } else if constexpr (operation == Operation::stax) {
-      store<Jammed>(pair<pair_code>(), state_.a);
+      store<Jammed>(pair<pair_code>(), registers_.a);
     } else if constexpr (operation == Operation::ldax) {
-      state_.a = load<Jammed>(pair<pair_code>());
+      registers_.a = load<Jammed>(pair<pair_code>());
     } else if constexpr (operation == Operation::inx) {
       ++pair<pair_code>();
     } else if constexpr (operation == Operation::dcx) {
       --pair<pair_code>();
     } else if constexpr (operation == Operation::inr) {
-      const Result result = increment(get<to, Jammed>(), state_.f);
-      state_.f = result.flags;
+      const Result result = increment(get<to, Jammed>(), registers_.f);
+      registers_.f = result.flags;
       set<to, Jammed>(result.value);
     } else if constexpr (operation == Operation::dcr) {
-      const Result result = decrement(get<to, Jammed>(), state_.f);
-      state_.f = result.flags;
+      const Result result = decrement(get<to, Jammed>(), registers_.f);
+      registers_.f = result.flags;
       set<to, Jammed>(result.value);
     } else if constexpr (operation == Operation::mvi) {
       set<to, Jammed>(next_byte<Jammed>());
@@ -142,15 +147,15 @@ class Cpu {
     if constexpr (operation != Operation::nop) {
       const Address address = next_word<Jammed>();
       if constexpr (operation == Operation::shld) {
-        store<Jammed>(address, low(state_.hl));
-        store<Jammed>(static_cast<Address>(address + 1), high(state_.hl));
+        store<Jammed>(address, low(registers_.hl));
+        store<Jammed>(static_cast<Address>(address + 1), high(registers_.hl));
       } else if constexpr (operation == Operation::lhld) {
         const Byte low_byte = load<Jammed>(address);
-        state_.hl = joined(load<Jammed>(static_cast<Address>(address + 1)), low_byte);
+        registers_.hl = joined(load<Jammed>(static_cast<Address>(address + 1)), low_byte);
       } else if constexpr (operation == Operation::sta) {
-        store<Jammed>(address, state_.a);
+        store<Jammed>(address, registers_.a);
       } else {
-        state_.a = load<Jammed>(address);
+        registers_.a = load<Jammed>(address);
       }
     }
   }
@@ -160,18 +165,18 @@ class Cpu {
   [[gnu::always_inline]] constexpr void calculate() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (row.operation == Operation::cma) {
-      state_.a = static_cast<Byte>(~state_.a);
+      registers_.a = static_cast<Byte>(~registers_.a);
     } else if constexpr (row.operation == Operation::stc) {
-      state_.f |= flag::carry;
+      registers_.f |= flag::carry;
     } else if constexpr (row.operation == Operation::cmc) {
-      state_.f ^= flag::carry;
+      registers_.f ^= flag::carry;
     } else {
       Byte operand = 0;
       if constexpr (row.operands[0] == Operand::data8) operand = next_byte<Jammed>();
       else if constexpr (row.operation >= Operation::add) operand = get<Opcode & 7, Jammed>();
-      const Result result = operate<row.operation>(state_.a, operand, state_.f);
-      state_.f = result.flags;
-      if constexpr (row.operation != Operation::cmp) state_.a = result.value;
+      const Result result = operate<row.operation>(registers_.a, operand, registers_.f);
+      registers_.f = result.flags;
+      if constexpr (row.operation != Operation::cmp) registers_.a = result.value;
     }
   }
 
@@ -200,21 +205,21 @@ class Cpu {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned field = Opcode >> 3 & 7;  // condition, or the number of a restart
     if constexpr (operation == Operation::ret) {
-      state_.pc = pop<Jammed>();
+      registers_.pc = pop<Jammed>();
     } else if constexpr (operation == Operation::jmp) {
-      state_.pc = next_word<Jammed>();
+      registers_.pc = next_word<Jammed>();
     } else if constexpr (operation == Operation::rst) {
-      push<Jammed>(state_.pc);
-      state_.pc = static_cast<Address>(field * 8);
+      push<Jammed>(registers_.pc);
+      registers_.pc = static_cast<Address>(field * 8);
     } else if constexpr (operation == Operation::conditional_return) {
-      if (holds(field, state_.f)) state_.pc = pop<Jammed>();
+      if (holds(field, registers_.f)) registers_.pc = pop<Jammed>();
     } else {
       const Address target = next_word<Jammed>();
       if constexpr (operation != Operation::call) {
-        if (!holds(field, state_.f)) return;
+        if (!holds(field, registers_.f)) return;
       }
-      if constexpr (operation != Operation::conditional_jump) push<Jammed>(state_.pc);
-      state_.pc = target;
+      if constexpr (operation != Operation::conditional_jump) push<Jammed>(registers_.pc);
+      registers_.pc = target;
     }
   }
 
@@ -224,32 +229,32 @@ class Cpu {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
     if constexpr (operation == Operation::push) {
-      if constexpr (pair_code == 3) push<Jammed>(joined(state_.a, state_.f));
+      if constexpr (pair_code == 3) push<Jammed>(joined(registers_.a, registers_.f));
       else push<Jammed>(pair<pair_code>());
     } else if constexpr (operation == Operation::pop) {
       const Address word = pop<Jammed>();
       if constexpr (pair_code == 3) {
-        state_.a = high(word);
-        state_.f = as_flags(low(word));
+        registers_.a = high(word);
+        registers_.f = as_flags(low(word));
       } else {
         pair<pair_code>() = word;
       }
     } else if constexpr (operation == Operation::xthl) {
       exchange_with_stack<Jammed>();
     } else if constexpr (operation == Operation::sphl) {
-      state_.sp = state_.hl;
+      registers_.sp = registers_.hl;
     } else if constexpr (operation == Operation::pchl) {
-      state_.pc = state_.hl;
+      registers_.pc = registers_.hl;
     } else if constexpr (operation == Operation::xchg) {
-      const Address hl = state_.hl;
-      state_.hl = state_.de;
-      state_.de = hl;
+      const Address hl = registers_.hl;
+      registers_.hl = registers_.de;
+      registers_.de = hl;
     } else if constexpr (operation == Operation::in) {
       const Byte port = next_byte<Jammed>();
-      state_.a = bus_.in(cycle<Jammed>(status::input_cycle), port);
+      registers_.a = bus_.in(cycle<Jammed>(status::input_cycle), port);
     } else if constexpr (operation == Operation::out) {
       const Byte port = next_byte<Jammed>();
-      bus_.out(cycle<Jammed>(status::output_cycle), port, state_.a);
+      bus_.out(cycle<Jammed>(status::output_cycle), port, registers_.a);
     } else {
       enable_interrupts(operation == Operation::ei);
     }
@@ -257,40 +262,40 @@ class Cpu {
 
   // INT is not looked at at the end of EI, so that EI; RET returns before the next interrupt.
   [[gnu::always_inline]] constexpr void enable_interrupts(bool on) {
-    state_.interrupts_on = state_.deferred = on;
+    control_->interrupts_on = control_->deferred = on;
     bus_.interrupt_enable(on);
     if (on) bus_.attention();
   }
 
   // The data pins show the pair's byte and then that of HL: low in the first cycle, high in the second (measured).
   [[gnu::always_inline]] constexpr void add_to_hl(Address addend) {
-    bus_.internal(low(addend), low(state_.hl));
-    bus_.internal(high(addend), high(state_.hl));
-    const unsigned sum = static_cast<unsigned>(addend) + state_.hl;
-    state_.hl = static_cast<Address>(sum);
-    state_.f = with_carry(state_.f, sum >> 16);
+    bus_.internal(low(addend), low(registers_.hl));
+    bus_.internal(high(addend), high(registers_.hl));
+    const unsigned sum = static_cast<unsigned>(addend) + registers_.hl;
+    registers_.hl = static_cast<Address>(sum);
+    registers_.f = with_carry(registers_.f, sum >> 16);
   }
 
   template <bool Jammed>
   [[gnu::always_inline]] constexpr void exchange_with_stack() {
-    const Address above = static_cast<Address>(state_.sp + 1);
-    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), state_.sp);
+    const Address above = static_cast<Address>(registers_.sp + 1);
+    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp);
     const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), above);
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), above, high(state_.hl));
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), state_.sp, low(state_.hl));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), above, high(registers_.hl));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), registers_.sp, low(registers_.hl));
     bus_.extend(2);
-    state_.hl = joined(high_byte, low_byte);
+    registers_.hl = joined(high_byte, low_byte);
   }
 
   template <bool Jammed>
   [[gnu::always_inline]] constexpr void push(Address word) {
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --state_.sp, high(word));
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --state_.sp, low(word));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, high(word));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, low(word));
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Address pop() {
-    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), state_.sp++);
-    return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), state_.sp++), low_byte);
+    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++);
+    return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++), low_byte);
   }
 
   template <bool Jammed>
@@ -303,8 +308,8 @@ class Cpu {
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Byte next_byte() {
-    const Byte byte = load<Jammed>(state_.pc);
-    if constexpr (!Jammed) ++state_.pc;
+    const Byte byte = load<Jammed>(registers_.pc);
+    if constexpr (!Jammed) ++registers_.pc;
     return byte;
   }
   template <bool Jammed>
@@ -323,30 +328,31 @@ class Cpu {
 
   template <unsigned Code>
   [[gnu::always_inline]] constexpr Address& pair() {
-    if constexpr (Code == 0) return state_.bc;
-    else if constexpr (Code == 1) return state_.de;
-    else if constexpr (Code == 2) return state_.hl;
-    else return state_.sp;
+    if constexpr (Code == 0) return registers_.bc;
+    else if constexpr (Code == 1) return registers_.de;
+    else if constexpr (Code == 2) return registers_.hl;
+    else return registers_.sp;
   }
 
   // Register codes: B C D E H L M A.
   template <unsigned Code, bool Jammed>
   [[gnu::always_inline]] constexpr Byte get() {
-    if constexpr (Code == 7) return state_.a;
-    else if constexpr (Code == 6) return load<Jammed>(state_.hl);
+    if constexpr (Code == 7) return registers_.a;
+    else if constexpr (Code == 6) return load<Jammed>(registers_.hl);
     else if constexpr (Code % 2 == 0) return high(pair<Code / 2>());
     else return low(pair<Code / 2>());
   }
   template <unsigned Code, bool Jammed>
   [[gnu::always_inline]] constexpr void set(Byte byte) {
-    if constexpr (Code == 7) state_.a = byte;
-    else if constexpr (Code == 6) store<Jammed>(state_.hl, byte);
+    if constexpr (Code == 7) registers_.a = byte;
+    else if constexpr (Code == 6) store<Jammed>(registers_.hl, byte);
     else if constexpr (Code % 2 == 0) pair<Code / 2>() = joined(byte, low(pair<Code / 2>()));
     else pair<Code / 2>() = joined(high(pair<Code / 2>()), byte);
   }
 
   B bus_;
-  State state_;
+  Control* control_;
+  Registers registers_;
 };
 
 }  // namespace sightline::i8080

@@ -200,27 +200,29 @@ class PinBus {
 template <class Board>
 class PinMachine {
  public:
-  PinMachine(Board& board, const State& state) : cpu_(PinBus<Board>(board, state.interrupts_on), state) {}
+  PinMachine(Board& board, const State& state)
+      : control_(state), cpu_(PinBus<Board>(board, state.interrupts_on), state, control_) {}
+  PinMachine(const PinMachine&) = delete;
+  PinMachine& operator=(const PinMachine&) = delete;
 
-  [[nodiscard]] const State& registers() const { return cpu_.state(); }
-  [[nodiscard]] State& registers() { return cpu_.state(); }
+  [[nodiscard]] State registers() const { return cpu_.state(); }
   void reset() { cpu_.reset(); }
 
   // One instruction from memory or from the interrupting device; in a halt, one TW.
   void step() {
-    State& state = cpu_.state();
-    if (state.halted) {
+    if (control_.halted) {
       if (!cpu_.bus().wait_in_halt()) return;
-      state.halted = false;
+      control_.halted = false;
     }
     const bool interrupt = cpu_.bus().interrupt();
-    const bool open = state.interrupts_on && !state.deferred;
-    state.deferred = false;
+    const bool open = control_.interrupts_on && !control_.deferred;
+    control_.deferred = false;
     if ((interrupt && open) || cpu_.bus().acknowledging()) cpu_.acknowledge();
     else cpu_.step();
   }
 
  private:
+  Control control_;
   Cpu<PinBus<Board>> cpu_;
 };
 

@@ -24,7 +24,7 @@ using Address = std::uint16_t;
   return static_cast<Byte>((value & flag::all) | flag::always_one);
 }
 
-struct State {
+struct Registers {
   Byte a = 0;
   Byte f = flag::always_one;
   Address bc = 0;
@@ -32,10 +32,20 @@ struct State {
   Address hl = 0;
   Address sp = 0;
   Address pc = 0;
+
+  friend constexpr bool operator==(const Registers&, const Registers&) = default;
+};
+
+// What decides at the end of an instruction what comes next.
+struct Control {
   bool interrupts_on = false;  // INTE
-  bool deferred = false;       // the last instruction was EI or DI: INT is not looked at after it
+  bool deferred = false;       // the last instruction was EI: INT is not looked at after it
   bool halted = false;         // HLT was executed and nothing has ended it yet
 
+  friend constexpr bool operator==(const Control&, const Control&) = default;
+};
+
+struct State : Registers, Control {
   friend constexpr bool operator==(const State&, const State&) = default;
 };
 

@@ -1,0 +1,241 @@
+// An 8080 with 64K of RAM and whatever its ports hold.
+//
+// Everything that is not an instruction happens at an instruction boundary, and a boundary costs one compare against
+// the nearest instant at which anything may be due. Ports are touched with the T-state in which the real device would
+// be; what they do in between they make up for then. INT is what the last T-state of an instruction finds.
+//
+// Left out: HOLD, which no board of this machine asks for (i8080/pin_bus.hpp has it), ROM, and memory banks.
+// Source: i8080/cpu.hpp and pin_bus.hpp, which the tests hold this machine against.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "emulators/core/tstates.hpp"
+#include "emulators/i8080/cpu.hpp"
+#include "emulators/i8080/state.hpp"
+#include "emulators/machines/i8080_bus.hpp"
+#include "emulators/machines/i8080_observer.hpp"
+#include "emulators/machines/i8080_run.hpp"
+
+namespace sightline::machines {
+
+template <class Ports, class Observer = NoI8080Observer>
+class I8080Machine {
+ public:
+  // Both must outlive the machine.
+  I8080Machine(Ports& ports, Observer& observer) : ports_(ports), observer_(observer), memory_(65536) {}
+  I8080Machine(const I8080Machine&) = delete;
+  I8080Machine& operator=(const I8080Machine&) = delete;
+
+  // Registers, between runs.
+  [[nodiscard]] i8080::State& registers() { return state_; }
+  [[nodiscard]] const i8080::State& registers() const { return state_; }
+
+  // Memory, without time: the door for loaders, dumps and tests.
+  [[nodiscard]] i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
+  void deposit(i8080::Address address, i8080::Byte byte) { memory_[address] = byte; }
+  [[nodiscard]] std::span<i8080::Byte> memory() { return memory_; }
+  [[nodiscard]] std::span<const i8080::Byte> memory() const { return memory_; }
+
+  [[nodiscard]] core::TStateInstant now() const { return now_; }
+  // Since the machine was made; those a device supplied included.
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+
+  // The RESET pin; memory stays, and so do all registers but PC and INTE.
+  void reset() {
+    i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);
+    cpu.reset();
+    static_cast<i8080::Registers&>(state_) = cpu.registers();
+  }
+
+  // Runs from the state as it is until something stops it; what is due at the boundary where it stops is left to the
+  // next run, so that a run in pieces is the same as a run in one. Registers, time and the processor's side of the bus
+  // are locals of this function: that, and nothing else, is what makes it fast.
+  [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits) {
+    i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);
+    std::uint64_t count = 0;
+    I8080StopReason reason = I8080StopReason::observer;
+    while (true) {
+      if constexpr (Observer::stops) {
+        if (observer_.stop()) break;
+      }
+      if (cpu.bus().due()) [[unlikely]] {
+        const Attention found = attend(cpu.bus().now(), limits, count);
+        cpu.bus().set_now(found.now);
+        cpu.bus().set_deadline(found.deadline);
+        if (found.stop) {
+          reason = found.reason;
+          break;
+        }
+        if (found.again) continue;
+        if (found.interrupt) {
+          ++count;
+          acknowledge_one(cpu);
+          continue;
+        }
+      }
+      ++count;
+      step(cpu);
+    }
+    instructions_ += count;
+    static_cast<i8080::Registers&>(state_) = cpu.registers();
+    now_ = cpu.bus().now();
+    bring_ports_to(now_);
+    return reason;
+  }
+
+ private:
+  using Bus = I8080Bus<I8080Machine, Ports, Observer>;
+  friend Bus;
+
+  [[gnu::always_inline]] void step(i8080::Cpu<Bus>& cpu) {
+    if constexpr (Observer::instructions) {
+      const core::TStateInstant begun = cpu.bus().now();
+      const i8080::State before = cpu.state();
+      const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(before.pc + i)]; };
+      const std::array<i8080::Byte, 3> bytes{at(0), at(1), at(2)};
+      cpu.step();
+      observer_.instruction({begun, cpu.bus().now(), before.pc, bytes, false, before, cpu.state()});
+    } else {
+      cpu.step();
+    }
+  }
+
+  // The instruction a device supplies.
+  [[gnu::always_inline]] void acknowledge_one(i8080::Cpu<Bus>& cpu) {
+    acknowledging_ = true;
+    supplied_ = {};
+    supplied_count_ = 0;
+    if constexpr (Observer::instructions) {
+      const core::TStateInstant begun = cpu.bus().now();
+      const i8080::State before = cpu.state();
+      cpu.acknowledge();
+      observer_.instruction({begun, cpu.bus().now(), before.pc, supplied_, true, before, cpu.state()});
+    } else {
+      cpu.acknowledge();
+    }
+    cpu.bus().attention();
+  }
+
+  struct Attention {
+    core::TStateInstant now;
+    core::TStateInstant deadline;
+    I8080StopReason reason = I8080StopReason::observer;
+    bool stop = false;
+    bool interrupt = false;
+    bool again = false;  // a halt has ended: the boundary is another
+  };
+
+  // A boundary at which something may be due. In and out by value: see run().
+  [[gnu::noinline]] Attention attend(core::TStateInstant now, const I8080Limits& limits, std::uint64_t count) {
+    if (ports_.stopped()) return stopping(now, I8080StopReason::ports);
+    if (count >= limits.instructions) return stopping(now, I8080StopReason::instruction_limit);
+    if (now >= limits.until) return stopping(now, I8080StopReason::time_limit);
+    if (state_.halted) return wait_in_halt(now, limits.until);
+    bring_ports_to(now);
+    Attention found{now, core::TStateInstant::min()};
+    const bool open = state_.interrupts_on && !state_.deferred;
+    found.interrupt = still_acknowledging(now) || (open && ports_.interrupt());
+    if (!state_.deferred) found.deadline = next_deadline(now, limits, limits.instructions - count);
+    state_.deferred = false;
+    return found;
+  }
+
+  static Attention stopping(core::TStateInstant now, I8080StopReason reason) {
+    return {now, core::TStateInstant::min(), reason, true, false, false};
+  }
+
+  // The last instant that must be over before the next look. An instruction lasts at least 4 T-states, so `left` more
+  // of them cannot end earlier than 4 * left from now: that bounds their number without a count to compare.
+  [[nodiscard]] core::TStateInstant next_deadline(core::TStateInstant now, const I8080Limits& limits,
+                                                  std::uint64_t left) const {
+    constexpr std::uint64_t uncounted = std::uint64_t{1} << 60;
+    constexpr core::TStates last{1};
+    core::TStateInstant deadline = ports_.deadline();
+    if (limits.until != core::never_t) deadline = std::min(deadline, limits.until - last);
+    if (left < uncounted) {
+      deadline = std::min(deadline, now + core::TStates(4) * static_cast<std::int64_t>(left) - last);
+    }
+    return deadline;
+  }
+
+  // HLT waits from T2 of its halt cycle on. The T-state t that finds INT high is followed by two more; T1 of the next
+  // instruction is t + 3, a boundary like any other: whether INT is still high decides what is fetched there.
+  Attention wait_in_halt(core::TStateInstant now, core::TStateInstant until) {
+    core::TStateInstant t = halt_sampled_;
+    while (state_.interrupts_on) {
+      ports_.advance(t);
+      if (ports_.interrupt()) {
+        state_.halted = false;
+        after_halt_ = true;
+        return {std::max(now, t + core::TStates(3)), core::TStateInstant::min(), {}, false, false, true};
+      }
+      halt_sampled_ = t + core::TStates(1);
+      if (ports_.stopped()) return stopping(std::max(now, halt_sampled_), I8080StopReason::ports);
+      const core::TStateInstant next = ports_.deadline();
+      if (next == core::never_t) break;
+      t = std::max(next, halt_sampled_);
+      if (t >= until) {
+        halt_sampled_ = until;
+        return stopping(std::max(now, until), I8080StopReason::time_limit);
+      }
+    }
+    return stopping(now, I8080StopReason::halt);
+  }
+
+  void begin_halt(core::TStateInstant second_t_state) {
+    halt_sampled_ = second_t_state;
+    after_halt_ = false;
+  }
+
+  // Everything before `now` has happened.
+  void bring_ports_to(core::TStateInstant now) {
+    if (now > core::at_t_state(0)) ports_.advance(now - core::TStates(1));
+  }
+
+  // The acknowledge latch: INT has not dropped since the acknowledge, as of the T-state before `now`.
+  [[gnu::noinline]] bool still_acknowledging(core::TStateInstant now) {
+    if (!acknowledging_) return false;
+    bring_ports_to(now);
+    acknowledging_ = ports_.interrupt();
+    return acknowledging_;
+  }
+
+  [[gnu::noinline]] i8080::Byte input(i8080::Byte port, core::TStateInstant at) { return ports_.in(port, at); }
+  [[gnu::noinline]] void output(i8080::Byte port, i8080::Byte byte, core::TStateInstant at) {
+    ports_.out(port, byte, at);
+  }
+  [[gnu::noinline]] i8080::Byte acknowledge(core::TStateInstant at) {
+    const i8080::Byte byte = ports_.acknowledge(at);
+    if (supplied_count_ < supplied_.size()) supplied_[supplied_count_++] = byte;
+    return byte;
+  }
+
+  // The fetch that ends a halt still says HLTA.
+  void report(I8080Cycle cycle) {
+    if (after_halt_ && (cycle.status & i8080::status::first) != 0) {
+      cycle.status |= i8080::status::halt;
+      after_halt_ = false;
+    }
+    observer_.cycle(cycle);
+  }
+
+  Ports& ports_;
+  Observer& observer_;
+  i8080::State state_;
+  core::TStateInstant now_{};
+  std::uint64_t instructions_ = 0;
+  std::vector<i8080::Byte> memory_;
+  core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
+  bool after_halt_ = false;
+  bool acknowledging_ = false;
+  std::array<i8080::Byte, 3> supplied_{};  // by the device, since the last acknowledge began
+  std::size_t supplied_count_ = 0;
+};
+
+}  // namespace sightline::machines

@@ -1,0 +1,48 @@
+// Who may watch an 8080 run: hooks chosen at compile time, so that a machine nobody watches has none.
+//
+// An observer is a type with
+//   static constexpr bool instructions;   true: instruction() is called after every instruction
+//   static constexpr bool cycles;         true: cycle() is called for every machine cycle that has a SYNC
+//   static constexpr bool stops;          true: stop() is asked at every instruction boundary
+// and, for each that is true,
+//   void instruction(const I8080InstructionRecord&);
+//   void cycle(const I8080Cycle&);
+//   bool stop();                          true ends the run there, before the next fetch
+// An observer sees; it must not write to the machine.
+#pragma once
+
+#include <array>
+
+#include "emulators/core/tstates.hpp"
+#include "emulators/i8080/bus.hpp"
+#include "emulators/i8080/state.hpp"
+
+namespace sightline::machines {
+
+struct I8080InstructionRecord {
+  core::TStateInstant time;  // T1 of its fetch
+  core::TStateInstant end;
+  i8080::Address pc;                  // where it stood; where it would have, for one that a device supplied
+  std::array<i8080::Byte, 3> bytes;   // what stood there; as many count as the instruction is long
+  bool acknowledged;                  // a device supplied it
+  const i8080::State& before;
+  const i8080::State& after;
+};
+
+// DAD's internal cycles have no SYNC and are not reported.
+struct I8080Cycle {
+  core::TStateInstant time;  // its T1
+  i8080::Status status;
+  i8080::Address address;
+  i8080::Byte data;  // nothing on the bus in the halt cycle: 0
+
+  friend constexpr bool operator==(const I8080Cycle&, const I8080Cycle&) = default;
+};
+
+struct NoI8080Observer {
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = false;
+};
+
+}  // namespace sightline::machines
