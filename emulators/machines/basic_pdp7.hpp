@@ -99,15 +99,14 @@ class BasicPdp7 {
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
     for (;;) {
-      const bool due = cpu.bus().due();
-      if (due && left == 0) break;
       if constexpr (Observer::stops) {
-        if (observer_.stop()) {
+        if (left != 0 && observer_.stop()) {
           reason = StopReason::observer;
           break;
         }
       }
-      if (due) [[unlikely]] {
+      if (cpu.bus().due()) [[unlikely]] {
+        if (left == 0) break;
         if (cpu.bus().now() >= limits.until) {
           reason = StopReason::time_limit;
           break;
@@ -124,7 +123,6 @@ class BasicPdp7 {
     counts_.instructions += limits.instructions - left;
     state_ = cpu.state();
     now_ = cpu.bus().now();
-    asynchronous_ += cpu.bus().asynchronous();
     if (display_) display_->advance(now_);
     return reason;
   }

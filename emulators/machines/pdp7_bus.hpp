@@ -27,7 +27,6 @@ class Pdp7Bus {
   [[gnu::always_inline]] Pdp7Bus& operator=(const Pdp7Bus& other) {
     now_ = other.now_;
     deadline_ = other.deadline_;
-    asynchronous_ = other.asynchronous_;
     return *this;
   }
 
@@ -50,14 +49,14 @@ class Pdp7Bus {
     const auto effect = machine_->input_output(now_, word, ac);
     report({now_, effect.stretch, pdp7::Verb::iot, word & 07777U, effect.reply.ac});
     now_ += effect.stretch;
-    asynchronous_ += effect.stretch;
+    machine_->asynchronous_ += effect.stretch;
     if (effect.look) attention();
     return effect.reply;
   }
   [[gnu::always_inline]] void idle(core::Duration duration) {
     report({now_, duration, pdp7::Verb::idle, 0, core::Word18(0)});
     now_ += duration;
-    asynchronous_ += duration;
+    machine_->asynchronous_ += duration;
   }
   [[gnu::always_inline]] core::Word18 switches() { return machine_->switches(now_); }
   [[gnu::always_inline]] void unanswered(std::uint32_t word, pdp7::Address at) {
@@ -69,8 +68,6 @@ class Pdp7Bus {
   [[nodiscard]] core::Instant now() const { return now_; }
   void set_now(core::Instant now) { now_ = now; }
   void set_deadline(core::Instant deadline) { deadline_ = deadline; }
-  // Time of this run that is not whole machine cycles.
-  [[nodiscard]] core::Duration asynchronous() const { return asynchronous_; }
 
  private:
   [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
@@ -86,7 +83,6 @@ class Pdp7Bus {
   std::uint32_t words_;
   core::Instant now_;
   core::Instant deadline_ = core::Instant::min();
-  core::Duration asynchronous_{};
 };
 
 }  // namespace sightline::machines

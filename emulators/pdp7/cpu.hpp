@@ -172,8 +172,12 @@ class Cpu {
         if ((word & rare_opr) != 0) return false;
         operate_on_registers(word, core::Word18(0));
         return true;
-      default: return false;
+      case detail::code(Operation::cal):
+      case detail::code(Operation::xct):
+      case detail::code(Operation::iot):
+      case detail::code(Operation::eae_setup): return false;
     }
+    return false;
   }
 
   // Everything else, and whatever an XCT leads to. `at` is where the instruction stands.
