@@ -18,6 +18,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "emulators/core/raster.hpp"
@@ -38,7 +40,10 @@ struct Ef9365Counts {
 
 class Ef9365 {
  public:
-  explicit Ef9365(core::ClockRate rate) : rate_(rate) {}
+  explicit Ef9365(core::ClockRate rate) : rate_(rate) {
+    for (std::size_t dots = 0; dots < vector_times_.size(); ++dots)
+      vector_times_[dots] = rate.t_states_in(drawn(static_cast<std::int64_t>(dots)));
+  }
 
   struct Status {
     static constexpr std::uint8_t blanking = 0x02;
@@ -168,18 +173,29 @@ class Ef9365 {
     }
     advance(at);
     ++counts_.commands;
-    busy_until_ = at + rate_.t_states_in(obey(code));
     working_ = true;
+    if (code >= 0x80)
+      busy_until_ = at + vector_times_[small_vector(code)];
+    else
+      busy_until_ = at + rate_.t_states_in(obey(code));
   }
 
-  // Returns the busy time.
-  core::Duration obey(std::uint8_t code) {
-    if (code >= 0x80) return drawn(directed(code, (code >> 5) & 3, (code >> 3) & 3));
+  // Returns the dots. Most of all dots are single, and are spared the line they would be the whole of.
+  [[gnu::always_inline]] std::size_t small_vector(std::uint8_t code) {
+    if ((code & 0x78U) != 0) return directed(code, (code >> 5) & 3, (code >> 3) & 3);
+    drawing_.single_dot();
+    return 1;
+  }
+
+  // All but the small vectors. Returns the busy time.
+  [[gnu::noinline]] core::Duration obey(std::uint8_t code) {
     if (code >= 0x20) return drawn(drawing_.symbol(ef9365::character(code)));
     if (code < 0x10) return basic(code);
     // The special vectors run along one of eight directions by the larger of the two deltas.
     const int larger = std::max(delta_x_, delta_y_);
-    return drawn((code & 0x08U) != 0 ? directed(code, larger, larger) : directed(code, delta_x_, delta_y_));
+    const std::size_t dots =
+        (code & 0x08U) != 0 ? directed(code, larger, larger) : directed(code, delta_x_, delta_y_);
+    return drawn(static_cast<std::int64_t>(dots));
   }
 
   static constexpr core::Duration drawn(std::int64_t dots) {
@@ -187,17 +203,10 @@ class Ef9365 {
   }
 
   // A vector whose signs are in bits 2-0 of the command: odd for both axes, even for one of them.
-  std::int64_t directed(std::uint8_t code, int dx, int dy) {
-    switch (code & 7U) {
-      case 0: return drawing_.vector(dx, 0);
-      case 1: return drawing_.vector(dx, dy);
-      case 2: return drawing_.vector(0, dy);
-      case 3: return drawing_.vector(-dx, dy);
-      case 4: return drawing_.vector(0, -dy);
-      case 5: return drawing_.vector(dx, -dy);
-      case 6: return drawing_.vector(-dx, 0);
-      default: return drawing_.vector(-dx, -dy);
-    }
+  std::size_t directed(std::uint8_t code, int dx, int dy) {
+    constexpr std::array<std::int8_t, 8> sign_x{1, 1, 0, -1, 0, 1, -1, -1};
+    constexpr std::array<std::int8_t, 8> sign_y{0, 1, 1, 1, -1, -1, 0, -1};
+    return drawing_.vector(sign_x[code & 7U] * dx, sign_y[code & 7U] * dy);
   }
 
   core::Duration basic(std::uint8_t code) {
@@ -251,6 +260,7 @@ class Ef9365 {
   }
 
   core::ClockRate rate_;
+  std::array<core::TStates, 5> vector_times_{};  // of the small vectors, by their dots
   ef9365::Drawing drawing_;
   std::uint8_t delta_x_ = 0;
   std::uint8_t delta_y_ = 0;

@@ -75,12 +75,16 @@ class Drawing {
   // Screen scanning: every dot becomes what the pen or the eraser would write, whether it is down or not.
   void fill() { raster_.fill(ink()); }
 
+  // A vector of no length.
+  void single_dot() {
+    if ((pen & Pen::is_down) != 0) dot(x, y);
+  }
   // From the pen's place by (dx, dy), each -255..255. Returns the dots scanned.
-  std::int64_t vector(int dx, int dy) {
+  std::size_t vector(int dx, int dy) {
     if ((pen & Pen::is_down) != 0) draw(dx, dy);
     x = wrap(x + dx);
     y = wrap(y + dy);
-    return std::max(std::abs(dx), std::abs(dy)) + 1;
+    return static_cast<std::size_t>(std::max(std::abs(dx), std::abs(dy))) + 1;
   }
 
   // At the pen's place, which then moves on by one column more than the symbol has. Returns the dots scanned.

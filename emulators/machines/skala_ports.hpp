@@ -98,7 +98,11 @@ class SkalaPorts {
     return value;
   }
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    write(port, value, at);
+    // The drawing loops write little else.
+    if (ef9365_ && (port & 0xF0U) == 0x40) [[likely]]
+      ef9365_->write(port & 0x0FU, value, at);
+    else
+      write(port, value, at);
     if (connected_) look();
   }
   // The earliest instant at which the interrupt line may change by itself.
@@ -160,13 +164,11 @@ class SkalaPorts {
     return 0xFF;
   }
 
-  void write(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+  // All ports but the EF9365's own.
+  [[gnu::noinline]] void write(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
     switch (port >> 4) {
       case 0x3:
         if (alt256_ && port <= 0x33) return alt256_->write(port & 3U, value, at);
-        break;
-      case 0x4:
-        if (ef9365_) return ef9365_->write(port & 0x0FU, value, at);
         break;
       case 0x5:
         if (ef9365_ && port == 0x50) return ef9365_->set_colour(value, at);
