@@ -12,13 +12,14 @@ void SkalaTwinDrawing::surface(std::span<const std::uint8_t> arguments) {
     line_to({vertices[0], vertices[1]}, Mode::surface, vertices[2] & 7U);
 }
 
+// A chain that begins with a rim makes the step of its first vertex at once: if it were left to what follows,
+// as for MOVE, a second rim vertex would find the pen fresh again and no rim would ever be drawn.
 void SkalaTwinDrawing::rim(SkalaPoint point, std::uint8_t level) {
-  if (!fresh_) {
-    line_to(point, Mode::rim, level);
-    return;
+  if (fresh_) {
+    move_to(point);
+    level_ = level;
   }
-  move_to(point);
-  level_ = level;
+  line_to(point, Mode::rim, level);
 }
 
 void SkalaTwinDrawing::gap(std::span<const std::uint8_t> arguments) {
