@@ -73,7 +73,9 @@ class Display {
   // never when it will not.
   [[nodiscard]] core::Instant deadline() const;
   // Everything up to and including `now` has happened. `now` must not go back.
-  void advance(core::Instant now);
+  void advance(core::Instant now) {
+    if (!delays_.none()) catch_up(now);
+  }
   // As of the last advance; nullptr: none.
   [[nodiscard]] const BreakRequest* break_request() const {
     return registers_.request || writing_ ? &request_ : nullptr;
@@ -105,6 +107,8 @@ class Display {
     advance(now);
     planned_ = false;
   }
+  // `advance` when something runs; a word to be done whole has its strobe running.
+  void catch_up(core::Instant now);
   void start(core::Instant now, std::uint32_t address);
   void fire(Delay delay, core::Instant t);
   void plan_word(core::Instant at);

@@ -94,7 +94,7 @@ core::Instant Display<Sink>::deadline() const {
 }
 
 template <class Sink>
-void Display<Sink>::advance(core::Instant now) {
+void Display<Sink>::catch_up(core::Instant now) {
   // So that sums of delays stay inside the clock.
   constexpr core::Instant latest = core::never - std::chrono::milliseconds(1);
   now = std::min(now, latest);
