@@ -6,9 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <random>
 
+#include "emulators/machines/i8080_machine.hpp"
 #include "tests/emulators/devices/device_test.hpp"
 
 namespace {
@@ -223,6 +225,50 @@ TEST_F(SkalaPorts, LookingInBetweenChangesNothing) {
   EXPECT_GT(lazy->calcomp565()->counts().steps, 10U);
   for (const std::uint8_t point : lazy->ef9365()->raster().points()) ASSERT_LE(point, 7);
   for (const std::uint8_t point : lazy->alt256()->raster().points()) ASSERT_LE(point, 7);
+}
+
+// The devices under a program. Runs `program` from 0 until it halts for good and returns the time.
+std::int64_t run(Ports& ports, std::initializer_list<int> program,
+                 std::initializer_list<int> at_restart_7 = {}) {
+  machines::NoI8080Observer nobody;
+  machines::I8080Machine<Ports> machine(ports, nobody);
+  std::uint16_t address = 0;
+  for (const int byte : program) machine.deposit(address++, static_cast<std::uint8_t>(byte));
+  address = 0x38;
+  for (const int byte : at_restart_7) machine.deposit(address++, static_cast<std::uint8_t>(byte));
+  machine.registers().sp = 0x1000;
+  EXPECT_EQ(machine.run({100'000, at_t_state(1'000'000)}), machines::I8080StopReason::halt);
+  return core::t_states_of(machine.now());
+}
+
+TEST_F(SkalaPorts, AProgramClearsWaitsAndDraws) {
+  make(everything());
+  const std::int64_t end = run(*ports, {0x3E, 0x07, 0xD3, 0x50,  // MVI A,7; OUT 50H   colour
+                                        0x3E, 0x07, 0xD3, 0x40,  // MVI A,7; OUT 40H   clear, at T 17 + 7 + 9
+                                        0xDB, 0x40, 0xE6, 0x04,  // IN 40H; ANI 4
+                                        0xCA, 0x08, 0x00,        // JZ 8
+                                        0xAF, 0xD3, 0x40,        // XRA A; OUT 40H     pen
+                                        0x3E, 0x02, 0xD3, 0x40,  // MVI A,2; OUT 40H   down
+                                        0x3E, 0x80, 0xD3, 0x40, 0x76});  // dot; HLT
+  EXPECT_EQ(ports->ef9365()->raster().at(0, 0), 7);
+  EXPECT_EQ(ports->ef9365()->counts().commands_while_busy, 0U);
+  EXPECT_EQ(ports->ef9365()->counts().commands, 4U);
+  // 40 ms = 120,000 T of clearing, at most one round of the loop (27 T) late, and 55 T before and after.
+  EXPECT_GT(end, 120'000);
+  EXPECT_LT(end, 120'000 + 200);
+}
+
+TEST_F(SkalaPorts, TheEndOfAPlotterStepWakesAHaltedProcessor) {
+  SkalaConfiguration configuration = everything();
+  configuration.calcomp565_restart = 7;
+  make(configuration);
+  const std::int64_t end =
+      run(*ports, {0xFB, 0x3E, 0x02, 0xD3, 0x60, 0x76},  // EI; MVI A,2; OUT 60H; HLT
+          {0xDB, 0x60, 0x32, 0x00, 0x20, 0x76});         // IN 60H; STA 2000H; HLT, interrupts off
+  EXPECT_EQ(ports->calcomp565()->place(), (devices::PlotterPlace{101, 100}));
+  // The write is sampled 9 T after OUT begins at T 11: DONE at T 10,020. Then 3 T until RST 7 begins, 11 for
+  // it, 10 for IN, 13 for STA, 7 for HLT.
+  EXPECT_EQ(end, 10'020 + 3 + 11 + 10 + 13 + 7);
 }
 
 }  // namespace
