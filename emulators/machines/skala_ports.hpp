@@ -98,11 +98,13 @@ class SkalaPorts {
     return value;
   }
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    // The drawing loops write little else.
-    if (ef9365_ && (port & 0xF0U) == 0x40) [[likely]]
+    // The drawing loops write little else. Only the command and CTRL1 have to do with interrupts.
+    if (ef9365_ && (port & 0xF0U) == 0x40) [[likely]] {
       ef9365_->write(port & 0x0FU, value, at);
-    else
-      write(port, value, at);
+      if (connected_ && port <= 0x41) look();
+      return;
+    }
+    write(port, value, at);
     if (connected_) look();
   }
   // The earliest instant at which the interrupt line may change by itself.
