@@ -92,7 +92,7 @@ class BasicPdp7 {
   // Runs from the state as it is (the CONTINUE key) until something stops it; what is due at the boundary
   // where it stops is left to the next run, but the display has drawn everything up to that instant.
   // Registers, time and the processor's side of the bus are locals of this function: that, and nothing else,
-  // is what makes it fast.
+  // is what makes it fast; inlined, it would share the host's registers with its caller.
   [[gnu::noinline]] StopReason run(const Limits& limits) {
     pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
     forget_deadlines();

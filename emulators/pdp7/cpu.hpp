@@ -16,6 +16,7 @@
 #include "emulators/pdp7/isa.hpp"
 #include "emulators/pdp7/model.hpp"
 #include "emulators/pdp7/operate.hpp"
+#include "emulators/pdp7/registers.hpp"
 #include "emulators/pdp7/state.hpp"
 #include "emulators/pdp7/timing.hpp"
 
@@ -40,100 +41,54 @@ namespace detail {
 // The processor is a value that holds its bus by value, a light handle on the machine behind it. That lets
 // the loop that owns it keep registers and time in host registers: the common instructions are inlined there,
 // and the others are executed on a copy out of line, because a call that took the address of the registers
-// would keep them in memory, at half the speed. For the same reason the registers are kept apart from State,
-// in few words and in the form that the common instructions need.
+// would keep them in memory, at half the speed.
 template <Bus B>
 class Cpu {
  public:
   constexpr Cpu(const B& bus, const Model& model, const Timing& timing, const State& state)
-      : bus_(bus), model_(&model), timing_(&timing), ac_(state.ac), mq_(state.mq), sc_(state.sc) {
-    set_pc(state.pc);
-    set_link(state.link);
-    modes_ = (state.interrupts_on ? mode::interrupts_on : 0U) |
-             (state.interrupts_deferred ? mode::interrupts_deferred : 0U) |
-             (state.extend ? mode::extend : 0U) | (state.extend_restore ? mode::extend_restore : 0U) |
-             (state.trap_mode ? mode::trap : 0U);
-  }
+      : bus_(bus), model_(&model), timing_(&timing), registers_(state) {}
 
-  [[nodiscard]] constexpr State state() const {
-    return {ac_,
-            mq_,
-            sc_,
-            pc_,
-            link(),
-            is(mode::interrupts_on),
-            is(mode::interrupts_deferred),
-            is(mode::extend),
-            is(mode::extend_restore),
-            is(mode::trap)};
-  }
+  [[nodiscard]] constexpr State state() const { return registers_.state(); }
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
 
   // One instruction; a chain of XCTs and what it ends in is one.
   [[gnu::always_inline]] constexpr Outcome step() {
-    const std::uint32_t word = bus_.read(pc_).value();
-    skip();
-    if (execute_common(word, bank_)) [[likely]]
+    const std::uint32_t word = bus_.read(registers_.pc()).value();
+    registers_.skip();
+    if (execute_common(word, registers_.bank())) [[likely]]
       return Outcome::completed;
     Cpu copy = *this;
-    const Outcome outcome = copy.execute_rare(word, bank_ | ((pc_ - 1) & in_bank_mask));
-    take(copy);
+    const Outcome outcome = copy.execute_rare(word, registers_.before());
+    bus_ = copy.bus_;
+    registers_ = copy.registers_;
     return outcome;
   }
 
-  // An interrupt may be taken at this boundary, were one asked for. Its being looked at ends the delay of ION.
+  // An interrupt may be taken at this boundary, were one asked for. Its being looked at ends the delay of
+  // ION.
   [[nodiscard]] constexpr bool interrupts_open() const {
-    return (modes_ & (mode::interrupts_on | mode::interrupts_deferred)) == mode::interrupts_on;
+    return registers_.is(mode::interrupts_on) && !registers_.is(mode::interrupts_deferred);
   }
-  [[nodiscard]] constexpr bool interrupts_deferred() const { return is(mode::interrupts_deferred); }
-  constexpr void end_interrupt_delay() { clear(mode::interrupts_deferred); }
+  [[nodiscard]] constexpr bool interrupts_deferred() const {
+    return registers_.is(mode::interrupts_deferred);
+  }
+  constexpr void end_interrupt_delay() { registers_.clear(mode::interrupts_deferred); }
 
   // The program interrupt: the Break cycle that stores the saved word at 0; the next fetch is at 1.
   constexpr void interrupt() {
     enter_bank_zero(1);
-    clear(mode::extend);
+    registers_.clear(mode::extend);
     if (timing_->interrupt_cycles > 1) bus_.idle(machine_cycle * (timing_->interrupt_cycles - 1));
   }
 
   // The START key: PC from the ADDRESS switches, interrupt system and modes off. AC, L, MQ and SC stay.
   constexpr void start(Address address) {
-    set_pc(address);
-    modes_ = 0;
+    registers_.set_pc(address);
+    registers_.clear(~0U);
   }
 
  private:
-  struct mode {
-    static constexpr std::uint32_t extend = 1, extend_restore = 2, trap = 4, interrupts_on = 8,
-                                   interrupts_deferred = 16;
-  };
-  [[nodiscard]] constexpr bool is(std::uint32_t modes) const { return (modes_ & modes) != 0; }
-  constexpr void set(std::uint32_t modes) { modes_ |= modes; }
-  constexpr void clear(std::uint32_t modes) { modes_ &= ~modes; }
-
-  constexpr void set_pc(Address address) {
-    pc_ = address & address_mask;
-    bank_ = address & bank_mask;
-  }
-  // To the next word of the same bank: 17777 is followed by 00000.
-  [[gnu::always_inline]] constexpr void skip() { pc_ = bank_ | ((pc_ + 1) & in_bank_mask); }
-
-  static constexpr std::uint32_t carry = core::Word18::mask + 1;
-  [[nodiscard]] constexpr bool link() const { return (link_ & carry) != 0; }
-  constexpr void set_link(bool link) { link_ = link ? carry : 0; }
-
-  // The registers of another processor on the same machine.
-  [[gnu::always_inline]] constexpr void take(const Cpu& other) {
-    bus_ = other.bus_;
-    ac_ = other.ac_;
-    mq_ = other.mq_;
-    sc_ = other.sc_;
-    pc_ = other.pc_;
-    bank_ = other.bank_;
-    link_ = other.link_;
-    modes_ = other.modes_;
-  }
-
   // The memory references but CAL and XCT, LAW, and OPR without OAS and HLT; false: not one of these, nothing
   // done. `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it. The
   // indirect bit is told apart first, so that a direct reference goes straight to its operand; among the
@@ -146,27 +101,28 @@ class Cpu {
   template <bool indirect>
   [[gnu::always_inline]] constexpr bool execute_common_as(std::uint32_t word, Address bank) {
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
-    static_assert(detail::row_of(Operation::law).value == (detail::row_of(Operation::opr).value | indirect_bit));
+    static_assert(detail::row_of(Operation::law).value ==
+                  (detail::row_of(Operation::opr).value | indirect_bit));
     const auto address = [&] { return effective<indirect>(word, bank); };
     switch ((word >> 14) & 017U) {
-      case detail::code(Operation::dac): bus_.write(address(), ac_); return true;
+      case detail::code(Operation::dac): bus_.write(address(), registers_.ac); return true;
       case detail::code(Operation::jms): jump_to_subroutine(address()); return true;
       case detail::code(Operation::dzm): bus_.write(address(), core::Word18(0)); return true;
-      case detail::code(Operation::lac): ac_ = bus_.read(address()); return true;
-      case detail::code(Operation::xor_): ac_ = ac_ ^ bus_.read(address()); return true;
+      case detail::code(Operation::lac): registers_.ac = bus_.read(address()); return true;
+      case detail::code(Operation::xor_): registers_.ac = registers_.ac ^ bus_.read(address()); return true;
       case detail::code(Operation::add): ones_complement_add(bus_.read(address())); return true;
       case detail::code(Operation::tad): twos_complement_add(bus_.read(address())); return true;
-      case detail::code(Operation::and_): ac_ = ac_ & bus_.read(address()); return true;
+      case detail::code(Operation::and_): registers_.ac = registers_.ac & bus_.read(address()); return true;
       case detail::code(Operation::isz):
-        if (bus_.modify(address()).value() == 0) skip();
+        if (bus_.modify(address()).value() == 0) registers_.skip();
         return true;
       case detail::code(Operation::sad):
-        if (bus_.read(address()) != ac_) skip();
+        if (bus_.read(address()) != registers_.ac) registers_.skip();
         return true;
       case detail::code(Operation::jmp): jump<indirect>(word, bank); return true;
       case detail::code(Operation::opr):
         if constexpr (indirect) {
-          ac_ = core::Word18(word);
+          registers_.ac = core::Word18(word);
           return true;
         }
         if ((word & rare_opr) != 0) return false;
@@ -185,13 +141,13 @@ class Cpu {
     Address from = at;
     for (int chained = 0; (word >> 14) == detail::code(Operation::xct); ++chained) {
       from = effective(word, from & bank_mask);
-      if (chained != 0 && is(mode::trap)) return trap();
+      if (chained != 0 && registers_.is(mode::trap)) return trap();
       if (chained == longest_xct_chain) return Outcome::xct_chain;
       word = bus_.read(from).value();
     }
     if (execute_common(word, from & bank_mask)) return Outcome::completed;
     switch (instruction_of(word).operation) {
-      case Operation::cal: return call((is(mode::extend) ? 0 : bank_) | 020, word);
+      case Operation::cal: return call((registers_.is(mode::extend) ? 0 : registers_.bank()) | 020, word);
       case Operation::iot: return input_output(word, at);
       case Operation::opr: return operate_with_console(word);
       default: return extended_arithmetic(word, at);
@@ -216,8 +172,8 @@ class Cpu {
 
   // The address a pointer word gives: 15 bits in extend mode, else 13 in the bank the pointer lies in.
   [[nodiscard]] constexpr Address address_in(core::Word18 pointer, Address lies_at) const {
-    return is(mode::extend) ? pointer.value() & address_mask
-                         : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
+    return registers_.is(mode::extend) ? pointer.value() & address_mask
+                                       : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
   }
 
   // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
@@ -226,22 +182,21 @@ class Cpu {
   [[gnu::always_inline]] constexpr void jump(std::uint32_t word, Address bank) {
     const Address direct = bank | (word & in_bank_mask);
     if constexpr (!indirect) {
-      pc_ = direct;
-      bank_ = bank;
+      registers_.set_pc(bank, word & in_bank_mask);
       return;
     }
     const core::Word18 pointer = defer(direct);
-    set_pc(address_in(pointer, direct));
-    if (is(mode::extend_restore)) {
-      clear(mode::extend_restore);
-      if (!pointer.bit(1)) clear(mode::extend);
+    registers_.set_pc(address_in(pointer, direct));
+    if (registers_.is(mode::extend_restore)) {
+      registers_.clear(mode::extend_restore);
+      if (!pointer.bit(1)) registers_.clear(mode::extend);
     }
   }
 
   [[gnu::always_inline]] constexpr void jump_to_subroutine(Address subroutine) {
-    bus_.write(subroutine, saved_word(state()));
-    set_pc(subroutine);
-    skip();
+    bus_.write(subroutine, registers_.saved_word());
+    registers_.set_pc(subroutine);
+    registers_.skip();
   }
 
   constexpr Outcome call(Address location, std::uint32_t word) {
@@ -251,46 +206,48 @@ class Cpu {
 
   // End-around carry; L is set by an overflow and never cleared (PDP-4 manual page 17).
   [[gnu::always_inline]] constexpr void ones_complement_add(core::Word18 operand) {
-    std::uint32_t sum = ac_.value() + operand.value();
+    std::uint32_t sum = registers_.ac.value() + operand.value();
     if (sum > core::Word18::mask) ++sum;
     const core::Word18 result(sum);
-    if (ac_.negative() == operand.negative() && result.negative() != operand.negative()) set_link(true);
-    ac_ = result;
+    if (registers_.ac.negative() == operand.negative() && result.negative() != operand.negative())
+      registers_.set_link(true);
+    registers_.ac = result;
   }
 
   // The carry out of bit 0 complements L; signs are not examined (page 18).
   [[gnu::always_inline]] constexpr void twos_complement_add(core::Word18 operand) {
-    const std::uint32_t sum = ac_.value() + operand.value();
-    link_ ^= sum;
-    ac_ = core::Word18(sum);
+    const std::uint32_t sum = registers_.ac.value() + operand.value();
+    registers_.add_carry(sum);
+    registers_.ac = core::Word18(sum);
   }
 
   [[gnu::always_inline]] constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
-    const Operated result = operate(word, ac_, link(), switches);
-    ac_ = result.ac;
-    set_link(result.link);
-    if (result.skip) skip();
+    const Operated result = operate(word, registers_.ac, registers_.link(), switches);
+    registers_.ac = result.ac;
+    registers_.set_link(result.link);
+    if (result.skip) registers_.skip();
   }
 
   // OPR with OAS or HLT.
   constexpr Outcome operate_with_console(std::uint32_t word) {
     operate_on_registers(word, (word & operate_bits::oas) != 0 ? bus_.switches() : core::Word18(0));
     if ((word & operate_bits::hlt) == 0) return Outcome::completed;
-    return is(mode::trap) ? trap() : Outcome::halted;
+    return registers_.is(mode::trap) ? trap() : Outcome::halted;
   }
 
   constexpr Outcome extended_arithmetic(std::uint32_t word, Address at) {
     if (!model_->eae) return not_answered(word, at);
     core::Word18 operand;
     if (eae_takes_operand(word)) {
-      operand = bus_.read(pc_);
-      skip();
+      operand = bus_.read(registers_.pc());
+      registers_.skip();
     }
-    const EaeResult result = execute_eae(word, {ac_, mq_, sc_, link()}, operand);
-    ac_ = result.registers.ac;
-    mq_ = result.registers.mq;
-    sc_ = result.registers.sc;
-    set_link(result.registers.link);
+    const EaeResult result =
+        execute_eae(word, {registers_.ac, registers_.mq, registers_.sc, registers_.link()}, operand);
+    registers_.ac = result.registers.ac;
+    registers_.mq = result.registers.mq;
+    registers_.sc = result.registers.sc;
+    registers_.set_link(result.registers.link);
     const core::Duration stepping =
         eae_step(word) * result.steps + (is_setup(word) ? timing_->eae_setup : core::Duration{});
     if (stepping.count() != 0) bus_.idle(stepping);
@@ -312,13 +269,14 @@ class Cpu {
   // processor, the rest goes out. A pulse that nothing answers makes the instruction one that this machine
   // does not have.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
-    if (is(mode::trap)) return trap();
-    if ((word & 010U) != 0) ac_ = core::Word18(0);
+    if (registers_.is(mode::trap)) return trap();
+    if ((word & 010U) != 0) registers_.ac = core::Word18(0);
     const std::uint32_t inside = processor_pulses(word);
-    const IotReply reply = bus_.iot(word, ac_);
-    ac_ = reply.ac;
-    if (reads_status(word) && is(mode::interrupts_on)) ac_ = ac_ | core::Word18(core::Word18::sign);
-    if (reply.skip) skip();
+    const IotReply reply = bus_.iot(word, registers_.ac);
+    registers_.ac = reply.ac;
+    if (reads_status(word) && registers_.is(mode::interrupts_on))
+      registers_.ac = registers_.ac | core::Word18(core::Word18::sign);
+    if (reply.skip) registers_.skip();
     if ((word & 07U & ~(inside | reply.answered)) == 0) return Outcome::completed;
     return not_answered(word, at);
   }
@@ -329,7 +287,7 @@ class Cpu {
       case 000: return interrupt_system(word);
       case 033:  // SKP7 (this is a PDP-7); subdevice 0 is the teletype's TTS
         if ((word & 041U) != 041U) return 0;
-        skip();
+        registers_.skip();
         return 01;
       case 077: return model_->extend ? memory_extension(word) : 0;
       default: return 0;
@@ -339,21 +297,21 @@ class Cpu {
   // IOF 700002, ION 700042, ITON 700062.
   constexpr std::uint32_t interrupt_system(std::uint32_t word) {
     if ((word & 02U) == 0) return 0;
-    clear(mode::interrupts_on | mode::interrupts_deferred);
-    if ((word & 040U) != 0) set(mode::interrupts_on | mode::interrupts_deferred);
-    if ((word & 060U) == 060U && model_->trap_mode) set(mode::trap);
+    registers_.clear(mode::interrupts_on | mode::interrupts_deferred);
+    if ((word & 040U) != 0) registers_.set(mode::interrupts_on | mode::interrupts_deferred);
+    if ((word & 060U) == 060U && model_->trap_mode) registers_.set(mode::trap);
     bus_.attention();
     return 02;
   }
 
   // SEM 707701, EEM 707702, EMIR 707742, LEM 707704.
   constexpr std::uint32_t memory_extension(std::uint32_t word) {
-    if ((word & 01U) != 0 && is(mode::extend)) skip();
+    if ((word & 01U) != 0 && registers_.is(mode::extend)) registers_.skip();
     if ((word & 02U) != 0) {
-      set(mode::extend);
-      if ((word & 040U) != 0) set(mode::extend_restore);
+      registers_.set(mode::extend);
+      if ((word & 040U) != 0) registers_.set(mode::extend_restore);
     }
-    if ((word & 04U) != 0) clear(mode::extend);
+    if ((word & 04U) != 0) registers_.clear(mode::extend);
     return 07;
   }
 
@@ -366,26 +324,20 @@ class Cpu {
   // at 2. Its Break cycle is taken to follow the instruction directly (unknown).
   constexpr Outcome trap() {
     enter_bank_zero(2);
-    set(mode::extend);
+    registers_.set(mode::extend);
     return Outcome::completed;
   }
 
   constexpr void enter_bank_zero(Address next) {
-    bus_.write(0, saved_word(state()));
-    set_pc(next);
-    modes_ &= mode::extend;
+    bus_.write(0, registers_.saved_word());
+    registers_.set_pc(next);
+    registers_.clear(~mode::extend);
   }
 
   B bus_;
   const Model* model_;
   const Timing* timing_;
-  core::Word18 ac_;
-  core::Word18 mq_;
-  core::Word<6> sc_;
-  Address pc_ = 0;
-  Address bank_ = 0;  // that of pc_
-  std::uint32_t link_ = 0;   // only the bit of weight `carry` counts: a sum of AC has its carry there
-  std::uint32_t modes_ = 0;
+  Registers registers_;
 };
 
 }  // namespace sightline::pdp7
