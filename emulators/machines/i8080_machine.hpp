@@ -137,11 +137,13 @@ class I8080Machine {
     if (count >= limits.instructions) return stopping(now, I8080StopReason::instruction_limit);
     if (now >= limits.until) return stopping(now, I8080StopReason::time_limit);
     if (state_.halted) return wait_in_halt(now, limits.until);
-    bring_ports_to(now);
     Attention found{now, core::TStateInstant::min()};
-    const bool open = state_.interrupts_on && !state_.deferred;
-    found.interrupt = still_acknowledging(now) || (open && ports_.interrupt());
-    if (!state_.deferred) found.deadline = next_deadline(now, limits, limits.instructions - count);
+    found.interrupt = still_acknowledging(now);  // first: it follows INT through what has passed
+    bring_ports_to(now);
+    // INT is not looked at after EI, nor before the first instruction, where no T-state could have seen it.
+    const bool looks = !state_.deferred && now > core::at_t_state(0);
+    if (looks && state_.interrupts_on && ports_.interrupt()) found.interrupt = true;
+    if (looks) found.deadline = next_deadline(now, limits, limits.instructions - count);
     state_.deferred = false;
     return found;
   }
@@ -200,9 +202,13 @@ class I8080Machine {
 
   // The acknowledge latch: INT has not dropped since the acknowledge, as of the T-state before `now`.
   [[gnu::noinline]] bool still_acknowledging(core::TStateInstant now) {
-    if (!acknowledging_) return false;
-    bring_ports_to(now);
-    acknowledging_ = ports_.interrupt();
+    core::TStateInstant before{};
+    while (acknowledging_ && ports_.interrupt() && ports_.deadline() < now && ports_.deadline() > before) {
+      before = ports_.deadline();
+      ports_.advance(before);
+    }
+    if (acknowledging_) acknowledging_ = ports_.interrupt();
+    if (acknowledging_) bring_ports_to(now);
     return acknowledging_;
   }
 
@@ -211,6 +217,7 @@ class I8080Machine {
     ports_.out(port, byte, at);
   }
   [[gnu::noinline]] i8080::Byte acknowledge(core::TStateInstant at) {
+    still_acknowledging(at);
     const i8080::Byte byte = ports_.acknowledge(at);
     if (supplied_count_ < supplied_.size()) supplied_[supplied_count_++] = byte;
     return byte;

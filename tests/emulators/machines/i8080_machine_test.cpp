@@ -1,0 +1,168 @@
+// The 8080 machine by itself: when ports are touched, when a run stops, what an observer is told.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "tests/emulators/machines/i8080_script.hpp"
+
+namespace sightline {
+namespace {
+
+using machines::I8080StopReason;
+
+struct Bench {
+  tests::ScriptPorts ports;
+  tests::I8080Recorder recorder;
+  tests::ScriptMachine machine{ports, recorder};
+
+  explicit Bench(std::initializer_list<std::uint8_t> program) {
+    i8080::Address at = 0x100;
+    for (const std::uint8_t byte : program) machine.deposit(at++, byte);
+    machine.registers().pc = 0x100;
+    machine.registers().sp = 0x8000;
+  }
+  I8080StopReason run(std::uint64_t instructions = 100) { return machine.run({instructions, core::never_t}); }
+  std::int64_t now() const { return core::t_states_of(machine.now()); }
+  // INT high from T-state `from` up to and not including `to`.
+  void interrupt(std::size_t from, std::size_t to) {
+    ports.levels.resize(std::max(ports.levels.size(), to + 1));
+    for (std::size_t t = from; t < to; ++t) ports.levels[t].interrupt = true;
+  }
+};
+
+TEST(I8080Machine, PortsAreTouchedInTheTenthTState) {
+  Bench bench{0x3E, 0x5A, 0xD3, 0x10, 0xDB, 0x20, 0x76};  // MVI A; OUT; IN; HLT
+  bench.ports.input = 0x77;
+  EXPECT_EQ(bench.run(), I8080StopReason::halt);
+  EXPECT_EQ(bench.ports.writes, (std::vector<tests::PortAccess>{{7 + 9, 0x10, 0x5A}}));
+  EXPECT_EQ(bench.ports.reads, (std::vector<tests::PortAccess>{{17 + 9, 0x20, 0x77}}));
+  EXPECT_EQ(bench.machine.registers().a, 0x77);
+  EXPECT_EQ(bench.now(), 7 + 10 + 10 + 7);
+  EXPECT_EQ(bench.machine.instructions(), 4U);
+}
+
+TEST(I8080Machine, WaitStatesComeBeforeTheTransfer) {
+  Bench bench{0xD3, 0x10, 0x76};
+  bench.ports.levels.resize(12);
+  for (const std::size_t t : {1U, 2U, 10U, 11U}) bench.ports.levels[t].ready = false;  // T2 of the fetch, then of OUT
+  bench.run();
+  EXPECT_EQ(bench.ports.writes.at(0).t, 9 + 2 + 2);
+  EXPECT_EQ(bench.now(), 10 + 2 + 2 + 7);
+}
+
+TEST(I8080Machine, AnInterruptIsTakenAfterTheInstructionWhoseLastTStateSeesIt) {
+  for (const auto& [first, taken] : {std::pair<std::size_t, bool>{3, true}, {4, false}}) {
+    Bench bench{0x00, 0x00, 0x00, 0x00};
+    bench.machine.registers().interrupts_on = true;
+    bench.interrupt(first, 8);
+    bench.run(2);
+    EXPECT_EQ(bench.recorder.executed.at(1).acknowledged, taken) << first;
+    EXPECT_EQ(bench.recorder.seen.at(1).status, taken ? 0x23 : 0xA2) << first;
+  }
+}
+
+TEST(I8080Machine, EiDelaysTheInterruptByOneInstruction) {
+  Bench bench{0xFB, 0xFB, 0xC9};  // EI; EI; RET
+  bench.machine.deposit(0x8000, 0x34);
+  bench.machine.deposit(0x8001, 0x12);
+  bench.interrupt(0, 40);
+  bench.run(4);
+  ASSERT_EQ(bench.recorder.executed.size(), 4U);
+  EXPECT_FALSE(bench.recorder.executed[2].acknowledged);
+  EXPECT_TRUE(bench.recorder.executed[3].acknowledged);
+  EXPECT_EQ(bench.recorder.executed[3].pc, 0x1234);
+  EXPECT_EQ(bench.machine.registers().pc, 0x0038);
+  EXPECT_EQ(bench.machine.peek(0x8001), 0x12);  // pushed again
+  EXPECT_FALSE(bench.machine.registers().interrupts_on);
+}
+
+TEST(I8080Machine, AnInterruptThreeTStatesLaterEndsAHalt) {
+  Bench bench{0xFB, 0x76};  // EI; HLT
+  bench.interrupt(1000, 1010);
+  bench.run(3);
+  ASSERT_EQ(bench.recorder.executed.size(), 3U);
+  EXPECT_EQ(bench.recorder.executed[2].begun, 1003);
+  EXPECT_EQ(bench.recorder.seen.at(3).status, 0x2B);
+  EXPECT_EQ(bench.machine.peek(0x7FFE), 0x02);  // the address after HLT
+}
+
+TEST(I8080Machine, AnInterruptThatWasThereAlreadyEndsAHaltAfterEightTStates) {
+  Bench bench{0xFB, 0x76};
+  bench.interrupt(0, 40);
+  bench.run(3);
+  EXPECT_EQ(bench.recorder.executed.at(2).begun, 4 + 8);
+}
+
+TEST(I8080Machine, APulseEndsAHaltWithoutAnInterrupt) {
+  Bench bench{0xFB, 0x76, 0x3C};
+  bench.interrupt(50, 51);
+  bench.run(3);
+  EXPECT_EQ(bench.recorder.seen.at(3).status, 0xAA);
+  EXPECT_EQ(bench.machine.registers().a, 1);
+  EXPECT_TRUE(bench.machine.registers().interrupts_on);
+}
+
+TEST(I8080Machine, ACallMayBeSupplied) {
+  Bench bench{0x00, 0x00};
+  bench.machine.registers().interrupts_on = true;
+  bench.ports.supplied = {0xCD, 0x00, 0x20};
+  bench.interrupt(0, 8);  // drops in T5 of the acknowledge
+  bench.run(2);
+  EXPECT_EQ(bench.machine.registers().pc, 0x2000);
+  EXPECT_EQ(bench.machine.peek(0x7FFE), 0x01);
+  EXPECT_EQ(bench.recorder.seen.at(1).status, 0x23);
+  EXPECT_EQ(bench.recorder.seen.at(2).status, 0x02);
+  EXPECT_EQ(bench.recorder.seen.at(2).address, 0x0101);
+  EXPECT_EQ(bench.recorder.seen.at(3).address, 0x0101);
+}
+
+TEST(I8080Machine, LimitsAreExact) {
+  Bench bench{0x00, 0x23, 0xC3, 0x00, 0x01};  // NOP; INX H; JMP
+  for (std::uint64_t n = 1; n < 50; ++n) {
+    const std::uint64_t before = bench.machine.instructions();
+    EXPECT_EQ(bench.run(n), I8080StopReason::instruction_limit);
+    EXPECT_EQ(bench.machine.instructions() - before, n);
+  }
+  Bench timed{0x00, 0x23, 0xC3, 0x00, 0x01};
+  EXPECT_EQ(timed.machine.run({~std::uint64_t{0}, core::at_t_state(9)}), I8080StopReason::time_limit);
+  EXPECT_EQ(timed.now(), 9);
+  EXPECT_EQ(timed.machine.run({~std::uint64_t{0}, core::at_t_state(10)}), I8080StopReason::time_limit);
+  EXPECT_EQ(timed.now(), 19);
+  EXPECT_EQ(timed.run(0), I8080StopReason::instruction_limit);
+  EXPECT_EQ(timed.now(), 19);
+}
+
+TEST(I8080Machine, PortsEndARunAfterTheInstructionThatTouchedThem) {
+  Bench bench{0xD3, 0x00, 0x00, 0x00};
+  bench.ports.stop_after_writes = 1;
+  EXPECT_EQ(bench.run(), I8080StopReason::ports);
+  EXPECT_EQ(bench.now(), 10);
+}
+
+TEST(I8080Machine, ResetKeepsAllButPcAndInte) {
+  Bench bench{0xFB, 0x76};
+  bench.machine.registers().a = 0x55;
+  bench.run();
+  EXPECT_TRUE(bench.machine.registers().halted);
+  bench.machine.reset();
+  EXPECT_EQ(bench.machine.registers().pc, 0);
+  EXPECT_EQ(bench.machine.registers().a, 0x55);
+  EXPECT_EQ(bench.machine.registers().sp, 0x8000);
+  EXPECT_FALSE(bench.machine.registers().interrupts_on);
+  EXPECT_FALSE(bench.machine.registers().halted);
+}
+
+TEST(I8080Machine, DadHasNoCycleToReport) {
+  Bench bench{0x29, 0x76};
+  bench.run();
+  ASSERT_EQ(bench.recorder.seen.size(), 3U);
+  EXPECT_EQ(bench.recorder.seen[1].time, core::at_t_state(10));
+  EXPECT_EQ(bench.recorder.seen[2].status, 0x8A);
+  EXPECT_EQ(bench.recorder.seen[2].address, 0x0101);
+}
+
+}  // namespace
+}  // namespace sightline
