@@ -1,0 +1,211 @@
+; The step engine: one line of any mode on any device, a subroutine call a step. And what a step does to the masks.
+;
+; Registers in all loops of this program: L = x and H a page (so HL points to the column's entry in a mask), B = y,
+; C = error byte, D = smaller delta, E = steps left. The error is kept as a negative byte, so that the carry of its
+; addition is the minor step (the paper's d, halved: no sixteen-bit sums). The paper's NT, NB are the pending column.
+
+TESTG:  POP     D
+        LHLD    TSTEP
+        JMP     GLINES
+MASKG:  POP     D
+        LHLD    MSTEP
+        JMP     GLINES
+DRAWG:  POP     D
+        LHLD    DSTEP
+
+; Line from the pen to E = x, D = y with the step routine HL.
+GLINES: SHLD    GSTEP+1
+        SHLD    FSTEP+1
+        CALL    FIRST
+; The same when the pen's point has been stepped and the engine has its routine.
+GLINE:  CALL    GSET
+        JZ      NEXT            ; no length
+        CALL    GLOOP
+        JMP     NEXT
+
+; The step routines for this device and visibility (SETMOD).
+DSTEP:  DW      STEPD
+TSTEP:  DW      STEPT
+MSTEP:  DW      TOUCH
+SSTEP:  DW      SHADE
+SFIRST: DW      SHADEF
+
+; The first point of a chain. Keeps DE.
+FIRST:  LDA     FRESH
+        ORA     A
+        RZ
+        XRA     A
+        STA     FRESH
+        PUSH    D
+        LHLD    XYP
+        MOV     B,H
+FSTEP:  CALL    STEPD
+        POP     D
+        RET
+
+; Prepare the engine for the line from the pen to E = x, D = y. Returns L = xp, B = yp, C D E as for the loops, and Z
+; when the line has no length.
+GSET:   LHLD    XYP
+        XCHG                    ; HL = end, DE = start
+        MOV     B,D
+        MOV     A,L
+        SUB     E
+        MVI     L,INRL
+        JNC     GSET1
+        CMA
+        INR     A
+        MVI     L,DCRL
+GSET1:  MOV     C,A             ; C = u
+        MOV     A,H
+        SUB     B
+        MVI     H,INRB
+        JNC     GSET2
+        CMA
+        INR     A
+        MVI     H,DCRB
+GSET2:  MOV     D,A             ; D = v; HL = the two step instructions
+        MOV     A,C
+        CMP     D
+        MOV     A,L
+        JC      GSET3
+        STA     GMAJ
+        MOV     A,H
+        STA     GMIN
+        MOV     A,C
+        JMP     GSET4
+GSET3:  STA     GMIN
+        MOV     A,H
+        STA     GMAJ
+        MOV     A,D
+        MOV     D,C
+GSET4:  STA     GSUB+1          ; A = length, D = smaller delta
+        MOV     C,E
+        MOV     E,A
+        MOV     A,L
+        MOV     L,C
+        CPI     INRL
+        MOV     A,E
+        JNZ     GSET5
+        XRA     A               ; to the right: -((L+1)/2)
+        SUB     E
+        RZ
+        RAR
+        MOV     C,A
+        RET
+GSET5:  CMA                     ; to the left: -(L/2+1); never without length
+        STC
+        RAR
+        MOV     C,A
+        ORA     A               ; not zero
+        RET
+
+; The loop. Ends with the pen at the line's end.
+GLOOP:  MOV     A,C
+        ADD     D
+        JNC     GLOOP1
+GSUB:   SUI     0               ; length
+GMIN:   INR     B
+GLOOP1: MOV     C,A
+GMAJ:   INR     L
+GSTEP:  CALL    STEPD
+        DCR     E
+        JNZ     GLOOP
+        MOV     H,B
+        SHLD    XYP
+        RET
+
+; ---- Steps at (L, B). They keep L, BC, DE.
+
+; DRAW: test against the masks before this column, plot, remember.
+STEPD:  MVI     H,MTP
+        MOV     A,M
+        CMP     B
+        JC      STEPD1          ; above the top
+        INR     H
+        MOV     A,B
+        CMP     M
+        JNC     TOUCH
+STEPD1: CALL    PLOT
+
+; The point belongs to the pending column; a new column folds the one before.
+TOUCH:  LDA     PX
+        CMP     L
+        JNZ     TOUCH2
+        LDA     PHI
+        CMP     B
+        JNC     TOUCH1
+        MOV     A,B
+        STA     PHI
+TOUCH1: MOV     A,B
+        LXI     H,PLO
+        CMP     M
+        MOV     H,A             ; only to have y once more: H is anybody's
+        LDA     PX
+        MOV     L,A
+        RNC
+        MOV     A,H
+        STA     PLO
+        RET
+TOUCH2: CALL    FOLD
+        MOV     A,L
+        STA     PX
+        MOV     A,B
+        STA     PLO
+        STA     PHI
+        RET
+
+; TESTDRAW: one row of slack, no masks.
+STEPT:  MVI     H,MTP
+        MOV     A,M
+        SUB     B
+        JC      PLOT
+        CPI     2
+        JC      PLOT
+        INR     H
+        MOV     A,B
+        SUB     M
+        JC      PLOT
+        CPI     2
+        JC      PLOT
+        RET
+
+; Without visibility MASK only moves the pen; on a plotter that is the end of a run all the same.
+STEPN:  JMP     RUNOFF
+
+; ---- Fold: the pending column's rows become part of the masks, and no column is pending. Keeps all but A.
+FOLD:   JMP     FOLDN           ; FOLDS when folds are to be seen
+
+FOLDN:  PUSH    H
+        PUSH    B
+        LHLD    PLO
+        MOV     B,H             ; highest
+        MOV     C,L             ; lowest
+        MOV     A,B
+        CMP     C
+        JC      FOLDX           ; nothing pending
+        LHLD    PX
+        MOV     A,M
+        CMP     B
+        JNC     FOLDN2
+        ORA     A
+        JNZ     FOLDN1
+        INR     H
+        MOV     A,M
+        DCR     H
+        INR     A
+        JZ      FOLDE           ; unvisited
+FOLDN1: MOV     M,B
+FOLDN2: INR     H
+        MOV     A,C
+        CMP     M
+        JNC     FOLDX
+        MOV     M,C
+FOLDX:  LXI     H,NOPEND
+        SHLD    PLO
+        POP     B
+        POP     H
+        RET
+FOLDE:  MOV     M,B
+        INR     H
+        MOV     M,C
+        JMP     FOLDX
