@@ -1,0 +1,20 @@
+// Any bytes as Intel HEX. What is read must survive being written and read.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "tools/image/intel_hex.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sightline;
+  const auto read = image::read_intel_hex({reinterpret_cast<const char*>(data), size}, "f");
+  if (!read) {
+    static_cast<void>(image::to_string(read.error()));
+    return 0;
+  }
+  image::ByteImage expected = read.value();
+  if (expected.start == 0) expected.start.reset();  // an end record with address 0 says nothing
+  const auto again = image::read_intel_hex(image::write_intel_hex(read.value()), "f");
+  if (!again || again.value() != expected) std::abort();
+  return 0;
+}
