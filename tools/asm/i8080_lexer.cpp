@@ -155,7 +155,7 @@ I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned ra
     const unsigned digit = digit_value(c);
     if (digit >= radix) {
       token.kind = TokenKind::bad;
-      token.value = std::string("a ") + name_of_radix(radix) + " number" + (radix == 10 ? " or a suffix H O Q B" : "");
+      token.value = std::string(radix == 8 ? "an " : "a ") + name_of_radix(radix) + " number" + (radix == 10 ? " or a suffix H O Q B" : "");
       return token;
     }
     token.number = std::min(token.number * radix + digit, 0x10000U);

@@ -96,8 +96,8 @@ void add_run(Lines& lines, const image::ByteImage& image, std::size_t at, std::s
       return;
     }
     const auto bytes = image.bytes().subspan(at, size);
-    if (i8080::lookup(byte(0)).duplicate) {
-      lines.add_data(address, bytes, "acts as " + line.text.substr(1));
+    if (line.duplicate) {
+      lines.add_data(address, bytes, "acts as " + line.text);
     } else {
       lines.add(address, line.text, bytes, "");
     }
@@ -109,13 +109,13 @@ void add_run(Lines& lines, const image::ByteImage& image, std::size_t at, std::s
 
 I8080Line disassemble_i8080_instruction(std::array<std::uint8_t, 3> bytes) {
   const i8080::Instruction& row = i8080::lookup(bytes[0]);
-  std::string text = (row.duplicate ? "*" : "") + upper_case(row.mnemonic);
+  std::string text = upper_case(row.mnemonic);
   if (row.operands[0] != Operand::none) {
     text.resize(std::max(text.size() + 1, operand_column - indent.size()), ' ');
     text += operand_text(row.operands[0], bytes);
   }
   if (row.operands[1] != Operand::none) text += "," + operand_text(row.operands[1], bytes);
-  return {std::move(text), row.bytes()};
+  return {std::move(text), row.bytes(), row.duplicate};
 }
 
 std::string disassemble_i8080(const image::ByteImage& image) {

@@ -15,8 +15,9 @@
 namespace sightline::disassembler {
 
 struct I8080Line {
-  std::string text;  // "MVI     A,41H"; the duplicates likewise, with a star before them
+  std::string text;  // "MVI     A,41H"
   int bytes = 1;
+  bool duplicate = false;  // not the opcode the assembler makes of the text
 };
 
 // The instruction of an opcode and the two bytes behind it.
