@@ -1,13 +1,17 @@
 // Emulated T-states of the 8080 (the items) a second, on an ordinary mix: the checksum of a page, then a line walked
-// over a mask of bytes with a call for each point that is above it, then a port asked and told. A device interrupts
-// fifty times a second of the emulated machine and is answered with RST 7.
+// over a mask of bytes with a call for each point that is above it, then a port asked and told. With a timer that
+// interrupts fifty times a second of the emulated machine and is answered with RST 7; and with the raster board attached,
+// its interrupt connected and INTE on.
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
+#include "emulators/core/stroke.hpp"
 #include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/skala_ports.hpp"
 
 namespace sightline {
 namespace {
@@ -67,9 +71,9 @@ constexpr std::array<std::uint8_t, 81> program{
     0x14,                    // 012C         INR  D
     0x2C,                    // 012D flat:   INR  L
     0xC2, 0x1C, 0x01,        // 012E         JNZ  line
-    0xDB, 0x70,              // 0131         IN   70
+    0xDB, 0x40,              // 0131         IN   40
     0xE6, 0x01,              // 0133         ANI  1
-    0xD3, 0x71,              // 0135         OUT  71
+    0xD3, 0x41,              // 0135         OUT  41
     0xC3, 0x04, 0x01,        // 0137         JMP  again
     0x00, 0x00,              // 013A
     0xE5,                    // 013C plot:   PUSH H
@@ -95,10 +99,10 @@ constexpr std::array<std::uint8_t, 11> handler{
     0xC9,              // 0042  RET
 };
 
-void ordinary_mix(benchmark::State& state) {
-  TimerPorts ports;
+template <class Ports>
+void run_mix(benchmark::State& state, Ports& ports) {
   machines::NoI8080Observer observer;
-  machines::I8080Machine<TimerPorts> machine(ports, observer);
+  machines::I8080Machine<Ports> machine(ports, observer);
   for (std::size_t i = 0; i < program.size(); ++i) {
     machine.deposit(static_cast<i8080::Address>(program_start + i), program[i]);
   }
@@ -111,9 +115,24 @@ void ordinary_mix(benchmark::State& state) {
   state.SetItemsProcessed(t_states);
   state.counters["T_an_instruction"] =
       static_cast<double>(t_states) / static_cast<double>(machine.instructions());
-  state.counters["interrupts_byte"] = machine.peek(0x4004);
 }
-BENCHMARK(ordinary_mix)->Name("i8080/ordinary_mix");
+
+void with_timer(benchmark::State& state) {
+  TimerPorts ports;
+  run_mix(state, ports);
+}
+
+void with_raster_board(benchmark::State& state) {
+  core::NoStrokes nobody;
+  machines::SkalaConfiguration configuration;
+  configuration.ef9365 = true;
+  configuration.ef9365_restart = std::uint8_t{7};
+  const auto ports = std::make_unique<machines::SkalaPorts<>>(configuration, nobody);
+  run_mix(state, *ports);
+}
+
+BENCHMARK(with_timer)->Name("i8080/with_timer");
+BENCHMARK(with_raster_board)->Name("i8080/with_raster_board");
 
 }  // namespace
 }  // namespace sightline
