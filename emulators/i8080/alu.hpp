@@ -33,6 +33,18 @@ inline constexpr auto sign_zero_parity = [] {
   return table;
 }();
 
+// F after a count that gave a byte, without CY: AC is 1 where the low digit became 0 (up), or did not become F (down).
+inline constexpr auto counted_up = [] {
+  std::array<Byte, 256> table = sign_zero_parity;
+  for (unsigned value = 0; value < 256; value += 16) table[value] |= flag::auxiliary;
+  return table;
+}();
+inline constexpr auto counted_down = [] {
+  std::array<Byte, 256> table = sign_zero_parity;
+  for (unsigned value = 0; value < 256; ++value) table[value] |= value % 16 != 15 ? flag::auxiliary : Byte{0};
+  return table;
+}();
+
 }  // namespace detail
 
 // a + operand + carry (0 or 1). AC is the carry out of bit 3.
@@ -70,13 +82,11 @@ inline constexpr auto sign_zero_parity = [] {
 // INR and DCR leave CY alone.
 [[nodiscard]] [[gnu::always_inline]] constexpr Result increment(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value + 1);
-  const unsigned auxiliary = (result & 0x0FU) == 0 ? flag::auxiliary : 0;
-  return {result, static_cast<Byte>(detail::sign_zero_parity[result] | auxiliary | (flags & flag::carry))};
+  return {result, static_cast<Byte>(detail::counted_up[result] | (flags & flag::carry))};
 }
 [[nodiscard]] [[gnu::always_inline]] constexpr Result decrement(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value - 1);
-  const unsigned auxiliary = (result & 0x0FU) != 0x0F ? flag::auxiliary : 0;
-  return {result, static_cast<Byte>(detail::sign_zero_parity[result] | auxiliary | (flags & flag::carry))};
+  return {result, static_cast<Byte>(detail::counted_down[result] | (flags & flag::carry))};
 }
 
 // DAA corrects a sum of two packed decimal numbers; it knows nothing of subtraction. CY is set, never cleared.
