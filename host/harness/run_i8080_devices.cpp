@@ -1,0 +1,97 @@
+// See run_i8080_devices.hpp.
+#include "host/harness/run_i8080_devices.hpp"
+
+#include <cstddef>
+
+namespace sightline::harness {
+
+namespace {
+
+std::uint64_t t_states(core::TStates time) {
+  return static_cast<std::uint64_t>(time.count());
+}
+
+DeviceReport report_of(const devices::Ef9365Counts& c) {
+  return {"ef9365",
+          {{"commands", c.commands},
+           {"commands_while_busy", c.commands_while_busy},
+           {"writes_while_busy", c.writes_while_busy},
+           {"unanswered", c.unanswered},
+           {"dots", c.dots},
+           {"dots_outside", c.dots_outside}}};
+}
+
+DeviceReport report_of(const devices::Alt256Counts& c) {
+  return {"alt256",
+          {{"dots", c.dots},
+           {"dots_invisible", c.dots_invisible},
+           {"erases", c.erases},
+           {"writes_lost", c.writes_lost}}};
+}
+
+DeviceReport report_of(const devices::CalComp565Counts& c) {
+  return {"calcomp565",
+          {{"steps", c.steps},
+           {"steps_pen_up", c.steps_pen_up},
+           {"pen_lifts", c.pen_lifts},
+           {"pen_commands", c.pen_commands},
+           {"commands_while_busy", c.commands_while_busy},
+           {"off_carriage", c.off_carriage},
+           {"unknown_codes", c.unknown_codes},
+           {"off_paper", c.off_paper},
+           {"busy_t_states", t_states(c.busy)}}};
+}
+
+DeviceReport report_of(const devices::MinigrafCounts& c) {
+  return {"minigraf0507",
+          {{"steps", c.steps},
+           {"steps_pen_up", c.steps_pen_up},
+           {"pen_lifts", c.pen_lifts},
+           {"missed_fast", c.missed_fast},
+           {"missed_jump", c.missed_jump},
+           {"steps_early", c.steps_early},
+           {"off_field", c.off_field}}};
+}
+
+DeviceReport report_of(const devices::SerialLink& link) {
+  const devices::I8251Counts& c = link.chip().counts();
+  return {"serial",
+          {{"sent_by_host", link.sent()},
+           {"unseen", link.unseen()},
+           {"received", c.received},
+           {"received_lost", c.received_lost},
+           {"overruns", c.overruns},
+           {"parity_errors", c.parity_errors},
+           {"framing_errors", c.framing_errors},
+           {"transmitted", c.transmitted},
+           {"transmit_overwritten", c.transmit_overwritten},
+           {"unanswered", c.unanswered}}};
+}
+
+}  // namespace
+
+void collect_devices(I8080Devices& devices, I8080Report& report) {
+  if (const auto* board = devices.alt256()) {
+    report.devices.push_back(report_of(board->counts()));
+    report.raster = board->raster();
+  }
+  if (const auto* board = devices.ef9365()) {
+    report.devices.push_back(report_of(board->counts()));
+    report.raster = board->raster();
+  }
+  if (const auto* plotter = devices.calcomp565()) report.devices.push_back(report_of(plotter->counts()));
+  if (const auto* plotter = devices.minigraf0507()) report.devices.push_back(report_of(plotter->counts()));
+  if (const auto* link = devices.parallel()) {
+    report.parallel_received = link->received(devices::I8255::Port::b);
+    const auto& from_a = link->received(devices::I8255::Port::a);
+    report.parallel_received.insert(report.parallel_received.end(), from_a.begin(), from_a.end());
+    report.devices.push_back(
+        {"parallel", {{"sent_by_host", link->sent()}, {"received_by_host", report.parallel_received.size()}}});
+  }
+  if (const auto* link = devices.serial()) {
+    report.serial_received = link->chip().sent();
+    report.devices.push_back(report_of(*link));
+  }
+}
+
+}  // namespace sightline::harness
