@@ -26,7 +26,8 @@ struct SkalaColumns {
   std::array<std::uint8_t, 256> mask_bottom{};     // MB
   std::array<std::uint8_t, 256> previous_y{};      // MP, of no meaning where the level is 0
   std::array<std::uint8_t, 256> previous_level{};  // IP
-  std::array<std::uint8_t, 256> fold_flags{};      // F: bit 0 top, bit 1 bottom
+  std::array<std::uint8_t, 256> raised_from{};     // LT, 0: nothing has raised the top since the last fold
+  std::array<std::uint8_t, 256> lowered_from{};    // HB, 255: nothing has lowered the bottom
 };
 
 enum class SkalaPlotterAction : std::uint8_t { step, pen_up, pen_down };

@@ -104,12 +104,12 @@ void SkalaTwinDrawing::curve(std::span<const std::uint8_t> arguments) {
 // Ends a slice. A shaded column of the next slice is entered anew, with visibility or without.
 void SkalaTwinDrawing::commit() {
   shaded_column_.reset();
-  if (visibility_) plot_fold(masks_.fold());
+  if (visibility_) plot_folds(masks_.fold());
 }
 
 void SkalaTwinDrawing::outline() {
   if (!visibility_) return;
-  plot_fold(masks_.fold());
+  plot_folds(masks_.fold());
   for (int first = 0; first < 256; ++first) {
     if (!masks_.visited(static_cast<std::uint8_t>(first))) continue;
     int last = first;
@@ -142,12 +142,12 @@ void SkalaTwinDrawing::step(SkalaPoint point, Mode mode) {
   switch (mode) {
     case Mode::draw:
       ink(visible_to_draw(point), point);
-      plot_fold(masks_.touch(point));
+      plot_folds(masks_.touch(point));
       break;
     case Mode::test: ink(masks_.outside_with_slack(point), point); break;
     case Mode::mask:
       ink(false, point);
-      plot_fold(masks_.touch(point));
+      plot_folds(masks_.touch(point));
       break;
     case Mode::plain: ink(true, point); break;
     case Mode::surface: shade(point, true); break;
@@ -179,10 +179,16 @@ void SkalaTwinDrawing::plot(SkalaPoint point, std::uint8_t colour) {
   picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].set(point.x, point.y, colour);
 }
 
-void SkalaTwinDrawing::plot_fold(const SkalaFoldPoints& points) {
+void SkalaTwinDrawing::plot_folds(const SkalaFoldLines& lines) {
   if (silhouette_ == 0 || !on_raster()) return;
-  if (points.top) plot(*points.top, silhouette_);
-  if (points.bottom) plot(*points.bottom, silhouette_);
+  if (lines.top) plot_fold(*lines.top);
+  if (lines.bottom) plot_fold(*lines.bottom);
+}
+
+void SkalaTwinDrawing::plot_fold(const SkalaFoldLine& line) {
+  const int step = line.to < line.from ? -1 : 1;
+  for (int y = line.from; y != line.to + step; y += step)
+    plot({line.x, static_cast<std::uint8_t>(y)}, silhouette_);
 }
 
 }  // namespace sightline::harness

@@ -54,7 +54,8 @@ class SkalaTwinDrawing {
   [[nodiscard]] bool visible_to_draw(SkalaPoint point) const;
   void ink(bool visible, SkalaPoint point);
   void plot(SkalaPoint point, std::uint8_t colour);
-  void plot_fold(const SkalaFoldPoints& points);
+  void plot_folds(const SkalaFoldLines& lines);
+  void plot_fold(const SkalaFoldLine& line);
   void shade(SkalaPoint point, bool may_fill);
   void fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level);
 

@@ -3,17 +3,12 @@
 #include <algorithm>
 
 namespace sightline::harness {
-namespace {
-
-constexpr std::uint8_t top_flag = 1;
-constexpr std::uint8_t bottom_flag = 2;
-
-}  // namespace
 
 void SkalaMasks::reset() {
   columns_.mask_top.fill(0);
   columns_.mask_bottom.fill(255);
-  columns_.fold_flags.fill(0);
+  columns_.raised_from.fill(0);
+  columns_.lowered_from.fill(255);
   pending_.reset();
 }
 
@@ -23,18 +18,18 @@ bool SkalaMasks::outside_with_slack(SkalaPoint point) const {
   return point.y >= std::max(top - 1, 0) || point.y <= std::min(bottom + 1, 255);
 }
 
-SkalaFoldPoints SkalaMasks::touch(SkalaPoint point) {
+SkalaFoldLines SkalaMasks::touch(SkalaPoint point) {
   if (pending_ && pending_->x == point.x) {
     pending_->low = std::min(pending_->low, point.y);
     pending_->high = std::max(pending_->high, point.y);
     return {};
   }
-  const SkalaFoldPoints folded = fold();
+  const SkalaFoldLines folded = fold();
   pending_ = Pending{point.x, point.y, point.y};
   return folded;
 }
 
-SkalaFoldPoints SkalaMasks::fold() {
+SkalaFoldLines SkalaMasks::fold() {
   if (!pending_) return {};
   const Pending column = *pending_;
   pending_.reset();
@@ -48,30 +43,41 @@ SkalaFoldPoints SkalaMasks::fold() {
   return {top, bottom};
 }
 
-std::optional<SkalaPoint> SkalaMasks::fold_top(const Pending& column) {
+std::optional<SkalaFoldLine> SkalaMasks::fold_top(const Pending& column) {
   std::uint8_t& mask = columns_.mask_top[column.x];
-  std::uint8_t& flags = columns_.fold_flags[column.x];
+  std::uint8_t& raised_from = columns_.raised_from[column.x];
   if (column.high > mask) {
     mask = column.high;
-    flags = static_cast<std::uint8_t>(flags | top_flag);
-  } else if ((flags & top_flag) != 0 && column.high < mask - 1) {
-    flags = static_cast<std::uint8_t>(flags & ~top_flag);
-    return SkalaPoint{column.x, mask};
+    raised_from = column.low;
+    return std::nullopt;
   }
-  return std::nullopt;
+  if (column.high + 1 >= raised_from) return std::nullopt;
+  raised_from = 0;
+  int end = mask;
+  for (const std::uint8_t x : visited_neighbours(column.x)) end = std::min(end, columns_.mask_top[x] + 1);
+  return SkalaFoldLine{column.x, mask, static_cast<std::uint8_t>(end)};
 }
 
-std::optional<SkalaPoint> SkalaMasks::fold_bottom(const Pending& column) {
+std::optional<SkalaFoldLine> SkalaMasks::fold_bottom(const Pending& column) {
   std::uint8_t& mask = columns_.mask_bottom[column.x];
-  std::uint8_t& flags = columns_.fold_flags[column.x];
+  std::uint8_t& lowered_from = columns_.lowered_from[column.x];
   if (column.low < mask) {
     mask = column.low;
-    flags = static_cast<std::uint8_t>(flags | bottom_flag);
-  } else if ((flags & bottom_flag) != 0 && column.low > mask + 1) {
-    flags = static_cast<std::uint8_t>(flags & ~bottom_flag);
-    return SkalaPoint{column.x, mask};
+    lowered_from = column.high;
+    return std::nullopt;
   }
-  return std::nullopt;
+  if (column.low <= lowered_from + 1) return std::nullopt;
+  lowered_from = 255;
+  int end = mask;
+  for (const std::uint8_t x : visited_neighbours(column.x)) end = std::max(end, columns_.mask_bottom[x] - 1);
+  return SkalaFoldLine{column.x, mask, static_cast<std::uint8_t>(end)};
+}
+
+std::vector<std::uint8_t> SkalaMasks::visited_neighbours(std::uint8_t x) const {
+  std::vector<std::uint8_t> neighbours;
+  if (x > 0 && visited(static_cast<std::uint8_t>(x - 1))) neighbours.push_back(static_cast<std::uint8_t>(x - 1));
+  if (x < 255 && visited(static_cast<std::uint8_t>(x + 1))) neighbours.push_back(static_cast<std::uint8_t>(x + 1));
+  return neighbours;
 }
 
 }  // namespace sightline::harness

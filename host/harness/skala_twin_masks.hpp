@@ -5,16 +5,24 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "host/harness/skala_twin.hpp"
 #include "host/harness/skala_twin_line.hpp"
 
 namespace sightline::harness {
 
+// Dots of one column, from one row to another, both included and in either order.
+struct SkalaFoldLine {
+  std::uint8_t x = 0;
+  std::uint8_t from = 0;
+  std::uint8_t to = 0;
+};
+
 // Where the surface turned away from the eye in a column just folded.
-struct SkalaFoldPoints {
-  std::optional<SkalaPoint> top;
-  std::optional<SkalaPoint> bottom;
+struct SkalaFoldLines {
+  std::optional<SkalaFoldLine> top;
+  std::optional<SkalaFoldLine> bottom;
 };
 
 class SkalaMasks {
@@ -37,9 +45,9 @@ class SkalaMasks {
   // The test of TESTDRAW: outside, or in the outermost two rows of the strip.
   [[nodiscard]] bool outside_with_slack(SkalaPoint point) const;
 
-  // The point belongs to the pending column. The fold points are those of the column that was pending before.
-  SkalaFoldPoints touch(SkalaPoint point);
-  SkalaFoldPoints fold();
+  // The point belongs to the pending column. The fold lines are those of the column that was pending before.
+  SkalaFoldLines touch(SkalaPoint point);
+  SkalaFoldLines fold();
 
  private:
   struct Pending {
@@ -48,8 +56,9 @@ class SkalaMasks {
     std::uint8_t high;
   };
 
-  [[nodiscard]] std::optional<SkalaPoint> fold_top(const Pending& column);
-  [[nodiscard]] std::optional<SkalaPoint> fold_bottom(const Pending& column);
+  [[nodiscard]] std::optional<SkalaFoldLine> fold_top(const Pending& column);
+  [[nodiscard]] std::optional<SkalaFoldLine> fold_bottom(const Pending& column);
+  [[nodiscard]] std::vector<std::uint8_t> visited_neighbours(std::uint8_t x) const;
 
   SkalaColumns& columns_;
   std::optional<Pending> pending_;

@@ -40,7 +40,7 @@ void SkalaTwinDrawing::shade(SkalaPoint point, bool may_fill) {
     plot(point, level_);
   columns.previous_y[point.x] = point.y;
   columns.previous_level[point.x] = level_;
-  if (visibility_) plot_fold(masks_.touch(point));
+  if (visibility_) plot_folds(masks_.touch(point));
 }
 
 void SkalaTwinDrawing::fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level) {

@@ -50,7 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const int top = picture.columns.mask_top[x];
     const int bottom = picture.columns.mask_bottom[x];
     require(bottom <= top || (bottom == 255 && top == 0));
-    require(picture.columns.previous_level[x] < 8 && picture.columns.fold_flags[x] < 4);
+    require(picture.columns.previous_level[x] < 8 && picture.columns.raised_from[x] <= picture.columns.mask_top[x] &&
+            picture.columns.lowered_from[x] >= picture.columns.mask_bottom[x]);
   }
   check_path(picture);
   // What comes after the byte it stopped at makes no difference.
