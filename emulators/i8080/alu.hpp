@@ -109,6 +109,26 @@ inline constexpr auto counted_down = [] {
   return {static_cast<Byte>(static_cast<unsigned>(a) >> 1 | into_bit_7 << 7), with_carry(flags, a & 1U)};
 }
 
+// One of RLC to CMP (but CMA, STC and CMC) on the accumulator; those of the accumulator alone ignore the operand.
+template <Operation O>
+[[nodiscard]] [[gnu::always_inline]] constexpr Result operate(Byte a, Byte operand, Byte f) {
+  const unsigned carry = f & flag::carry;
+  switch (O) {
+    case Operation::rlc: return rotate_left(a, f, a >> 7);
+    case Operation::ral: return rotate_left(a, f, carry);
+    case Operation::rrc: return rotate_right(a, f, a & 1U);
+    case Operation::rar: return rotate_right(a, f, carry);
+    case Operation::daa: return decimal_adjust(a, f);
+    case Operation::add: return add(a, operand, 0);
+    case Operation::adc: return add(a, operand, carry);
+    case Operation::sbb: return subtract(a, operand, carry);
+    case Operation::ana: return and_(a, operand);
+    case Operation::xra: return exclusive_or(a, operand);
+    case Operation::ora: return or_(a, operand);
+    default: return subtract(a, operand, 0);
+  }
+}
+
 // The condition in bits 5-3 of a jump, call or return: NZ Z NC C PO PE P M.
 [[nodiscard]] [[gnu::always_inline]] constexpr bool holds(unsigned condition, Byte flags) {
   constexpr std::array<Byte, 4> tested{flag::zero, flag::carry, flag::parity, flag::sign};

@@ -180,25 +180,6 @@ class Cpu {
     }
   }
 
-  template <Operation O>
-  [[nodiscard]] [[gnu::always_inline]] static constexpr Result operate(Byte a, Byte operand, Byte f) {
-    const unsigned carry = f & flag::carry;
-    switch (O) {
-      case Operation::rlc: return rotate_left(a, f, a >> 7);
-      case Operation::ral: return rotate_left(a, f, carry);
-      case Operation::rrc: return rotate_right(a, f, a & 1U);
-      case Operation::rar: return rotate_right(a, f, carry);
-      case Operation::daa: return decimal_adjust(a, f);
-      case Operation::add: return add(a, operand, 0);
-      case Operation::adc: return add(a, operand, carry);
-      case Operation::sbb: return subtract(a, operand, carry);
-      case Operation::ana: return and_(a, operand);
-      case Operation::xra: return exclusive_or(a, operand);
-      case Operation::ora: return or_(a, operand);
-      default: return subtract(a, operand, 0);
-    }
-  }
-
   // RET to RST. A conditional call reads its address whether it is taken or not.
   template <Byte Opcode, bool Jammed>
   [[gnu::always_inline]] constexpr void branch() {
