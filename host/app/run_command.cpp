@@ -7,6 +7,7 @@
 
 #include "host/app/progress.hpp"
 #include "host/app/run_arguments.hpp"
+#include "host/app/run_i8080_command.hpp"
 #include "host/app/run_outputs.hpp"
 #include "host/app/run_report.hpp"
 #include "host/app/run_timing.hpp"
@@ -127,6 +128,10 @@ void add_output_options(CLI::App& command, RunArguments& to) {
 void add_run_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command = app.add_subcommand("run", "Run a program on an emulated machine");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  sightline run pdp7 --load hello.rim\n"
+      "  sightline run i8080 --cpm --load hello.com\n");
   CLI::App* const pdp7 = command->add_subcommand("pdp7", "Run a program on the PDP-7");
   const auto arguments = std::make_shared<RunArguments>();
   add_machine_options(*pdp7, *arguments);
@@ -134,6 +139,7 @@ void add_run_command(CLI::App& app, ExitCode& exit_code) {
   pdp7->footer(examples + ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" +
                            timing_help()));
   pdp7->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  add_run_i8080_command(*command, exit_code);
 }
 
 }  // namespace sightline::app

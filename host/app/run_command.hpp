@@ -1,4 +1,5 @@
-// `sightline run`: Any PDP-7 program on the emulated machine, with or without the display.
+// `sightline run`: Any PDP-7 program on the emulated machine, with or without the display; and the command that holds
+// the 8080's (run_i8080_command.hpp).
 #pragma once
 
 #include "host/app/command.hpp"
