@@ -34,10 +34,12 @@ constexpr const char* examples =
     "      a CP/M program for `sightline run i8080 --cpm --load hello.com`, and a listing to read beside it\n"
     "  sightline asm i8080 -D SERIAL=0 -D BASE=0E000H main.asm tables.asm -o monitor.hex\n"
     "      two sources of one program as Intel HEX, which carries addresses and the start address of END\n\n"
-    "The language is that of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80. The sources are read "
+    "The language is that of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80. The sources are "
+    "read "
     "one after\n"
     "the other; `-` is standard input. INCLUDE and MACLIB look beside the file they stand in.\n"
-    "com: bytes from 0100H, nothing below. bin: bytes from the lowest to the highest address, gaps as 00. hex: "
+    "com: bytes from 0100H, nothing below. bin: bytes from the lowest to the highest address, gaps as 00. "
+    "hex: "
     "Intel HEX.\n"
     "Without --format the ending of -o decides: .com, .bin, anything else is hex.\n"
     "Errors name file:line:column; when there is one nothing is written.\n";
@@ -64,14 +66,16 @@ assembler::I8080Options options_from(const AsmArguments& arguments) {
 }
 
 picture::Bytes encoded(const image::ByteImage& memory, const AsmArguments& arguments) {
-  const ByteFormat format = arguments.format.empty() ? byte_format_of_name(arguments.output).value_or(ByteFormat::hex)
-                                                     : byte_format_named(arguments.format);
+  const ByteFormat format = arguments.format.empty()
+                                ? byte_format_of_name(arguments.output).value_or(ByteFormat::hex)
+                                : byte_format_named(arguments.format);
   if (format == ByteFormat::hex) {
     const std::string text = image::write_intel_hex(memory);
     return {text.begin(), text.end()};
   }
   const std::string file = arguments.output == "-" ? "standard output" : arguments.output;
-  const auto bytes = format == ByteFormat::com ? image::write_com(memory, file) : image::write_binary(memory, file);
+  const auto bytes =
+      format == ByteFormat::com ? image::write_com(memory, file) : image::write_binary(memory, file);
   if (!bytes) throw Failure(ExitCode::bad_input, image::to_string(bytes.error()));
   return bytes.value();
 }
@@ -95,7 +99,8 @@ void assemble(const AsmArguments& arguments) {
   refuse_two_on_stdout(arguments);
   const assembler::I8080Options options = options_from(arguments);
   std::vector<assembler::SourceFile> sources;
-  for (const std::string& path : arguments.sources) sources.push_back({shown_name(path), read_input_text(path)});
+  for (const std::string& path : arguments.sources)
+    sources.push_back({shown_name(path), read_input_text(path)});
   const assembler::I8080Assembly assembly = assembler::assemble_i8080(sources, options);
   for (const auto& diagnostic : assembly.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
@@ -120,18 +125,24 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command =
       parent.add_subcommand("i8080", "Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)");
   const auto arguments = std::make_shared<AsmArguments>();
-  command->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")->required();
+  command->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")
+      ->required();
   command
-      ->add_option("-D", arguments->defines,
-                   "Define a symbol, NAME=VALUE, VALUE as in a source (10, 0AH, 0x0A); wins over the source's own")
+      ->add_option(
+          "-D", arguments->defines,
+          "Define a symbol, NAME=VALUE, VALUE as in a source (10, 0AH, 0x0A); wins over the source's own")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   command->add_option("-o,--output", arguments->output, "Where the program goes; - is standard output")
       ->type_name("FILE");
-  command->add_option("--format", arguments->format, "Form of the program: com, bin or hex; else by the ending of -o")
+  command
+      ->add_option("--format", arguments->format,
+                   "Form of the program: com, bin or hex; else by the ending of -o")
       ->check(CLI::IsMember({"com", "bin", "hex"}))
       ->type_name("FORMAT");
-  command->add_option("--listing", arguments->listing, "Write address, bytes and source, line by line, and the symbols")
+  command
+      ->add_option("--listing", arguments->listing,
+                   "Write address, bytes and source, line by line, and the symbols")
       ->type_name("FILE");
   command->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
       ->type_name("FILE");

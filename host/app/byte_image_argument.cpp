@@ -47,7 +47,8 @@ ByteImageArgument byte_image_argument(const std::string& option, const std::stri
     const std::size_t value = hexadecimal_digits.find(c);
     address = address << 4 | static_cast<std::uint32_t>(value < 16 ? value : value - 6);
     if (address >= image::byte_memory_size) {
-      throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected an address after @, 0 to FFFF", option, digits));
+      throw Failure(ExitCode::usage,
+                    fmt::format("{}: found {}, expected an address after @, 0 to FFFF", option, digits));
     }
   }
   return {text.substr(0, at), static_cast<std::uint16_t>(address)};
@@ -57,10 +58,11 @@ image::ByteImage load_byte_image(const ByteImageArgument& argument, std::optiona
   const auto bytes = read_input(argument.path);
   const std::string name = shown_name(argument.path);
   const ByteFormat kind = format ? *format : format_of(bytes, argument.path);
-  if (kind != ByteFormat::bin && argument.address && !(kind == ByteFormat::com && *argument.address == image::com_origin)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found an address, expected none: {}", name,
-                              kind == ByteFormat::com ? "a .com file goes to 0100" : "Intel HEX has its own"));
+  if (kind != ByteFormat::bin && argument.address &&
+      !(kind == ByteFormat::com && *argument.address == image::com_origin)) {
+    throw Failure(ExitCode::usage, fmt::format("{}: found an address, expected none: {}", name,
+                                               kind == ByteFormat::com ? "a .com file goes to 0100"
+                                                                       : "Intel HEX has its own"));
   }
   const auto read =
       kind == ByteFormat::hex

@@ -22,13 +22,13 @@ struct ByteImageArgument {
   std::optional<std::uint16_t> address;
 };
 
-// Splits at the last @ if only hexadecimal digits follow it, with or without an H behind or 0x before them. Failure
-// usage if these are no address.
+// Splits at the last @ if only hexadecimal digits follow it, with or without an H behind or 0x before them.
+// Failure usage if these are no address.
 [[nodiscard]] ByteImageArgument byte_image_argument(const std::string& option, const std::string& text);
 
-// Without a format the ending decides, and for another ending the content: a text whose first character is `:` is
-// Intel HEX, all else raw. Raw bytes go to the address, 0 if none was given; a .com file to 0100 and a HEX file
-// where it says: these two refuse an address. Failure io or bad_input.
+// Without a format the ending decides, and for another ending the content: a text whose first character is
+// `:` is Intel HEX, all else raw. Raw bytes go to the address, 0 if none was given; a .com file to 0100 and a
+// HEX file where it says: these two refuse an address. Failure io or bad_input.
 [[nodiscard]] image::ByteImage load_byte_image(const ByteImageArgument& argument,
                                                std::optional<ByteFormat> format = std::nullopt);
 

@@ -36,7 +36,8 @@ void add_disasm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("i8080", "8080 instructions");
   const auto arguments = std::make_shared<DisasmArguments>();
   command
-      ->add_option("FILE", arguments->file, "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input")
+      ->add_option("FILE", arguments->file,
+                   "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input")
       ->required();
   command->add_option("--format", arguments->format, "Form of the file: com, bin or hex")
       ->check(CLI::IsMember({"com", "bin", "hex"}))
@@ -46,7 +47,8 @@ void add_disasm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->type_name("FILE");
   command->footer(examples);
   command->callback([arguments, &exit_code] {
-    const auto format = arguments->format.empty() ? std::nullopt : std::optional(byte_format_named(arguments->format));
+    const auto format =
+        arguments->format.empty() ? std::nullopt : std::optional(byte_format_named(arguments->format));
     const image::ByteImage memory = load_byte_image(byte_image_argument("FILE", arguments->file), format);
     Output output(arguments->output);
     output.write(disassembler::disassemble_i8080(memory));

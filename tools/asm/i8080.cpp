@@ -32,7 +32,8 @@ void lay_out(I8080Program& program, const I8080Options& options, std::size_t sou
     unknown = program.unknown_equates;
     I8080Pass(options, program, number++, false).run(sources);
   } while (number <= most_layout_passes &&
-           (program.values_moved || (program.unknown_equates > 0 && (number == 2 || program.unknown_equates < unknown))));
+           (program.values_moved ||
+            (program.unknown_equates > 0 && (number == 2 || program.unknown_equates < unknown))));
 }
 
 std::vector<I8080Symbol> symbols_of(const I8080Program& program) {
@@ -40,12 +41,12 @@ std::vector<I8080Symbol> symbols_of(const I8080Program& program) {
   for (const auto& [key, entry] : program.symbols) {
     if (!entry.value) continue;
     const bool in_file = entry.kind != I8080SymbolKind::define;
-    symbols.push_back({entry.name, *entry.value, entry.kind, in_file ? program.files[entry.defined.file].name : "",
-                       entry.defined.line, entry.defined.column});
+    symbols.push_back({entry.name, *entry.value, entry.kind,
+                       in_file ? program.files[entry.defined.file].name : "", entry.defined.line,
+                       entry.defined.column});
   }
-  std::sort(symbols.begin(), symbols.end(), [](const I8080Symbol& a, const I8080Symbol& b) {
-    return folded(a.name) < folded(b.name);
-  });
+  std::sort(symbols.begin(), symbols.end(),
+            [](const I8080Symbol& a, const I8080Symbol& b) { return folded(a.name) < folded(b.name); });
   return symbols;
 }
 
@@ -67,7 +68,8 @@ void add_symbol_table(std::vector<ListingLine>& listing, std::span<const I8080Sy
 std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
-  if (name.empty() || end_of_name(name, 0) != name.size()) return "found " + quoted(name) + ", expected a name";
+  if (name.empty() || end_of_name(name, 0) != name.size())
+    return "found " + quoted(name) + ", expected a name";
   if (equals == std::string_view::npos) return "found no '=', expected NAME=VALUE";
   const Word* const reserved = Vocabulary().find(folded(name));
   if (reserved != nullptr) return "found " + quoted(name) + ", expected a name that is not reserved";
@@ -78,7 +80,8 @@ std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text)
     return "found " + quoted(text.substr(equals + 1)) + ", expected " +
            (number.kind == TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A");
   }
-  return I8080Define{std::string(name), static_cast<std::uint16_t>(negative ? 0U - number.number : number.number)};
+  return I8080Define{std::string(name),
+                     static_cast<std::uint16_t>(negative ? 0U - number.number : number.number)};
 }
 
 I8080Assembly assemble_i8080(std::span<const SourceFile> sources, const I8080Options& options) {
@@ -100,8 +103,9 @@ I8080Assembly assemble_i8080(std::span<const SourceFile> sources, const I8080Opt
 
 std::optional<std::uint16_t> I8080Assembly::value_of(std::string_view name) const {
   const std::string key = folded(name);
-  const auto at = std::lower_bound(symbols.begin(), symbols.end(), key,
-                                   [](const I8080Symbol& symbol, const std::string& k) { return folded(symbol.name) < k; });
+  const auto at = std::lower_bound(
+      symbols.begin(), symbols.end(), key,
+      [](const I8080Symbol& symbol, const std::string& k) { return folded(symbol.name) < k; });
   if (at == symbols.end() || folded(at->name) != key) return std::nullopt;
   return at->value;
 }

@@ -1,22 +1,26 @@
-// The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, as far as these
-// agree, for one absolute program.
+// The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, as far as
+// these agree, for one absolute program.
 //
 //   label:  OP args ; comment      the colon may be left out when the label begins in column 1
 //   MVI A,'A' ! RET                `!` separates statements; `*` in column 1 begins a comment line
-//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A    `$` (or `*`, where a value must stand) is the address of the statement
-//   ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR    16 bits, unsigned; true is 0FFFFH
-//   ORG EQU SET DB DW DS DC END, IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF ELSE ENDIF, INCLUDE MACLIB
-//   name MACRO p,q ... LOCAL x ... EXITM ... ENDM, REPT n, IRP p,<a,b>, IRPC p,text; &, <...>, %expr, ^c, ;;, NUL
+//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A    `$` (or `*`, where a value must stand) is the address of the
+//   statement ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR    16 bits, unsigned;
+//   true is 0FFFFH ORG EQU SET DB DW DS DC END, IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF ELSE ENDIF, INCLUDE
+//   MACLIB name MACRO p,q ... LOCAL x ... EXITM ... ENDM, REPT n, IRP p,<a,b>, IRPC p,text; &, <...>, %expr,
+//   ^c, ;;, NUL
 //
 // Decisions where the assemblers differ or trap the unwary:
-// - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in an
+// - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
+// an
 //   expression is its opcode: MVI A,(RET). LXI HL and the like are taken for LXI H.
 // - A byte is -128 to 255; a pattern made by NOT may also have FF above it (ANI NOT 80H).
-// - A lone string of any length is data in DB and DC; elsewhere one or two characters are a number, 'AB' is 4142H.
+// - A lone string of any length is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
+// 4142H.
 //   DC adds 80H to the last character.
 // - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
 // - A second byte for one address draws a warning and replaces the first.
-// - END ends the file it stands in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but to use an
+// - END ends the file it stands in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but
+// to use an
 //   external is an error: there is no linker.
 // - `!` in a comment belongs to the comment. A name of a directive is free as a label written with its colon.
 // - -D NAME=VALUE wins over the source's own EQU or SET, which so becomes its default.
@@ -47,13 +51,13 @@ struct I8080Define {
 // "NAME=VALUE", VALUE a number as in a source, with a leading minus allowed; else "found ..., expected ...".
 [[nodiscard]] std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text);
 
-// The text of a file, or nothing if it cannot be read. It is asked for the name in INCLUDE beside the including file
-// first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.
+// The text of a file, or nothing if it cannot be read. It is asked for the name in INCLUDE beside the
+// including file first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.
 using IncludeReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 struct I8080Options {
   std::vector<I8080Define> defines;
-  IncludeReader include;                // without one every INCLUDE is an error
+  IncludeReader include;  // without one every INCLUDE is an error
   bool listing = true;
   std::size_t most_lines = 2'000'000;  // in one pass, with all expansions: what takes more does not end
 };
@@ -70,7 +74,7 @@ struct I8080Symbol {
 };
 
 struct I8080Assembly {
-  image::ByteImage image;  // empty if there was an error
+  image::ByteImage image;               // empty if there was an error
   std::vector<I8080Symbol> symbols;     // in alphabetical order
   std::vector<ListingLine> listing;     // address, bytes, source as in a .PRN file; `+` marks expansions
   std::vector<Diagnostic> diagnostics;  // in the order of assembly
@@ -81,7 +85,8 @@ struct I8080Assembly {
 };
 
 // The sources are read one after the other as one program.
-[[nodiscard]] I8080Assembly assemble_i8080(std::span<const SourceFile> sources, const I8080Options& options = {});
+[[nodiscard]] I8080Assembly assemble_i8080(std::span<const SourceFile> sources,
+                                           const I8080Options& options = {});
 
 // One `name value` a line, the value in four hexadecimal digits.
 [[nodiscard]] std::string write_i8080_symbols(std::span<const I8080Symbol> symbols);

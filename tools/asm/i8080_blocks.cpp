@@ -1,4 +1,5 @@
-// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text, each line with its place.
+// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text, each line with its
+// place.
 #include <algorithm>
 #include <utility>
 
@@ -65,7 +66,9 @@ bool I8080Pass::condition(Directive directive) {
     return defined == (directive == Directive::if_defined);
   }
   const Arguments arguments = split_arguments(statement_.text, token_.column);
-  const auto text = [&](std::size_t i) { return i < arguments.list.size() ? arguments.list[i].text : std::string(); };
+  const auto text = [&](std::size_t i) {
+    return i < arguments.list.size() ? arguments.list[i].text : std::string();
+  };
   switch (directive) {
     case Directive::if_blank: return text(0).empty();
     case Directive::if_not_blank: return !text(0).empty();
@@ -190,7 +193,8 @@ void I8080Pass::end_definition() {
 
 void I8080Pass::call(const Macro& macro, std::size_t operands) {
   const Arguments arguments = split_arguments(statement_.text, operands);
-  if (arguments.unclosed != std::string_view::npos) return error(arguments.unclosed, "'<' without '>'", "'>'");
+  if (arguments.unclosed != std::string_view::npos)
+    return error(arguments.unclosed, "'<' without '>'", "'>'");
   std::vector<std::string> texts = argument_texts(arguments);
   const std::size_t most = macro.parameters.size();
   if (texts.size() > most) {

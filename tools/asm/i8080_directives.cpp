@@ -1,4 +1,5 @@
-// Directives that stand for themselves: data, location, symbols, files. Those that enclose lines are in i8080_blocks.
+// Directives that stand for themselves: data, location, symbols, files. Those that enclose lines are in
+// i8080_blocks.
 #include <algorithm>
 #include <utility>
 
@@ -52,14 +53,16 @@ void I8080Pass::directive(Directive directive, const Head& head) {
     case Directive::maclib: return include(true);
     case Directive::external: return externals();
     case Directive::cpu: return processor();
-    case Directive::z80: return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
+    case Directive::z80:
+      return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
     case Directive::ignored: return;
     default: return conditional(directive, head);
   }
 }
 
 void I8080Pass::equate(const Head& head, I8080SymbolKind kind) {
-  if (head.label.empty()) return error(head.operation_at, quoted(head.word) + " without a name", "NAME before it");
+  if (head.label.empty())
+    return error(head.operation_at, quoted(head.word) + " without a name", "NAME before it");
   const auto value = expression();
   if (!value) return;
   if (!expect_end()) return;
@@ -120,8 +123,8 @@ void I8080Pass::space() {
     for (std::uint32_t i = 0; i < *size; ++i) emit(byte);
     if (!fill) return;
   } else if (location_ + *size > memory_end) {
-    error(at, std::to_string(*size) + " bytes of space", "at most " + std::to_string(memory_end - location_) +
-                                                             " up to the end of the 64K");
+    error(at, std::to_string(*size) + " bytes of space",
+          "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
     location_ = memory_end;
   } else {
     location_ += *size;
@@ -141,7 +144,8 @@ void I8080Pass::end_of_program() {
     const std::size_t at = token_.column;
     const auto start = expression();
     if (start && expect_end() && final_) {
-      if (program_.image.start && *program_.image.start != start->bits) warning(at, "a second start address", "one");
+      if (program_.image.start && *program_.image.start != start->bits)
+        warning(at, "a second start address", "one");
       program_.image.start = static_cast<std::uint16_t>(start->bits);
     }
   }
@@ -160,7 +164,8 @@ void I8080Pass::include(bool library) {
     if (name.front() == ends[i] && name.back() == ends[i + 1]) name = name.substr(1, name.size() - 2);
   }
   if (name.empty()) return error(at, "no name", "the name of a file");
-  const auto in_file = std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
+  const auto in_file =
+      std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
   const std::string& including = program_.files[(*in_file)->file()].name;
   for (const std::string& written : ways_to_write(name, library)) {
     const auto file = read_included(beside(including, written));

@@ -1,4 +1,5 @@
-// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits, unsigned.
+// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
+// unsigned.
 #include <utility>
 
 #include "tools/asm/i8080_pass.hpp"
@@ -62,7 +63,9 @@ std::uint32_t result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-std::optional<I8080Value> I8080Pass::expression() { return level(0); }
+std::optional<I8080Value> I8080Pass::expression() {
+  return level(0);
+}
 
 std::optional<Operator> I8080Pass::operation_of_token() const {
   if (token_.is('+')) return Operator::add;
@@ -104,9 +107,10 @@ std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Valu
     error(at, "a division by 0", "another divisor");
     return std::nullopt;
   }
-  const bool logical = operation == Operator::and_ || operation == Operator::or_ || operation == Operator::xor_;
-  return I8080Value{known ? result_of(operation, a.bits, b.bits) & word_mask : 0, known, a.forward || b.forward,
-                    logical && (a.pattern || b.pattern)};
+  const bool logical =
+      operation == Operator::and_ || operation == Operator::or_ || operation == Operator::xor_;
+  return I8080Value{known ? result_of(operation, a.bits, b.bits) & word_mask : 0, known,
+                    a.forward || b.forward, logical && (a.pattern || b.pattern)};
 }
 
 bool I8080Pass::go_deeper() {
@@ -163,7 +167,8 @@ std::optional<I8080Value> I8080Pass::primary() {
   const auto operation = operation_of_token();
   if (operation == Operator::nul) {
     const I8080Token rest = I8080Lexer(lexer_).next();
-    const bool nothing = rest.kind == TokenKind::end || (rest.kind == TokenKind::string && rest.value.empty());
+    const bool nothing =
+        rest.kind == TokenKind::end || (rest.kind == TokenKind::string && rest.value.empty());
     lexer_ = I8080Lexer();
     advance();
     return I8080Value{nothing ? word_mask : 0U, true, false, false};
@@ -195,7 +200,8 @@ std::optional<I8080Value> I8080Pass::name_value() {
   if (entry != nullptr && entry->external) {
     error(name.column, "external symbol " + quoted(name.text), "one of this program: there is no linker");
   } else if (entry != nullptr && entry->defined_in_pass != 0) {
-    error(name.column, quoted(name.text) + ", whose own value is not known", "an EQU that does not rest on itself");
+    error(name.column, quoted(name.text) + ", whose own value is not known",
+          "an EQU that does not rest on itself");
   } else {
     error(name.column, "undefined symbol " + quoted(name.text), "one that is defined");
   }

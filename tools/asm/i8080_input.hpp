@@ -1,4 +1,5 @@
-// Where the lines of an 8080 assembly come from: files, and the expansions of macros and repeats inside them, stacked.
+// Where the lines of an 8080 assembly come from: files, and the expansions of macros and repeats inside them,
+// stacked.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +16,21 @@ namespace sightline::assembler {
 
 struct I8080Statement {
   std::string_view text;
-  std::size_t offset = 0;     // in its line
+  std::size_t offset = 0;  // in its line
   bool begins_line = false;
 };
 
-// One open file or expansion. Lines are fetched one by one, statements cut off them one by one, so that what follows
-// a macro call on its line comes after the expansion.
+// One open file or expansion. Lines are fetched one by one, statements cut off them one by one, so that what
+// follows a macro call on its line comes after the expansion.
 class I8080Frame {
  public:
   // A file. `text` must outlive the frame.
   I8080Frame(std::size_t file, std::string_view text) : file_(file), rest_(text) {}
-  // An expansion: the body `iterations` times. In each the row of texts with its number stands for `names` (there are
-  // no rows if there are no names), and texts of its own for the local names.
-  I8080Frame(std::string name, Position called, std::shared_ptr<const Body> body, std::vector<std::string> names,
-             std::vector<std::vector<std::string>> rows, std::size_t iterations);
+  // An expansion: the body `iterations` times. In each the row of texts with its number stands for `names`
+  // (there are no rows if there are no names), and texts of its own for the local names.
+  I8080Frame(std::string name, Position called, std::shared_ptr<const Body> body,
+             std::vector<std::string> names, std::vector<std::vector<std::string>> rows,
+             std::size_t iterations);
 
   // The next line, or false at the end. `new_local` makes a name that is nowhere else.
   template <class NewLocal>
@@ -57,8 +59,8 @@ class I8080Frame {
   // Reads no further line, and no further statement of this one.
   void finish();
 
-  std::size_t conditionals = 0;      // open when this was entered
-  std::optional<std::size_t> row;    // of the listing, for the current line
+  std::size_t conditionals = 0;    // open when this was entered
+  std::optional<std::size_t> row;  // of the listing, for the current line
   bool row_filled = false;
 
  private:

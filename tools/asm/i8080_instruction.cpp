@@ -1,4 +1,5 @@
-// Instructions: the operands a mnemonic takes, and which of its rows they choose, come from the instruction table.
+// Instructions: the operands a mnemonic takes, and which of its rows they choose, come from the instruction
+// table.
 #include <array>
 
 #include "tools/asm/i8080_pass.hpp"
@@ -46,7 +47,8 @@ using Codes = std::array<std::uint8_t, 2>;
 
 bool takes(const Instruction& row, const Codes& codes) {
   for (std::size_t i = 0; i < codes.size(); ++i) {
-    if (is_register(row.operands[i]) && (row.operands[i] == Operand::memory) != (codes[i] == code_of_m)) return false;
+    if (is_register(row.operands[i]) && (row.operands[i] == Operand::memory) != (codes[i] == code_of_m))
+      return false;
   }
   return true;
 }
@@ -89,7 +91,8 @@ std::optional<std::uint8_t> code_of(Operand operand, std::uint32_t value) {
 std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
   const I8080Token first = token_;
   const I8080Token after = I8080Lexer(lexer_).next();
-  const bool alone = first.kind == TokenKind::name && (after.kind == TokenKind::end || after.is(',') || after.is(')'));
+  const bool alone =
+      first.kind == TokenKind::name && (after.kind == TokenKind::end || after.is(',') || after.is(')'));
   if (at_end() || (alone && wrong_name(operand, first.value))) {
     unexpected(expected_for(operand));
     return std::nullopt;

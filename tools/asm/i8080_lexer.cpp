@@ -6,9 +6,15 @@
 namespace sightline::assembler {
 namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return lower(c) >= 'a' && lower(c) <= 'z';
+}
 
 // 99 for what is no digit of any radix.
 unsigned digit_value(char c) {
@@ -41,8 +47,8 @@ std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   return std::string_view::npos;
 }
 
-// A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind: the search
-// stays linear whatever the line holds.
+// A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind:
+// the search stays linear whatever the line holds.
 std::size_t find_outside_groups(std::string_view text, std::size_t from, std::string_view stops) {
   std::string plain;
   for (std::size_t i = from; i < text.size();) {
@@ -62,9 +68,15 @@ std::size_t find_outside_groups(std::string_view text, std::size_t from, std::st
 
 }  // namespace
 
-bool begins_name(char c) { return is_letter(c) || c == '?' || c == '@' || c == '.' || c == '_'; }
-bool continues_name(char c) { return begins_name(c) || is_digit(c) || c == '$'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1A'; }
+bool begins_name(char c) {
+  return is_letter(c) || c == '?' || c == '@' || c == '.' || c == '_';
+}
+bool continues_name(char c) {
+  return begins_name(c) || is_digit(c) || c == '$';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1A';
+}
 
 std::string folded(std::string_view name) {
   std::string text;
@@ -123,7 +135,8 @@ I8080Token I8080Lexer::next() {
   if (c == '\'' || c == '"') return string(start);
   if (c == '$') return dollar(start);
   if (!is_digit(c)) return {TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
-  if (c == '0' && start + 2 < text_.size() && lower(text_[start + 1]) == 'x' && digit_value(text_[start + 2]) < 16)
+  if (c == '0' && start + 2 < text_.size() && lower(text_[start + 1]) == 'x' &&
+      digit_value(text_[start + 2]) < 16)
     return number(start, start + 2, 16);
   return number(start, start, 0);
 }
@@ -155,7 +168,8 @@ I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned ra
     const unsigned digit = digit_value(c);
     if (digit >= radix) {
       token.kind = TokenKind::bad;
-      token.value = std::string(radix == 8 ? "an " : "a ") + name_of_radix(radix) + " number" + (radix == 10 ? " or a suffix H O Q B" : "");
+      token.value = std::string(radix == 8 ? "an " : "a ") + name_of_radix(radix) + " number" +
+                    (radix == 10 ? " or a suffix H O Q B" : "");
       return token;
     }
     token.number = std::min(token.number * radix + digit, 0x10000U);

@@ -1,8 +1,9 @@
 // Words of 8080 source: statements of a line, the head of a statement, the tokens of its operands.
 //
-// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM), so is a line
-// number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment that reaches to
-// the end of the line: unlike CP/M ASM, `!` does not end it, because comments that shout are more common.
+// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM), so is
+// a line number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment
+// that reaches to the end of the line: unlike CP/M ASM, `!` does not end it, because comments that shout are
+// more common.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,8 @@ namespace sightline::assembler {
 // As much of a token as a message can show.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-// Where the statement at `from` ends: at a `!` outside strings, angle brackets and comments, or at the end of the line.
+// Where the statement at `from` ends: at a `!` outside strings, angle brackets and comments, or at the end of
+// the line.
 [[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from);
 // Where the comment begins, or the length of the text.
 [[nodiscard]] std::size_t start_of_comment(std::string_view text, std::size_t from);
@@ -34,9 +36,9 @@ enum class TokenKind : std::uint8_t { end, name, number, string, sign, bad };
 
 struct I8080Token {
   TokenKind kind = TokenKind::end;
-  std::size_t column = 0;   // offset in the statement
-  std::string_view text;    // as written
-  std::string value;        // name: folded; string: without quotes; bad: what was expected
+  std::size_t column = 0;  // offset in the statement
+  std::string_view text;   // as written
+  std::string value;       // name: folded; string: without quotes; bad: what was expected
   std::uint32_t number = 0;
 
   [[nodiscard]] bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }

@@ -83,7 +83,8 @@ class ArgumentSplitter {
 
 class Replacer {
  public:
-  Replacer(std::string_view line, const std::vector<std::string>& names, const std::vector<std::string>& texts)
+  Replacer(std::string_view line, const std::vector<std::string>& names,
+           const std::vector<std::string>& texts)
       : line_(line), names_(names), texts_(texts) {}
 
   Expansion replace() {
@@ -125,8 +126,8 @@ class Replacer {
     const bool joined_before = at_ > 0 && line_[at_ - 1] == '&';
     const bool joined_after = end < line_.size() && line_[end] == '&';
     const bool may_be = quote_ == 0 || joined_before || joined_after;
-    const auto found = may_be ? std::find(names_.begin(), names_.end(), folded(line_.substr(at_, end - at_)))
-                              : names_.end();
+    const auto found =
+        may_be ? std::find(names_.begin(), names_.end(), folded(line_.substr(at_, end - at_))) : names_.end();
     if (found == names_.end()) return copy(end);
     if (joined_before && dropped_ != at_) expansion_.text.pop_back();
     expansion_.origins.emplace_back(expansion_.text.size(), at_);

@@ -1,7 +1,7 @@
 // Macros of the 8080 assembler as texts: bodies, arguments, and the replacing of names by texts.
 //
-// A name is replaced wherever it stands as a whole name outside strings and comments, inside a string only next to `&`.
-// One `&` on either side of it goes away: that joins the text to what stands there.
+// A name is replaced wherever it stands as a whole name outside strings and comments, inside a string only
+// next to `&`. One `&` on either side of it goes away: that joins the text to what stands there.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ struct Macro {
 
 struct Argument {
   std::string text;
-  std::size_t column = 0;   // offset of its first character
-  bool evaluate = false;    // written %expression: its value is passed, in decimal
+  std::size_t column = 0;  // offset of its first character
+  bool evaluate = false;   // written %expression: its value is passed, in decimal
 };
 
 struct Arguments {
@@ -44,9 +44,9 @@ struct Arguments {
   std::size_t unclosed = std::string_view::npos;  // offset of a `<` without `>`
 };
 
-// The arguments in text[from...], separated by commas, up to a comment. Blanks around them fall away, `<...>` makes
-// one argument of what it holds and is taken off, `^` takes the next character as it is. An empty text has no
-// arguments.
+// The arguments in text[from...], separated by commas, up to a comment. Blanks around them fall away, `<...>`
+// makes one argument of what it holds and is taken off, `^` takes the next character as it is. An empty text
+// has no arguments.
 [[nodiscard]] Arguments split_arguments(std::string_view text, std::size_t from);
 
 // A text made of another one, and where its parts come from: pairs of offsets here and there.

@@ -72,8 +72,8 @@ void I8080Pass::begin_row() {
 
 void I8080Pass::end_of_frame() {
   const I8080Frame& frame = *frames_.back();
-  const std::string end = frame.is_expansion() ? "the end of " + frame.name()
-                                               : "the end of " + program_.files[frame.file()].name;
+  const std::string end =
+      frame.is_expansion() ? "the end of " + frame.name() : "the end of " + program_.files[frame.file()].name;
   while (conditionals_.size() > frame.conditionals) {
     say(Severity::error, conditionals_.back().opened, end + " inside this IF", "ENDIF");
     conditionals_.pop_back();
@@ -110,7 +110,8 @@ const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
-// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's assemblers.
+// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's
+// assemblers.
 std::optional<I8080Pass::Head> I8080Pass::head() {
   const std::string_view text = statement_.text;
   if (statement_.begins_line && !text.empty() && (text[0] == '*' || text[0] == '$')) return std::nullopt;
@@ -143,7 +144,8 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
     label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
     return result;
   }
-  const Word* const after = word(folded(text.substr(next, end_of_name(text, next) - next)), WordKind::directive);
+  const Word* const after =
+      word(folded(text.substr(next, end_of_name(text, next) - next)), WordKind::directive);
   if (end > at && after != nullptr &&
       (after->directive == Directive::equ || after->directive == Directive::set ||
        after->directive == Directive::macro)) {
@@ -152,8 +154,9 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
   }
   operation(at);
   const Word* const known = program_.vocabulary.find(result.operation);
-  const bool is_operation = macros_.contains(result.operation) ||
-                            (known != nullptr && (known->kind == WordKind::mnemonic || known->kind == WordKind::directive));
+  const bool is_operation =
+      macros_.contains(result.operation) ||
+      (known != nullptr && (known->kind == WordKind::mnemonic || known->kind == WordKind::directive));
   if (first_column && end > at && !is_operation) label(next);
   return result;
 }
@@ -192,14 +195,16 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
   I8080Entry& entry = program_.symbols[key];
   if (entry.name.empty()) entry.name = std::string(name);
   if (entry.kind == I8080SymbolKind::define && entry.value) {
-    if (kind == I8080SymbolKind::label) error(at, "label " + quoted(name), "another name: -D defines this one");
+    if (kind == I8080SymbolKind::label)
+      error(at, "label " + quoted(name), "another name: -D defines this one");
     return;
   }
   if (entry.external) return error(at, quoted(name) + ", declared external", "a name not declared external");
   const bool again = entry.defined_in_pass == number_;
   if (again && (kind != I8080SymbolKind::set || entry.kind != kind)) {
-    return error(at, "a second definition of " + quoted(name),
-                 "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
+    return error(
+        at, "a second definition of " + quoted(name),
+        "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
   }
   const std::optional<std::uint16_t> now =
       value.known ? std::optional(static_cast<std::uint16_t>(value.bits)) : std::nullopt;
@@ -243,7 +248,8 @@ void I8080Pass::end_statement(I8080Frame& frame) {
   std::size_t shown = 0;
   do {
     const std::size_t count = std::min(bytes_.size() - shown, bytes_a_row);
-    const std::uint32_t first = bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
+    const std::uint32_t first =
+        bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
     std::string code = shown_equated_ ? "=" : "";
     for (std::size_t i = 0; i < count; ++i) code += hexadecimal(bytes_[shown + i], 2);
     if (frame.row_filled) program_.listing.push_back({"", "", ""});
@@ -286,7 +292,9 @@ void I8080Pass::unexpected(std::string expected) {
   error(token_.column, shown_token(), token_.kind == TokenKind::bad ? token_.value : std::move(expected));
 }
 
-Position I8080Pass::place(std::size_t at) const { return frames_.back()->place(statement_.offset + at); }
+Position I8080Pass::place(std::size_t at) const {
+  return frames_.back()->place(statement_.offset + at);
+}
 
 void I8080Pass::error(std::size_t at, std::string found, std::string expected) {
   if (final_) say(Severity::error, place(at), std::move(found), std::move(expected));
@@ -303,8 +311,8 @@ std::string I8080Pass::where_from() const {
   for (auto frame = frames_.rbegin(); frame != frames_.rend() && (*frame)->is_expansion(); ++frame) {
     if (++shown > most_places_shown) return text + ", ...)";
     const Position called = (*frame)->called();
-    text += (text.empty() ? " (in " : ", in ") + (*frame)->name() + " at " + program_.files[called.file].name + ":" +
-            std::to_string(called.line);
+    text += (text.empty() ? " (in " : ", in ") + (*frame)->name() + " at " +
+            program_.files[called.file].name + ":" + std::to_string(called.line);
   }
   return text.empty() ? text : text + ")";
 }

@@ -1,5 +1,6 @@
-// One reading of all 8080 sources. Layout passes settle the value of every symbol; they are repeated while an EQU that
-// refers forward still finds something out. Then one more pass makes the bytes, and only that one speaks.
+// One reading of all 8080 sources. Layout passes settle the value of every symbol; they are repeated while an
+// EQU that refers forward still finds something out. Then one more pass makes the bytes, and only that one
+// speaks.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,8 @@ struct I8080Program {
   Vocabulary vocabulary;
   std::unordered_map<std::string, I8080Entry> symbols;  // by folded name
   std::deque<SourceFile> files;                         // sources, then what was included
-  std::map<std::string, std::optional<std::size_t>> included;  // path -> its place in `files`; nothing: cannot be read
+  std::map<std::string, std::optional<std::size_t>>
+      included;                     // path -> its place in `files`; nothing: cannot be read
   std::size_t unknown_equates = 0;  // in the last pass
   bool values_moved = false;        // in the last pass, against the one before
   image::ByteImage image;
@@ -144,8 +146,8 @@ class I8080Pass {
   [[nodiscard]] bool go_deeper();
   [[nodiscard]] std::optional<I8080Value> primary();
   [[nodiscard]] std::optional<I8080Value> name_value();
-  [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a, const I8080Value& b,
-                                                  std::size_t at);
+  [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a,
+                                                  const I8080Value& b, std::size_t at);
   [[nodiscard]] std::optional<Operator> operation_of_token() const;
   // One that has to be the same in every pass.
   [[nodiscard]] std::optional<std::uint16_t> settled(std::string_view what);
@@ -178,11 +180,11 @@ class I8080Pass {
   I8080Token token_;
   std::uint32_t location_ = 0;
   std::uint32_t statement_location_ = 0;
-  std::vector<std::uint8_t> bytes_;                  // of this statement
-  std::optional<std::uint32_t> shown_value_;         // of a statement without bytes, for the listing
-  bool shown_equated_ = false;                       // ... by EQU or SET
-  bool said_phase_ = false;                          // the first is the cause of all others
-  bool said_overflow_ = false;                       // in this statement
+  std::vector<std::uint8_t> bytes_;           // of this statement
+  std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
+  bool shown_equated_ = false;                // ... by EQU or SET
+  bool said_phase_ = false;                   // the first is the cause of all others
+  bool said_overflow_ = false;                // in this statement
   bool said_overlap_ = false;
   std::size_t lines_ = 0;
   std::size_t locals_ = 0;

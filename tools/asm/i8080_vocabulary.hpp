@@ -1,4 +1,5 @@
-// The words an 8080 source cannot use as names: mnemonics (of the instruction table), directives, operators, registers.
+// The words an 8080 source cannot use as names: mnemonics (of the instruction table), directives, operators,
+// registers.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +13,64 @@
 namespace sightline::assembler {
 
 enum class Directive : std::uint8_t {
-  org, equ, set, db, dw, ds, dc, end,
-  if_, if_zero, if_defined, if_not_defined, if_blank, if_not_blank, if_same, if_different, else_, endif,
-  macro, endm, local, rept, irp, irpc, exitm,
-  include, maclib, external, cpu, z80,
+  org,
+  equ,
+  set,
+  db,
+  dw,
+  ds,
+  dc,
+  end,
+  if_,
+  if_zero,
+  if_defined,
+  if_not_defined,
+  if_blank,
+  if_not_blank,
+  if_same,
+  if_different,
+  else_,
+  endif,
+  macro,
+  endm,
+  local,
+  rept,
+  irp,
+  irpc,
+  exitm,
+  include,
+  maclib,
+  external,
+  cpu,
+  z80,
   ignored,  // listing controls, segments, PUBLIC, NAME: nothing to do in one absolute program
 };
 
 enum class Operator : std::uint8_t {
-  multiply, divide, mod, shl, shr, add, subtract, eq, ne, lt, le, gt, ge, not_, and_, or_, xor_, high, low, nul,
+  multiply,
+  divide,
+  mod,
+  shl,
+  shr,
+  add,
+  subtract,
+  eq,
+  ne,
+  lt,
+  le,
+  gt,
+  ge,
+  not_,
+  and_,
+  or_,
+  xor_,
+  high,
+  low,
+  nul,
 };
 
-// The rows of the instruction table with the same mnemonic: they differ in which operands are registers and which M.
+// The rows of the instruction table with the same mnemonic: they differ in which operands are registers and
+// which M.
 using Mnemonic = std::vector<const i8080::Instruction*>;
 
 enum class WordKind : std::uint8_t { mnemonic, directive, operation, register_name };

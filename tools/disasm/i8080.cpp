@@ -53,9 +53,12 @@ std::string operand_text(Operand operand, std::array<std::uint8_t, 3> bytes) {
 
 class Lines {
  public:
-  void origin(std::uint16_t address) { text_ += std::string(indent) + "ORG     " + number(address, 4) + "\n"; }
+  void origin(std::uint16_t address) {
+    text_ += std::string(indent) + "ORG     " + number(address, 4) + "\n";
+  }
 
-  void add(std::uint16_t address, std::string statement, std::span<const std::uint8_t> bytes, std::string_view note) {
+  void add(std::uint16_t address, std::string statement, std::span<const std::uint8_t> bytes,
+           std::string_view note) {
     statement.insert(0, indent);
     statement.resize(std::max(statement.size() + 1, comment_column), ' ');
     text_ += statement + "; " + hexadecimal(address, 4);

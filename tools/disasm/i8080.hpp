@@ -1,9 +1,10 @@
-// The disassembler of the 8080. Its output is source of the 8080 assembler that assembles to the same bytes again; a
-// comment on every line gives the address and the bytes in hexadecimal.
+// The disassembler of the 8080. Its output is source of the 8080 assembler that assembles to the same bytes
+// again; a comment on every line gives the address and the bytes in hexadecimal.
 //
-// Bytes are read one instruction after the other from the start of every run of addresses. An opcode Intel left
-// undefined repeats another, but the assembler would write the other one: such an instruction comes out as DB with
-// what it does in the comment. So do the bytes at the end of a run that do not make a whole instruction.
+// Bytes are read one instruction after the other from the start of every run of addresses. An opcode Intel
+// left undefined repeats another, but the assembler would write the other one: such an instruction comes out
+// as DB with what it does in the comment. So do the bytes at the end of a run that do not make a whole
+// instruction.
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
-// Memory of an 8080: 64K bytes, which of them a file or an assembly has given, and the raw forms that carry them.
+// Memory of an 8080: 64K bytes, which of them a file or an assembly has given, and the raw forms that carry
+// them.
 //
-// .bin: the bytes from the lowest to the highest address given, gaps as 00; it carries no address. .com: a CP/M
-// program, the bytes from 0100 on, started there. Neither tells a byte of a gap from a byte 00.
+// .bin: the bytes from the lowest to the highest address given, gaps as 00; it carries no address. .com: a
+// CP/M program, the bytes from 0100 on, started there. Neither tells a byte of a gap from a byte 00.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +53,8 @@ class ByteImage {
 // At 0100, with that start address.
 [[nodiscard]] Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file);
 
-// Both fail on an image without bytes, write_com also on a byte below 0100 and on a start address other than 0100.
+// Both fail on an image without bytes, write_com also on a byte below 0100 and on a start address other than
+// 0100.
 [[nodiscard]] Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image, std::string_view file);
 [[nodiscard]] Result<std::vector<std::uint8_t>> write_com(const ByteImage& image, std::string_view file);
 

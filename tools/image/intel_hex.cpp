@@ -11,7 +11,12 @@ constexpr std::size_t bytes_a_record = 16;
 constexpr char end_of_text = 0x1A;
 
 enum RecordType : std::uint8_t {
-  data = 0, end_of_file = 1, extended_segment = 2, start_segment = 3, extended_linear = 4, start_linear = 5,
+  data = 0,
+  end_of_file = 1,
+  extended_segment = 2,
+  start_segment = 3,
+  extended_linear = 4,
+  start_linear = 5,
 };
 
 std::optional<std::uint8_t> digit_value(char c) {
@@ -98,8 +103,7 @@ class Reader {
       case extended_linear: return set_base(16);
       case start_segment: return set_start(4);
       case start_linear: return set_start(16);
-      default:
-        return problem(7, "record type " + hexadecimal(type, 2), "00 data, 01 end, or 02 to 05");
+      default: return problem(7, "record type " + hexadecimal(type, 2), "00 data, 01 end, or 02 to 05");
     }
   }
 
@@ -112,8 +116,9 @@ class Reader {
   std::optional<Error> store(std::uint16_t address) {
     const std::size_t first = base_ + address;
     if (first + bytes_[0] > byte_memory_size) {
-      return problem(3, std::to_string(bytes_[0]) + " bytes from " + hexadecimal(address, 4) +
-                            (base_ == 0 ? "" : " above base " + hexadecimal(base_, 8)),
+      return problem(3,
+                     std::to_string(bytes_[0]) + " bytes from " + hexadecimal(address, 4) +
+                         (base_ == 0 ? "" : " above base " + hexadecimal(base_, 8)),
                      "none past FFFF: an 8080 has 64K");
     }
     for (std::size_t i = 0; i < bytes_[0]; ++i) {
@@ -139,7 +144,8 @@ class Reader {
     if (bytes_[0] != 4) return problem(1, "length " + hexadecimal(bytes_[0], 2), "04 for this record type");
     const std::uint32_t high = static_cast<std::uint32_t>(bytes_[4] << 8 | bytes_[5]) << shift;
     const std::uint64_t start = std::uint64_t{high} + static_cast<std::uint32_t>(bytes_[6] << 8 | bytes_[7]);
-    if (start >= byte_memory_size) return problem(9, "a start address above FFFF", "one within the 64K of an 8080");
+    if (start >= byte_memory_size)
+      return problem(9, "a start address above FFFF", "one within the 64K of an 8080");
     image_.start = static_cast<std::uint16_t>(start);
     return std::nullopt;
   }
@@ -150,7 +156,8 @@ class Reader {
   }
 
   Error problem(std::size_t offset, std::string found, std::string expected) const {
-    return {std::string(file_), std::to_string(std::max<std::size_t>(number_, 1)) + ":" + std::to_string(offset + 1),
+    return {std::string(file_),
+            std::to_string(std::max<std::size_t>(number_, 1)) + ":" + std::to_string(offset + 1),
             std::move(found), std::move(expected)};
   }
 
@@ -165,7 +172,8 @@ class Reader {
   ByteImage image_;
 };
 
-void add_record(std::string& text, std::uint16_t address, RecordType type, std::span<const std::uint8_t> bytes) {
+void add_record(std::string& text, std::uint16_t address, RecordType type,
+                std::span<const std::uint8_t> bytes) {
   unsigned sum = 0;
   const auto add = [&](unsigned byte) {
     text += hexadecimal(byte & 0xFFU, 2);
@@ -191,7 +199,8 @@ std::string write_intel_hex(const ByteImage& image) {
   std::string text;
   for (std::size_t at = 0; at < byte_memory_size;) {
     std::size_t end = at;
-    while (end < byte_memory_size && end - at < bytes_a_record && image.used(static_cast<std::uint16_t>(end))) ++end;
+    while (end < byte_memory_size && end - at < bytes_a_record && image.used(static_cast<std::uint16_t>(end)))
+      ++end;
     if (end > at) add_record(text, static_cast<std::uint16_t>(at), data, image.bytes().subspan(at, end - at));
     at = end > at ? end : at + 1;
   }

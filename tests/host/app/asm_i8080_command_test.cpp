@@ -1,4 +1,5 @@
-// `sightline asm i8080` and `disasm i8080`: formats, options, and that nothing is written when there is an error.
+// `sightline asm i8080` and `disasm i8080`: formats, options, and that nothing is written when there is an
+// error.
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -16,7 +17,8 @@ class AsmI8080Command : public sightline::test::CommandLine {
 
 TEST_F(AsmI8080Command, TheEndingOfTheOutputChoosesTheFormat) {
   write("a.asm", source);
-  for (const auto& [file, content] : {std::pair{"a.com", bytes}, {"a.BIN", bytes}, {"a.hex", hex}, {"a.out", hex}}) {
+  for (const auto& [file, content] :
+       {std::pair{"a.com", bytes}, {"a.BIN", bytes}, {"a.hex", hex}, {"a.out", hex}}) {
     const auto ran = sightline({"asm", "i8080", "a.asm", "-o", file});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(read(file), content) << file;
@@ -30,7 +32,8 @@ TEST_F(AsmI8080Command, ListingSymbolsDefinesAndIncludes) {
   std::filesystem::create_directory(path("sub"));
   write("sub/main.asm", " INCLUDE part.asm\n DB SIZE\n");
   write("sub/part.asm", "SIZE EQU 1\n");
-  const auto ran = sightline({"asm", "i8080", "-D", "SIZE=0AH", "sub/main.asm", "--listing", "a.prn", "--symbols", "-"});
+  const auto ran =
+      sightline({"asm", "i8080", "-D", "SIZE=0AH", "sub/main.asm", "--listing", "a.prn", "--symbols", "-"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(ran.out, "SIZE 000A\n");
   EXPECT_TRUE(has(read("a.prn"), "0000 0A   DB SIZE\n")) << read("a.prn");
@@ -60,7 +63,8 @@ TEST_F(AsmI8080Command, DisassemblyComesBack) {
   ASSERT_EQ(sightline({"asm", "i8080", "a.asm", "-o", "a.com"}).exit_code, 0);
   ASSERT_EQ(sightline({"asm", "i8080", "a.asm", "-o", "a.hex"}).exit_code, 0);
   write("raw", bytes);
-  for (const Arguments& file : {Arguments{"a.com"}, {"a.hex"}, {"raw@100"}, {"raw@0100H"}, {"raw", "--format", "com"}}) {
+  for (const Arguments& file :
+       {Arguments{"a.com"}, {"a.hex"}, {"raw@100"}, {"raw@0100H"}, {"raw", "--format", "com"}}) {
     Arguments arguments{"disasm", "i8080", "-o", "again.asm"};
     arguments.insert(arguments.end(), file.begin(), file.end());
     const auto ran = sightline(arguments);

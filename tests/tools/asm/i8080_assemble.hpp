@@ -31,7 +31,9 @@ inline Bytes bytes_of(const I8080Assembly& assembly) {
   return {all.begin() + assembly.image.lowest(), all.begin() + assembly.image.highest() + 1};
 }
 
-inline Bytes bytes8080(std::string text) { return bytes_of(assemble8080(std::move(text))); }
+inline Bytes bytes8080(std::string text) {
+  return bytes_of(assemble8080(std::move(text)));
+}
 
 inline Texts messages(const I8080Assembly& assembly) {
   Texts texts;
@@ -39,6 +41,8 @@ inline Texts messages(const I8080Assembly& assembly) {
   return texts;
 }
 
-inline Texts messages8080(std::string text) { return messages(assemble8080(std::move(text))); }
+inline Texts messages8080(std::string text) {
+  return messages(assemble8080(std::move(text)));
+}
 
 }  // namespace sightline::assembler

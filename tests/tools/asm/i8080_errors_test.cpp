@@ -6,10 +6,13 @@
 namespace sightline::assembler {
 namespace {
 
-Texts one(const std::string& text) { return {"t.asm:" + text}; }
+Texts one(const std::string& text) {
+  return {"t.asm:" + text};
+}
 
 TEST(I8080Errors, AllOfOneRunWithPlaceFoundAndExpected) {
-  const auto assembly = assemble8080(" ORG 100H\n\tMVI A,NOWHERE\n\tMOVE A,B\n\tMVI Q,1\nLL:\tDB 256\nLL:\tNOP\n");
+  const auto assembly =
+      assemble8080(" ORG 100H\n\tMVI A,NOWHERE\n\tMOVE A,B\n\tMVI Q,1\nLL:\tDB 256\nLL:\tNOP\n");
   EXPECT_EQ(messages(assembly),
             (Texts{"t.asm:2:8: error: found undefined symbol 'NOWHERE', expected one that is defined",
                    "t.asm:3:2: error: found 'MOVE', expected an instruction, a directive or a macro",
@@ -50,14 +53,19 @@ TEST(I8080Errors, OneMistakeOneMessage) {
       {" EQU 5", "1:2: error: found 'EQU' without a name, expected NAME before it"},
       {" ORG LL\nLL: NOP", "1:6: error: found a forward reference, expected an address known at this line"},
       {" DS LL\nLL: NOP", "1:5: error: found a forward reference, expected a size known at this line"},
-      {" IF LL\n ENDIF\nLL: NOP", "1:5: error: found a forward reference, expected a condition known at this line"},
-      {"X EQU Y\n ORG X\nY EQU 5", "2:6: error: found a forward reference, expected an address known at this line"},
-      {"X EQU X+1", "1:7: error: found 'X', whose own value is not known, expected an EQU that does not rest on itself"},
+      {" IF LL\n ENDIF\nLL: NOP",
+       "1:5: error: found a forward reference, expected a condition known at this line"},
+      {"X EQU Y\n ORG X\nY EQU 5",
+       "2:6: error: found a forward reference, expected an address known at this line"},
+      {"X EQU X+1",
+       "1:7: error: found 'X', whose own value is not known, expected an EQU that does not rest on itself"},
       {" .Z80", "1:2: error: found '.Z80', expected 8080 source with Intel's mnemonics"},
       {" CPU Z80", "1:6: error: found 'Z80', expected 8080"},
-      {" EXTRN PUTC\n CALL PUTC", "2:7: error: found external symbol 'PUTC', expected one of this program: there is no linker"},
+      {" EXTRN PUTC\n CALL PUTC",
+       "2:7: error: found external symbol 'PUTC', expected one of this program: there is no linker"},
       {" ORG 0FFFFH\n DW 1", "2:1: error: found a byte past FFFF, expected a program within 64K"},
-      {" ORG 0FFFFH\n DS 2", "2:5: error: found 2 bytes of space, expected at most 1 up to the end of the 64K"},
+      {" ORG 0FFFFH\n DS 2",
+       "2:5: error: found 2 bytes of space, expected at most 1 up to the end of the 64K"},
       {" ELSE", "1:2: error: found 'ELSE', expected an IF before it, in the same file or macro"},
       {" ENDIF", "1:2: error: found 'ENDIF', expected an IF before it, in the same file or macro"},
       {" IF 1\n ELSE\n ELSE\n ENDIF", "3:2: error: found a second ELSE, expected ENDIF"},
@@ -70,7 +78,8 @@ TEST(I8080Errors, OneMistakeOneMessage) {
       {"ADD MACRO X\n ENDM", "1:1: error: found 'ADD', expected a name that is not reserved"},
       {"P MACRO X\n ENDM\n P <1", "3:4: error: found '<' without '>', expected '>'"},
       {" IRP 5,<1>\n ENDM", "1:6: error: found '5', expected the name of a parameter"},
-      {" INCLUDE gone.asm", "1:10: error: found 'gone.asm', which cannot be read, expected a file beside t.asm"},
+      {" INCLUDE gone.asm",
+       "1:10: error: found 'gone.asm', which cannot be read, expected a file beside t.asm"},
       {" INCLUDE", "1:9: error: found no name, expected the name of a file"},
       {" ?", "1:2: error: found '?', expected an instruction, a directive or a macro"},
       {" +", "1:2: error: found '+', expected a label, an instruction, a directive or a comment"},
@@ -80,7 +89,8 @@ TEST(I8080Errors, OneMistakeOneMessage) {
 
 TEST(I8080Errors, AMacroNamesBothPlaces) {
   EXPECT_EQ(messages8080("PUT MACRO C\n\tMVI E,C\n ENDM\nTWICE MACRO C\n PUT C\n ENDM\n NOP\n TWICE 300\n"),
-            one("2:8: error: found value 300 (012C), expected a byte, -128 to 255 (in PUT at t.asm:5, in TWICE at t.asm:8)"));
+            one("2:8: error: found value 300 (012C), expected a byte, -128 to 255 (in PUT at t.asm:5, in "
+                "TWICE at t.asm:8)"));
   EXPECT_EQ(messages8080(" REPT 1\n\tDB Q ; later text keeps its column\n ENDM"),
             one("2:5: error: found undefined symbol 'Q', expected one that is defined (in REPT at t.asm:1)"));
   EXPECT_EQ(messages8080("P MACRO LONGNAME\n DB LONGNAME,Q\n ENDM\n P 1\n"),
@@ -91,7 +101,8 @@ TEST(I8080Errors, IncludedFilesAreNamed) {
   const Files files{{"a.inc", "\n FOO\n"}, {"loop.inc", " INCLUDE loop.inc\n"}};
   EXPECT_EQ(messages(assemble8080(" INCLUDE a.inc\n INCLUDE loop.inc\n", {}, files)),
             (Texts{"a.inc:2:2: error: found 'FOO', expected an instruction, a directive or a macro",
-                   "loop.inc:1:10: error: found 'loop.inc', which is being read, expected no file that includes itself"}));
+                   "loop.inc:1:10: error: found 'loop.inc', which is being read, expected no file that "
+                   "includes itself"}));
 }
 
 TEST(I8080Errors, WhatDoesNotEnd) {
@@ -114,13 +125,15 @@ TEST(I8080Errors, WarningsLetTheProgramBe) {
   const auto twice = assemble8080(" DB 1,2\n ORG 1\n DB 3\n");
   EXPECT_EQ(messages(twice), one("3:1: warning: found a second byte for address 0001, expected one"));
   EXPECT_EQ(bytes_of(twice), (Bytes{1, 3}));
-  EXPECT_EQ(messages8080("P MACRO X\n DB X\n ENDM\n P 1,2\n"), one("4:6: warning: found 2 arguments, expected at most 1 for P"));
+  EXPECT_EQ(messages8080("P MACRO X\n DB X\n ENDM\n P 1,2\n"),
+            one("4:6: warning: found 2 arguments, expected at most 1 for P"));
 }
 
 TEST(I8080Errors, ADefineIsNotALabel) {
   I8080Options options;
   options.defines = {{"L1", 1}};
-  EXPECT_EQ(messages(assemble8080("L1: NOP", options)), one("1:1: error: found label 'L1', expected another name: -D defines this one"));
+  EXPECT_EQ(messages(assemble8080("L1: NOP", options)),
+            one("1:1: error: found label 'L1', expected another name: -D defines this one"));
 }
 
 }  // namespace

@@ -34,8 +34,10 @@ TEST(I8080Language, EveryInstruction) {
 }
 
 TEST(I8080Language, RegistersAreValues) {
-  EXPECT_EQ(bytes8080(" MOV 7,0\n MOV A,6\n INR 1\n PUSH 6\n LXI 4,0\n"), (Bytes{0x78, 0x7E, 0x0C, 0xF5, 0x21, 0, 0}));
-  EXPECT_EQ(bytes8080("ACC EQU 7\n MOV ACC,M\n DB B,C,D,E,H,L,M,A,SP,PSW"), (Bytes{0x7E, 0, 1, 2, 3, 4, 5, 6, 7, 6, 6}));
+  EXPECT_EQ(bytes8080(" MOV 7,0\n MOV A,6\n INR 1\n PUSH 6\n LXI 4,0\n"),
+            (Bytes{0x78, 0x7E, 0x0C, 0xF5, 0x21, 0, 0}));
+  EXPECT_EQ(bytes8080("ACC EQU 7\n MOV ACC,M\n DB B,C,D,E,H,L,M,A,SP,PSW"),
+            (Bytes{0x7E, 0, 1, 2, 3, 4, 5, 6, 7, 6, 6}));
   EXPECT_EQ(bytes8080(" LXI HL,1\n PUSH BC\n DAD DE\n"), (Bytes{0x21, 1, 0, 0xC5, 0x19}));
   EXPECT_EQ(bytes8080("HL: LXI H,HL\n"), (Bytes{0x21, 0, 0}));
 }
@@ -49,20 +51,29 @@ TEST(I8080Language, Numbers) {
 // Values worked out by Intel's order: HIGH LOW; * / MOD SHL SHR; + -; relations; NOT; AND; OR XOR.
 TEST(I8080Language, Precedence) {
   const std::vector<std::pair<std::string, int>> cases{
-      {"2+3*4", 14},         {"(2+3)*4", 20},        {"-4/2", 0xFFFE},          {"2*-3", 0xFFFA},
-      {"HIGH 1234H+1", 0x13}, {"LOW 1234H SHL 4", 0x340}, {"1 SHL 4+1", 17},     {"7 MOD 4*2", 6},
-      {"1+1 EQ 2", 0xFFFF},  {"NOT 1 EQ 2", 0xFFFF}, {"NOT 0 AND 0FH", 15},     {"1 OR 2 AND 4", 1},
-      {"5 XOR 1 OR 8", 12},  {"0FFFFH GT 1", 0xFFFF}, {"-1 LT 1", 0},           {"3 GE 3", 0xFFFF},
-      {"2 LE 1", 0},         {"1 NE 1", 0},          {"1 SHL 16", 0},           {"8000H SHR 15", 1},
-      {"200H*200H", 0},      {"'AB'", 0x4142},       {"'A'+1", 0x42},           {"''", 0},
-      {"''''", 0x27},        {"\"'\"", 0x27},        {"65535+2", 1},            {"0-1", 0xFFFF},
-      {"((((1))))", 1},      {"+5 - -5", 10},        {"$", 0x100},              {"*+1", 0x101},
-      {"(RET)", 0xC9},       {"(MOV A,B)", 0x78},    {"(INX H)", 0x23},         {"JMP", 0xC3},
-      {"NUL", 0xFFFF},       {"NUL X", 0},
+      {"2+3*4", 14},          {"(2+3)*4", 20},
+      {"-4/2", 0xFFFE},       {"2*-3", 0xFFFA},
+      {"HIGH 1234H+1", 0x13}, {"LOW 1234H SHL 4", 0x340},
+      {"1 SHL 4+1", 17},      {"7 MOD 4*2", 6},
+      {"1+1 EQ 2", 0xFFFF},   {"NOT 1 EQ 2", 0xFFFF},
+      {"NOT 0 AND 0FH", 15},  {"1 OR 2 AND 4", 1},
+      {"5 XOR 1 OR 8", 12},   {"0FFFFH GT 1", 0xFFFF},
+      {"-1 LT 1", 0},         {"3 GE 3", 0xFFFF},
+      {"2 LE 1", 0},          {"1 NE 1", 0},
+      {"1 SHL 16", 0},        {"8000H SHR 15", 1},
+      {"200H*200H", 0},       {"'AB'", 0x4142},
+      {"'A'+1", 0x42},        {"''", 0},
+      {"''''", 0x27},         {"\"'\"", 0x27},
+      {"65535+2", 1},         {"0-1", 0xFFFF},
+      {"((((1))))", 1},       {"+5 - -5", 10},
+      {"$", 0x100},           {"*+1", 0x101},
+      {"(RET)", 0xC9},        {"(MOV A,B)", 0x78},
+      {"(INX H)", 0x23},      {"JMP", 0xC3},
+      {"NUL", 0xFFFF},        {"NUL X", 0},
   };
   for (const auto& [text, value] : cases) {
-    EXPECT_EQ(bytes8080(" ORG 100H\n DW " + text), (Bytes{static_cast<std::uint8_t>(value & 255),
-                                                          static_cast<std::uint8_t>(value >> 8)}))
+    EXPECT_EQ(bytes8080(" ORG 100H\n DW " + text),
+              (Bytes{static_cast<std::uint8_t>(value & 255), static_cast<std::uint8_t>(value >> 8)}))
         << text;
   }
 }
@@ -74,7 +85,8 @@ TEST(I8080Language, Data) {
   EXPECT_EQ(bytes8080(" DC 'abc'\n DC 'x','yz'"), (Bytes{'a', 'b', 'c' | 0x80, 'x' | 0x80, 'y', 'z' | 0x80}));
   EXPECT_EQ(bytes8080(" DB 1\n DS 2\n DB 2\n DS 2,0AAH\n DEFB 3\n DEFW 4\n DEFS 1\n DB 5"),
             (Bytes{1, 0, 0, 2, 0xAA, 0xAA, 3, 4, 0, 0, 5}));
-  EXPECT_EQ(bytes8080(" ANI NOT 80H\n ORI NOT 0F0H AND 0FFH\n MVI A,-128"), (Bytes{0xE6, 0x7F, 0xF6, 0x0F, 0x3E, 0x80}));
+  EXPECT_EQ(bytes8080(" ANI NOT 80H\n ORI NOT 0F0H AND 0FFH\n MVI A,-128"),
+            (Bytes{0xE6, 0x7F, 0xF6, 0x0F, 0x3E, 0x80}));
 }
 
 TEST(I8080Language, SpaceIsNotGiven) {
@@ -92,9 +104,10 @@ TEST(I8080Language, LocationIsThatOfTheStatement) {
 
 TEST(I8080Language, LabelsAndStatements) {
   const Bytes expected{0xC3, 3, 0, 0, 0x76};
-  for (const char* text : {" JMP LL\nLL: NOP\n HLT", " jmp ll\nLL NOP\n hlt", " JMP LL ! LL: NOP ! HLT", " JMP LL\n\tLL:\n NOP\n HLT",
-                           " JMP LL\nLL:: NOP ; it's ! not done\n HLT", "10 JMP LL\n20 LL: NOP\n30 HLT\n",
-                           " JMP LL\r\nLL : NOP\r\n HLT\r\n\x1A", "* JMP 5\n$title('x')\n JMP LL\nl$l NOP\n HLT"}) {
+  for (const char* text : {" JMP LL\nLL: NOP\n HLT", " jmp ll\nLL NOP\n hlt", " JMP LL ! LL: NOP ! HLT",
+                           " JMP LL\n\tLL:\n NOP\n HLT", " JMP LL\nLL:: NOP ; it's ! not done\n HLT",
+                           "10 JMP LL\n20 LL: NOP\n30 HLT\n", " JMP LL\r\nLL : NOP\r\n HLT\r\n\x1A",
+                           "* JMP 5\n$title('x')\n JMP LL\nl$l NOP\n HLT"}) {
     EXPECT_EQ(bytes8080(text), expected) << text;
   }
   EXPECT_EQ(bytes8080(" MVI A,'!' ! MVI B,';' ! RET"), (Bytes{0x3E, '!', 0x06, ';', 0xC9}));
@@ -108,7 +121,8 @@ TEST(I8080Language, NamesOfDirectivesAreFreeForLabels) {
 }
 
 TEST(I8080Language, Symbols) {
-  const auto assembly = assemble8080("A1 EQU B1+1\nB1 EQU C1+1\nC1 EQU LL\nS SET 1\n DB A1,S\nS SET S+1\n DB S\nLL: END LL");
+  const auto assembly =
+      assemble8080("A1 EQU B1+1\nB1 EQU C1+1\nC1 EQU LL\nS SET 1\n DB A1,S\nS SET S+1\n DB S\nLL: END LL");
   EXPECT_EQ(messages(assembly), Texts{});
   EXPECT_EQ(bytes_of(assembly), (Bytes{5, 1, 2}));
   EXPECT_EQ(assembly.value_of("a1"), 5);
@@ -121,7 +135,8 @@ TEST(I8080Language, Symbols) {
 TEST(I8080Language, DefinesWin) {
   I8080Options options;
   options.defines = {{"Size", 3}};
-  EXPECT_EQ(bytes_of(assemble8080("SIZE EQU 7\n DB SIZE\n IF SIZE EQ 3\n DB 1\n ENDIF", options)), (Bytes{3, 1}));
+  EXPECT_EQ(bytes_of(assemble8080("SIZE EQU 7\n DB SIZE\n IF SIZE EQ 3\n DB 1\n ENDIF", options)),
+            (Bytes{3, 1}));
   for (const auto& [text, value] : std::vector<std::pair<std::string, int>>{
            {"A1=10", 10}, {"X=0FFH", 255}, {"X=0x10", 16}, {"X=-1", 0xFFFF}, {"X=101B", 5}}) {
     const auto define = parse_i8080_define(text);
@@ -142,14 +157,16 @@ TEST(I8080Language, Conditionals) {
   EXPECT_EQ(with(1, 0), (Bytes{1, 3, 6}));
   EXPECT_EQ(with(0, 1), (Bytes{4, 5, 6}));
   EXPECT_EQ(with(0, 0), (Bytes{4, 6}));
-  EXPECT_EQ(bytes8080("Z EQU 0\n IFE Z\n DB 1\n ENDIF\n IFDEF Z\n DB 2\n ENDIF\n IFNDEF Q\n DB 3\n ENDC\n COND Z\n DB 4\n ENDC"),
+  EXPECT_EQ(bytes8080("Z EQU 0\n IFE Z\n DB 1\n ENDIF\n IFDEF Z\n DB 2\n ENDIF\n IFNDEF Q\n DB 3\n ENDC\n "
+                      "COND Z\n DB 4\n ENDC"),
             (Bytes{1, 2, 3}));
   EXPECT_EQ(bytes8080(" IF 0 ! what is this ' ( ! ENDIF ! DB 7"), Bytes{7});
 }
 
 TEST(I8080Language, IncludedFiles) {
   I8080Options options;
-  const Files files{{"sub/a.asm", " DB 2\n INCLUDE b.inc\n DB 4\n"}, {"sub/b.inc", " DB 3\n END\n garbage here\n"},
+  const Files files{{"sub/a.asm", " DB 2\n INCLUDE b.inc\n DB 4\n"},
+                    {"sub/b.inc", " DB 3\n END\n garbage here\n"},
                     {"disk.lib", "TWICE MACRO X\n DB X,X\n ENDM\n"}};
   const std::string text = " MACLIB DISK\n DB 1\n INCLUDE 'sub/a.asm' ; here\n TWICE 5\n";
   const auto assembly = assemble8080(text, options, files);
@@ -165,13 +182,15 @@ TEST(I8080Language, SeveralSourcesAreOneProgram) {
 }
 
 TEST(I8080Language, WhatChangesNothing) {
-  EXPECT_EQ(bytes8080(" NAME ('x')\n TITLE 'don''t!'\n PAGE 60\n ASEG\n CSEG\n DSEG\n PUBLIC X,Y\n .8080\n CPU 8080\n .XLIST\n"
+  EXPECT_EQ(bytes8080(" NAME ('x')\n TITLE 'don''t!'\n PAGE 60\n ASEG\n CSEG\n DSEG\n PUBLIC X,Y\n .8080\n "
+                      "CPU 8080\n .XLIST\n"
                       " EXTRN ELSEWHERE\nX: NOP"),
             Bytes{0});
 }
 
 TEST(I8080Language, Listing) {
-  const auto assembly = assemble8080("TEN EQU 10\n\tORG 100H\nLL:\tDB 1,2,3,4,5,TEN ; six\nM2\tMACRO\n\tNOP\n\tENDM\n\tM2\n");
+  const auto assembly =
+      assemble8080("TEN EQU 10\n\tORG 100H\nLL:\tDB 1,2,3,4,5,TEN ; six\nM2\tMACRO\n\tNOP\n\tENDM\n\tM2\n");
   EXPECT_EQ(write_listing(assembly.listing),
             "000A =         TEN EQU 10\n"
             "0100           \tORG 100H\n"

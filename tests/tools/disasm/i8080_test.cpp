@@ -26,7 +26,8 @@ TEST(DisassembleI8080, EveryOpcodeWithSeveralOperandsComesBack) {
     for (const unsigned operand : {0x00U, 0x09U, 0x7FU, 0x80U, 0xA0U, 0xFFU}) {
       for (const unsigned byte : {opcode, operand, operand ^ 0x5AU})
         image.put(at++, static_cast<std::uint8_t>(byte));
-      for (int i = 0; i < 3; ++i) image.put(at++, 0);  // whatever came before, an instruction begins after these
+      for (int i = 0; i < 3; ++i)
+        image.put(at++, 0);  // whatever came before, an instruction begins after these
     }
     EXPECT_EQ(again(image), image) << opcode;
   }
@@ -44,7 +45,8 @@ TEST(DisassembleI8080, AllOfMemoryComesBack) {
 TEST(DisassembleI8080, ScatteredBytesComeBack) {
   std::mt19937 random(1985);
   image::ByteImage image;
-  for (int i = 0; i < 20000; ++i) image.put(static_cast<std::uint16_t>(random()), static_cast<std::uint8_t>(random()));
+  for (int i = 0; i < 20000; ++i)
+    image.put(static_cast<std::uint16_t>(random()), static_cast<std::uint8_t>(random()));
   EXPECT_EQ(again(image), image);
 }
 
@@ -68,7 +70,8 @@ TEST(DisassembleI8080, Text) {
 TEST(DisassembleI8080, WholeSource) {
   image::ByteImage image;
   std::uint16_t at = 0x0100;
-  for (const unsigned byte : {0x3EU, 0xFFU, 0xCBU, 0x00U, 0x01U, 0xC3U, 0x00U}) image.put(at++, static_cast<std::uint8_t>(byte));
+  for (const unsigned byte : {0x3EU, 0xFFU, 0xCBU, 0x00U, 0x01U, 0xC3U, 0x00U})
+    image.put(at++, static_cast<std::uint8_t>(byte));
   image.put(0xF000, 0xC9);
   image.start = 0x0100;
   EXPECT_EQ(disassemble_i8080(image),

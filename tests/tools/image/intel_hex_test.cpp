@@ -1,4 +1,5 @@
-// Intel HEX and raw bytes: records known from Intel's description, round trips, and everything that can be wrong.
+// Intel HEX and raw bytes: records known from Intel's description, round trips, and everything that can be
+// wrong.
 #include "tools/image/intel_hex.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,8 @@ TEST(IntelHex, RandomImagesComeBack) {
   std::mt19937 random(8080);
   for (int round = 0; round < 20; ++round) {
     ByteImage image;
-    for (int i = 0; i < 3000; ++i) image.put(static_cast<std::uint16_t>(random()), static_cast<std::uint8_t>(random()));
+    for (int i = 0; i < 3000; ++i)
+      image.put(static_cast<std::uint16_t>(random()), static_cast<std::uint8_t>(random()));
     image.start = static_cast<std::uint16_t>(random() | 1U);
     const auto read = read_intel_hex(write_intel_hex(image), "f");
     ASSERT_TRUE(read);
@@ -68,9 +70,11 @@ TEST(IntelHex, RandomImagesComeBack) {
 }
 
 TEST(IntelHex, WhatIsTaken) {
-  for (const char* text : {":01000000AA55\r\n:00000001FF\r\n", ":01000000aa55\n\n:00000001ff", ":01000000AA55\n:0000000000\n\x1A\x1A",
-                           ":020000020000FC\n:01000000AA55\n:00000001FF", ":020000040000FA\n:01000000AA55\n:00000001FF",
-                           ":0400000300000000F9\n:01000000AA55\n:01000000AA55\n:00000001FF\n \n"}) {
+  for (const char* text :
+       {":01000000AA55\r\n:00000001FF\r\n", ":01000000aa55\n\n:00000001ff",
+        ":01000000AA55\n:0000000000\n\x1A\x1A", ":020000020000FC\n:01000000AA55\n:00000001FF",
+        ":020000040000FA\n:01000000AA55\n:00000001FF",
+        ":0400000300000000F9\n:01000000AA55\n:01000000AA55\n:00000001FF\n \n"}) {
     const auto read = read_intel_hex(text, "f");
     ASSERT_TRUE(read) << text << to_string(read.error());
     EXPECT_EQ(read.value().count(), 1U) << text;
@@ -79,22 +83,35 @@ TEST(IntelHex, WhatIsTaken) {
 }
 
 TEST(IntelHex, WhatIsRefused) {
-  EXPECT_EQ(read_error(""), "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
-  EXPECT_EQ(read_error(":01000000AA55\n"), "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
+  EXPECT_EQ(read_error(""),
+            "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
+  EXPECT_EQ(read_error(":01000000AA55\n"),
+            "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
   EXPECT_EQ(read_error("hello"), "f.hex:1:1: error: found 'h', expected ':' at the start of a record");
   EXPECT_EQ(read_error("\n:01000000AA56"), "f.hex:2:12: error: found checksum 56, expected 55");
   EXPECT_EQ(read_error(":0100000ZAA55"), "f.hex:1:9: error: found 'Z', expected a hexadecimal digit");
-  EXPECT_EQ(read_error(":01000000AA5"), "f.hex:1:12: error: found half a byte at the end of the line, expected two digits");
-  EXPECT_EQ(read_error(":02000000AA54"), "f.hex:1:2: error: found 6 bytes in the record, expected 7 as its length 02 says");
-  EXPECT_EQ(read_error(":0000"), "f.hex:1:1: error: found a record of 2 bytes, expected at least 5: length, address, type, checksum");
-  EXPECT_EQ(read_error(":00000006FA"), "f.hex:1:8: error: found record type 06, expected 00 data, 01 end, or 02 to 05");
+  EXPECT_EQ(read_error(":01000000AA5"),
+            "f.hex:1:12: error: found half a byte at the end of the line, expected two digits");
+  EXPECT_EQ(read_error(":02000000AA54"),
+            "f.hex:1:2: error: found 6 bytes in the record, expected 7 as its length 02 says");
+  EXPECT_EQ(
+      read_error(":0000"),
+      "f.hex:1:1: error: found a record of 2 bytes, expected at least 5: length, address, type, checksum");
+  EXPECT_EQ(read_error(":00000006FA"),
+            "f.hex:1:8: error: found record type 06, expected 00 data, 01 end, or 02 to 05");
   EXPECT_EQ(read_error(":02FFFF00010200FD").substr(0, 9), "f.hex:1:2");
-  EXPECT_EQ(read_error(":02FFFF000102FD"), "f.hex:1:4: error: found 2 bytes from FFFF, expected none past FFFF: an 8080 has 64K");
-  EXPECT_EQ(read_error(":020000040001F9"), "f.hex:1:10: error: found base address 00010000, expected one below 10000: an 8080 has 64K");
-  EXPECT_EQ(read_error(":020000021000EC"), "f.hex:1:10: error: found base address 00010000, expected one below 10000: an 8080 has 64K");
-  EXPECT_EQ(read_error(":0400000500010000F6"), "f.hex:1:10: error: found a start address above FFFF, expected one within the 64K of an 8080");
-  EXPECT_EQ(read_error(":01000000AA55\n:01000000AB54\n"), "f.hex:2:10: error: found another byte for address 0000, expected one value an address");
-  EXPECT_EQ(read_error(":00000001FF\n:01000000AA55"), "f.hex:2:1: error: found ':' after the end record, expected the end of the file");
+  EXPECT_EQ(read_error(":02FFFF000102FD"),
+            "f.hex:1:4: error: found 2 bytes from FFFF, expected none past FFFF: an 8080 has 64K");
+  EXPECT_EQ(read_error(":020000040001F9"),
+            "f.hex:1:10: error: found base address 00010000, expected one below 10000: an 8080 has 64K");
+  EXPECT_EQ(read_error(":020000021000EC"),
+            "f.hex:1:10: error: found base address 00010000, expected one below 10000: an 8080 has 64K");
+  EXPECT_EQ(read_error(":0400000500010000F6"),
+            "f.hex:1:10: error: found a start address above FFFF, expected one within the 64K of an 8080");
+  EXPECT_EQ(read_error(":01000000AA55\n:01000000AB54\n"),
+            "f.hex:2:10: error: found another byte for address 0000, expected one value an address");
+  EXPECT_EQ(read_error(":00000001FF\n:01000000AA55"),
+            "f.hex:2:1: error: found ':' after the end record, expected the end of the file");
   EXPECT_EQ(read_error(":01000001AA54"), "f.hex:1:2: error: found data in an end record, expected length 00");
 }
 
