@@ -169,7 +169,7 @@ BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
         JMP     TESTG
         JMP     MASKG
         JMP     COMMIT
-        JMP     CURVEG
+        JMP     CURVEV
         DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
 BOARD:  JMP     DRAWG
         JMP     TESTG
@@ -193,5 +193,5 @@ PLAINF: JMP     DRAWP           ; EF9365
         JMP     DRAWP
         JMP     MASKG
         JMP     COMMIN
-        JMP     CURVEG
+        JMP     CURVEP
         DW      PLOT,PLOT,STEPN,SHADEN,SHADNF

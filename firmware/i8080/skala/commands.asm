@@ -7,6 +7,7 @@ NEXT:   DCX     SP
         POP     PSW             ; A = command; the flags take the byte before it
 DISP:   ADD     A
         ADD     A
+        ADI     LOW CMDTAB
         MOV     L,A
         MVI     H,HIGH CMDTAB
         PCHL
@@ -65,6 +66,7 @@ RSTATE: LXI     H,0
         XRA     A
         STA     SIL
         STA     FOLDON
+        STA     LEV
         INR     A
         STA     FRESH
         STA     SHFRSH
@@ -103,41 +105,6 @@ DEVICE: DCX     SP
         CALL    SETDEV
         CALL    ANSWER
         JMP     NEXT
-
-        ORG     ($+0FFH) AND 0FF00H
-MORE    EQU     15              ; the byte behind the last command of a full buffer
-
-CMDTAB: JMP     END
-        NOP
-        JMP     MOVE
-        NOP
-        JMP     VDRAW
-        NOP
-        JMP     VTEST
-        NOP
-        JMP     VMASK
-        NOP
-        JMP     COLOUR
-        NOP
-        JMP     VCOMM
-        NOP
-        JMP     RESET
-        NOP
-        JMP     VCURVE
-        NOP
-        JMP     SURF
-        NOP
-        JMP     DEVICE
-        NOP
-        JMP     RIM
-        NOP
-        JMP     SILHOU
-        NOP
-        JMP     OUTLIN
-        NOP
-        JMP     GAP
-        NOP
-        JMP     DOMORE
 
 VECTOR:
 VDRAW:  JMP     DRAWV

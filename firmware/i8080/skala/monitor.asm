@@ -24,6 +24,41 @@ VIS:    DB      1               ; 0: no visibility test
 
 NOPEND  EQU     00FFH           ; PLO = 255, PHI = 0
 
+; ---- Where each command is drawn: four bytes each, all in page 0.
+MORE    EQU     15              ; the byte behind the last command of a full buffer
+
+CMDTAB: JMP     END
+        NOP
+        JMP     MOVE
+        NOP
+        JMP     VDRAW
+        NOP
+        JMP     VTEST
+        NOP
+        JMP     VMASK
+        NOP
+        JMP     COLOUR
+        NOP
+        JMP     VCOMM
+        NOP
+        JMP     RESET
+        NOP
+        JMP     VCURVE
+        NOP
+        JMP     SURF
+        NOP
+        JMP     DEVICE
+        NOP
+        JMP     RIM
+        NOP
+        JMP     SILHOU
+        NOP
+        JMP     OUTLIN
+        NOP
+        JMP     GAP
+        NOP
+        JMP     DOMORE
+
 START:  DI
         LXI     SP,BUFFER
         XRA     A

@@ -61,22 +61,12 @@ SUB1:   SUI     0
         JMP     PNEXT
         ENDM
 
-; ---- Along y. In: A = C = u, D = v.
-PLAINY  MACRO   RIGHT,DX,DY
-        LOCAL   LOOP,MINOR,SUB1
-        MOV     A,D
+; ---- Along y. In: A = instruction of a step along x, C = error, D = u, E = v.
+PLAINY  MACRO   DY
+        LOCAL   LOOP,MINOR,SUB1,DX1
+        STA     DX1
+        MOV     A,E
         STA     SUB1+1
-        MOV     E,A
-        MOV     D,C
-        IF      RIGHT
-        XRA     A
-        SUB     E
-        ELSE
-        CMA
-        STC
-        ENDIF
-        RAR
-        MOV     C,A
         MOV     A,L
         OUT     GDPX
         MVI     H,DOT
@@ -95,7 +85,7 @@ LOOP:   MOV     A,C
 MINOR:
 SUB1:   SUI     0
         MOV     C,A
-        DX      L
+DX1:    INR     L               ; or DCR L
         MOV     A,L
         OUT     GDPX
         DY      B
@@ -125,7 +115,14 @@ PLINE:  MOV     A,E
         CMP     D
         JC      PRUPY
         PLAINX  1,INR,INR
-PRUPY:  PLAINY  1,INR,INR
+PRUPY:  MOV     E,D
+        XRA     A
+        SUB     E
+        RAR
+        MOV     D,C
+        MOV     C,A
+        MVI     A,INRL
+        JMP     PUP
 
 PRDN:   CMA
         INR     A
@@ -134,7 +131,14 @@ PRDN:   CMA
         CMP     D
         JC      PRDNY
         PLAINX  1,INR,DCR
-PRDNY:  PLAINY  1,INR,DCR
+PRDNY:  MOV     E,D
+        XRA     A
+        SUB     E
+        RAR
+        MOV     D,C
+        MOV     C,A
+        MVI     A,INRL
+        JMP     PDOWN
 
 PLEFT:  CMA
         INR     A
@@ -147,7 +151,15 @@ PLEFT:  CMA
         CMP     D
         JC      PLUPY
         PLAINX  0,DCR,INR
-PLUPY:  PLAINY  0,DCR,INR
+PLUPY:  MOV     A,D
+        MOV     E,D
+        MOV     D,C
+        CMA
+        STC
+        RAR
+        MOV     C,A
+        MVI     A,DCRL
+        JMP     PUP
 
 PLDN:   CMA
         INR     A
@@ -156,4 +168,15 @@ PLDN:   CMA
         CMP     D
         JC      PLDNY
         PLAINX  0,DCR,DCR
-PLDNY:  PLAINY  0,DCR,DCR
+PLDNY:  MOV     A,D
+        MOV     E,D
+        MOV     D,C
+        CMA
+        STC
+        RAR
+        MOV     C,A
+        MVI     A,DCRL
+        JMP     PDOWN
+
+PUP:    PLAINY  INR
+PDOWN:  PLAINY  DCR
