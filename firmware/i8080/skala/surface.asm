@@ -80,10 +80,123 @@ SHLIN1: STA     SHDEL+1
         MOV     A,B
         STA     SHINC
         POP     B
-        CALL    GLOOP
+        CALL    SHRUN
 SHLIN3: LDA     LEVEND
         STA     LEV
         RET
+
+; The line with everything prepared. Along x, on the EF9365, with visibility and nothing unusual pending, a column is entered
+; once: tested, filled, folded and kept in one, but for the last. All else step by step.
+SHRUN:  LDA     NOFILL
+        ORA     A
+        JNZ     GLOOP
+        LDA     DEV
+        MOV     H,A
+        LDA     FOLDON
+        ORA     H
+        JNZ     GLOOP
+        LDA     VIS
+        ORA     A
+        JZ      GLOOP
+        LDA     GMAJ
+        CPI     INRL
+        JC      GLOOP           ; along y
+        STA     SXDX
+        LDA     PX
+        CMP     L
+        JNZ     GLOOP
+        LDA     SHX
+        CMP     L
+        JNZ     GLOOP
+        CALL    FOLD
+        LDA     GMIN
+        STA     SXDY
+        MOV     A,E
+        STA     SXSUB+1
+        STA     SXLEN+1
+        LDA     SHERR
+        STA     SXERR+1
+        LDA     SHDEL+1
+        STA     SXDEL+1
+        LDA     SHINC
+        STA     SXINC
+        LDA     LEV
+        STA     SXLEV+1
+        JMP     SX
+
+SXTEST: MVI     H,MTP
+        MOV     A,M
+        CMP     B
+        JC      SXABOV
+        INR     H
+        MOV     A,B
+        CMP     M
+        JC      SXBELO
+SXKEEP: MVI     H,MPP
+        MOV     M,B
+        INR     H
+SXLEV:  MVI     M,0             ; level
+SX:     MOV     A,C
+        ADD     D
+        JNC     SX1
+SXSUB:  SUI     0
+SXDY:   INR     B
+SX1:    MOV     C,A
+SXDX:   INR     L
+SXERR:  MVI     A,0
+SXDEL:  ADI     0
+        JC      SX4
+SX2:    STA     SXERR+1
+        DCR     E
+        JNZ     SXTEST
+        LDA     SXLEV+1
+        STA     LEV
+        CALL    SHADEF          ; the last column is left pending
+        MOV     H,B
+        SHLD    XYP
+        RET
+
+SX4:    MOV     H,A
+        LDA     SXLEV+1
+SXINC:  INR     A
+        STA     SXLEV+1
+        MOV     A,H
+SXLEN:  SUI     0
+        JNC     SX4
+        JMP     SX2
+
+SXABOV: CALL    SXDOT
+        MVI     H,MTP
+        MOV     A,M
+        MOV     M,B
+        ORA     A
+        JNZ     SXKEEP
+        INR     H
+        MOV     A,M
+        INR     A
+        JNZ     SXKEEP
+        MOV     M,B             ; unvisited
+        JMP     SXKEEP
+
+SXBELO: CALL    SXDOT
+        MVI     H,MBP
+        MOV     M,B
+        JMP     SXKEEP
+
+SXDOT:  LDA     SXLEV+1
+        OUT     GDPCOL
+        STA     LEV
+        MOV     A,L
+        OUT     GDPX
+        MOV     A,B
+        OUT     GDPY
+        MVI     A,DOT
+        OUT     GDPCMD
+        MVI     H,IPP
+        MOV     A,M
+        ORA     A
+        RZ
+        JMP     FILL
 
 ; GAP x n: no previous slice there.
 GAP:    POP     D
@@ -157,31 +270,13 @@ SHPLO1: LDA     NOFILL
         MOV     A,M
         ORA     A
         JZ      SHPLO2
-
-; Fill from (L, B), level LEV, towards the row of the slice before and its level A, as far as something can be seen:
-; the row before is never outside the masks, so the fill ends at the nearer of mask and row.
+; Fill from (L, B), level LEV, towards the row of the slice before and its level, as far as something can be seen: the row
+; before is never outside the masks, so the fill ends at the nearer of mask and row.
+        CALL    SHPLO2
 FILL:   PUSH    B
         PUSH    D
-        MOV     D,A
         MVI     H,MPP
         MOV     E,M
-        LDA     LEV
-        STA     FLEV
-        CALL    INK
-        CALL    PLOT
-        LDA     FLEV
-        MOV     C,A
-        MOV     A,D
-        SUB     C
-        MVI     C,INRA
-        JNC     FILL1
-        CMA
-        INR     A
-        MVI     C,DCRA
-FILL1:  MOV     D,A             ; D = levels
-        MOV     A,C
-        STA     FILLG4
-        STA     FILLA4
         MOV     A,B
         SUB     E
         JZ      FILLX
@@ -197,10 +292,9 @@ FILL1:  MOV     D,A             ; D = levels
         CMP     E
         JNC     FILLD2
 FILLD1: MOV     A,E
-FILLD2: MOV     H,A
-        MOV     A,B
-        SUB     H
-        MOV     H,A
+FILLD2: SUB     B
+        CMA
+        MOV     H,A             ; H = dots
         MVI     A,DCRB
         JMP     FILL3
 FILLU:  CMA                     ; upwards
@@ -218,13 +312,33 @@ FILLU:  CMA                     ; upwards
         JC      FILLU2
 FILLU1: MOV     A,E
 FILLU2: SUB     B
+        DCR     A
         MOV     H,A
         MVI     A,INRB
-FILL3:  STA     FILLG1
-        STA     FILLA1
-        DCR     H               ; H = dots
+FILL3:  INR     H
+        DCR     H
         JZ      FILLX
-        MOV     E,C
+        STA     FILLG1
+        STA     FILLA1
+        MOV     E,H
+        MVI     H,IPP
+        MOV     D,M             ; its level
+        MOV     H,E
+        MOV     E,C             ; E = N
+        LDA     LEV
+        STA     FLEV
+        MOV     C,A
+        MOV     A,D
+        SUB     C
+        MVI     C,INRA
+        JNC     FILL1
+        CMA
+        INR     A
+        MVI     C,DCRA
+FILL1:  MOV     D,A             ; D = levels
+        MOV     A,C
+        STA     FILLG4
+        STA     FILLA4
         XRA     A
         SUB     E
         RAR
