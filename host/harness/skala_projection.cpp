@@ -21,6 +21,7 @@ SineCosine of_half_quadrant(double degrees) {
 }
 
 SineCosine of_quadrant(double degrees) {
+  if (degrees == 45.0) return {std::sqrt(0.5), std::sqrt(0.5)};  // which the library does not say exactly
   if (degrees <= 45.0) return of_half_quadrant(degrees);
   const auto [sine, cosine] = of_half_quadrant(90.0 - degrees);
   return {cosine, sine};

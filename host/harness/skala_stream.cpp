@@ -32,7 +32,7 @@ class Slices {
         if (shaded_) gaps(row);
       }
       SkalaChain trailing;
-      rim(trailing, leading_right() ? 0 : order_.columns - 1, true, drawn());
+      rim(trailing, leading_right() ? 0 : order_.columns - 1, leading_right(), drawn());
       writer_.chain_and_commit(trailing);
     }
     return writer_.finish();

@@ -1,0 +1,25 @@
+// Any bytes as a grid file: read, and whatever is a grid becomes every kind of picture.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "host/harness/skala_stream.hpp"
+#include "host/scene/read_height_grid.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sightline;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto result = scene::read_height_grid(text, "fuzz");
+  const auto* grid = std::get_if<scene::HeightGrid>(&result);
+  if (grid == nullptr) return 0;
+  harness::SkalaView view;
+  view.rotation = static_cast<double>(size % 48) * 7.5;
+  view.zoom = size % 3 == 0 ? 4.0 : 1.0;
+  for (const auto picture :
+       {harness::SkalaPicture::lines, harness::SkalaPicture::surface, harness::SkalaPicture::contours}) {
+    view.picture = picture;
+    static_cast<void>(harness::skala_stream(*grid, view));
+  }
+  return 0;
+}
