@@ -40,11 +40,13 @@ void check_needs(const RunI8080Arguments& arguments) {
   const auto needs = [](bool given, bool there, std::string_view option, std::string_view other) {
     if (given && !there) throw Failure(ExitCode::usage, fmt::format("{}: needs {}", option, other));
   };
-  needs(true, !arguments.loads.empty(), "run i8080", "--load FILE: without a program there is nothing to run");
+  needs(true, !arguments.loads.empty(), "run i8080",
+        "--load FILE: without a program there is nothing to run");
   needs(!arguments.png.empty(), !arguments.board.empty(), "--png", "--board");
   needs(arguments.grey, !arguments.png.empty(), "--grey", "--png");
   needs(!arguments.strokes.empty(), !arguments.plotter.empty(), "--strokes", "--plotter");
-  needs(!arguments.plotter_start.empty(), arguments.plotter == "calcomp", "--plotter-start", "--plotter calcomp");
+  needs(!arguments.plotter_start.empty(), arguments.plotter == "calcomp", "--plotter-start",
+        "--plotter calcomp");
   needs(!arguments.parallel_out.empty(), !arguments.parallel.empty(), "--parallel-out", "--parallel");
   needs(!arguments.serial_out.empty(), !arguments.serial.empty(), "--serial-out", "--serial");
   needs(!arguments.console.empty(), arguments.cpm, "--console", "--cpm");
@@ -76,9 +78,10 @@ void load_memory(const RunI8080Arguments& arguments, harness::I8080Job& job) {
   if (!arguments.cpm) return;
   for (const auto& [address, byte] : harness::cpm_stub) {
     if (!job.memory.used(address) || job.memory[address] == byte) continue;
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there",
-                              address));
+    throw Failure(
+        ExitCode::bad_input,
+        fmt::format("--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there",
+                    address));
   }
 }
 
@@ -90,8 +93,8 @@ void set_registers(const RunI8080Arguments& arguments, harness::I8080Job& job) {
       throw Failure(ExitCode::usage, "--set PC: found --start too, expected one of them");
   }
   if (!arguments.start.empty()) {
-    job.registers.pc = static_cast<i8080::Address>(
-        hexadecimal_argument("--start", arguments.start, 0xFFFF, "an address"));
+    job.registers.pc =
+        static_cast<i8080::Address>(hexadecimal_argument("--start", arguments.start, 0xFFFF, "an address"));
   }
 }
 

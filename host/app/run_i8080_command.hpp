@@ -1,4 +1,5 @@
-// `sightline run i8080`: Any 8080 program on the emulated machine, CP/M programs too, with the devices it asks for.
+// `sightline run i8080`: Any 8080 program on the emulated machine, CP/M programs too, with the devices it
+// asks for.
 #pragma once
 
 #include "host/app/command.hpp"

@@ -14,11 +14,13 @@ namespace sightline::app {
 
 namespace {
 
-// Row 0 of the image is the top one. Bit 2 of a point is red, bit 1 green, bit 0 blue, as the board's latch has them;
-// in grey the eight values are eight levels.
+// Row 0 of the image is the top one. Bit 2 of a point is red, bit 1 green, bit 0 blue, as the board's latch
+// has them; in grey the eight values are eight levels.
 picture::Image image_of(const core::Raster& raster, bool grey) {
   picture::Image image(core::Raster::width, core::Raster::height, grey ? 1 : 3);
-  const auto byte = [](unsigned value, unsigned most) { return static_cast<std::uint8_t>(255U * value / most); };
+  const auto byte = [](unsigned value, unsigned most) {
+    return static_cast<std::uint8_t>(255U * value / most);
+  };
   std::size_t i = 0;
   for (int y = core::Raster::height - 1; y >= 0; --y) {
     for (const unsigned point : raster.row(static_cast<std::uint8_t>(y))) {
@@ -33,8 +35,9 @@ picture::Image image_of(const core::Raster& raster, bool grey) {
 }
 
 void write_png(Output& output, const picture::Image& image, core::TStateInstant end) {
-  const auto bytes = picture::encode_png(image, {{"Software", "sightline " SIGHTLINE_VERSION},
-                                                 {"End of run", fmt::format("T-state {}", core::t_states_of(end))}});
+  const auto bytes =
+      picture::encode_png(image, {{"Software", "sightline " SIGHTLINE_VERSION},
+                                  {"End of run", fmt::format("T-state {}", core::t_states_of(end))}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   output.write(std::span<const std::uint8_t>(*bytes));
 }
@@ -51,10 +54,14 @@ RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments) : grey_(arg
     }
   }
   const std::vector<std::pair<const std::string*, std::optional<Output>*>> files{
-      {&arguments.dump, &dump_},         {&arguments.trace, &trace_},
-      {&arguments.bus, &bus_},           {&console, &console_},
-      {&arguments.png, &png_},           {&arguments.strokes, &strokes_},
-      {&arguments.parallel_out, &parallel_out_}, {&arguments.serial_out, &serial_out_}};
+      {&arguments.dump, &dump_},
+      {&arguments.trace, &trace_},
+      {&arguments.bus, &bus_},
+      {&console, &console_},
+      {&arguments.png, &png_},
+      {&arguments.strokes, &strokes_},
+      {&arguments.parallel_out, &parallel_out_},
+      {&arguments.serial_out, &serial_out_}};
   std::vector<std::string> named;
   for (const auto& [path, output] : files) {
     if (path->empty()) continue;

@@ -13,9 +13,9 @@ namespace sightline::app {
 
 class RunI8080Outputs {
  public:
-  // What CP/M programs print goes to --console, else to standard output, else (with --json) into the report. Failure
-  // usage if a path is named twice or more than one output goes to standard output; Failure io if one cannot be
-  // written.
+  // What CP/M programs print goes to --console, else to standard output, else (with --json) into the report.
+  // Failure usage if a path is named twice or more than one output goes to standard output; Failure io if one
+  // cannot be written.
   explicit RunI8080Outputs(const RunI8080Arguments& arguments);
 
   // Hangs the takers of texts on the job; this object then outlives the run.

@@ -102,8 +102,8 @@ std::string table_report(const harness::I8080Job& job, const harness::I8080Repor
   std::replace(reason.begin(), reason.end(), '_', ' ');
   std::string text = fmt::format("stopped by      {}, PC {:04X}\n", reason, r.pc);
   text += fmt::format("T-states        {}\n", core::t_states_of(report.end));
-  text += fmt::format("emulated time   {} s at {} Hz\n", seconds_text(job.machine.clock.to_nanoseconds(report.end)),
-                      job.machine.clock.hertz);
+  text += fmt::format("emulated time   {} s at {} Hz\n",
+                      seconds_text(job.machine.clock.to_nanoseconds(report.end)), job.machine.clock.hertz);
   text += fmt::format("instructions    {}\n", report.instructions);
   for (const harness::DeviceReport& device : report.devices) {
     std::string counts;
@@ -116,7 +116,8 @@ std::string table_report(const harness::I8080Job& job, const harness::I8080Repor
     text += fmt::format("{:<15} {}\n", device.device, counts.empty() ? "nothing" : counts);
   }
   text += fmt::format(
-      "registers       A {:02X}  F {:02X}  B {:02X}  C {:02X}  D {:02X}  E {:02X}  H {:02X}  L {:02X}  SP {:04X}  INTE {}\n",
+      "registers       A {:02X}  F {:02X}  B {:02X}  C {:02X}  D {:02X}  E {:02X}  H {:02X}  L {:02X}  SP "
+      "{:04X}  INTE {}\n",
       r.a, r.f, i8080::high(r.bc), i8080::low(r.bc), i8080::high(r.de), i8080::low(r.de), i8080::high(r.hl),
       i8080::low(r.hl), r.sp, r.interrupts_on ? 1 : 0);
   return text;
@@ -141,8 +142,9 @@ ExitCode judge(const harness::I8080Report& report) {
                            report.bdos_caller, report.bdos_function));
       return ExitCode::guest_failed;
     case harness::I8080Stop::endless_string:
-      complain(fmt::format("PC {:04X}: stopped: found no $ in memory for BDOS function 9, expected one to end the text",
-                           report.bdos_caller));
+      complain(fmt::format(
+          "PC {:04X}: stopped: found no $ in memory for BDOS function 9, expected one to end the text",
+          report.bdos_caller));
       return ExitCode::guest_failed;
     case harness::I8080Stop::unanswered:
       complain(fmt::format("PC {:04X}: stopped by --strict: nothing answers at that port",

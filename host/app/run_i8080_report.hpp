@@ -9,8 +9,8 @@
 
 namespace sightline::app {
 
-// One JSON document, schema sightline/run-i8080/1. Addresses and registers are hexadecimal strings, counts numbers.
-// `console`: what the program printed, a character a byte; absent if it went elsewhere.
+// One JSON document, schema sightline/run-i8080/1. Addresses and registers are hexadecimal strings, counts
+// numbers. `console`: what the program printed, a character a byte; absent if it went elsewhere.
 [[nodiscard]] std::string json_report(const harness::I8080Job& job, const harness::I8080Report& report,
                                       const std::optional<std::string>& console);
 

@@ -84,8 +84,8 @@ std::uint32_t hexadecimal_argument(std::string_view option, std::string_view tex
                                    std::string_view what) {
   const auto value = parse<std::uint32_t>(digits_of(text), 16);
   if (value && *value <= most) return *value;
-  throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected {}, hexadecimal, 0 to {:X}", option, text,
-                                             what, most));
+  throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected {}, hexadecimal, 0 to {:X}", option,
+                                             text, what, most));
 }
 
 std::string register_named(const std::string& text) {
@@ -101,11 +101,11 @@ void set_i8080_register(i8080::State& registers, const std::string& text) {
                                        [&name](const RegisterName& r) { return r.name == name; });
   const std::size_t equals = text.find('=');
   if (row == register_names.end() || equals == std::string::npos) {
-    throw Failure(ExitCode::usage, fmt::format("--set: found \"{}\", expected REGISTER=VALUE with one of{}", text,
-                                               all_names(register_names)));
+    throw Failure(ExitCode::usage, fmt::format("--set: found \"{}\", expected REGISTER=VALUE with one of{}",
+                                               text, all_names(register_names)));
   }
-  row->set(registers, hexadecimal_argument("--set " + name, std::string_view(text).substr(equals + 1), row->most,
-                                           "a value"));
+  row->set(registers, hexadecimal_argument("--set " + name, std::string_view(text).substr(equals + 1),
+                                           row->most, "a value"));
 }
 
 devices::PlotterPlace plotter_place(std::string_view option, const std::string& text) {
@@ -124,11 +124,12 @@ void wire_interrupt(machines::SkalaConfiguration& machine, const std::string& te
   const std::string_view name = std::string_view(text).substr(0, equals);
   const auto* const row = std::find_if(interrupt_names.begin(), interrupt_names.end(),
                                        [name](const InterruptName& r) { return r.name == name; });
-  const auto restart = parse<std::uint8_t>(std::string_view(text).substr(std::min(equals + 1, text.size())), 10);
+  const auto restart =
+      parse<std::uint8_t>(std::string_view(text).substr(std::min(equals + 1, text.size())), 10);
   if (row == interrupt_names.end() || !restart || *restart > 7) {
     throw Failure(ExitCode::usage,
-                  fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of{}", text,
-                              all_names(interrupt_names)));
+                  fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of{}",
+                              text, all_names(interrupt_names)));
   }
   const bool there = name == "ef9365"     ? machine.ef9365
                      : name == "calcomp"  ? machine.calcomp565

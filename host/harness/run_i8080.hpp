@@ -1,12 +1,14 @@
-// One run of any 8080 program: a machine is put together from what the run asks for, loaded, run, and its state handed
-// back. What nobody asked for is not there: without a trace and a bus log no observer is compiled in.
+// One run of any 8080 program: a machine is put together from what the run asks for, loaded, run, and its
+// state handed back. What nobody asked for is not there: without a trace and a bus log no observer is
+// compiled in.
 //
-// For CP/M programs two entries of the operating system stand in memory as the programs that check and time 8080s have
-// them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005, where BDOS functions are
-// called. The host does their work between the OUT and the RET, in no time; so a call costs 20 T-states and the end
-// 10, and the published T-states of such programs are met. A program may begin with SP = 0000: a RET at the top level
-// then takes the two bytes of the OUT 0 for its address, 00D3, where a second OUT 0 ends the run for the same time.
-// Functions 0 (ends like a jump to 0000), 2 and 9 are there; registers come back as they were.
+// For CP/M programs two entries of the operating system stand in memory as the programs that check and time
+// 8080s have them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005,
+// where BDOS functions are called. The host does their work between the OUT and the RET, in no time; so a
+// call costs 20 T-states and the end 10, and the published T-states of such programs are met. A program may
+// begin with SP = 0000: a RET at the top level then takes the two bytes of the OUT 0 for its address, 00D3,
+// where a second OUT 0 ends the run for the same time. Functions 0 (ends like a jump to 0000), 2 and 9 are
+// there; registers come back as they were.
 //
 // Left out: looking into the machine while it runs, the rest of CP/M, HOLD.
 #pragma once
@@ -38,8 +40,13 @@ struct I8080Progress {
 };
 
 // What stands in memory for CP/M, address and byte.
-inline constexpr std::array<std::pair<std::uint16_t, std::uint8_t>, 7> cpm_stub{
-    {{0x0000, 0xD3}, {0x0001, 0x00}, {0x0005, 0xD3}, {0x0006, 0x01}, {0x0007, 0xC9}, {0x00D3, 0xD3}, {0x00D4, 0x00}}};
+inline constexpr std::array<std::pair<std::uint16_t, std::uint8_t>, 7> cpm_stub{{{0x0000, 0xD3},
+                                                                                 {0x0001, 0x00},
+                                                                                 {0x0005, 0xD3},
+                                                                                 {0x0006, 0x01},
+                                                                                 {0x0007, 0xC9},
+                                                                                 {0x00D3, 0xD3},
+                                                                                 {0x00D4, 0x00}}};
 
 struct I8080Job {
   // The clock, and which devices there are. The bytes their host sends are taken from the two members below.
@@ -61,8 +68,8 @@ struct I8080Job {
 };
 
 enum class I8080Stop : std::uint8_t {
-  halt,               // HLT, and no interrupt can ever end it
-  exit,               // CP/M: at 0000
+  halt,  // HLT, and no interrupt can ever end it
+  exit,  // CP/M: at 0000
   instruction_limit,
   state_limit,
   unknown_bdos,    // CP/M: a function that is not there
@@ -71,7 +78,8 @@ enum class I8080Stop : std::uint8_t {
   interrupted,
 };
 
-// "halt", "exit", "instruction_limit", "state_limit", "unknown_bdos", "endless_string", "strict", "interrupted".
+// "halt", "exit", "instruction_limit", "state_limit", "unknown_bdos", "endless_string", "strict",
+// "interrupted".
 [[nodiscard]] std::string_view name_of(I8080Stop stop);
 
 struct I8080UnansweredPort {
@@ -106,9 +114,12 @@ struct I8080Report {
 
 // Registers in the order of --set: A F B C D E H L, two hexadecimal digits each, SP PC, four, and INTE.
 inline constexpr std::string_view i8080_registers_help = "A F B C D E H L SP PC INTE";
-// T of the fetch in decimal, address and bytes, the instruction (INT before one a device supplied), registers after it.
+// T of the fetch in decimal, address and bytes, the instruction, registers after it. INT stands before an
+// instruction that a device supplied, * before an opcode that Intel left undefined and that does the same as
+// another.
 inline constexpr std::string_view i8080_trace_line_help = "T PC BYTES INSTRUCTION A F B C D E H L SP PC INTE";
-// T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle. DAD's internal cycles have none.
+// T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle. DAD's internal cycles
+// have none.
 inline constexpr std::string_view i8080_bus_line_help = "T SS AAAA DD";
 
 // The registers on the first line, then 4096 lines of 16 bytes; hexadecimal, one space between.

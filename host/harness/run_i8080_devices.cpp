@@ -86,7 +86,8 @@ void collect_devices(I8080Devices& devices, I8080Report& report) {
     const auto& from_a = link->received(devices::I8255::Port::a);
     report.parallel_received.insert(report.parallel_received.end(), from_a.begin(), from_a.end());
     report.devices.push_back(
-        {"parallel", {{"sent_by_host", link->sent()}, {"received_by_host", report.parallel_received.size()}}});
+        {"parallel",
+         {{"sent_by_host", link->sent()}, {"received_by_host", report.parallel_received.size()}}});
   }
   if (const auto* link = devices.serial()) {
     report.serial_received = link->chip().sent();

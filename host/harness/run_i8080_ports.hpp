@@ -1,8 +1,9 @@
-// The ports of a run: the machine's devices, and before them the two ports of the CP/M stub and the watch of --strict.
+// The ports of a run: the machine's devices, and before them the two ports of the CP/M stub and the watch of
+// --strict.
 //
-// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; whoever drives the
-// machine looks at the registers there, and goes on. An OUT to 0 or 1 that turns out to be none of the stub's is
-// handed back to the devices.
+// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; whoever
+// drives the machine looks at the registers there, and goes on. An OUT to 0 or 1 that turns out to be none of
+// the stub's is handed back to the devices.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,8 @@ void append_registers(fmt::memory_buffer& text, const i8080::State& s) {
 
 void I8080Recorder::trace(const machines::I8080InstructionRecord& record) {
   const Remembered& known = disassembled(record);
-  fmt::format_to(std::back_inserter(trace_text_), "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
+  fmt::format_to(std::back_inserter(trace_text_), "{:>12} {:04X} ", core::t_states_of(record.time),
+                 record.pc);
   for (int i = 0; i < 3; ++i) {
     if (i < known.length) {
       fmt::format_to(std::back_inserter(trace_text_), "{:02X}", record.bytes[static_cast<std::size_t>(i)]);
@@ -44,8 +45,8 @@ void I8080Recorder::trace(const machines::I8080InstructionRecord& record) {
 }
 
 void I8080Recorder::bus(const machines::I8080Cycle& cycle) {
-  fmt::format_to(std::back_inserter(bus_text_), "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status,
-                 cycle.address);
+  fmt::format_to(std::back_inserter(bus_text_), "{} {:02X} {:04X} ", core::t_states_of(cycle.time),
+                 cycle.status, cycle.address);
   if (cycle.status == i8080::status::halt_cycle) {
     fmt::format_to(std::back_inserter(bus_text_), "--\n");
   } else {
@@ -59,7 +60,7 @@ const I8080Recorder::Remembered& I8080Recorder::disassembled(const machines::I80
   Remembered& known = remembered_[record.pc];
   if (known.length == 0 || known.bytes != record.bytes) {
     const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction(record.bytes);
-    known = {record.bytes, line.bytes, line.text};
+    known = {record.bytes, line.bytes, (line.duplicate ? "*" : "") + line.text};
   }
   return known;
 }

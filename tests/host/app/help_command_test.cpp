@@ -63,7 +63,13 @@ TEST_F(HelpCommand, NamesEveryOption) {
                                      "interrupt_cycles",
                                      "iot_stretch.DD"};
   expect_help({"run", "pdp7"}, run);
-  expect_help({"run"}, run);
+  expect_help({"run", "i8080"},
+              {"--load",         "--start",      "--cpm",     "--clock",          "--set",     "--max-instructions",
+               "--max-states",   "--strict",     "--board",   "--plotter",        "--dump",    "--trace",
+               "--bus",          "--console",    "--png",     "--grey",           "--strokes", "--parallel",
+               "--parallel-out", "--serial",     "--serial-out", "--interrupt",   "--json",    "--plotter-start",
+               "T SS AAAA DD"});
+  expect_help({"run"}, {"pdp7", "i8080", "--load", "--phosphor", "--cpm"});
   expect_help({"scene", "tape"}, {"SCENE", "--at", "-o"});
   expect_help({"scene", "check"}, {"SCENE", "--json"});
   expect_help({"scene", "info"}, {"SCENE", "--json"});

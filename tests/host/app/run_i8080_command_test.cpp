@@ -1,0 +1,252 @@
+// `sightline run i8080`: reports and files, CP/M programs on standard output, devices, every kind of bad
+// input.
+//
+// Programs are given as bytes; expected T-states are sums over opcode-timing.csv.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/picture/png.hpp"
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using namespace std::string_view_literals;
+using sightline::test::Arguments;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class RunI8080Command : public sightline::test::CommandLine {
+ protected:
+  // MVI C,9; LXI D,010B; CALL 5; JMP 0; "Hello", 0D, 0A, "$": 7 + 10 + 17 + 20 + 10 + 10 T-states.
+  static constexpr std::string_view hello = "\x0E\x09\x11\x0B\x01\xCD\x05\x00\xC3\x00\x00Hello\r\n$"sv;
+  // MVI A,5; DAD H; HLT: 7 + 10 + 7.
+  static constexpr std::string_view small = "\x3E\x05\x29\x76"sv;
+  static constexpr std::string_view forever = "\xC3\x00\x00"sv;
+
+  Ran run(Arguments options) {
+    options.insert(options.begin(), {"run", "i8080"});
+    return sightline(options);
+  }
+  json report(Arguments options) {
+    options.push_back("--json");
+    const Ran ran = run(std::move(options));
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return json::parse(ran.out, nullptr, false);
+  }
+  void expect_failure(const Arguments& options, int exit_code, std::string_view message) {
+    const Ran ran = run(options);
+    EXPECT_EQ(ran.exit_code, exit_code) << ran.err;
+    EXPECT_TRUE(has(ran.err, message)) << ran.err;
+    EXPECT_EQ(ran.out, "");
+  }
+};
+
+TEST_F(RunI8080Command, JsonReport) {
+  write("small.bin", small);
+  const json r = report({"--load", "small.bin@2000", "--start", "2000", "--set", "h=12", "--set", "L=34h",
+                         "--set", "SP=0xFEDC", "--set", "F=FF", "--set", "INTE=1", "--clock", "2000000"});
+  EXPECT_EQ(r.at("schema"), "sightline/run-i8080/1");
+  EXPECT_EQ(r.at("stop_reason"), "halt");
+  EXPECT_EQ(r.at("pc"), "2004");
+  EXPECT_EQ(r.at("instructions"), 3);
+  EXPECT_EQ(r.at("t_states"), 24);
+  EXPECT_EQ(r.at("clock_hz"), 2'000'000);
+  EXPECT_EQ(r.at("emulated_ns"), 12'000);
+  const json expected{{"a", "05"}, {"f", "D6"}, {"b", "00"},    {"c", "00"},    {"d", "00"}, {"e", "00"},
+                      {"h", "24"}, {"l", "68"}, {"sp", "FEDC"}, {"pc", "2004"}, {"inte", 1}};
+  EXPECT_EQ(r.at("registers"), expected);  // DAD has cleared the carry
+  EXPECT_FALSE(r.contains("console"));
+}
+
+TEST_F(RunI8080Command, TableForAPerson) {
+  write("small.com", small);
+  const Ran ran = run({"--load", "small.com"});  // a .com file starts at 0100
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(has(ran.out, "halt, PC 0104")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "0.000008000 s at 3000000 Hz")) << ran.out;
+  EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(RunI8080Command, CpmProgramPrintsOnStandardOutput) {
+  for (const char* name : {"hello.com", "hello.bin", "hello"}) {
+    write(name, hello);
+    const Ran ran = run({"--cpm", "--load", name});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.out, "Hello\r\n") << name;
+    EXPECT_TRUE(has(ran.err, "stopped by      exit, PC 0002\nT-states        74\n")) << ran.err;
+  }
+  const json r = report({"--cpm", "--load", "hello.com"});
+  EXPECT_EQ(r.at("console"), "Hello\r\n");
+  EXPECT_EQ(r.at("stop_reason"), "exit");
+  EXPECT_EQ(r.at("t_states"), 74);
+  EXPECT_EQ(r.at("registers").at("sp"), "0000");
+  EXPECT_FALSE(report({"--cpm", "--load", "hello.com", "--console", "out"}).contains("console"));
+  EXPECT_EQ(read("out"), "Hello\r\n");
+}
+
+TEST_F(RunI8080Command, IntelHexByEndingOrContent) {
+  const std::string hex = ":040100003E05297619\n:00010001FE\n";
+  write("small.hex", hex);
+  write("small", hex);
+  for (const char* name : {"small.hex", "small"}) {
+    EXPECT_EQ(report({"--load", name, "--start", "100"}).at("t_states"), 24) << name;
+    EXPECT_EQ(report({"--load", name}).at("t_states"), 24) << name;  // the end record's start address
+    EXPECT_EQ(report({"--cpm", "--load", name}).at("t_states"), 24) << name;
+  }
+}
+
+TEST_F(RunI8080Command, DumpTraceAndBus) {
+  write("small.bin", small);
+  ASSERT_EQ(run({"--load", "small.bin", "--dump", "dump", "--trace", "trace", "--bus", "bus"}).exit_code, 0);
+  const std::string dump = read("dump");
+  EXPECT_TRUE(dump.starts_with("05 02 00 00 00 00 00 00 0000 0004 0\n3E 05 29 76 00 ")) << dump.substr(0, 80);
+  EXPECT_EQ(std::count(dump.begin(), dump.end(), '\n'), 4097);
+  EXPECT_TRUE(has(read("trace"), "           7 0002 29     DAD     H            05 02 ")) << read("trace");
+  EXPECT_EQ(read("bus"), "0 A2 0000 3E\n4 82 0001 05\n7 A2 0002 29\n17 A2 0003 76\n21 8A 0003 --\n");
+  const Ran on_stdout = run({"--load", "small.bin", "--bus", "-"});
+  EXPECT_EQ(on_stdout.out, read("bus"));
+  EXPECT_TRUE(has(on_stdout.err, "T-states        24"));
+}
+
+TEST_F(RunI8080Command, Limits) {
+  write("forever.bin", forever);
+  EXPECT_EQ(report({"--load", "forever.bin", "--max-instructions", "5"}).at("t_states"), 50);
+  const json r = report({"--load", "forever.bin", "--max-states", "31"});
+  EXPECT_EQ(r.at("t_states"), 40);
+  EXPECT_EQ(r.at("stop_reason"), "state_limit");
+}
+
+TEST_F(RunI8080Command, StoppedByCtrlC) {
+  write("forever.bin", forever);
+  const Ran ran = sightline({"run", "i8080", "--load", "forever.bin", "--dump", "dump", "--json"}, "",
+                            std::chrono::milliseconds(300));
+  EXPECT_EQ(ran.exit_code, 130);
+  EXPECT_EQ(json::parse(ran.out).at("stop_reason"), "interrupted");
+  EXPECT_TRUE(exists("dump"));
+}
+
+TEST_F(RunI8080Command, RasterBoard) {
+  // MVI A,4; OUT 50; MVI A,3; OUT 41; MVI A,10; OUT 49; MVI A,20; OUT 4B; MVI A,80; OUT 40; HLT: one red dot.
+  write("dot.bin", "\x3E\x04\xD3\x50\x3E\x03\xD3\x41\x3E\x10\xD3\x49\x3E\x20\xD3\x4B\x3E\x80\xD3\x40\x76"sv);
+  const json r = report({"--load", "dot.bin", "--board", "ef9365", "--png", "p.png"});
+  EXPECT_EQ(r.at("devices").at("ef9365").at("dots"), 1);
+  EXPECT_TRUE(r.at("unanswered").empty());
+  const auto png = sightline::picture::read_png(path("p.png").string());
+  ASSERT_TRUE(png);
+  ASSERT_EQ(png->image.channels, 3);
+  std::vector<std::uint8_t> expected(std::size_t{256} * 256 * 3);
+  expected[((255 - 0x20) * 256 + 0x10) * 3] = 255;
+  EXPECT_EQ(png->image.pixels, expected);
+  ASSERT_EQ(run({"--load", "dot.bin", "--board", "ef9365", "--png", "p.png", "--grey"}).exit_code, 0);
+  const auto grey = sightline::picture::read_png(path("p.png").string());
+  ASSERT_TRUE(grey);
+  ASSERT_EQ(grey->image.channels, 1);
+  EXPECT_EQ(grey->image.pixels[(255 - 0x20) * 256 + 0x10], 255 * 4 / 7);
+}
+
+TEST_F(RunI8080Command, PlotterAndSerialLink) {
+  // MVI A,9 (pen down); OUT 60; IN 60; ANI 1; JNZ 4; MVI A,2 (+x); OUT 60; HLT.
+  write("step.bin", "\x3E\x09\xD3\x60\xDB\x60\xE6\x01\xC2\x04\x00\x3E\x02\xD3\x60\x76"sv);
+  const json r =
+      report({"--load", "step.bin", "--plotter", "calcomp", "--plotter-start", "10,20", "--strokes", "s"});
+  EXPECT_EQ(r.at("devices").at("calcomp565").at("steps"), 1);
+  EXPECT_EQ(r.at("devices").at("calcomp565").at("commands_while_busy"), 0);
+  const std::string strokes = read("s");
+  EXPECT_TRUE(has(strokes, " 10 20 7 00000\n")) << strokes;
+  EXPECT_TRUE(has(strokes, " 11 20 7 00000\n")) << strokes;
+  // The 8251: mode 4E, command 27; waits for RxRDY, reads, sends the same back, waits for TxEMPTY, halts.
+  write(
+      "echo.bin",
+      "\x3E\x4E\xD3\xED\x3E\x27\xD3\xED\xDB\xED\xE6\x02\xCA\x08\x00\xDB\xEC\xD3\xEC\xDB\xED\xE6\x04\xCA\x13\x00\x76"sv);
+  write("bytes", "A");
+  const json echo = report({"--load", "echo.bin", "--serial", "bytes", "--serial-out", "back"});
+  EXPECT_EQ(read("back"), "A");
+  EXPECT_EQ(echo.at("devices").at("serial").at("transmitted"), 1);
+}
+
+TEST_F(RunI8080Command, PortsThatNothingAnswers) {
+  write("ports.bin", "\xDB\x20\xD3\x21\xD3\x21\x76"sv);
+  const Ran ran = run({"--load", "ports.bin", "--json"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(has(ran.err, "port 20: nothing answers, once read as FF")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "port 21: nothing answers, 2 times written in vain")) << ran.err;
+  EXPECT_EQ(json::parse(ran.out).at("unanswered").at(1), json({{"port", "21"}, {"reads", 0}, {"writes", 2}}));
+  const Ran strict = run({"--load", "ports.bin", "--strict", "--dump", "dump"});
+  EXPECT_EQ(strict.exit_code, 3);
+  EXPECT_TRUE(has(strict.err, "PC 0000: stopped by --strict")) << strict.err;
+  EXPECT_TRUE(exists("dump"));
+}
+
+TEST_F(RunI8080Command, ProgramsThatFail) {
+  write("open.com", "\x0E\x0F\xCD\x05\x00\xC3\x00\x00"sv);  // function 15
+  const Ran unknown = run({"--cpm", "--load", "open.com", "--json"});
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_TRUE(has(unknown.err, "PC 0102: stopped: found a call of BDOS function 15, expected 0, 2 or 9"))
+      << unknown.err;
+  EXPECT_EQ(json::parse(unknown.out).at("bdos").at("function"), 15);
+  write("endless.com", "\x0E\x09\xCD\x05\x00"sv);
+  const Ran endless = run({"--cpm", "--load", "endless.com"});
+  EXPECT_EQ(endless.exit_code, 3);
+  EXPECT_TRUE(has(endless.err, "found no $")) << endless.err;
+}
+
+TEST_F(RunI8080Command, BadFilesLeaveNothingBehind) {
+  write("big.com", std::string(0xFF01, '\0'));
+  expect_failure({"--cpm", "--load", "big.com", "--dump", "d"}, 4, "big.com: error: found 65281 bytes");
+  write("full.com", std::string(0xFF00, '\x76'));
+  EXPECT_EQ(run({"--cpm", "--load", "full.com"}).exit_code, 0);
+  write("big.bin", std::string(0x10001, '\0'));
+  expect_failure({"--load", "big.bin", "--dump", "d"}, 4, "big.bin: error:");
+  expect_failure({"--load", "big.com@F000", "--dump", "d"}, 2, "big.com");
+  write("sum.hex", ":040100003E05297618\n:00010001FE\n");
+  expect_failure({"--load", "sum.hex", "--dump", "d"}, 4, "sum.hex:1");
+  write("cut.hex", ":040100003E05297619\n");
+  expect_failure({"--load", "cut.hex", "--dump", "d"}, 4, "cut.hex");
+  write("empty.com", "");
+  expect_failure({"--cpm", "--load", "empty.com", "--dump", "d"}, 4, "empty.com");
+  write("low.bin", "\x01"sv);
+  expect_failure({"--cpm", "--load", "low.bin@0005", "--dump", "d"}, 4, "0005");
+  expect_failure({"--load", "none.bin", "--dump", "d"}, 5, "none.bin");
+  expect_failure({"--load", "low.bin", "--serial", "none"}, 5, "none");
+  expect_failure({"--load", "low.bin", "--dump", "no/such/place"}, 5, "no/such/place");
+  EXPECT_FALSE(exists("d"));
+}
+
+TEST_F(RunI8080Command, WrongUsage) {
+  write("small.bin", small);
+  const auto refused = [this](Arguments options, std::string_view message) {
+    options.insert(options.begin(), {"--load", "small.bin"});
+    expect_failure(options, 2, message);
+  };
+  expect_failure({}, 2, "--load");
+  refused({"--start", "10000"}, "--start: found \"10000\", expected an address, hexadecimal, 0 to FFFF");
+  refused({"--start", "1G"}, "--start");
+  refused({"--set", "HL=0"},
+          "--set: found \"HL=0\", expected REGISTER=VALUE with one of A F B C D E H L SP PC INTE");
+  refused({"--set", "A=100"}, "--set A: found \"100\"");
+  refused({"--set", "A"}, "--set: found \"A\"");
+  refused({"--set", "INTE=2"}, "--set INTE: found \"2\"");
+  refused({"--set", "PC=1", "--start", "1"}, "--set PC");
+  refused({"--clock", "0"}, "--clock");
+  refused({"--clock", "1000000001"}, "--clock");
+  refused({"--max-states", "-1"}, "--max-states");
+  refused({"--max-instructions", "many"}, "--max-instructions");
+  refused({"--png", "p"}, "--png: needs --board");
+  refused({"--strokes", "s"}, "--strokes: needs --plotter");
+  refused({"--console", "c"}, "--console: needs --cpm");
+  refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
+  refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");
+  refused({"--plotter", "calcomp", "--plotter-start", "1"}, "--plotter-start");
+  refused({"--board", "vdu"}, "--board");
+  refused({"--dump", "x", "--trace", "x"}, "x: named for two outputs");
+  refused({"--dump", "-", "--json"}, "--json needs standard output");
+  refused({"--cpm", "--dump", "-"}, "--console FILE puts that elsewhere");
+  EXPECT_EQ(files(), std::vector<std::string>{"small.bin"});
+}
+
+}  // namespace
