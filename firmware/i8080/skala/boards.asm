@@ -167,13 +167,13 @@ COPY:   MOV     A,M
 ; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, MASK, of shading and of its first point
 BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
         JMP     TESTG
-        JMP     MASKG
+        JMP     MASKV
         JMP     COMMIT
         JMP     CURVEV
         DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
 BOARD:  JMP     DRAWG
         JMP     TESTG
-        JMP     MASKG
+        JMP     MASKV
         JMP     COMMIT
         JMP     CURVEG
         DW      STEPD,STEPT,TOUCH,SHADE,SHADEF

@@ -11,6 +11,7 @@
         INCLUDE monitor.asm
         INCLUDE commands.asm
         INCLUDE steps.asm
+        INCLUDE masks.asm
         INCLUDE lines.asm
         INCLUDE plain.asm
         INCLUDE curve.asm

@@ -136,14 +136,10 @@ TOUCH:  LDA     PX
         JNC     TOUCH1
         MOV     A,B
         STA     PHI
-TOUCH1: MOV     A,B
-        LXI     H,PLO
-        CMP     M
-        MOV     H,A             ; only to have y once more: H is anybody's
-        LDA     PX
-        MOV     L,A
-        RNC
-        MOV     A,H
+TOUCH1: LDA     PLO
+        CMP     B
+        RC
+        MOV     A,B
         STA     PLO
         RET
 TOUCH2: CALL    FOLD
