@@ -85,8 +85,8 @@ SHLIN3: LDA     LEVEND
         STA     LEV
         RET
 
-; The line with everything prepared. Along x, on the EF9365, with visibility and nothing unusual pending, a column is entered
-; once: tested, filled, folded and kept in one, but for the last. All else step by step.
+; The line with everything prepared: loops of its own on the EF9365 with visibility, when the pen's column is the pending and
+; the last shaded one, as it nearly always is. All else step by step.
 SHRUN:  LDA     NOFILL
         ORA     A
         JNZ     GLOOP
@@ -98,16 +98,25 @@ SHRUN:  LDA     NOFILL
         LDA     VIS
         ORA     A
         JZ      GLOOP
-        LDA     GMAJ
-        CPI     INRL
-        JC      GLOOP           ; along y
-        STA     SXDX
         LDA     PX
         CMP     L
         JNZ     GLOOP
         LDA     SHX
         CMP     L
         JNZ     GLOOP
+        LDA     PLO
+        CMP     B
+        JZ      SHRUN1
+        JNC     GLOOP
+SHRUN1: LDA     PHI
+        CMP     B
+        JC      GLOOP
+        LDA     GMAJ
+        CPI     INRL
+        JC      SY
+
+; Along x a column is entered once: tested, filled, folded and kept in one, but for the last.
+        STA     SXDX
         CALL    FOLD
         LDA     GMIN
         STA     SXDY
@@ -184,8 +193,8 @@ SXBELO: CALL    SXDOT
         JMP     SXKEEP
 
 SXDOT:  LDA     SXLEV+1
-        OUT     GDPCOL
         STA     LEV
+SYDOT:  OUT     GDPCOL
         MOV     A,L
         OUT     GDPX
         MOV     A,B
@@ -197,6 +206,77 @@ SXDOT:  LDA     SXLEV+1
         ORA     A
         RZ
         JMP     FILL
+
+; Along y: a fill where a column is entered; its last row is what the next slice finds.
+SY:     MVI     H,IPP           ; a new level at the same point is not yet shaded
+        LDA     LEV
+        CMP     M
+        JNZ     GLOOP
+        LDA     GMAJ
+        STA     SYB1
+        STA     SYB2
+        LDA     GMIN
+        STA     SYDX
+        MOV     A,E
+        STA     SYSUB+1
+        MOV     A,L
+        OUT     GDPX
+SY1:    MOV     A,C
+        ADD     D
+        JC      SYNEW
+        MOV     C,A
+SYB1:   INR     B
+        CALL    SHLEV
+        MVI     H,MTP
+        MOV     A,M
+        CMP     B
+        JC      SY2
+        INR     H
+        MOV     A,B
+        CMP     M
+        JNC     SY3
+SY2:    LDA     LEV
+        OUT     GDPCOL
+        MOV     A,B
+        OUT     GDPY
+        MVI     A,DOT
+        OUT     GDPCMD
+SY3:    DCR     E
+        JNZ     SY1
+SYEND:  CALL    SHKEEP
+        CALL    TOUCH
+        MOV     H,B
+        SHLD    XYP
+        RET
+
+SYNEW:
+SYSUB:  SUI     0
+        MOV     C,A
+        MVI     H,MPP
+        MOV     M,B
+        INR     H
+        LDA     LEV
+        MOV     M,A
+        CALL    TOUCH
+SYB2:   INR     B
+SYDX:   INR     L
+        MOV     A,L
+        OUT     GDPX
+        CALL    SHLEV
+        MVI     H,MTP
+        MOV     A,M
+        CMP     B
+        JC      SYNEW1
+        INR     H
+        MOV     A,B
+        CMP     M
+        JNC     SYNEW2
+SYNEW1: LDA     LEV
+        CALL    SYDOT
+SYNEW2: CALL    TOUCH
+        DCR     E
+        JNZ     SY1
+        JMP     SYEND
 
 ; GAP x n: no previous slice there.
 GAP:    POP     D
