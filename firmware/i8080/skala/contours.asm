@@ -3,49 +3,60 @@
 ; FOLD when silhouettes are kept: as FOLDN, and LT and HB hold the far end of what last raised a top or lowered a bottom. A
 ; margin wholly beyond that end: there the surface has turned away.
 FOLDS:  PUSH    H
-        PUSH    B
         LHLD    PLO
+        MOV     A,H
+        CMP     L
+        JC      FOLDZ           ; nothing pending
+        PUSH    B
         MOV     B,H             ; highest
         MOV     C,L             ; lowest
-        MOV     A,B
-        CMP     C
-        JC      FOLDX           ; nothing pending
         LHLD    PX
         MOV     A,M
-        INR     H
-        CMP     M
-        DCR     H
-        JC      FOLDE           ; unvisited
         CMP     B
-        JNC     FOLDS1
-        MOV     M,B
+        JC      FOLDS4          ; above
         MVI     H,LTP
-        MOV     M,C
-        JMP     FOLDS2
-FOLDS1: MOV     A,B
-        INR     A
-        JZ      FOLDS2
-        MVI     H,LTP
-        CMP     M
-        JNC     FOLDS2
-        MVI     M,0
+        MOV     A,M
+        SUI     2
+        JC      FOLDS2
+        CMP     B
+        JC      FOLDS2
+        MVI     M,0             ; wholly below what raised the top
         CALL    FTOP
 FOLDS2: MVI     H,MBP
         MOV     A,C
         CMP     M
-        JNC     FOLDS3
-        MOV     M,C
-        MVI     H,HBP
-        MOV     M,B
-        JMP     FOLDX
-FOLDS3: SUI     1
+        JC      FOLDS6          ; below
+FOLDS3: MVI     H,HBP
+        MOV     A,M
+        ADI     2
         JC      FOLDX
-        MVI     H,HBP
-        CMP     M
-        JC      FOLDX
-        JZ      FOLDX
-        MVI     M,255
+        DCR     A
+        CMP     C
+        JNC     FOLDX
+        MVI     M,255           ; wholly above what lowered the bottom
         CALL    FBOT
+        JMP     FOLDX
+FOLDS4: ORA     A
+        JNZ     FOLDS5
+        INR     H
+        MOV     A,M
+        DCR     H
+        INR     A
+        JZ      FOLDE           ; unvisited
+FOLDS5: MOV     M,B
+        MVI     H,LTP
+        MOV     M,C
+        JMP     FOLDS2
+FOLDS6: MOV     A,M
+        MOV     M,C
+        INR     A
+        JNZ     FOLDS7
+        MVI     H,MTP
+        MOV     A,M
+        ORA     A
+        JZ      FOLDX           ; unvisited, row 0
+FOLDS7: MVI     H,HBP
+        MOV     M,B
         JMP     FOLDX
 
 ; Fold lines in column L: from the mask to the lower (at the bottom the higher) of its neighbours' masks. Keep L, BC, DE.

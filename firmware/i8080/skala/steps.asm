@@ -172,13 +172,13 @@ STEPN:  JMP     RUNOFF
 FOLD:   JMP     FOLDN           ; FOLDS when folds are to be seen
 
 FOLDN:  PUSH    H
-        PUSH    B
         LHLD    PLO
+        MOV     A,H
+        CMP     L
+        JC      FOLDZ           ; nothing pending
+        PUSH    B
         MOV     B,H             ; highest
         MOV     C,L             ; lowest
-        MOV     A,B
-        CMP     C
-        JC      FOLDX           ; nothing pending
         LHLD    PX
         MOV     A,M
         CMP     B
@@ -199,7 +199,7 @@ FOLDN2: INR     H
 FOLDX:  LXI     H,NOPEND
         SHLD    PLO
         POP     B
-        POP     H
+FOLDZ:  POP     H
         RET
 FOLDE:  MOV     M,B
         INR     H
