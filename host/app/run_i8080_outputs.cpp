@@ -9,30 +9,11 @@
 #include <vector>
 
 #include "host/picture/png.hpp"
+#include "host/picture/raster_image.hpp"
 
 namespace sightline::app {
 
 namespace {
-
-// Row 0 of the image is the top one. Bit 2 of a point is red, bit 1 green, bit 0 blue, as the board's latch
-// has them; in grey the eight values are eight levels.
-picture::Image image_of(const core::Raster& raster, bool grey) {
-  picture::Image image(core::Raster::width, core::Raster::height, grey ? 1 : 3);
-  const auto byte = [](unsigned value, unsigned most) {
-    return static_cast<std::uint8_t>(255U * value / most);
-  };
-  std::size_t i = 0;
-  for (int y = core::Raster::height - 1; y >= 0; --y) {
-    for (const unsigned point : raster.row(static_cast<std::uint8_t>(y))) {
-      if (grey) {
-        image.pixels[i++] = byte(point, 7);
-        continue;
-      }
-      for (const unsigned bit : {2U, 1U, 0U}) image.pixels[i++] = byte(point >> bit & 1U, 1);
-    }
-  }
-  return image;
-}
 
 void write_png(Output& output, const picture::Image& image, core::TStateInstant end) {
   const auto bytes =
@@ -94,7 +75,10 @@ void RunI8080Outputs::attach(harness::I8080Job& job) {
 
 void RunI8080Outputs::write(const harness::I8080Report& report) {
   if (dump_) dump_->write(harness::dump_text(report));
-  if (png_ && report.raster) write_png(*png_, image_of(*report.raster, grey_), report.end);
+  if (png_ && report.raster) {
+    const auto palette = grey_ ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+    write_png(*png_, picture::raster_image(*report.raster, palette, 1), report.end);
+  }
   if (parallel_out_) parallel_out_->write(std::span<const std::uint8_t>(report.parallel_received));
   if (serial_out_) serial_out_->write(std::span<const std::uint8_t>(report.serial_received));
   for (auto* output : {&dump_, &trace_, &bus_, &console_, &png_, &strokes_, &parallel_out_, &serial_out_}) {
