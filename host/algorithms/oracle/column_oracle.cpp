@@ -14,6 +14,7 @@ struct Dot {
 // The dots of one chain in one column, in the chain's direction.
 struct Piece {
   int rank = 0;
+  ColumnExtent extent;  // of its chain
   std::int64_t nearest = 0;
   std::int64_t farthest = 0;
   std::vector<Dot> dots;
@@ -29,14 +30,15 @@ using Columns = std::array<Column, raster_columns>;
 // Pieces of one chain: an array of columns of which only the last added to is still open.
 class PieceCollector {
  public:
-  PieceCollector(Columns& columns, int rank) : columns_(columns), rank_(rank) {}
+  PieceCollector(Columns& columns, int rank, ColumnExtent extent)
+      : columns_(columns), rank_(rank), extent_(extent) {}
 
   // depth_low <= true depth <= depth_high
   void add(const RasterDot& dot, SegmentRole role, std::int64_t depth_low, std::int64_t depth_high) {
     Column& column = columns_[static_cast<std::size_t>(dot.x)];
     if (open_column_ != dot.x) {
       open_column_ = dot.x;
-      column.push_back({rank_, depth_low, depth_high, {}});
+      column.push_back({rank_, extent_, depth_low, depth_high, {}});
     }
     Piece& piece = column.back();
     piece.nearest = std::min(piece.nearest, depth_low);
@@ -47,11 +49,20 @@ class PieceCollector {
  private:
   Columns& columns_;
   int rank_;
+  ColumnExtent extent_;
   int open_column_ = -1;
 };
 
+[[nodiscard]] ColumnExtent extent_of(const Chain& chain) {
+  if (chain.facet) return *chain.facet;
+  ColumnExtent extent{raster_columns, -1};
+  for (const ChainVertex& vertex : chain.vertices)
+    extent = {std::min(extent.first, vertex.x), std::max(extent.last, vertex.x)};
+  return extent;
+}
+
 void collect(Columns& columns, const Chain& chain) {
-  PieceCollector pieces(columns, chain.rank);
+  PieceCollector pieces(columns, chain.rank, extent_of(chain));
   bool start_pending = true;
   for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
     const ChainVertex& a = chain.vertices[i - 1];
@@ -72,17 +83,32 @@ void collect(Columns& columns, const Chain& chain) {
   }
 }
 
+[[nodiscard]] bool hides(const Piece& piece) {
+  return std::any_of(piece.dots.begin(), piece.dots.end(),
+                     [](const Dot& dot) { return dot.role != SegmentRole::test; });
+}
+
+// The two chains lie beside each other and meet in a column; one that is all in a column does not.
+[[nodiscard]] bool adjoining(ColumnExtent a, ColumnExtent b) {
+  const bool wide = a.first != a.last && b.first != b.last;
+  return wide && (a.last == b.first || b.last == a.first);
+}
+
+// By depth, as far as that is known. Two pieces that hide nothing need no order.
+[[nodiscard]] bool clearly_nearer(const Piece& a, const Piece& b, std::int64_t tolerance) {
+  return a.farthest + tolerance < b.nearest && !adjoining(a.extent, b.extent) && (hides(a) || hides(b));
+}
+
 // Nearest first. Of the pieces that no remaining one is clearly nearer than, the least rank goes first.
 [[nodiscard]] Column in_order(Column pieces, std::int64_t tolerance) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return a.rank < b.rank; });
   Column ordered;
   while (!pieces.empty()) {
-    const auto least = std::min_element(
-        pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.farthest < b.farthest; });
-    const std::int64_t limit = least->farthest + tolerance;
-    const auto next = std::find_if(pieces.begin(), pieces.end(),
-                                   [&](const Piece& piece) { return piece.nearest <= limit; });
+    const auto next = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      return std::none_of(pieces.begin(), pieces.end(),
+                          [&](const Piece& other) { return clearly_nearer(other, piece, tolerance); });
+    });
     ordered.push_back(std::move(*next));
     pieces.erase(next);
   }
@@ -135,33 +161,39 @@ void light_piece(std::bitset<raster_columns>& lit, const Column& pieces, std::si
   if (entry_outside && before) light_surface(lit, entry->y, *before, nearer);
 }
 
-// Where the records of `values` were followed by a lesser value by more than one before the next record; the
-// first value is no record.
-[[nodiscard]] std::vector<int> records_left(const std::vector<int>& values) {
+// Where a record of `values` was followed, before the next record, by a value less than its guard by more
+// than one; the first value is no record.
+[[nodiscard]] std::vector<int> records_left(const std::vector<int>& values, const std::vector<int>& guards) {
   std::vector<int> left;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(i);
     if (values[i] <= *std::max_element(values.begin(), at)) continue;
     const auto next = std::find_if(at, values.end(), [&](int value) { return value > values[i]; });
-    if (std::any_of(at, next, [&](int value) { return value < values[i] - 1; })) left.push_back(values[i]);
+    if (std::any_of(at, next, [&](int value) { return value + 1 < guards[i]; })) left.push_back(values[i]);
   }
   return left;
 }
 
+[[nodiscard]] std::vector<int> negated(std::vector<int> values) {
+  for (int& value : values) value = -value;
+  return values;
+}
+
 void take_column(ColumnPicture& picture, std::size_t x, const Column& pieces) {
   std::vector<int> highs;
-  std::vector<int> negated_lows;
+  std::vector<int> lows;
   std::optional<ColumnHull>& nearer = picture.hull[x];
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     light_piece(picture.lit[x], pieces, i, nearer);
     const auto own = hull_of(pieces[i]);
     if (!own) continue;
     highs.push_back(own->high);
-    negated_lows.push_back(-own->low);
+    lows.push_back(own->low);
     nearer = nearer ? ColumnHull{std::min(nearer->low, own->low), std::max(nearer->high, own->high)} : *own;
   }
-  for (const int y : records_left(highs)) picture.silhouette[x].set(static_cast<std::size_t>(y));
-  for (const int y : records_left(negated_lows)) picture.silhouette[x].set(static_cast<std::size_t>(-y));
+  for (const int y : records_left(highs, lows)) picture.silhouette[x].set(static_cast<std::size_t>(y));
+  for (const int y : records_left(negated(lows), negated(highs)))
+    picture.silhouette[x].set(static_cast<std::size_t>(-y));
 }
 
 void outline_segment(ColumnPicture& picture, int x0, int y0, int x1, int y1) {

@@ -13,10 +13,11 @@
 // - What a chain has in one column is one piece of the picture: its dots do not hide each other, and to what
 // lies
 //   behind they are one interval, from the lowest to the highest.
-// - Depth along a segment is linear in j. Two pieces whose depths in the column touch, overlap or are nearer
-// to each
-//   other than `depth_tolerance` are not ordered by depth (shared vertices, slices seen end-on, vertices
-//   rounded to columns): then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
+// - Depth along a segment is linear in j. Two pieces are not ordered by depth if their depths in the column
+// touch,
+//   overlap or are nearer to each other than `depth_tolerance` (shared vertices, slices seen end-on, vertices
+//   rounded to columns), nor if their chains lie beside each other and meet in this column: their true ends
+//   are somewhere in it. Then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
 //   must therefore be right only where depth says nothing.
 //
 // Left out: colours and levels, gaps, lines beyond the raster.
@@ -49,11 +50,18 @@ struct ChainVertex {
   SegmentRole role = SegmentRole::none;  // of the segment from the vertex before
 };
 
+struct ColumnExtent {
+  int first = 0;
+  int last = 0;
+};
+
 // Monotone in x, to the right or to the left. A vertex between two interruptions has no dot; a segment of
 // length 0 has one.
 struct Chain {
   int rank = 0;
   std::vector<ChainVertex> vertices;
+  // The columns of the flat facet that a chain of test-only segments lies on; without it, its own columns.
+  std::optional<ColumnExtent> facet{};
 };
 
 struct ColumnHull {
@@ -65,7 +73,8 @@ struct ColumnPicture {
   std::array<std::bitset<raster_columns>, raster_columns> lit;  // lit[x][y]
   std::array<std::optional<ColumnHull>, raster_columns> hull;   // of everything that hides
   // Dots where the surface turns away from the eye: the top (bottom) of a piece that reached above (below)
-  // all nearer ones, if a later piece, before the next that reaches farther, stays more than one row inside.
+  // all nearer ones, if a later piece, before the next that reaches farther, lies wholly below (above) that
+  // piece with a row between them.
   std::array<std::bitset<raster_columns>, raster_columns> silhouette;
   std::array<std::bitset<raster_columns>, raster_columns> outline;  // the polygon around all hulls
 };

@@ -93,6 +93,13 @@ TEST(ColumnOracle, SilhouettesAreRecordsThatWereLeft) {
   EXPECT_EQ(folds({5, 7, 5, 9, 6, 10}), ".......#.#..");
   EXPECT_EQ(folds({5, 2, 4}), "..#.........");
   EXPECT_EQ(folds({9, 5, 6}), "............");
+  // A steep piece is left only where a later one lies wholly below it.
+  EXPECT_EQ(
+      column(column_picture({run(0, 2, 2, mask), run(1, 5, 9, mask), run(2, 4, 4, mask)}, 0).silhouette[3]),
+      "............");
+  EXPECT_EQ(
+      column(column_picture({run(0, 2, 2, mask), run(1, 5, 9, mask), run(2, 3, 3, mask)}, 0).silhouette[3]),
+      ".........#..");
 }
 
 TEST(ColumnOracle, OutlineIsOpenAtTheLeft) {
