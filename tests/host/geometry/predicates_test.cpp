@@ -1,0 +1,137 @@
+// The laws of predicates.hpp on random points, at the limits, and against worked examples.
+#include "host/geometry/predicates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace sightline::geometry {
+namespace {
+
+constexpr std::int32_t most = predicate_coordinate_limit - 1;
+
+class RandomPoints {
+ public:
+  explicit RandomPoints(std::int32_t reach) : reach_(reach) {}
+  Point3 next() { return {coordinate(), coordinate(), coordinate()}; }
+
+ private:
+  std::int32_t coordinate() {
+    return static_cast<std::int32_t>(engine_() % static_cast<unsigned>(2 * reach_ + 1)) - reach_;
+  }
+  std::mt19937 engine_{1971};
+  std::int32_t reach_;
+};
+
+TEST(Predicates, OrientationIsAlternating) {
+  for (const std::int32_t reach : {1, 3, 1000, most}) {
+    RandomPoints points(reach);
+    for (int i = 0; i < 500; ++i) {
+      const Point3 a = points.next(), b = points.next(), c = points.next(), d = points.next();
+      const std::int64_t volume = orientation(a, b, c, d);
+      EXPECT_EQ(orientation(b, a, c, d), -volume);
+      EXPECT_EQ(orientation(a, c, b, d), -volume);
+      EXPECT_EQ(orientation(a, b, d, c), -volume);
+      EXPECT_EQ(orientation(c, a, b, d), volume);
+      EXPECT_EQ(normal_of(b, c, a), normal_of(a, b, c));
+      EXPECT_EQ(normal_of(b, a, c), negated(normal_of(a, b, c)));
+    }
+  }
+}
+
+TEST(Predicates, APlaneGoesThroughItsPointsAndAgreesWithOrientation) {
+  RandomPoints points(most);
+  for (int i = 0; i < 500; ++i) {
+    const Point3 a = points.next(), b = points.next(), c = points.next(), d = points.next();
+    const Plane plane = plane_through(a, b, c);
+    EXPECT_EQ(plane.side(a), 0);
+    EXPECT_EQ(plane.side(b), 0);
+    EXPECT_EQ(plane.side(c), 0);
+    EXPECT_EQ(plane.at(d), orientation(a, b, c, d));
+  }
+}
+
+TEST(Predicates, TheLimitsOfTheHeaderHoldAtTheCornersOfSpace) {
+  // A tetrahedron in the corners of the cube has a third of its volume: 6 V = 2 side^3.
+  constexpr std::int64_t side = 2 * std::int64_t{most};
+  constexpr std::int64_t volume =
+      orientation({-most, -most, -most}, {most, most, -most}, {-most, most, most}, {most, -most, most});
+  static_assert(volume == 2 * side * side * side || volume == -2 * side * side * side);
+  static_assert((volume < 0 ? -volume : volume) < (std::int64_t{1} << 60));
+  constexpr std::int64_t n = 2 * side * side;  // as long as a component can get
+  static_assert(n < (std::int64_t{1} << 39));
+  constexpr Int128 det = determinant({n, n, -n}, {n, -n, n}, {-n, n, n});
+  static_assert(det == Int128{-4} * n * n * n);
+}
+
+TEST(Predicates, DeterminantIsTheTripleProduct) {
+  RandomPoints points(most);
+  for (int i = 0; i < 500; ++i) {
+    const Vector3 a = vector_of(points.next()), b = vector_of(points.next()), c = vector_of(points.next());
+    EXPECT_TRUE(determinant(a, b, c) == dot(a, cross(b, c)));
+    EXPECT_TRUE(determinant(b, a, c) == -dot(a, cross(b, c)));
+    EXPECT_TRUE(determinant(a, b, a) == 0);
+    EXPECT_TRUE(wide_dot(a, b) == dot(a, b));
+  }
+}
+
+TEST(Predicates, OneUnitInTheLastPlaceDecides) {
+  // Nearly parallel at the full range: double would round both products to the same number.
+  EXPECT_EQ(turn({-most, -most}, {most, most}, {most - 1, most}), 2 * std::int64_t{most});
+  EXPECT_EQ(turn({0, 0}, {most, most - 1}, {most - 1, most - 2}), -1);
+  EXPECT_EQ(orientation({0, 0, 0}, {1, 0, 0}, {0, most, most - 1}, {most, most - 1, most - 2}), -1);
+}
+
+TEST(Predicates, FlatteningKeepsTheTurn) {
+  RandomPoints points(50);
+  for (int i = 0; i < 500; ++i) {
+    const Point3 a = points.next(), b = points.next(), c = points.next();
+    const Vector3 normal = normal_of(a, b, c);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(turn(flattened(a, axis), flattened(b, axis), flattened(c, axis)), normal[axis]);
+    }
+    const std::size_t best = dominant_axis(normal);
+    if (!is_zero(normal)) {
+      EXPECT_NE(normal[best], 0);
+    }
+  }
+}
+
+TEST(Predicates, SegmentsMeetAlsoInAPointOrOnALine) {
+  EXPECT_TRUE(segments_meet({0, 0}, {4, 4}, {0, 4}, {4, 0}));
+  EXPECT_FALSE(segments_meet({0, 0}, {1, 1}, {2, 2}, {3, 3}));
+  EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {1, 1}, {3, 3}));
+  EXPECT_TRUE(segments_meet({0, 0}, {2, 0}, {1, 0}, {1, 5}));
+  EXPECT_TRUE(segments_meet({0, 0}, {2, 0}, {2, 0}, {3, 9}));
+  EXPECT_FALSE(segments_meet({0, 0}, {2, 0}, {0, 1}, {2, 1}));
+  EXPECT_FALSE(segments_meet({0, 0}, {2, 0}, {3, 0}, {3, 5}));
+  EXPECT_TRUE(segments_meet({1, 1}, {1, 1}, {0, 0}, {2, 2}));
+}
+
+// Midpoints of all unit squares against a count of crossings along x, for a ring with a bay.
+TEST(Predicates, PointsAreLocatedInARing) {
+  const std::vector<Point2> ring{{0, 0}, {10, 0}, {10, 10}, {5, 3}, {0, 10}};
+  EXPECT_EQ(doubled_area(ring), 130);
+  for (std::size_t start = 0; start < ring.size(); ++start) {
+    for (const bool backwards : {false, true}) {
+      std::vector<Point2> turned;
+      for (std::size_t i = 0; i < ring.size(); ++i) turned.push_back(ring[(start + i) % ring.size()]);
+      if (backwards) std::reverse(turned.begin(), turned.end());
+      EXPECT_EQ(doubled_area(turned), backwards ? -130 : 130);
+      EXPECT_EQ(locate_in_ring(turned, {5, 2}), 1);
+      EXPECT_EQ(locate_in_ring(turned, {5, 3}), 0);
+      EXPECT_EQ(locate_in_ring(turned, {5, 4}), -1);
+      EXPECT_EQ(locate_in_ring(turned, {5, 0}), 0);
+      EXPECT_EQ(locate_in_ring(turned, {0, 5}), 0);
+      EXPECT_EQ(locate_in_ring(turned, {-1, 10}), -1);
+      EXPECT_EQ(locate_in_ring(turned, {1, 3}), 1);
+      EXPECT_EQ(locate_in_ring(turned, {11, 3}), -1);
+      EXPECT_EQ(locate_in_ring(turned, {5, 10}), -1);
+      EXPECT_EQ(locate_in_ring(turned, {10, 10}), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sightline::geometry
