@@ -44,6 +44,7 @@ void check_needs(const RunI8080Arguments& arguments) {
         "--load FILE: without a program there is nothing to run");
   needs(!arguments.png.empty(), !arguments.board.empty(), "--png", "--board");
   needs(arguments.grey, !arguments.png.empty(), "--grey", "--png");
+  needs(!arguments.svg.empty(), !arguments.plotter.empty(), "--svg", "--plotter");
   needs(!arguments.strokes.empty(), !arguments.plotter.empty(), "--strokes", "--plotter");
   needs(!arguments.plotter_start.empty(), arguments.plotter == "calcomp", "--plotter-start",
         "--plotter calcomp");

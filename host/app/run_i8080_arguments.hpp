@@ -31,6 +31,7 @@ struct RunI8080Arguments {
   std::string png;
   bool grey = false;
   std::string strokes;
+  std::string svg;
   std::string parallel_out;
   std::string serial_out;
   bool json = false;

@@ -134,6 +134,7 @@ void add_output_options(CLI::App& command, RunI8080Arguments& to) {
       ->type_name("FILE");
   command.add_flag("--grey", to.grey, "The PNG in eight levels of grey instead");
   command.add_option("--strokes", to.strokes, "Every step of the plotter's lowered pen")->type_name("FILE");
+  command.add_option("--svg", to.svg, "What the plotter drew, in millimetres")->type_name("FILE");
   command.add_option("--parallel-out", to.parallel_out, "What the host took from the 8255")
       ->type_name("FILE");
   command.add_option("--serial-out", to.serial_out, "What the 8251 sent to the host")->type_name("FILE");

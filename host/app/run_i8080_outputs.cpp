@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/picture/pen_drawing.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
 
@@ -23,9 +24,22 @@ void write_png(Output& output, const picture::Image& image, core::TStateInstant 
   output.write(std::span<const std::uint8_t>(*bytes));
 }
 
+// The paper is as large as the drawing needs, from step (0, 0) on.
+std::string svg_of(const harness::I8080Report& report, picture::PlotterPaper paper) {
+  for (const picture::PenPath& path : report.drawing) {
+    for (const picture::PenPoint corner : path.corners)
+      paper.steps = std::max({paper.steps, corner.x + 1, corner.y + 1});
+  }
+  if (report.drawing_left_out != 0)
+    warn(fmt::format("the drawing lacks the last {} marks of the pen", report.drawing_left_out));
+  return picture::pen_svg(report.drawing, paper,
+                          fmt::format("8080: plotter at T-state {}", core::t_states_of(report.end)));
+}
+
 }  // namespace
 
-RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments) : grey_(arguments.grey) {
+RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments)
+    : grey_(arguments.grey), minigraf_(arguments.plotter == "minigraf") {
   std::string console = arguments.console;
   if (arguments.cpm && console.empty()) {
     if (arguments.json) {
@@ -41,6 +55,7 @@ RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments) : grey_(arg
       {&console, &console_},
       {&arguments.png, &png_},
       {&arguments.strokes, &strokes_},
+      {&arguments.svg, &svg_},
       {&arguments.parallel_out, &parallel_out_},
       {&arguments.serial_out, &serial_out_}};
   std::vector<std::string> named;
@@ -69,6 +84,7 @@ void RunI8080Outputs::attach(harness::I8080Job& job) {
   if (trace_) job.trace = write_to(*trace_);
   if (bus_) job.bus = write_to(*bus_);
   if (strokes_) job.strokes = write_to(*strokes_);
+  job.drawing = svg_.has_value();
   if (console_) job.console = write_to(*console_);
   if (kept_console_) job.console = [this](std::string_view text) { *kept_console_ += text; };
 }
@@ -79,9 +95,11 @@ void RunI8080Outputs::write(const harness::I8080Report& report) {
     const auto palette = grey_ ? picture::RasterPalette::grey : picture::RasterPalette::colour;
     write_png(*png_, picture::raster_image(*report.raster, palette, 1), report.end);
   }
+  if (svg_) svg_->write(svg_of(report, minigraf_ ? picture::minigraf_paper : picture::calcomp_paper));
   if (parallel_out_) parallel_out_->write(std::span<const std::uint8_t>(report.parallel_received));
   if (serial_out_) serial_out_->write(std::span<const std::uint8_t>(report.serial_received));
-  for (auto* output : {&dump_, &trace_, &bus_, &console_, &png_, &strokes_, &parallel_out_, &serial_out_}) {
+  for (auto* output :
+       {&dump_, &trace_, &bus_, &console_, &png_, &strokes_, &svg_, &parallel_out_, &serial_out_}) {
     if (*output) (*output)->commit();
   }
 }

@@ -35,10 +35,12 @@ class RunI8080Outputs {
   std::optional<Output> console_;
   std::optional<Output> png_;
   std::optional<Output> strokes_;
+  std::optional<Output> svg_;
   std::optional<Output> parallel_out_;
   std::optional<Output> serial_out_;
   std::optional<std::string> kept_console_;
   bool grey_ = false;
+  bool minigraf_ = false;
   bool uses_stdout_ = false;
 };
 

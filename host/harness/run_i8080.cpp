@@ -45,8 +45,8 @@ class Run {
  public:
   Run(const I8080Job& job, Observer& observer)
       : job_(job),
-        screen_({false, false, job.strokes}),
-        devices_(configuration_of(job), screen_),
+        plotter_(job),
+        devices_(configuration_of(job), plotter_),
         ports_(devices_, job.cpm, job.strict),
         machine_(ports_, observer) {
     const auto given = job.memory.bytes();
@@ -82,7 +82,7 @@ class Run {
       if (reads + writes != 0) report_.unanswered.push_back({static_cast<std::uint8_t>(port), reads, writes});
     }
     collect_devices(devices_, report_);
-    screen_.finish();
+    plotter_.finish(report_);
     return std::move(report_);
   }
 
@@ -165,7 +165,7 @@ class Run {
   }
 
   const I8080Job& job_;
-  Screen screen_;
+  PlotterTaker plotter_;
   I8080Devices devices_;
   Ports ports_;
   machines::I8080Machine<Ports, Observer> machine_;

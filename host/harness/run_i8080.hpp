@@ -27,6 +27,7 @@
 #include "emulators/i8080/state.hpp"
 #include "emulators/machines/i8080_run.hpp"
 #include "emulators/machines/skala_ports.hpp"
+#include "host/picture/pen_path.hpp"
 #include "tools/image/binary.hpp"
 
 namespace sightline::harness {
@@ -63,6 +64,7 @@ struct I8080Job {
   I8080TextTaker trace;    // one line an instruction, see i8080_trace_line_help
   I8080TextTaker bus;      // one line a machine cycle, see i8080_bus_line_help
   I8080TextTaker strokes;  // of the plotter, as host/picture/stroke_log writes them
+  bool drawing = false;    // keep the lines the plotter draws
   // Asked every some million T-states; false ends the run there. Empty: never asked.
   std::function<bool(const I8080Progress&)> keep_running;
 };
@@ -108,6 +110,8 @@ struct I8080Report {
   std::optional<core::Raster> raster;           // of the raster board; of the EF9365 if there are both
   std::vector<std::uint8_t> parallel_received;  // what the host took from port B, then from port A
   std::vector<std::uint8_t> serial_received;
+  std::vector<picture::PenPath> drawing;  // of the plotter; marks one step apart are joined
+  std::uint64_t drawing_left_out = 0;     // marks beyond what is kept
 };
 
 [[nodiscard]] I8080Report run_i8080(const I8080Job& job);

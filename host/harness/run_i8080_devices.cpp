@@ -1,7 +1,10 @@
 // See run_i8080_devices.hpp.
 #include "host/harness/run_i8080_devices.hpp"
 
-#include <cstddef>
+#include <cstdlib>
+#include <utility>
+
+#include "host/picture/stroke_log.hpp"
 
 namespace sightline::harness {
 
@@ -69,6 +72,37 @@ DeviceReport report_of(const devices::SerialLink& link) {
 }
 
 }  // namespace
+
+void PlotterTaker::log(const core::Stroke& stroke) {
+  constexpr std::size_t block_size = 65536;
+  picture::append_stroke_line(text_, stroke);
+  if (text_.size() < block_size) return;
+  job_.strokes(text_);
+  text_.clear();
+}
+
+void PlotterTaker::draw(picture::PenPoint point) {
+  const bool joined = !paths_.empty() && std::abs(point.x - last_.x) <= 1 && std::abs(point.y - last_.y) <= 1;
+  const std::size_t kept = corners_ + (paths_.empty() ? 0 : paths_.back().corners.size());
+  if (kept >= most_corners) {
+    ++left_out_;
+    return;
+  }
+  if (!joined) {
+    corners_ = kept;
+    paths_.push_back({{point}});
+  } else if (point != last_) {
+    picture::extend(paths_.back(), point);
+  }
+  last_ = point;
+}
+
+void PlotterTaker::finish(I8080Report& report) {
+  if (!text_.empty()) job_.strokes(text_);
+  text_.clear();
+  report.drawing = std::move(paths_);
+  report.drawing_left_out = left_out_;
+}
 
 void collect_devices(I8080Devices& devices, I8080Report& report) {
   if (const auto* board = devices.alt256()) {

@@ -152,13 +152,14 @@ TEST_F(RunI8080Command, RasterBoard) {
 TEST_F(RunI8080Command, PlotterAndSerialLink) {
   // MVI A,9 (pen down); OUT 60; IN 60; ANI 1; JNZ 4; MVI A,2 (+x); OUT 60; HLT.
   write("step.bin", "\x3E\x09\xD3\x60\xDB\x60\xE6\x01\xC2\x04\x00\x3E\x02\xD3\x60\x76"sv);
-  const json r =
-      report({"--load", "step.bin", "--plotter", "calcomp", "--plotter-start", "10,20", "--strokes", "s"});
+  const json r = report({"--load", "step.bin", "--plotter", "calcomp", "--plotter-start", "10,20",
+                         "--strokes", "s", "--svg", "p.svg"});
   EXPECT_EQ(r.at("devices").at("calcomp565").at("steps"), 1);
   EXPECT_EQ(r.at("devices").at("calcomp565").at("commands_while_busy"), 0);
   const std::string strokes = read("s");
   EXPECT_TRUE(has(strokes, " 10 20 7 00000\n")) << strokes;
   EXPECT_TRUE(has(strokes, " 11 20 7 00000\n")) << strokes;
+  EXPECT_TRUE(has(read("p.svg"), "<polyline")) << read("p.svg");
   // The 8251: mode 4E, command 27; waits for RxRDY, reads, sends the same back, waits for TxEMPTY, halts.
   write(
       "echo.bin",
@@ -238,6 +239,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--max-instructions", "many"}, "--max-instructions");
   refused({"--png", "p"}, "--png: needs --board");
   refused({"--strokes", "s"}, "--strokes: needs --plotter");
+  refused({"--svg", "s"}, "--svg: needs --plotter");
   refused({"--console", "c"}, "--console: needs --cpm");
   refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
   refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");

@@ -153,12 +153,12 @@ TEST(RunI8080, Limits) {
 }
 
 TEST(RunI8080, BeingAskedInBetweenChangesNothing) {
-  // 30 x 65536 x (5 + 5 + 4 + 10), some fifty million T-states
+  // 22 x 65536 x (5 + 5 + 4 + 10), more than one slice
   I8080Job job = job_of(
-      "  MVI B,30\nOUTER: LXI D,0\nINNER: DCX D\n  MOV A,D\n  ORA E\n  JNZ INNER\n  DCR B\n  JNZ OUTER\n  "
+      "  MVI B,22\nOUTER: LXI D,0\nINNER: DCX D\n  MOV A,D\n  ORA E\n  JNZ INNER\n  DCR B\n  JNZ OUTER\n  "
       "HLT\n");
   const I8080Report alone = run_i8080(job);
-  EXPECT_EQ(core::t_states_of(alone.end), 7 + 30LL * (10 + 65536 * 24 + 5 + 10) + 7);
+  EXPECT_EQ(core::t_states_of(alone.end), 7 + 22LL * (10 + 65536 * 24 + 5 + 10) + 7);
   int asked = 0;
   job.keep_running = [&asked](const I8080Progress&) { return ++asked < 1000; };
   const I8080Report watched = run_i8080(job);
@@ -213,6 +213,24 @@ TEST(RunI8080, AnInterruptEndsAHaltAndIsTraced) {
   I8080Job deaf = job;
   deaf.machine.parallel_restart = std::nullopt;
   EXPECT_EQ(run_i8080(deaf).registers.pc, 0x010A);
+}
+
+TEST(RunI8080, WhatThePlotterDrawsIsJoinedByStep) {
+  // The Minigraf: pen down at (0, 0), two steps along x, one diagonal; pen up for two steps, down for a dot.
+  std::string program;
+  for (const char* byte : {"80H", "81H", "82H", "8BH", "0CH", "0DH", "8DH", "0DH"}) {
+    program += std::string("  MVI A,") + byte + "\n  OUT 0F0H\n  CALL WAIT\n";
+  }
+  program += "  HLT\nWAIT: LXI D,1000\nLOOP: DCX D\n  MOV A,D\n  ORA E\n  JNZ LOOP\n  RET\n";  // 8 ms
+  I8080Job job = job_of(program);
+  job.registers.sp = 0x1000;
+  job.machine.minigraf0507 = true;
+  job.drawing = true;
+  const I8080Report report = run_i8080(job);
+  ASSERT_EQ(report.drawing.size(), 2U);
+  EXPECT_EQ(report.drawing[0].corners, (std::vector<picture::PenPoint>{{0, 0}, {2, 0}, {3, 1}}));
+  EXPECT_EQ(report.drawing[1].corners, (std::vector<picture::PenPoint>{{5, 1}}));
+  EXPECT_EQ(report.drawing_left_out, 0U);
 }
 
 TEST(RunI8080, Dump) {
