@@ -176,7 +176,7 @@ OUTL1:  STA     OUTX
         LDA     OUTX
         STA     OUTA
         CALL    OUTTOP
-        CALL    MOVETO
+        CALL    MOVET1          ; wherever the pen is
 OUTL2:  CALL    OUTTOP
         CALL    LINETO
         LXI     H,OUTX
@@ -201,6 +201,8 @@ OUTL5:  DCR     C
         LDA     OUTA
         CMP     C
         JNZ     OUTL5
+        CALL    OUTTOP          ; and closed
+        CALL    LINETO
         POP     PSW
         ORA     A
         JZ      NEXT            ; the run ended at the right border

@@ -36,18 +36,21 @@ RIM:    POP     D
         MOV     C,A
         LDA     FRESH
         ORA     A
-        MOV     A,C
-        JNZ     RIM1
-        MVI     A,1
+        JZ      RIM1
+        MOV     A,C             ; the first vertex of a chain: a line of length nothing steps it
+        ANI     7
+        STA     LEV
+        PUSH    D
+        PUSH    B
+        CALL    MOVETO
+        POP     B
+        POP     D
+RIM1:   MVI     A,1
         STA     NOFILL
         MOV     A,C
         CALL    SHLINE
 SHDONE: LDA     COLR
         CALL    INK
-        JMP     NEXT
-RIM1:   ANI     7
-        STA     LEV
-        CALL    MOVETO
         JMP     NEXT
 
 ; Line to E = x, D = y, level A there.
