@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "emulators/machines/i8080_machine.hpp"
@@ -28,12 +31,12 @@ inline std::optional<std::string> source_text(const std::string& path) {
 // Assembled once.
 inline const assembler::I8080Assembly& program() {
   static const assembler::I8080Assembly assembly = [] {
-    const std::string folder = std::string(SIGHTLINE_SOURCE_DIR) + "/firmware/i8080/skala/";
+    const std::string path = SIGHTLINE_SOURCE_DIR "/firmware/i8080/skala/skala.asm";
     assembler::I8080Options options;
     options.listing = false;
     options.include = source_text;
     const std::vector<assembler::SourceFile> sources{
-        {folder + "skala.asm", source_text(folder + "skala.asm").value_or("")}};
+        {path, source_text(path).value_or("")}};
     auto result = assembler::assemble_i8080(sources, options);
     for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
     return result;

@@ -87,7 +87,9 @@ class Reference {
     }
   }
   void move(int x, int y) {
-    if (x == x_ && y == y_) return;
+    if (x != x_ || y != y_) begin(x, y);
+  }
+  void begin(int x, int y) {
     x_ = x;
     y_ = y;
     fresh_ = true;
@@ -219,9 +221,8 @@ class Reference {
     if (fresh_) {
       move(x, y);
       level_ = level;
-    } else {
-      line(x, y, Mode::rim, level);
     }
+    line(x, y, Mode::rim, level);
   }
   void shade(int x, int y, bool seen, bool filling) {
     const bool first = shaded_column_ != x;
@@ -254,9 +255,10 @@ class Reference {
       if (!visited(a)) continue;
       int b = a;
       while (visited(b + 1)) ++b;
-      move(a, top[column(a)]);
+      begin(a, top[column(a)]);
       for (int x = a; x <= b; ++x) line(x, top[column(x)], Mode::plot);
       for (int x = b; x >= a; --x) line(x, bottom[column(x)], Mode::plot);
+      line(a, top[column(a)], Mode::plot);
       a = b;
     }
   }
