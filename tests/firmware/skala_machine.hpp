@@ -1,4 +1,5 @@
-// The resident Skala program on its machine, for tests: assembled from the source tree, fed over the parallel link.
+// The resident Skala program on its machine, for tests: assembled from the source tree, fed over the parallel
+// link.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,8 +36,7 @@ inline const assembler::I8080Assembly& program() {
     assembler::I8080Options options;
     options.listing = false;
     options.include = source_text;
-    const std::vector<assembler::SourceFile> sources{
-        {path, source_text(path).value_or("")}};
+    const std::vector<assembler::SourceFile> sources{{path, source_text(path).value_or("")}};
     auto result = assembler::assemble_i8080(sources, options);
     for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
     return result;
@@ -63,7 +63,8 @@ class SkalaMachine {
   using Ports = machines::SkalaPorts<Strokes>;
 
   // All devices, unless the configuration says otherwise.
-  explicit SkalaMachine(std::vector<std::uint8_t> commands) : SkalaMachine(std::move(commands), everything()) {}
+  explicit SkalaMachine(std::vector<std::uint8_t> commands)
+      : SkalaMachine(std::move(commands), everything()) {}
   SkalaMachine(std::vector<std::uint8_t> commands, machines::SkalaConfiguration configuration)
       : commands_(std::move(commands)) {
     if (configuration.serial) configuration.serial = commands_;
@@ -76,7 +77,8 @@ class SkalaMachine {
 
   static machines::SkalaConfiguration everything() {
     machines::SkalaConfiguration configuration;
-    configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 = true;
+    configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 =
+        true;
     configuration.parallel.emplace();
     return configuration;
   }

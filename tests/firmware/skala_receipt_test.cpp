@@ -1,4 +1,5 @@
-// The resident Skala program's monitor: what it refuses, both links, a picture larger than its buffer, devices that fail.
+// The resident Skala program's monitor: what it refuses, both links, a picture larger than its buffer,
+// devices that fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ std::optional<std::uint8_t> status_of(Bytes commands) {
 }
 
 TEST(SkalaReceipt, StopsAtWhatItDoesNotKnow) {
-  for (const int code : {0x0F, 0x10, 0x80, 0xFF}) EXPECT_EQ(status_of({static_cast<std::uint8_t>(code)}), 2) << code;
+  for (const int code : {0x0F, 0x10, 0x80, 0xFF})
+    EXPECT_EQ(status_of({static_cast<std::uint8_t>(code)}), 2) << code;
   EXPECT_EQ(status_of({1, 5, 5, 2, 9, 9, 0x0F}), 2);
 }
 

@@ -1,5 +1,6 @@
-// What firmware/i8080/skala/SPECIFICATION.md says, said once more in plain C++ for the tests of the program's routines:
-// one step after the other, signed numbers, no device and no time. It shares nothing with the program but the page.
+// What firmware/i8080/skala/SPECIFICATION.md says, said once more in plain C++ for the tests of the program's
+// routines: one step after the other, signed numbers, no device and no time. It shares nothing with the
+// program but the page.
 #pragma once
 
 #include <algorithm>
@@ -30,24 +31,69 @@ class Reference {
   void run(std::span<const std::uint8_t> bytes) {
     std::size_t at = 0;
     auto next = [&] { return static_cast<int>(bytes[at++]); };
-    auto count = [&] { const int n = next(); return n == 0 ? 256 : n; };
+    auto count = [&] {
+      const int n = next();
+      return n == 0 ? 256 : n;
+    };
     while (at < bytes.size()) {
       switch (next()) {
         case 0x00: lift(); return;
-        case 0x01: { const int x = next(); move(x, next()); break; }
-        case 0x02: { const int x = next(); line(x, next(), visible_ ? Mode::draw : Mode::plot); break; }
-        case 0x03: { const int x = next(); line(x, next(), visible_ ? Mode::test : Mode::plot); break; }
-        case 0x04: { const int x = next(); line(x, next(), Mode::mask); break; }
+        case 0x01: {
+          const int x = next();
+          move(x, next());
+          break;
+        }
+        case 0x02: {
+          const int x = next();
+          line(x, next(), visible_ ? Mode::draw : Mode::plot);
+          break;
+        }
+        case 0x03: {
+          const int x = next();
+          line(x, next(), visible_ ? Mode::test : Mode::plot);
+          break;
+        }
+        case 0x04: {
+          const int x = next();
+          line(x, next(), Mode::mask);
+          break;
+        }
         case 0x05: colour_ = next() & 7; break;
         case 0x06: commit(); break;
         case 0x07: reset(); break;
-        case 0x08: { const int x = next(); const int n = count(); curve(x, n, bytes.subspan(at)); at += static_cast<std::size_t>(n); break; }
-        case 0x09: { const int n = count(); surface(n, bytes.subspan(at)); at += static_cast<std::size_t>(3 * n); break; }
-        case 0x0A: { const int d = next(); device_ = d & 0x7F; visible_ = (d & 0x80) == 0; break; }
-        case 0x0B: { const int x = next(); const int y = next(); rim(x, y, next() & 7); break; }
+        case 0x08: {
+          const int x = next();
+          const int n = count();
+          curve(x, n, bytes.subspan(at));
+          at += static_cast<std::size_t>(n);
+          break;
+        }
+        case 0x09: {
+          const int n = count();
+          surface(n, bytes.subspan(at));
+          at += static_cast<std::size_t>(3 * n);
+          break;
+        }
+        case 0x0A: {
+          const int d = next();
+          device_ = d & 0x7F;
+          visible_ = (d & 0x80) == 0;
+          break;
+        }
+        case 0x0B: {
+          const int x = next();
+          const int y = next();
+          rim(x, y, next() & 7);
+          break;
+        }
         case 0x0C: silhouette_ = next() & 7; break;
         case 0x0D: outline(); break;
-        case 0x0E: { const int x = next(); const int n = count(); std::fill_n(previous_level.begin() + x, n, 0); break; }
+        case 0x0E: {
+          const int x = next();
+          const int n = count();
+          std::fill_n(previous_level.begin() + x, n, 0);
+          break;
+        }
         default: return;
       }
     }
@@ -128,7 +174,8 @@ class Reference {
   }
   void curve(int x, int n, std::span<const std::uint8_t> rows) {
     move(x, rows[0]);
-    for (int i = 0; i < n; ++i) line(x + i, rows[static_cast<std::size_t>(i)], visible_ ? Mode::draw : Mode::plot);
+    for (int i = 0; i < n; ++i)
+      line(x + i, rows[static_cast<std::size_t>(i)], visible_ ? Mode::draw : Mode::plot);
   }
 
   // Section 4.
@@ -170,7 +217,8 @@ class Reference {
     if (!pending_) return;
     const auto [x, low, high] = *pending_;
     pending_.reset();
-    int &t = top[column(x)], &b = bottom[column(x)], &lt = raised_low[column(x)], &hb = lowered_high[column(x)];
+    int &t = top[column(x)], &b = bottom[column(x)], &lt = raised_low[column(x)],
+        &hb = lowered_high[column(x)];
     if (t == 0 && b == 255) {
       t = high;
       b = low;
@@ -196,17 +244,23 @@ class Reference {
   void fold_top(int x) {
     if (silhouette_ == 0 || plotter()) return;
     int least = top[column(x)];
-    if (visited(x - 1) && visited(x + 1)) least = std::min(top[column(x - 1)], top[column(x + 1)]);
-    else if (visited(x - 1)) least = top[column(x - 1)];
-    else if (visited(x + 1)) least = top[column(x + 1)];
+    if (visited(x - 1) && visited(x + 1))
+      least = std::min(top[column(x - 1)], top[column(x + 1)]);
+    else if (visited(x - 1))
+      least = top[column(x - 1)];
+    else if (visited(x + 1))
+      least = top[column(x + 1)];
     for (int y = top[column(x)]; y >= std::min(top[column(x)], least + 1); --y) dot(x, y, silhouette_);
   }
   void fold_bottom(int x) {
     if (silhouette_ == 0 || plotter()) return;
     int most = bottom[column(x)];
-    if (visited(x - 1) && visited(x + 1)) most = std::max(bottom[column(x - 1)], bottom[column(x + 1)]);
-    else if (visited(x - 1)) most = bottom[column(x - 1)];
-    else if (visited(x + 1)) most = bottom[column(x + 1)];
+    if (visited(x - 1) && visited(x + 1))
+      most = std::max(bottom[column(x - 1)], bottom[column(x + 1)]);
+    else if (visited(x - 1))
+      most = bottom[column(x - 1)];
+    else if (visited(x + 1))
+      most = bottom[column(x + 1)];
     for (int y = bottom[column(x)]; y <= std::max(bottom[column(x)], most - 1); ++y) dot(x, y, silhouette_);
   }
 
@@ -265,7 +319,8 @@ class Reference {
 
   // Sections 5 and 8.
   void dot(int x, int y, int value) {
-    picture[static_cast<std::size_t>(y) * 256 + static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(value);
+    picture[static_cast<std::size_t>(y) * 256 + static_cast<std::size_t>(x)] =
+        static_cast<std::uint8_t>(value);
     ++lit;
   }
   void show(int x, int y, int value) {

@@ -1,4 +1,5 @@
-// Random command streams for the Skala program: chains of short and long lines, with everything else in between.
+// Random command streams for the Skala program: chains of short and long lines, with everything else in
+// between.
 #pragma once
 
 #include <algorithm>

@@ -126,10 +126,16 @@ SETMOD: LXI     H,FOLDN
         JZ      SETMO1
         LXI     H,FOLDS
 SETMO1: SHLD    FOLD+1
-        LXI     H,PLAIN
         LDA     VIS
         ORA     A
+        JNZ     SETMO2
+        LXI     H,PLAIN
+        MOV     A,B
+        ORA     A
         JZ      SETMO3
+        LXI     H,PLAINQ
+        JMP     SETMO3
+SETMO2:
         LXI     H,PLOTTR
         MOV     A,B
         ORA     A
@@ -189,6 +195,12 @@ PLAIN:  JMP     DRAWG
         JMP     COMMIN
         JMP     CURVEG
         DW      PLOT,PLOT,STEPN,SHADEN,SHADNF
+PLAINQ: JMP     DRAWG           ; a plotter
+        JMP     DRAWG
+        JMP     MASKG
+        JMP     COMMIN
+        JMP     CURVEG
+        DW      PLOT,PLOT,STEPN,PLOT,PLOT
 PLAINF: JMP     DRAWP           ; EF9365
         JMP     DRAWP
         JMP     MASKG
