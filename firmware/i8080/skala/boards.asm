@@ -160,7 +160,7 @@ SETVEC: LXI     D,VECTOR
         MVI     C,VECLEN
         CALL    COPY
         LXI     D,DSTEP
-        MVI     C,10
+        MVI     C,11
 ; C bytes from HL to DE.
 COPY:   MOV     A,M
         STAX    D
@@ -170,40 +170,46 @@ COPY:   MOV     A,M
         JNZ     COPY
         RET
 
-; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, MASK, of shading and of its first point
+; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, MASK, of shading and of its first point; QUICK
 BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
         JMP     TESTG
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEV
         DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
+        DB      1
 BOARD:  JMP     DRAWG
         JMP     TESTG
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEG
         DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
+        DB      0
 PLOTTR: JMP     DRAWG
         JMP     TESTG
         JMP     MASKG
         JMP     COMMIT
         JMP     CURVEG
         DW      STEPDQ,STEPTQ,STEPMQ,STEPDQ,STEPDQ
+        DB      0
 PLAIN:  JMP     DRAWG
         JMP     DRAWG
         JMP     MASKG
         JMP     COMMIN
         JMP     CURVEG
         DW      PLOT,PLOT,STEPN,SHADEN,SHADNF
+        DB      0
 PLAINQ: JMP     DRAWG           ; a plotter
         JMP     DRAWG
         JMP     MASKG
         JMP     COMMIN
         JMP     CURVEG
         DW      PLOT,PLOT,STEPN,PLOT,PLOT
+        DB      0
 PLAINF: JMP     DRAWP           ; EF9365
         JMP     DRAWP
         JMP     MASKG
         JMP     COMMIN
         JMP     CURVEP
         DW      PLOT,PLOT,STEPN,SHADEN,SHADNF
+        DB      0

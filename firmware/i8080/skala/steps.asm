@@ -29,6 +29,7 @@ TSTEP:  DW      STEPT
 MSTEP:  DW      TOUCH
 SSTEP:  DW      SHADE
 SFIRST: DW      SHADEF
+QUICK:  DB      1               ; the EF9365 with visibility, no silhouettes
 
 ; The first point of a chain. Keeps DE.
 FIRST:  LDA     FRESH

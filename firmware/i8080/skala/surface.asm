@@ -93,12 +93,7 @@ SHLIN3: LDA     LEVEND
 SHRUN:  LDA     NOFILL
         ORA     A
         JNZ     GLOOP
-        LDA     DEV
-        MOV     H,A
-        LDA     FOLDON
-        ORA     H
-        JNZ     GLOOP
-        LDA     VIS
+        LDA     QUICK
         ORA     A
         JZ      GLOOP
         LDA     PX
@@ -413,6 +408,7 @@ FILL3:  INR     H
         MOV     C,A
         MOV     A,D
         SUB     C
+        JZ      FILLEQ
         MVI     C,INRA
         JNC     FILL1
         CMA
@@ -443,6 +439,22 @@ FILLG2: MOV     C,A
 FILLX:  POP     D
         POP     B
         RET
+; One level all the way.
+FILLEQ: LDA     DEV
+        ORA     A
+        MVI     A,0
+        JNZ     FILL1
+        LDA     FILLG1
+        STA     FILLF1
+FILLF1: INR     B
+        MOV     A,B
+        OUT     GDPY
+        MVI     A,DOT
+        OUT     GDPCMD
+        DCR     H
+        JNZ     FILLF1
+        JMP     FILLX
+
 FILLG3: MOV     C,A
         LDA     FLEV
 FILLG4: INR     A
