@@ -38,15 +38,15 @@ MSKY1:  MOV     A,C
 MSKYB1: INR     B
         DCR     E
         JNZ     MSKY1
-        CALL    TOUCH
+        CALL    TOUCHS
         JMP     MASKND
 MSKY2:
 MSKYS:  SUI     0
         MOV     C,A
-        CALL    TOUCH
+        CALL    TOUCHS
 MSKYB2: INR     B
 MSKYL:  INR     L
-        CALL    TOUCH
+        CALL    TOUCHN
         DCR     E
         JNZ     MSKY1
 MASKND: MOV     H,B

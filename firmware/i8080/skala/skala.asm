@@ -13,9 +13,11 @@
         INCLUDE steps.asm
         INCLUDE masks.asm
         INCLUDE lines.asm
+        INCLUDE upright.asm
         INCLUDE plain.asm
         INCLUDE curve.asm
         INCLUDE surface.asm
+        INCLUDE fill.asm
         INCLUDE contours.asm
         INCLUDE boards.asm
         INCLUDE plotter.asm

@@ -131,8 +131,8 @@ STEPD1: CALL    PLOT
 ; The point belongs to the pending column; a new column folds the one before.
 TOUCH:  LDA     PX
         CMP     L
-        JNZ     TOUCH2
-        LDA     PHI
+        JNZ     TOUCHN
+TOUCHS: LDA     PHI             ; the same column
         CMP     B
         JNC     TOUCH1
         MOV     A,B
@@ -143,7 +143,7 @@ TOUCH1: LDA     PLO
         MOV     A,B
         STA     PLO
         RET
-TOUCH2: CALL    FOLD
+TOUCHN: CALL    FOLD            ; another one
         MOV     A,L
         STA     PX
         MOV     A,B
