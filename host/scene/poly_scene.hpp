@@ -1,8 +1,8 @@
 // A scene of general polyhedra: closed solids and open sheets with planar faces, in integer coordinates.
 //
 // Left out: what only one algorithm needs (cells and openings: cell_scene.hpp; heights: height_grid.hpp). A
-// PolyScene as such promises nothing: check_poly_scene (poly_check.hpp) says whether it is a possible scene, and
-// everything that draws expects a checked one.
+// PolyScene as such promises nothing: check_poly_scene (poly_check.hpp) says whether it is a possible scene,
+// and everything that draws expects a checked one.
 #pragma once
 
 #include <array>
@@ -36,9 +36,10 @@ struct PolyBody {
   friend bool operator==(const PolyBody&, const PolyBody&) = default;
 };
 
-// How a scene is looked at. forward, right and up are orthogonal integer vectors of any length, each component
-// below 2^15. The image of a point p at d = p - eye is x = (right.d / |right|) / (forward.d / |forward|), y
-// likewise with up; orthographic: without the division, and the eye is only the origin of the image.
+// How a scene is looked at. forward, right and up are orthogonal integer vectors of any length, each
+// component below 2^15. The image of a point p at d = p - eye is x = (right.d / |right|) / (forward.d /
+// |forward|), y likewise with up; orthographic: without the division, and the eye is only the origin of the
+// image.
 struct PolyCamera {
   bool perspective = true;
   PolyPoint eye{};

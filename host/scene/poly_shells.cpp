@@ -1,0 +1,69 @@
+// See poly_shells.hpp.
+#include "host/scene/poly_shells.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace sightline::scene {
+namespace {
+
+void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vector<FaceEdge>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const VertexIndex from = ring[i];
+    const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
+    edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
+  }
+}
+
+std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
+  while (parents[face] != face) {
+    parents[face] = parents[parents[face]];
+    face = parents[face];
+  }
+  return face;
+}
+
+}  // namespace
+
+std::vector<FaceEdge> face_edges(const PolyBody& body) {
+  std::vector<FaceEdge> edges;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    add_ring(body.faces[f].outline, f, edges);
+    for (const auto& hole : body.faces[f].holes) add_ring(hole, f, edges);
+  }
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    return std::tie(a.low, a.high, a.face, a.upwards) < std::tie(b.low, b.high, b.face, b.upwards);
+  });
+  return edges;
+}
+
+bool is_closed(const std::vector<FaceEdge>& edges) {
+  if (edges.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < edges.size(); i += 2) {
+    if (!edges[i].same_edge(edges[i + 1]) || edges[i].upwards == edges[i + 1].upwards) return false;
+    if (i + 2 < edges.size() && edges[i].same_edge(edges[i + 2])) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector<FaceEdge>& edges) {
+  std::vector<std::size_t> parents(body.faces.size());
+  std::iota(parents.begin(), parents.end(), std::size_t{0});
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (!edges[i].same_edge(edges[i - 1])) continue;
+    const std::size_t a = root_of(parents, edges[i].face);
+    const std::size_t b = root_of(parents, edges[i - 1].face);
+    parents[std::max(a, b)] = std::min(a, b);
+  }
+  // A root is the smallest face of its part, so that it is met before the others.
+  std::vector<std::size_t> parts(body.faces.size());
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < parts.size(); ++f) {
+    const std::size_t root = root_of(parents, f);
+    parts[f] = root == f ? count++ : parts[root];
+  }
+  return parts;
+}
+
+}  // namespace sightline::scene
