@@ -8,6 +8,7 @@
 
 #include "host/app/jones_session.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/app/skala_demo.hpp"
 #include "host/scene/builtin.hpp"
 
 namespace sightline::app {
@@ -20,10 +21,11 @@ using nlohmann::ordered_json;
 constexpr const char* examples =
     "Examples:\n"
     "  sightline demo\n"
-    "      assemble Jones's program, run it on all scenes with and without the EAE, write the pictures to "
-    "out/\n"
+    "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
+    "eight\n"
+    "      functions as lines, surfaces and contours; the pictures go to out/\n"
     "  sightline demo -o pictures --json\n"
-    "      the same, the table as one JSON document\n";
+    "      the same, the tables as one JSON document\n";
 
 struct Arguments {
   std::string directory = "out";
@@ -61,8 +63,9 @@ Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae,
 }
 
 std::string table_of(const std::vector<Row>& rows) {
-  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds",
-                                 "cells", "segments", "words of core", "refreshes/s");
+  std::string text = "Jones 1971 on the PDP-7 with a Type 340 display\n";
+  text += fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
+                      "segments", "words of core", "refreshes/s");
   for (const Row& row : rows) {
     text +=
         fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
@@ -97,14 +100,19 @@ ExitCode run(const Arguments& arguments) {
     for (const bool eae : {true, false})
       rows.push_back(run_scene(std::string(name), scene, eae, arguments.directory));
   }
+  const SkalaDemo skala = run_skala_demo(arguments.directory);
   if (arguments.json) {
-    write_stdout(document_of(rows, arguments.directory).dump(2) + "\n");
+    ordered_json document = document_of(rows, arguments.directory);
+    add_skala_demo(document, skala);
+    write_stdout(document.dump(2) + "\n");
   } else {
     write_stdout(table_of(rows));
+    write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala));
     write_stdout(
-        fmt::format("Pictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
-                    "for drawing programs.\n",
-                    arguments.directory));
+        fmt::format("\nPictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
+                    "for drawing\nprograms; FUNCTION-lines.png, -surface.png, -contours.png, "
+                    "{}-calcomp.hpgl for plotters.\n",
+                    arguments.directory, skala.plotted));
   }
   ExitCode code = ExitCode::ok;
   for (const Row& row : rows) {
@@ -118,7 +126,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_demo_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("demo", "Run every scene and print the table");
+  CLI::App* const command = app.add_subcommand("demo", "Run both machines on all their scenes and functions");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
       ->capture_default_str()

@@ -1,4 +1,4 @@
-// `sightline demo`: Jones's program on all scenes.
+// `sightline demo`: both machines, Jones's program on all scenes and Skala's on the eight functions.
 #pragma once
 
 #include "host/app/command.hpp"

@@ -1,0 +1,211 @@
+#include "host/app/skala_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "host/app/skala_report.hpp"
+#include "host/app/skala_session.hpp"
+#include "host/app/skala_source.hpp"
+#include "host/scene/height_function.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using harness::SkalaDevice;
+using harness::SkalaFamily;
+using harness::SkalaLink;
+using harness::SkalaPicture;
+using picture::RasterPalette;
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  sightline skala lines sinc -o pictures\n"
+    "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in about two seconds\n"
+    "  sightline skala lines peaks --both --elevate 45\n"
+    "      slices along x and along z, cell by cell\n"
+    "  sightline skala surface --function \"sin(sqrt(x*x+z*z))\" --domain -9:9\n"
+    "      a shaded surface of a function of your own, in eight greys\n"
+    "  sightline skala contours heights.csv --levels 12 --net\n"
+    "      contours of a grid file, with the net of its cells\n"
+    "  sightline skala lines rogers --device calcomp -o plot\n"
+    "      step by step on a drum plotter: rogers.png, .svg and .hpgl\n\n";
+
+std::string footer() {
+  return fmt::format(
+      "{}FUNCTION is a name ({})\nor a file: CSV or gnuplot's matrix, the first line in front. Every picture "
+      "is "
+      "compared with a native twin of\nthe program before it is written. Seconds are those of the emulated "
+      "8080.\n",
+      examples, scene::height_function_names());
+}
+
+struct Arguments {
+  SkalaSource source;
+  SkalaOrder order;
+  std::string device = "raster";
+  std::string link = "parallel";
+  std::string palette;  // empty: the usual one
+  bool no_visibility = false;
+  bool both = false;
+  std::string along;
+  std::int64_t clock = core::ClockRate{}.hertz;
+  int scale = 3;
+  std::string directory = "out";
+  bool json = false;
+};
+
+constexpr scene::GridSize usual_size(SkalaPicture picture) {
+  return picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+}
+
+// The library takes nan and inf for numbers.
+void require_finite(const char* option, double value) {
+  if (!std::isfinite(value))
+    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a finite number", option, value));
+}
+
+// By the names the option takes.
+SkalaDevice device_named(const std::string& name) {
+  if (name == "alt256") return SkalaDevice::alt256;
+  if (name == "calcomp") return SkalaDevice::calcomp;
+  return name == "minigraf" ? SkalaDevice::minigraf : SkalaDevice::ef9365;
+}
+
+ExitCode run(Arguments arguments) {
+  SkalaOrder& order = arguments.order;
+  require_finite("--rotate", order.view.rotation);
+  require_finite("--elevate", order.view.elevation);
+  require_finite("--zoom", order.view.zoom);
+  SkalaFunction function = load_skala_function(arguments.source, usual_size(order.view.picture));
+  order.name = function.name;
+  order.grid = std::move(function.grid);
+  order.clock.hertz = arguments.clock;
+  order.view.visibility = !arguments.no_visibility;
+  if (arguments.both) order.view.family = SkalaFamily::both;
+  if (!arguments.along.empty())
+    order.view.family = arguments.along == "x" ? SkalaFamily::along_x : SkalaFamily::along_z;
+  order.view.device = device_named(arguments.device);
+  if (arguments.link == "serial") order.link = SkalaLink::serial;
+  const SkalaOutcome outcome = run_skala_order(harness::assemble_skala_program(), order);
+  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
+  if (!arguments.palette.empty())
+    files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
+  const auto pictures = write_skala_pictures(files, order, outcome);
+  write_stdout(arguments.json ? skala_document(order, outcome, pictures)
+                              : skala_summary(order, outcome, pictures));
+  return ExitCode::ok;
+}
+
+void add_function_options(CLI::App& command, Arguments& arguments) {
+  SkalaSource& source = arguments.source;
+  command.add_option("FUNCTION", source.name_or_file, "A function by name, or a grid file");
+  command.add_option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
+      ->type_name("EXPR");
+  command.add_option("--domain", source.domain, "Of x and z in --function; -10:10 unless given")
+      ->type_name("A:B");
+  const scene::GridSize usual = usual_size(arguments.order.view.picture);
+  const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
+                         static_cast<int>(scene::largest_grid.points));
+  command
+      .add_option("--slices", source.slices,
+                  fmt::format("Slices, from front to back; {} unless given", usual.slices))
+      ->check(range);
+  command
+      .add_option("--points", source.points, fmt::format("Points in a slice; {} unless given", usual.points))
+      ->check(range);
+}
+
+void add_view_options(CLI::App& command, Arguments& arguments) {
+  harness::SkalaView& view = arguments.order.view;
+  command.add_option("--rotate", view.rotation, "Degrees about the vertical")
+      ->capture_default_str()
+      ->type_name("A");
+  command.add_option("--elevate", view.elevation, "Degrees of the eye above the horizon; below 0 from below")
+      ->capture_default_str()
+      ->check(CLI::Range(-90.0, 90.0))
+      ->type_name("E");
+  command.add_option("--zoom", view.zoom, "Enlarge about the middle")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0))
+      ->type_name("F");
+  if (view.picture == SkalaPicture::contours) {
+    command.add_option("--levels", view.levels, "How many contour levels")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 255));
+    command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
+    return;
+  }
+  CLI::Option* const along =
+      command
+          .add_option("--along", arguments.along, "Slices along x or along z; unless given the less end-on")
+          ->check(CLI::IsMember({"x", "z"}));
+  if (view.picture == SkalaPicture::lines)
+    command.add_flag("--both", arguments.both, "Slices along x and along z")->excludes(along);
+}
+
+void add_machine_options(CLI::App& command, Arguments& arguments) {
+  command.add_option("--device", arguments.device, "A raster board or a plotter")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"raster", "alt256", "calcomp", "minigraf"}))
+      ->type_name("NAME");
+  command.add_flag("--no-visibility", arguments.no_visibility,
+                   "Draw everything: the program without its test");
+  command.add_option("--link", arguments.link, "From the host computer; serial is 9600 baud")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"parallel", "serial"}))
+      ->type_name("NAME");
+  command
+      .add_option("--clock", arguments.clock, "The processor's clock in Hz; the programs are timed for 3 MHz")
+      ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{100'000}, std::int64_t{100'000'000}))
+      ->type_name("HZ");
+}
+
+void add_output_options(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--palette", arguments.palette, "Of the PNG; unless given grey for surfaces, else colour")
+      ->check(CLI::IsMember({"colour", "grey"}))
+      ->type_name("NAME");
+  command.add_option("--scale", arguments.scale, "Pixels a point in the PNG")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 32));
+  command.add_option("-o,--output", arguments.directory, "Folder for the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command.add_flag("--json", arguments.json, "One JSON document instead of the summary");
+}
+
+void add_picture(CLI::App& parent, const char* name, const char* description, SkalaPicture picture,
+                 ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand(name, description);
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->order.view.picture = picture;
+  arguments->order.view.rotation = 30;
+  add_function_options(*command, *arguments);
+  add_view_options(*command, *arguments);
+  add_machine_options(*command, *arguments);
+  add_output_options(*command, *arguments);
+  command->footer(footer());
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace
+
+void add_skala_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("skala", "Run Skala's programs (1985) on the 8080: functions of two variables");
+  command->require_subcommand(1);
+  add_picture(*command, "lines", "Slices of a surface with hidden lines removed", SkalaPicture::lines,
+              exit_code);
+  add_picture(*command, "surface", "A shaded surface with hidden parts removed", SkalaPicture::surface,
+              exit_code);
+  add_picture(*command, "contours", "Contour lines on a surface with hidden parts removed",
+              SkalaPicture::contours, exit_code);
+  command->footer(footer());
+}
+
+}  // namespace sightline::app
