@@ -149,6 +149,13 @@ class Reference {
 
   // Section 3. Levels go along for surfaces (section 6).
   void line(int x, int y, Mode mode, int level = 0) {
+    if (mode == Mode::mask && !visible_) {
+      if (x != x_ || y != y_) run_.clear();
+      x_ = x;
+      y_ = y;
+      fresh_ = true;
+      return;
+    }
     if (fresh_) {
       step(x_, y_, mode);
       fresh_ = false;
@@ -170,6 +177,7 @@ class Reference {
       }
       step(x_, y_, mode);
     }
+    if (mode == Mode::mask) fresh_ = true;
     if (mode == Mode::surface || mode == Mode::rim) level_ = level;
   }
   void curve(int x, int n, std::span<const std::uint8_t> rows) {
@@ -187,7 +195,7 @@ class Reference {
       case Mode::plot: show(x, y, colour_); return;
       case Mode::mask:
         run_.clear();
-        if (visible_) touch(x, y);
+        touch(x, y);
         return;
       case Mode::test: seen = y >= std::max(t - 1, 0) || y <= std::min(b + 1, 255); break;
       default:

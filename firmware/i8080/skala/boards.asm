@@ -160,7 +160,7 @@ SETVEC: LXI     D,VECTOR
         MVI     C,VECLEN
         CALL    COPY
         LXI     D,DSTEP
-        MVI     C,11
+        MVI     C,9
 ; C bytes from HL to DE.
 COPY:   MOV     A,M
         STAX    D
@@ -170,46 +170,46 @@ COPY:   MOV     A,M
         JNZ     COPY
         RET
 
-; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, MASK, of shading and of its first point; QUICK
+; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, of shading and of its first point; QUICK
 BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
         JMP     TESTG
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEV
-        DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
+        DW      STEPD,STEPT,SHADE,SHADEF
         DB      1
 BOARD:  JMP     DRAWG
         JMP     TESTG
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEG
-        DW      STEPD,STEPT,TOUCH,SHADE,SHADEF
+        DW      STEPD,STEPT,SHADE,SHADEF
         DB      0
 PLOTTR: JMP     DRAWG
         JMP     TESTG
         JMP     MASKG
         JMP     COMMIT
         JMP     CURVEG
-        DW      STEPDQ,STEPTQ,STEPMQ,STEPDQ,STEPDQ
+        DW      STEPDQ,STEPTQ,STEPDQ,STEPDQ
         DB      0
 PLAIN:  JMP     DRAWG
         JMP     DRAWG
-        JMP     MASKG
+        JMP     MASKN
         JMP     COMMIN
         JMP     CURVEG
-        DW      PLOT,PLOT,STEPN,SHADEN,SHADNF
+        DW      PLOT,PLOT,SHADEN,SHADNF
         DB      0
 PLAINQ: JMP     DRAWG           ; a plotter
         JMP     DRAWG
-        JMP     MASKG
+        JMP     MASKN
         JMP     COMMIN
         JMP     CURVEG
-        DW      PLOT,PLOT,STEPN,PLOT,PLOT
+        DW      PLOT,PLOT,PLOT,PLOT
         DB      0
 PLAINF: JMP     DRAWP           ; EF9365
         JMP     DRAWP
-        JMP     MASKG
+        JMP     MASKN
         JMP     COMMIN
         JMP     CURVEP
-        DW      PLOT,PLOT,STEPN,SHADEN,SHADNF
+        DW      PLOT,PLOT,SHADEN,SHADNF
         DB      0

@@ -1,4 +1,4 @@
-; MASK on a raster board: a line that only hides. What counts of a column is its lowest and its highest row.
+; MASK: a line that only hides. What counts of a column is its lowest and its highest row.
 
 MASKV:  POP     D
         LXI     H,TOUCH
@@ -6,7 +6,7 @@ MASKV:  POP     D
         SHLD    FSTEP+1
         CALL    FIRST
         CALL    GSET
-        JZ      NEXT
+        JZ      MASKNF
         LDA     PX              ; as nearly always: the pen's column is pending, the pen in it
         CMP     L
         JNZ     MASKV1
@@ -22,7 +22,31 @@ MASKV2: LDA     PHI
         JC      MASKY
         JMP     MASKX
 MASKV1: CALL    GLOOP
-        JMP     NEXT
+        JMP     MASKNF
+
+; On a plotter.
+MASKG:  POP     D
+        LXI     H,STEPMQ
+        SHLD    GSTEP+1
+        SHLD    FSTEP+1
+        CALL    FIRST
+        CALL    GSET
+        CNZ     GLOOP
+        JMP     MASKNF
+
+; Without visibility it only moves the pen; on a plotter that is the end of a run.
+MASKN:  POP     D
+        LHLD    XYP
+        MOV     A,L
+        CMP     E
+        JNZ     MASKN1
+        MOV     A,H
+        CMP     D
+        JZ      MASKNF
+MASKN1: XCHG
+        SHLD    XYP
+        CALL    RUNOFF
+        JMP     MASKNF
 
 ; Along y: the first and the last row of each column are enough.
 MASKY:  STA     MSKYB1
@@ -51,6 +75,8 @@ MSKYL:  INR     L
         JNZ     MSKY1
 MASKND: MOV     H,B
         SHLD    XYP
+MASKNF: MVI     A,1             ; a line in ink that goes on from here inks this point
+        STA     FRESH
         JMP     NEXT
 
 ; Along x: each column has one row and is folded as it is passed, but for the last. Keeps LT and HB as well, which cost

@@ -7,9 +7,6 @@
 TESTG:  POP     D
         LHLD    TSTEP
         JMP     GLINES
-MASKG:  POP     D
-        LHLD    MSTEP
-        JMP     GLINES
 DRAWG:  POP     D
         LHLD    DSTEP
 
@@ -26,7 +23,6 @@ GLINE:  CALL    GSET
 ; The step routines for this device and visibility (SETMOD).
 DSTEP:  DW      STEPD
 TSTEP:  DW      STEPT
-MSTEP:  DW      TOUCH
 SSTEP:  DW      SHADE
 SFIRST: DW      SHADEF
 QUICK:  DB      1               ; the EF9365 with visibility, no silhouettes
@@ -165,9 +161,6 @@ STEPT:  MVI     H,MTP
         CPI     2
         JC      PLOT
         RET
-
-; Without visibility MASK only moves the pen; on a plotter that is the end of a run all the same.
-STEPN:  JMP     RUNOFF
 
 ; ---- Fold: the pending column's rows become part of the masks, and no column is pending. Keeps all but A.
 FOLD:   JMP     FOLDN           ; FOLDS when folds are to be seen
