@@ -5,7 +5,7 @@
 // Left out: time, the link (statuses 4 and 5 never come from here: bytes arrive without errors and no board
 // or plotter is ever busy), and the levels of surfaces on plotters, which cannot show them. Where the
 // specification leaves a case open that no host sends (a DEVICE in the middle of a picture, a SILHOUETTE
-// later than directly after RESET, a RIM before the first SURFACE), the twin does what its functions say and
+// later than directly after RESET), the twin does what its functions say and
 // no comparison should rest on it.
 #pragma once
 

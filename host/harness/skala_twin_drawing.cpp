@@ -59,6 +59,7 @@ void SkalaTwinDrawing::reset() {
   at_ = {};
   fresh_ = true;
   shaded_column_.reset();
+  level_ = 0;
   colour_ = 7;
   silhouette_ = 0;
   if (on_raster()) {
@@ -70,7 +71,10 @@ void SkalaTwinDrawing::reset() {
 }
 
 void SkalaTwinDrawing::move_to(SkalaPoint point) {
-  if (point == at_) return;
+  if (point != at_) set_down(point);
+}
+
+void SkalaTwinDrawing::set_down(SkalaPoint point) {
   at_ = point;
   fresh_ = true;
   shaded_column_.reset();
@@ -90,7 +94,7 @@ void SkalaTwinDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) 
     });
   }
   at_ = point;
-  fresh_ = false;
+  fresh_ = mode == Mode::mask || mode == Mode::travel;
   level_ = level;
 }
 
@@ -125,9 +129,10 @@ void SkalaTwinDrawing::outline_run(int first, int last) {
     return SkalaPoint{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
   };
   const SkalaColumns& columns = picture_.columns;
-  move_to(point(first, columns.mask_top));
+  set_down(point(first, columns.mask_top));
   for (int x = first + 1; x <= last; ++x) line_to(point(x, columns.mask_top), Mode::plain);
   for (int x = last; x >= first; --x) line_to(point(x, columns.mask_bottom), Mode::plain);
+  line_to(point(first, columns.mask_top), Mode::plain);
 }
 
 SkalaTwinDrawing::Mode SkalaTwinDrawing::effective(Mode mode) const {

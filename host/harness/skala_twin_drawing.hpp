@@ -38,6 +38,8 @@ class SkalaTwinDrawing {
   [[nodiscard]] bool select_device(std::uint8_t argument);
   void reset();
   void move_to(SkalaPoint point);
+  // A MOVE that is obeyed wherever the pen is.
+  void set_down(SkalaPoint point);
   // `mode` is what the command asks for; what the device and visibility make of it is decided here.
   void line_to(SkalaPoint point, Mode mode) { line_to(point, mode, level_); }
   void line_to(SkalaPoint point, Mode mode, std::uint8_t level);

@@ -79,7 +79,8 @@ void collect(Columns& columns, const Chain& chain) {
       pieces.add(dots[static_cast<std::size_t>(j)], b.role, a.depth + floor_divide(weighted, span),
                  a.depth - floor_divide(-weighted, span));
     }
-    start_pending = false;
+    // A vertex between a segment without ink and one with ink is a dot of both.
+    start_pending = b.role == SegmentRole::mask;
   }
 }
 
@@ -212,8 +213,7 @@ void take_outline(ColumnPicture& picture) {
       outline_segment(picture, x - 1, before->high, x, here->high);
       outline_segment(picture, x - 1, before->low, x, here->low);
     } else {
-      outline_segment(picture, x, here->high, x, here->high);
-      outline_segment(picture, x, here->low, x, here->low);
+      outline_segment(picture, x, here->high, x, here->low);
     }
     if (!next_exists) outline_segment(picture, x, here->high, x, here->low);
   }

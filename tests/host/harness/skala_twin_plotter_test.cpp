@@ -80,8 +80,8 @@ TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesNothing) {
   EXPECT_EQ(path(bytes.surface({{2, 3, 1}, {0, 3, 1}}).commit()), "+66-888+44-");
 }
 
-TEST(SkalaTwinPlotter, MaskedStepsEndARun) {
-  EXPECT_EQ(path(picture().draw(1, 0).mask(2, 0).draw(4, 0)), "+6-66+6-");
+TEST(SkalaTwinPlotter, MaskedStepsEndARunAndTheirLastIsInkedByTheNext) {
+  EXPECT_EQ(path(picture().draw(1, 0).mask(2, 0).draw(4, 0)), "+6-6+66-");
 }
 
 using Dots = std::set<std::pair<int, int>>;

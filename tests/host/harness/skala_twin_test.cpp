@@ -166,7 +166,7 @@ TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
                          .end()
                          .run();
   EXPECT_EQ(skala_window(drawn.raster(SkalaDevice::ef9365), 0, 4, 4, 9),
-            (Rows{"....7", ".....", ".....", ".....", "7777.", "7777."}));
+            (Rows{"...77", ".....", ".....", ".....", "7777.", "7777."}));
   EXPECT_EQ(drawn.columns.mask_top[3], 0);
   EXPECT_EQ(drawn.columns.mask_bottom[3], 255);
 }
@@ -244,12 +244,11 @@ TEST(SkalaTwinContours, SilhouettesAreOffUntilAsked) {
   EXPECT_EQ(lit_dots(bytes.end().run().raster(SkalaDevice::ef9365)), 0U);
 }
 
-// Along the top to the right, down the right side, back along the bottom; the left side has only its two
-// ends.
+// Along the top to the right, down the right side, back along the bottom and up the left side.
 TEST(SkalaTwinContours, OutlineGoesAroundEachRunOfVisitedColumns) {
   auto bytes =
       picture().move(3, 2).mask(3, 5).mask(4, 5).mask(4, 2).commit().move(6, 7).mask(6, 7).send(colour, {2});
-  EXPECT_EQ(window(bytes.send(outline), 3, 2, 6, 7), (Rows{"...2", "....", "22..", ".2..", ".2..", "22.."}));
+  EXPECT_EQ(window(bytes.send(outline), 3, 2, 6, 7), (Rows{"...2", "....", "22..", "22..", "22..", "22.."}));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <bitset>
 #include <vector>
 
@@ -13,8 +12,14 @@
 
 namespace sightline::harness {
 
+// Without silhouettes, whose reach depends on more than depth: a colour of 0 is none.
 inline core::Raster twin_raster(const scene::HeightGrid& grid, const SkalaView& view) {
-  const auto drawn = run_skala_twin(skala_stream(grid, view));
+  auto stream = skala_stream(grid, view);
+  if (view.picture == SkalaPicture::contours) {
+    EXPECT_EQ(stream.at(3), static_cast<std::uint8_t>(SkalaCommand::silhouette));
+    stream.at(4) = 0;
+  }
+  const auto drawn = run_skala_twin(stream);
   EXPECT_EQ(drawn.status, SkalaStatus::complete);
   return drawn.raster(view.device);
 }
@@ -42,21 +47,6 @@ inline ColumnPicture oracle_picture(const scene::HeightGrid& grid, const SkalaVi
 
 inline void expect_as_oracle(const scene::HeightGrid& grid, const SkalaView& view) {
   EXPECT_EQ(lit_differences(twin_raster(grid, view), oracle_picture(grid, view).lit), "");
-}
-
-// The same picture sent chain by chain by the test, each with a MOVE of its own; without silhouettes.
-inline core::Raster twin_raster_of_chains(const scene::HeightGrid& grid, const SkalaView& view) {
-  const SkalaProjection projection(grid, view);
-  auto chains = view_chains(grid, view, ViewChains(projection));
-  std::stable_sort(chains.begin(), chains.end(),
-                   [](const Chain& a, const Chain& b) { return a.rank < b.rank; });
-  auto bytes = SkalaBytes().device(view.device).reset();
-  const bool contours = view.picture == SkalaPicture::contours;
-  ChainSender sender(bytes);
-  for (const Chain& chain : chains) sender.send(chain);
-  // The pen goes elsewhere, so that the outline's first point is a step.
-  if (contours) bytes.move(0, 0).move(255, 255).send(SkalaCommand::outline);
-  return bytes.end().run().raster(view.device);
 }
 
 }  // namespace sightline::harness

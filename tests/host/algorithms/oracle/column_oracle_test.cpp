@@ -102,10 +102,10 @@ TEST(ColumnOracle, SilhouettesAreRecordsThatWereLeft) {
       ".........#..");
 }
 
-TEST(ColumnOracle, OutlineIsOpenAtTheLeft) {
+TEST(ColumnOracle, OutlineIsClosed) {
   const Chain block{0, {{3, 2, 0, none}, {3, 5, 0, mask}, {4, 5, 0, mask}, {4, 2, 0, mask}}};
   const auto picture = column_picture({block}, 0);
-  EXPECT_EQ(column(picture.outline[3]), "..#..#......");
+  EXPECT_EQ(column(picture.outline[3]), "..####......");
   EXPECT_EQ(column(picture.outline[4]), "..####......");
   EXPECT_EQ(picture.hull[4]->low, 2);
   EXPECT_FALSE(picture.hull[5].has_value());
