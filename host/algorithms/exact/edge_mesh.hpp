@@ -1,0 +1,48 @@
+// A polyhedral scene laid out for drawing exactly and fast, from any eye: edges numbered, faces as runs of
+// corners, planes worked out once.
+//
+// Sizes, coordinates below 2^18: a face normal (twice the area, as a vector) 39 bits, a point against its
+// plane 60 bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/predicates.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::algorithms::exact {
+
+using Vector = geometry::Vector3;
+
+[[nodiscard]] constexpr Vector difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// A corner of a face and the side that leaves it.
+struct Corner {
+  std::uint32_t vertex = 0;
+  std::uint32_t side = 0;  // index of an edge
+  std::uint32_t next = 0;  // the other end of the side, counted from the first corner of the face
+  bool with_edge = true;   // the side runs as the edge does, from its lower to its higher vertex
+};
+
+struct MeshFace {
+  std::uint32_t first_corner = 0;
+  std::uint32_t corner_count = 0;
+  Vector normal{};  // outwards
+  bool sheet = false;
+};
+
+struct EdgeMesh {
+  std::vector<Vector> vertices;
+  std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them
+  std::vector<Corner> corners;
+  std::vector<MeshFace> faces;
+};
+
+// The scene is a checked one (precondition). Linear in its size, but for sorting the edges at a vertex.
+[[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene);
+
+}  // namespace sightline::algorithms::exact

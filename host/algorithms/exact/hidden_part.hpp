@@ -1,0 +1,61 @@
+// The part of one edge that is hidden from one side of its image line: open intervals with fractional ends,
+// kept apart and ascending; intervals that touch are joined, because a point draws nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/integer.hpp"
+
+namespace sightline::algorithms::exact {
+
+// A parameter in [0, 1]: not in lowest terms, which only what is seen in the end needs. Both parts below
+// 2^62.
+struct Fraction {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;  // positive
+};
+
+[[nodiscard]] constexpr bool less(const Fraction& a, const Fraction& b) {
+  return geometry::Int128{a.numerator} * b.denominator < geometry::Int128{b.numerator} * a.denominator;
+}
+
+struct HiddenInterval {
+  Fraction low;
+  Fraction high;
+};
+
+class HiddenPart {
+ public:
+  void clear() { intervals_.clear(); }
+
+  // Adds (low, high); nothing unless low < high.
+  void add(const Fraction& low, const Fraction& high) {
+    if (!less(low, high)) return;
+    auto first = intervals_.begin();
+    while (first != intervals_.end() && less(first->high, low)) ++first;
+    auto last = first;
+    HiddenInterval joined{low, high};
+    for (; last != intervals_.end() && !less(high, last->low); ++last) {
+      if (less(last->low, joined.low)) joined.low = last->low;
+      if (less(joined.high, last->high)) joined.high = last->high;
+    }
+    if (first == last) {
+      intervals_.insert(first, joined);
+    } else {
+      *first = joined;
+      intervals_.erase(first + 1, last);
+    }
+  }
+
+  [[nodiscard]] bool whole() const {
+    return intervals_.size() == 1 && intervals_[0].low.numerator == 0 &&
+           intervals_[0].high.numerator == intervals_[0].high.denominator;
+  }
+  [[nodiscard]] const std::vector<HiddenInterval>& intervals() const { return intervals_; }
+
+ private:
+  std::vector<HiddenInterval> intervals_;
+};
+
+}  // namespace sightline::algorithms::exact

@@ -1,0 +1,43 @@
+// What is seen of the edges of a polyhedral scene, exactly: the picture that line algorithms are compared by.
+//
+// An edge is a pair of vertices that follow each other on the outline or a hole of some face, named once, the
+// lower vertex first. A piece is a closed interval of s, the point being from + s (to - from). Law: pieces
+// ascend by (from, to, low), pieces of one edge do not touch, and each has a positive length; two pictures of
+// the same visibility are therefore equal by ==. Edges that coincide in space or in the image keep their own
+// pieces; line_picture_image.hpp merges them.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "host/geometry/rational.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::picture {
+
+struct LineEdge {
+  scene::VertexIndex from = 0;
+  scene::VertexIndex to = 0;  // above from
+
+  friend bool operator==(const LineEdge&, const LineEdge&) = default;
+  friend std::strong_ordering operator<=>(const LineEdge&, const LineEdge&) = default;
+};
+
+struct LinePiece {
+  LineEdge edge;
+  geometry::Rational low;
+  geometry::Rational high;
+
+  friend bool operator==(const LinePiece&, const LinePiece&) = default;
+};
+
+struct LinePicture {
+  std::vector<LinePiece> pieces;
+
+  friend bool operator==(const LinePicture&, const LinePicture&) = default;
+};
+
+// All edges of a scene, ascending. Steps from a vertex to itself are left out.
+[[nodiscard]] std::vector<LineEdge> edges_of(const scene::PolyScene& scene);
+
+}  // namespace sightline::picture
