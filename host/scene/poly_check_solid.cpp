@@ -1,38 +1,24 @@
 // Closed solids that face outwards. See poly_check.hpp.
 #include <algorithm>
-#include <numeric>
 #include <string>
 
-#include "host/geometry/predicates.hpp"
+#include "host/geometry/integer.hpp"
 #include "host/scene/poly_check_parts.hpp"
 #include "host/scene/poly_shells.hpp"
 
 namespace sightline::scene {
 namespace {
 
-using geometry::Int128;
-
 // A connected part of a solid's surface.
 struct Shell {
-  Int128 volume = 0;  // six times
+  geometry::Int128 volume = 0;  // six times
   PolyPoint low{};
   PolyPoint high{};
   std::size_t first_face = 0;
 };
 
-Int128 ring_volume(const PolyScene& scene, const std::vector<VertexIndex>& ring) {
-  Int128 volume = 0;
-  const auto origin = geometry::vector_of(scene.vertices[ring[0]]);
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    volume += geometry::determinant(origin, geometry::vector_of(scene.vertices[ring[i - 1]]),
-                                    geometry::vector_of(scene.vertices[ring[i]]));
-  }
-  return volume;
-}
-
 void add_face(const PolyScene& scene, const PolyFace& face, Shell& shell) {
-  shell.volume += ring_volume(scene, face.outline);
-  for (const auto& hole : face.holes) shell.volume += ring_volume(scene, hole);
+  shell.volume += enclosed_volume(scene.vertices, face);
   for (const VertexIndex v : face.outline) {
     for (std::size_t a = 0; a < 3; ++a) {
       shell.low[a] = std::min(shell.low[a], scene.vertices[v][a]);

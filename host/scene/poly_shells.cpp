@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "host/geometry/predicates.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -14,6 +16,16 @@ void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vecto
     const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
     edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
   }
+}
+
+geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+  geometry::Int128 volume = 0;
+  const auto origin = geometry::vector_of(vertices[ring[0]]);
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    volume += geometry::determinant(origin, geometry::vector_of(vertices[ring[i - 1]]),
+                                    geometry::vector_of(vertices[ring[i]]));
+  }
+  return volume;
 }
 
 std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
@@ -64,6 +76,18 @@ std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector
     parts[f] = root == f ? count++ : parts[root];
   }
   return parts;
+}
+
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face) {
+  geometry::Int128 volume = ring_volume(vertices, face.outline);
+  for (const auto& hole : face.holes) volume += ring_volume(vertices, hole);
+  return volume;
+}
+
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyBody& body) {
+  geometry::Int128 volume = 0;
+  for (const PolyFace& face : body.faces) volume += enclosed_volume(vertices, face);
+  return volume;
 }
 
 }  // namespace sightline::scene

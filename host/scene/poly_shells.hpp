@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/geometry/integer.hpp"
 #include "host/scene/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -28,5 +29,10 @@ struct FaceEdge {
 // same part if a chain of faces with common edges joins them.
 [[nodiscard]] std::vector<std::size_t> connected_faces(const PolyBody& body,
                                                        const std::vector<FaceEdge>& edges);
+
+// Six times the volume of the cone from the origin over the faces' outlines less their holes: summed over a
+// closed surface, what it encloses, positive if it faces outwards.
+[[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face);
+[[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyBody& body);
 
 }  // namespace sightline::scene

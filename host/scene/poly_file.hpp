@@ -1,0 +1,29 @@
+// Scenes of polyhedra as files: which format a file has, reading it, writing one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "host/scene/poly_import.hpp"
+
+namespace sightline::scene {
+
+enum class PolyFormat { off, obj, json };
+
+// By the end of the file's name, .off, .obj or .json in small or capital letters.
+[[nodiscard]] std::optional<PolyFormat> poly_format_of(std::string_view file);
+
+// The scene is not checked. JSON is not quantised, nor mended.
+[[nodiscard]] std::variant<PolyImport, SceneError> read_poly(std::string_view text, std::string_view source,
+                                                             PolyFormat format,
+                                                             const PolyImportOptions& options = {});
+
+// The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
+// JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
+// which draw the same; an error names a face for which that cannot be done. Neither keeps the camera, OFF no
+// names.
+[[nodiscard]] std::variant<std::string, SceneError> write_poly(const PolyScene& scene, PolyFormat format);
+
+}  // namespace sightline::scene
