@@ -17,6 +17,7 @@ set(RULES
   "host/picture=host/geometry,host/scene,emulators/core"
   "host/algorithms/exact=host/geometry,host/scene,host/picture"
   "host/algorithms/oracle=host/geometry,host/scene,host/picture"
+  "host/algorithms/skala=host/geometry,host/scene,host/picture"
   "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
   "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
@@ -24,7 +25,6 @@ set(RULES
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/scene,host/harness,host/app"
-  "muParser=host/scene"
   "muParser=host/scene"
   "CLI/=host/app,tools"
   "gtest/=tests"

@@ -1,0 +1,149 @@
+#include "host/algorithms/skala/draw.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+#include "host/algorithms/skala/facing.hpp"
+#include "host/algorithms/skala/surface.hpp"
+#include "host/algorithms/skala/walk.hpp"
+
+namespace sightline::algorithms::skala {
+namespace {
+
+// Contour colours go around these, lowest level first.
+constexpr std::array<picture::Colour, 6> contour_colours{
+    {{31, 95, 191}, {0, 140, 149}, {46, 139, 87}, {190, 140, 0}, {214, 96, 20}, {178, 34, 52}}};
+
+std::vector<double> contour_levels(scene::Interval range, int count) {
+  std::vector<double> levels;
+  if (!(range.high > range.low)) return levels;
+  for (int k = 1; k <= std::clamp(count, 0, 255); ++k) {
+    const double part = static_cast<double>(k) / (std::clamp(count, 0, 255) + 1);
+    levels.push_back(range.low * (1 - part) + range.high * part);
+  }
+  return levels;
+}
+
+void name_layers(picture::VectorDrawing& drawing, const std::vector<double>& levels, bool row_is_slice) {
+  constexpr picture::Colour black{0, 0, 0};
+  drawing.layers = {{row_is_slice ? "lines along x" : "lines along z", black},
+                    {row_is_slice ? "lines along z" : "lines along x", black},
+                    {"rims", {96, 96, 96}},
+                    {"silhouette", {150, 0, 110}}};
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    drawing.layers.push_back(
+        {fmt::format("contour {:.6g}", levels[k]), contour_colours[k % contour_colours.size()]});
+}
+
+void measure_heights(Walk& order, const scene::HeightGrid& grid) {
+  const Surface& surface = *order.surface;
+  order.heights.reserve(grid.heights.size());
+  order.bands.reserve(grid.heights.size());
+  for (std::size_t row = 0; row < surface.rows(); ++row)
+    for (std::size_t column = 0; column < surface.columns(); ++column) {
+      const double height = grid.heights[surface.height_index(row, column)];
+      order.heights.push_back(height);
+      const auto above = std::upper_bound(order.levels.begin(), order.levels.end(), height);
+      order.bands.push_back(static_cast<std::uint8_t>(above - order.levels.begin()));
+    }
+}
+
+// The slope along x of the data as a grey: the first component of the unit normal (Skala 1985, section 4).
+class Shading {
+ public:
+  explicit Shading(const scene::HeightGrid& grid) : grid_(grid) {
+    const double half = grid.range.high / 2 - grid.range.low / 2;
+    scale_ = half > 0 && std::isfinite(1 / half) ? 1 / half : 0;
+  }
+  // Of the cell whose least indices these are.
+  [[nodiscard]] std::uint8_t grey(std::size_t point, std::size_t slice) const {
+    const double a = grid_.height(point, slice) * scale_;
+    const double b = grid_.height(point + 1, slice) * scale_;
+    const double c = grid_.height(point, slice + 1) * scale_;
+    const double d = grid_.height(point + 1, slice + 1) * scale_;
+    const double fx = ((b - a) + (d - c)) / (2 * (grid_.x[point + 1] - grid_.x[point]));
+    const double fz = ((c - a) + (d - b)) / (2 * (grid_.z[slice + 1] - grid_.z[slice]));
+    const double normal = -fx / std::sqrt(1 + fx * fx + fz * fz);
+    if (!(std::abs(normal) <= 1)) return 145;
+    return static_cast<std::uint8_t>(145 + std::floor(100 * normal + 0.5));
+  }
+
+ private:
+  const scene::HeightGrid& grid_;
+  double scale_ = 0;
+};
+
+class Facets {
+ public:
+  Facets(const Surface& surface, Sheet& sheet) : surface_(surface), sheet_(sheet) {}
+
+  // A cell that is folded along its diagonal is two triangles, since its outline may cross itself.
+  void add(std::size_t row, std::size_t column, std::uint8_t grey) {
+    const Vertex& near = surface_.at(row, column);
+    const Vertex& beside = surface_.at(row, column + 1);
+    const Vertex& behind = surface_.at(row + 1, column);
+    const Vertex& far = surface_.at(row + 1, column + 1);
+    const bool folded =
+        folds(side_of(surface_, row, column, Half::near), side_of(surface_, row, column, Half::far));
+    if (!folded) return put({beside, far, behind, near}, grey);
+    put({beside, far, behind}, grey);
+    put({near, beside, behind}, grey);
+  }
+
+ private:
+  void put(std::initializer_list<Vertex> corners, std::uint8_t grey) {
+    picture::VectorDrawing& drawing = sheet_.drawing();
+    drawing.facets.push_back(
+        {static_cast<std::uint32_t>(drawing.points.size()), static_cast<std::uint8_t>(corners.size()), grey});
+    for (const Vertex corner : corners) drawing.points.push_back(sheet_.place(corner));
+  }
+
+  const Surface& surface_;
+  Sheet& sheet_;
+};
+
+void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Walked& walked, const View& view,
+                picture::VectorDrawing& drawing) {
+  if (surface.rows() < 2 || surface.columns() < 2) return;
+  Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
+  Facets facets(surface, sheet);
+  const Shading shading(grid);
+  const std::size_t columns = surface.columns() - 1;
+  for (std::size_t row = surface.rows() - 1; row-- > 0;)
+    for (std::size_t column = columns; column-- > 0;) {
+      if (!walked.seen[row * columns + column] || !cell_defined(surface, row, column)) continue;
+      const std::size_t a = surface.height_index(row, column);
+      const std::size_t b = surface.height_index(row + 1, column + 1);
+      facets.add(row, column,
+                 shading.grey(std::min(a % grid.points(), b % grid.points()),
+                              std::min(a / grid.points(), b / grid.points())));
+    }
+}
+
+}  // namespace
+
+picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& asked) {
+  View view = asked;
+  view.family = resolved_family(asked);
+  // Cells have no family of their own.
+  const Family rows = view.subject == Subject::lines ? view.family : Family::along_x;
+  picture::VectorDrawing drawing;
+  drawing.width = drawing.height = picture_extent;
+  const Surface surface(grid, view, rows);
+  Walk order{&surface, &view, {}, {}, {}};
+  if (view.subject == Subject::contours) {
+    order.levels = contour_levels(grid.range, view.levels);
+    measure_heights(order, grid);
+  }
+  name_layers(drawing, order.levels, rows != Family::along_z);
+  if (grid.heights.empty()) return drawing;
+  const Walked walked = walk(order, drawing);
+  if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
+  return drawing;
+}
+
+}  // namespace sightline::algorithms::skala

@@ -1,0 +1,24 @@
+// Skala's hidden lines, surfaces and contours (1985) for people who plot surfaces today: vectors, not dots.
+//
+// The method is the paper's: from the foreground to the background, against the highest and the lowest point
+// drawn so far in every column. What differs: the masks are finer than a dot and lines end where they meet
+// the horizon; both families of slices go cell by cell; the surface's own edges are in the masks; first
+// points are drawn. The printed programs' mistakes are corrected.
+// Left out: surfaces seen through a hole of a nearer part (undefined heights), which count as hidden: the
+// method keeps one interval a column.
+// Memory and time are linear in the grid. The same grid gives the same drawing with every compiler.
+#pragma once
+
+#include "host/algorithms/skala/view.hpp"
+#include "host/picture/vector_drawing.hpp"
+#include "host/scene/height_grid.hpp"
+
+namespace sightline::algorithms::skala {
+
+// Layers, always in this order: slices along x ("lines along x"), along z, rims, silhouette; for contours a
+// layer a level, lowest first, from 4 on ("contour HEIGHT"). 255 x 255 units. Any size from an empty grid on.
+// Surfaces are facets: of every cell that is seen at least in part, far to near, in greys by the slope
+// across the picture's x of the data, as in the paper's shading; cells hidden wholly are left out.
+[[nodiscard]] picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view);
+
+}  // namespace sightline::algorithms::skala

@@ -1,0 +1,24 @@
+// Which side of the surface is seen, triangle by triangle. Every cell is two flat triangles, divided by the
+// diagonal between its side corners: one lies wholly before the other.
+#pragma once
+
+#include <cstddef>
+
+#include "host/algorithms/skala/surface.hpp"
+
+namespace sightline::algorithms::skala {
+
+// As its corners follow each other on the screen; none: there is no such triangle, or it is seen edge-on.
+enum class Side { none, anticlockwise, clockwise };
+
+enum class Half { near, far };  // of the cell with its nearest corner at (row, column)
+
+[[nodiscard]] bool cell_defined(const Surface& surface, std::size_t row, std::size_t column);
+[[nodiscard]] Side side_of(const Surface& surface, std::size_t row, std::size_t column, Half half);
+
+// Of an edge between two triangles: does the surface turn away from the eye there?
+[[nodiscard]] inline bool folds(Side a, Side b) {
+  return a != Side::none && b != Side::none && a != b;
+}
+
+}  // namespace sightline::algorithms::skala

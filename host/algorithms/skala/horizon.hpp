@@ -1,0 +1,63 @@
+// The masks: in every column of the screen the highest and the lowest point of what has been drawn, between
+// which everything farther is hidden (Skala 1985, section 3; the floating horizon).
+//
+// A column is a sample of the screen at one place, not a strip of it: lines are evaluated exactly there, and
+// between two columns both the line and the masks are straight, so that a line ends where it meets the
+// horizon and not at a column. What is narrower than the distance of two columns may be missed.
+// The premise is that what is nearer fills one interval of every column. A hole in the surface breaks it:
+// what is seen through a hole counts as hidden (documented limit of the method).
+#pragma once
+
+#include <vector>
+
+#include "host/algorithms/skala/surface.hpp"
+
+namespace sightline::algorithms::skala {
+
+struct Piece {
+  Vertex from;
+  Vertex to;
+};
+
+// What was in the last column a chain crossed before the chain raised it, so that a chain never hides itself.
+struct Wake {
+  int column = -2;
+  float top = 0;
+  float bottom = 0;
+};
+
+class Horizon {
+ public:
+  explicit Horizon(int columns);
+
+  // Visible pieces of the segment, in its direction; true if there is one. They stay valid until the next
+  // call. A point is visible if it is more than `slack` outside the masks; below 0: also so far inside.
+  bool draw(Vertex from, Vertex to, Wake& wake);                   // and the masks are raised
+  bool test(Vertex from, Vertex to, float slack, Wake wake = {});  // and they are not
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  // Nothing is tested.
+  void raise(Vertex from, Vertex to);
+
+  static constexpr float usual_slack = 1.0F / 8192;  // in y; above the rounding of a line in a column
+
+ private:
+  struct Outside {  // how far a point is above the top, below the bottom; > 0: visible
+    float above;
+    float below;
+  };
+  [[nodiscard]] Outside outside(Vertex vertex, float slack, const Wake& wake) const;
+  void narrow(Vertex from, Vertex to, float slack, const Wake& wake);
+  void mixed(Vertex left, Vertex right, int first, int last, float slack);
+  void gap(Vertex from, Vertex to, Outside at_from, Outside at_to);
+  void add(Vertex from, Vertex to);
+  template <bool raising>
+  bool visit(Vertex from, Vertex to, float slack, Wake& wake);
+
+  std::vector<float> top_;
+  std::vector<float> bottom_;
+  std::vector<float> old_top_;  // of the segment at hand, from its first column on
+  std::vector<float> old_bottom_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace sightline::algorithms::skala

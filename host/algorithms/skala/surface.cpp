@@ -1,0 +1,160 @@
+#include "host/algorithms/skala/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace sightline::algorithms::skala {
+namespace {
+
+constexpr double height_of_unit = 0.6;
+// 255 units of y and 16384 columns both have 24 bits, what a float holds.
+constexpr double lattice_x = 1024;
+constexpr double lattice_y = 65536;
+// Extents below this are the rounding of a picture that has none.
+constexpr double smallest_extent = 1e-12;
+// What lies farther out, is infinite or no number is undefined.
+constexpr double farthest = 1e300;
+
+struct Turn {
+  double sine = 0;
+  double cosine = 1;
+};
+
+// Exact at multiples of 45 degrees but for the root, and symmetric bit for bit about them.
+Turn within_quadrant(double degrees) {
+  if (degrees == 45) return {std::sqrt(0.5), std::sqrt(0.5)};
+  const double radians = std::min(degrees, 90 - degrees) / 180 * std::numbers::pi;
+  const double least = std::sin(radians);
+  const double most = std::cos(radians);
+  return degrees < 45 ? Turn{least, most} : Turn{most, least};
+}
+
+Turn turn_of(double degrees) {
+  double angle = std::fmod(degrees, 360.0);
+  if (angle < 0) angle += 360.0;
+  if (angle >= 360.0) angle = 0;
+  const auto [sine, cosine] = within_quadrant(std::fmod(angle, 90.0));
+  switch (static_cast<int>(angle / 90.0)) {
+    case 0: return {sine, cosine};
+    case 1: return {cosine, 0.0 - sine};
+    case 2: return {0.0 - sine, 0.0 - cosine};
+    default: return {0.0 - cosine, sine};
+  }
+}
+
+struct Extremes {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    low = value < low ? value : low;
+    high = value > high ? value : high;
+  }
+};
+
+// To 0..size, in steps of 1 / lattice; in the middle if there is no extent.
+class Fit {
+ public:
+  Fit(Extremes extremes, double size, double lattice) : lattice_(lattice) {
+    const double extent = extremes.high - extremes.low;
+    if (extent > smallest_extent) {
+      low_ = extremes.low;
+      scale_ = size * lattice / extent;
+    } else {
+      shift_ = size * lattice / 2;
+    }
+  }
+  [[nodiscard]] double place(double value) const {
+    const double steps = (value - low_) * scale_ + shift_ + 0.5;
+    return static_cast<double>(static_cast<std::int32_t>(steps)) / lattice_;
+  }
+
+ private:
+  double lattice_;
+  double low_ = 0;
+  double scale_ = 0;
+  double shift_ = 0;
+};
+
+// Heights as h cos E * 0.6: middle and factor of an affine map.
+struct Upwards {
+  double middle = 0;
+  double factor = 0;
+
+  Upwards(scene::Interval range, double cosine) {
+    // Halves, since the difference of two heights may be beyond the greatest double.
+    const double half = range.high / 2 - range.low / 2;
+    if (!(half > 0) || !std::isfinite(1 / half)) return;
+    middle = range.high / 2 + range.low / 2;
+    factor = height_of_unit * cosine / half;
+  }
+  // NaN for an undefined height, whatever the range.
+  [[nodiscard]] double operator()(double height) const { return (height - middle) * factor; }
+};
+
+}  // namespace
+
+Family resolved_family(const View& view) {
+  if (view.family != Family::automatic) return view.family;
+  const auto [sine, cosine] = turn_of(view.rotation);
+  return std::abs(cosine) >= std::abs(sine) ? Family::along_x : Family::along_z;
+}
+
+template <class Visit>
+void Surface::for_each(const Visit& visit) const {
+  std::size_t vertex = 0;
+  for (std::size_t row = 0; row < rows_; ++row)
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const std::size_t r = rows_reversed_ ? rows_ - 1 - row : row;
+      const std::size_t c = columns_reversed_ ? columns_ - 1 - column : column;
+      visit(vertex++, row_is_slice_ ? c : r, row_is_slice_ ? r : c);
+    }
+}
+
+Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
+    : row_is_slice_(family != Family::along_z), vertices_(grid.points() * grid.slices()) {
+  const Turn rotation = turn_of(view.rotation);
+  const Turn elevation = turn_of(view.elevation);
+  rows_ = row_is_slice_ ? grid.slices() : grid.points();
+  columns_ = row_is_slice_ ? grid.points() : grid.slices();
+  // Where depth says nothing, from left to right on the screen.
+  const bool along_x_back =
+      rotation.sine > 0 || (rotation.sine == 0 && rotation.cosine < 0);  // greater x is nearer
+  const bool along_z_back = rotation.cosine < 0 || (rotation.cosine == 0 && rotation.sine < 0);
+  rows_reversed_ = row_is_slice_ ? along_z_back : along_x_back;
+  columns_reversed_ = row_is_slice_ ? along_x_back : along_z_back;
+
+  const Upwards upwards(grid.range, elevation.cosine);
+  const auto across = [&](std::size_t point, std::size_t slice) {
+    return grid.x[point] * rotation.cosine + grid.z[slice] * rotation.sine;
+  };
+  const auto up = [&](std::size_t point, std::size_t slice) {
+    const double depth = grid.z[slice] * rotation.cosine - grid.x[point] * rotation.sine;
+    return upwards(grid.height(point, slice)) + depth * elevation.sine;
+  };
+  Extremes extremes_x;
+  Extremes extremes_y;
+  for_each([&](std::size_t, std::size_t point, std::size_t slice) {
+    const double y = up(point, slice);
+    if (!(std::abs(y) < farthest)) return;
+    extremes_y.take(y);
+    extremes_x.take(across(point, slice));
+  });
+  const double width = std::clamp(view.columns, fewest_columns, most_columns);
+  const Fit fit_x(extremes_x, width, lattice_x);
+  const Fit fit_y(extremes_y, picture_extent, lattice_y);
+  for_each([&](std::size_t vertex, std::size_t point, std::size_t slice) {
+    const double y = up(point, slice);
+    if (!(std::abs(y) < farthest)) {
+      vertices_[vertex] = {0, std::numeric_limits<float>::quiet_NaN()};
+      return;
+    }
+    vertices_[vertex] = {static_cast<float>(fit_x.place(across(point, slice)) - 0.5),
+                         static_cast<float>(fit_y.place(y))};
+  });
+}
+
+}  // namespace sightline::algorithms::skala

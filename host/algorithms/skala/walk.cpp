@@ -1,0 +1,264 @@
+#include "host/algorithms/skala/walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "host/algorithms/skala/facing.hpp"
+
+namespace sightline::algorithms::skala {
+namespace {
+
+// A contour begins and ends on edges that may be the horizon themselves: it is inked to this depth behind it.
+constexpr float contour_slack = -1.0F / 32;
+
+struct Corner {
+  std::size_t row = 0;
+  std::size_t column = 0;
+};
+
+class Walker {
+ public:
+  Walker(const Walk& order, picture::VectorDrawing& drawing)
+      : order_(order),
+        surface_(*order.surface),
+        view_(*order.view),
+        sheet_(drawing, std::clamp(view_.columns, fewest_columns, most_columns)),
+        horizon_(std::clamp(view_.columns, fewest_columns, most_columns)),
+        lines_(view_.subject == Subject::lines),
+        net_(lines_ ? view_.family == Family::both : view_.subject == Subject::contours && view_.net),
+        all_edges_(net_ || !lines_ || view_.silhouette),
+        diagonals_(!lines_ || view_.silhouette),
+        rims_(view_.rims && view_.subject != Subject::surface) {}
+
+  Walked go() {
+    const std::size_t rows = surface_.rows();
+    const std::size_t columns = surface_.columns();
+    if (view_.subject == Subject::surface) walked_.seen.resize((rows - 1) * (columns - 1));
+    column_pens_.resize(columns);
+    if (rows > 0) first_row();
+    for (std::size_t row = 0; row + 1 < rows; ++row) strip(row);
+    for (Pen& pen : column_pens_) pen.lift(sheet_);
+    stitcher_.finish(sheet_);
+    return std::move(walked_);
+  }
+
+ private:
+  void first_row() {
+    for (std::size_t column = 0; column < surface_.columns(); ++column) {
+      dot(0, column);
+      row_edge(0, column);
+    }
+    end_row();
+  }
+
+  // Between a row and the next farther one, with that.
+  void strip(std::size_t row) {
+    const std::size_t columns = surface_.columns();
+    column_edge(row, 0);
+    for (std::size_t column = 0; column < columns; ++column) {
+      dot(row + 1, column);
+      if (column + 1 == columns) break;
+      if (diagonals_ && cell_defined(surface_, row, column)) inside(row, column);
+      if (all_edges_ || column + 2 == columns || !whole_strip(row, column)) column_edge(row, column + 1);
+      row_edge(row + 1, column);
+    }
+    end_row();
+  }
+
+  // Neither this cell nor the next is missing, so that no edge of the surface lies between them.
+  [[nodiscard]] bool whole_strip(std::size_t row, std::size_t column) const {
+    return surface_.defined(row, column) && surface_.defined(row + 1, column) &&
+           surface_.defined(row, column + 1) && surface_.defined(row + 1, column + 1) &&
+           surface_.defined(row, column + 2) && surface_.defined(row + 1, column + 2);
+  }
+
+  bool draw(Vertex from, Vertex to, Wake& wake) {
+    if (!view_.visibility) {
+      unhidden_.assign(1, {from, to});
+      return true;
+    }
+    return horizon_.draw(from, to, wake);
+  }
+  [[nodiscard]] const std::vector<Piece>& pieces() const {
+    return view_.visibility ? horizon_.pieces() : unhidden_;
+  }
+
+  void row_edge(std::size_t row, std::size_t column) {
+    if (column + 1 >= surface_.columns() || !surface_.defined(row, column) ||
+        !surface_.defined(row, column + 1)) {
+      wake_ = {};
+      return;
+    }
+    const Vertex from = surface_.at(row, column);
+    const Vertex to = surface_.at(row, column + 1);
+    if (!draw(from, to, wake_)) return;
+    mark(row, column);
+    if (row > 0) mark(row - 1, column);
+    if (lines_ || net_) {
+      row_pen_.draw(sheet_, along_rows, pieces());
+    } else if (rims_ && edge_of_surface_along(row, column)) {
+      row_pen_.draw(sheet_, rims, pieces());
+    }
+    if (!view_.silhouette || row == 0) return;
+    if (folds(side_of(surface_, row - 1, column, Half::far), side_of(surface_, row, column, Half::near)))
+      silhouette({row, column}, {row, column + 1});
+  }
+
+  void column_edge(std::size_t row, std::size_t column) {
+    if (!surface_.defined(row, column) || !surface_.defined(row + 1, column)) return;
+    const bool rim = edge_of_surface_across(row, column);
+    if (!all_edges_ && !rim) return;
+    const Vertex from = surface_.at(row, column);
+    const Vertex to = surface_.at(row + 1, column);
+    Wake wake;
+    if (!draw(from, to, wake)) return;
+    mark(row, column);
+    if (column > 0) mark(row, column - 1);
+    if (net_) {
+      column_pens_[column].draw(sheet_, along_columns, pieces());
+    } else if (rims_ && rim) {
+      column_pens_[column].draw(sheet_, rims, pieces());
+    }
+    if (!view_.silhouette || column == 0) return;
+    if (folds(side_of(surface_, row, column - 1, Half::far), side_of(surface_, row, column, Half::near)))
+      silhouette({row, column}, {row + 1, column});
+  }
+
+  // The cell's diagonal, and the contours on both sides of it.
+  void inside(std::size_t row, std::size_t column) {
+    const Corner beside{row, column + 1};
+    const Corner behind{row + 1, column};
+    contours({Corner{row, column}, beside, behind});
+    const Vertex from = vertex(behind);
+    const Vertex to = vertex(beside);
+    Wake wake;
+    if (draw(from, to, wake)) {
+      mark(row, column);
+      if (view_.silhouette &&
+          folds(side_of(surface_, row, column, Half::near), side_of(surface_, row, column, Half::far)))
+        silhouette(behind, beside);
+    }
+    contours({Corner{row + 1, column + 1}, behind, beside});
+  }
+
+  void contours(const std::array<Corner, 3>& triangle) {
+    if (order_.levels.empty()) return;
+    std::array<std::size_t, 3> ids{};
+    for (std::size_t i = 0; i < 3; ++i) ids[i] = id(triangle[i]);
+    const auto band = [&](std::size_t i) { return order_.bands[ids[i]]; };
+    const std::size_t low = std::min({band(0), band(1), band(2)});
+    const std::size_t high = std::max({band(0), band(1), band(2)});
+    for (std::size_t level = low; level < high; ++level) {
+      std::array<Vertex, 2> ends{};
+      std::array<Joint, 2> joints{};
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < 3 && found < 2; ++i) {
+        const std::size_t next = (i + 1) % 3;
+        if ((band(i) > level) == (band(next) > level)) continue;
+        ends[found] = crossing(triangle[i], triangle[next], order_.levels[level]);
+        joints[found++] = joint(ids[i], ids[next]);
+      }
+      contour(static_cast<std::uint32_t>(level), ends, joints);
+    }
+  }
+
+  void contour(std::uint32_t level, const std::array<Vertex, 2>& ends, const std::array<Joint, 2>& joints) {
+    if (!view_.visibility) {
+      unhidden_.assign(1, {ends[0], ends[1]});
+    } else if (!horizon_.test(ends[0], ends[1], contour_slack)) {
+      return;
+    }
+    stitcher_.add(first_contour + level, ends[0], ends[1], pieces(), joints[0], joints[1]);
+  }
+
+  // The same from both sides of the edge.
+  [[nodiscard]] Vertex crossing(Corner a, Corner b, double level) const {
+    if (id(b) < id(a)) std::swap(a, b);
+    const double low = order_.heights[id(a)];
+    const double high = order_.heights[id(b)];
+    // Halves, since the difference of two heights may be beyond the greatest double.
+    const double t = (level / 2 - low / 2) / (high / 2 - low / 2);
+    const Vertex from = vertex(a);
+    const Vertex to = vertex(b);
+    return {static_cast<float>(double{from.x} + t * (double{to.x} - double{from.x})),
+            static_cast<float>(double{from.y} + t * (double{to.y} - double{from.y}))};
+  }
+
+  // Of an edge: 1 + 3 times its first vertex, and which way it goes from there.
+  [[nodiscard]] Joint joint(std::size_t a, std::size_t b) const {
+    const std::size_t first = std::min(a, b);
+    const std::size_t step = std::max(a, b) - first;
+    const bool along = step == 1 && (first + 1) % surface_.columns() != 0;
+    const std::size_t way = along ? 0 : step == surface_.columns() ? 1 : 2;
+    return 1 + 3 * Joint{first} + way;
+  }
+
+  void silhouette(Corner from, Corner to) {
+    stitcher_.add(silhouettes, vertex(from), vertex(to), pieces(), 1 + Joint{id(from)}, 1 + Joint{id(to)});
+  }
+
+  // A point that no line ends in.
+  void dot(std::size_t row, std::size_t column) {
+    if (!lines_ || !surface_.defined(row, column)) return;
+    if (column > 0 && surface_.defined(row, column - 1)) return;
+    if (column + 1 < surface_.columns() && surface_.defined(row, column + 1)) return;
+    if (net_ && ((row > 0 && surface_.defined(row - 1, column)) ||
+                 (row + 1 < surface_.rows() && surface_.defined(row + 1, column))))
+      return;
+    const Vertex here = surface_.at(row, column);
+    if (!view_.visibility) {
+      unhidden_.assign(1, {here, here});
+    } else if (!horizon_.test(here, here, Horizon::usual_slack)) {
+      return;
+    }
+    row_pen_.draw(sheet_, along_rows, pieces());
+  }
+
+  void end_row() {
+    row_pen_.lift(sheet_);
+    wake_ = {};
+  }
+
+  void mark(std::size_t row, std::size_t column) {
+    if (walked_.seen.empty() || row + 1 >= surface_.rows() || column + 1 >= surface_.columns()) return;
+    walked_.seen[row * (surface_.columns() - 1) + column] = true;
+  }
+
+  [[nodiscard]] bool edge_of_surface_across(std::size_t row, std::size_t column) const {
+    return (column > 0 && cell_defined(surface_, row, column - 1)) != cell_defined(surface_, row, column);
+  }
+  [[nodiscard]] bool edge_of_surface_along(std::size_t row, std::size_t column) const {
+    return (row > 0 && cell_defined(surface_, row - 1, column)) != cell_defined(surface_, row, column);
+  }
+
+  [[nodiscard]] std::size_t id(Corner corner) const {
+    return corner.row * surface_.columns() + corner.column;
+  }
+  [[nodiscard]] Vertex vertex(Corner corner) const { return surface_.at(corner.row, corner.column); }
+
+  const Walk& order_;
+  const Surface& surface_;
+  const View& view_;
+  Sheet sheet_;
+  Horizon horizon_;
+  bool lines_;
+  bool net_;
+  bool all_edges_;
+  bool diagonals_;
+  bool rims_;
+  Wake wake_;
+  Pen row_pen_;
+  std::vector<Pen> column_pens_;
+  Stitcher stitcher_;
+  std::vector<Piece> unhidden_;
+  Walked walked_;
+};
+
+}  // namespace
+
+Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
+  return Walker(order, drawing).go();
+}
+
+}  // namespace sightline::algorithms::skala

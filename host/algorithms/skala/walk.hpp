@@ -1,0 +1,39 @@
+// The way through a grid from the foreground to the background: every edge of the surface once, tested
+// against what is nearer, inked if it is wanted, and added to the masks.
+//
+// Cell by cell from the nearest corner: a cell's near edges have been drawn; then come contours on its near
+// triangle, its diagonal, contours on its far triangle, and last its two far edges, which lie behind no part
+// of the cell (Skala 1985, sections 3 to 5). In a picture of slices only the edges of the surface are drawn
+// between them: with these every part of the surface's outline is in the masks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/algorithms/skala/horizon.hpp"
+#include "host/algorithms/skala/pen.hpp"
+#include "host/algorithms/skala/surface.hpp"
+#include "host/algorithms/skala/view.hpp"
+
+namespace sightline::algorithms::skala {
+
+// Layers of the drawing, in order; contour level k is the layer first_contour + k.
+enum Layer : std::uint32_t { along_rows, along_columns, rims, silhouettes, first_contour };
+
+struct Walk {
+  const Surface* surface = nullptr;
+  const View* view = nullptr;
+  std::vector<std::uint8_t> bands;  // contours: how many levels are at or below every vertex
+  std::vector<double> heights;      // contours: of every vertex
+  std::vector<double> levels;
+};
+
+struct Walked {
+  std::vector<bool> seen;  // surfaces: of every cell, by row * (columns - 1) + column; empty otherwise
+};
+
+// The drawing's layers must be there; lines are added to it.
+Walked walk(const Walk& order, picture::VectorDrawing& drawing);
+
+}  // namespace sightline::algorithms::skala

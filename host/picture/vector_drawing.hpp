@@ -1,0 +1,90 @@
+// A drawing made of lines and filled facets at real coordinates, and the three files it can become: SVG in
+// millimetres with Inkscape layers, HP-GL with a pen a layer, and an image of any size.
+//
+// Coordinates run from (0, 0) at the bottom left to (width, height). Facets are painted first, each over
+// those before it; then the lines, which are not in the facets' way: whoever makes the drawing has removed
+// what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG), a plotter unit (HP-GL)
+// or not at all (image: coverage by the distance of a pixel's middle from the line).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/picture/image.hpp"
+
+namespace sightline::picture {
+
+struct DrawingPoint {
+  float x = 0;
+  float y = 0;
+
+  friend bool operator==(const DrawingPoint&, const DrawingPoint&) = default;
+};
+
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+struct DrawingLayer {
+  std::string label;
+  Colour colour;
+};
+
+// `count` points from `first` on; a line of one point is a dot.
+struct DrawingLine {
+  std::uint32_t layer = 0;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+
+  friend bool operator==(const DrawingLine&, const DrawingLine&) = default;
+};
+
+// A simple polygon of 3 or 4 corners; one of 4 can be divided from its first corner to its third.
+struct DrawingFacet {
+  std::uint32_t first = 0;
+  std::uint8_t count = 0;
+  std::uint8_t grey = 0;
+
+  friend bool operator==(const DrawingFacet&, const DrawingFacet&) = default;
+};
+
+struct VectorDrawing {
+  double width = 0;
+  double height = 0;
+  std::vector<DrawingLayer> layers;
+  std::vector<DrawingPoint> points;
+  std::vector<DrawingLine> lines;
+  std::vector<DrawingFacet> facets;  // far to near
+};
+
+// The paper: the drawing is stretched to its inside.
+struct Paper {
+  double width = 200;  // millimetres
+  double height = 200;
+  double margin = 10;  // on every side
+  double pen = 0.2;    // width of a line
+};
+
+// One user unit is one millimetre. A dot becomes a dash of 0.02 mm, because many programs do not draw a path
+// of no length. Facets are the layer "0 surface", lines the layers from 1 on.
+[[nodiscard]] std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::string& title);
+
+// Absolute plotter units of 0.025 mm; pen n draws layer n, the eighth all the others. Facets have no place on
+// a plotter and are left out.
+[[nodiscard]] std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper);
+
+// White paper, RGB. Lines have `pen` pixels of width with smooth edges; facets are sampled 3 x 3 in a pixel.
+struct ImageSize {
+  int width = 1024;  // pixels, 1 .. 8192
+  int height = 1024;
+  double pen = 1.2;
+};
+[[nodiscard]] Image image_of(const VectorDrawing& drawing, const ImageSize& size);
+
+}  // namespace sightline::picture
