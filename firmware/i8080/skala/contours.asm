@@ -1,7 +1,8 @@
 ; Contours: silhouettes where the surface folds, and the outer outline.
 
-; FOLD when silhouettes are kept: as FOLDN, and LT and HB hold the far end of what last raised a top or lowered a bottom. A
-; margin wholly beyond that end: there the surface has turned away.
+; FOLD when silhouettes are kept: as FOLDN, and LT and HB hold the far end of what last raised a top or lowered a bottom -
+; one row less and one more, and 0 and 255 for none, so that one comparison tells whether a margin lies wholly beyond that
+; end: there the surface has turned away.
 FOLDS:  PUSH    H
         LHLD    PLO
         MOV     A,H
@@ -11,53 +12,67 @@ FOLDS:  PUSH    H
         MOV     B,H             ; highest
         MOV     C,L             ; lowest
         LHLD    PX
+        CALL    FOLDC
+        JMP     FOLDX
+
+; The same for rows C (lowest) to B of column L, which nothing in memory holds. Keeps L, BC, DE.
+FOLDC:  MVI     H,MTP
         MOV     A,M
         CMP     B
-        JC      FOLDS4          ; above
+        JC      FOLDC4          ; above
         MVI     H,LTP
-        MOV     A,M
-        SUI     2
-        JC      FOLDS2
-        CMP     B
-        JC      FOLDS2
-        MVI     M,0             ; wholly below what raised the top
-        CALL    FTOP
-FOLDS2: MVI     H,MBP
+        MOV     A,B
+        CMP     M
+        JC      FOLDC1
+FOLDC2: MVI     H,MBP
         MOV     A,C
         CMP     M
-        JC      FOLDS6          ; below
-FOLDS3: MVI     H,HBP
+        JC      FOLDC6          ; below
+        MVI     H,HBP
         MOV     A,M
-        ADI     2
-        JC      FOLDX
-        DCR     A
         CMP     C
-        JNC     FOLDX
+        RNC
         MVI     M,255           ; wholly above what lowered the bottom
-        CALL    FBOT
-        JMP     FOLDX
-FOLDS4: ORA     A
-        JNZ     FOLDS5
+        MOV     A,L
+        STA     PX
+        JMP     FBOT
+FOLDC1: MVI     M,0             ; wholly below what raised the top
+        MOV     A,L
+        STA     PX
+        CALL    FTOP
+        JMP     FOLDC2
+FOLDC4: ORA     A
+        JNZ     FOLDC5
         INR     H
         MOV     A,M
         DCR     H
         INR     A
-        JZ      FOLDE           ; unvisited
-FOLDS5: MOV     M,B
+        JZ      FOLDC8          ; unvisited
+FOLDC5: MOV     M,B
         MVI     H,LTP
-        MOV     M,C
-        JMP     FOLDS2
-FOLDS6: MOV     A,M
+        MOV     A,C
+        SUI     1
+        ACI     0
+        MOV     M,A
+        JMP     FOLDC2
+FOLDC6: MOV     A,M
         MOV     M,C
         INR     A
-        JNZ     FOLDS7
-        MVI     H,MTP
+        JNZ     FOLDC7
+        DCR     H
         MOV     A,M
         ORA     A
-        JZ      FOLDX           ; unvisited, row 0
-FOLDS7: MVI     H,HBP
-        MOV     M,B
-        JMP     FOLDX
+        RZ                      ; unvisited, row 0
+FOLDC7: MVI     H,HBP
+        MOV     A,B
+        ADI     1
+        SBI     0
+        MOV     M,A
+        RET
+FOLDC8: MOV     M,B
+        INR     H
+        MOV     M,C
+        RET
 
 ; Fold lines in column L: from the mask to the lower (at the bottom the higher) of its neighbours' masks. Keep L, BC, DE.
 FTOP:   CALL    FWANTD

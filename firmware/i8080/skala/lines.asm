@@ -127,9 +127,13 @@ SPILL2: CPI     S2P
         MOV     M,A
         RET
 
-; ---- Along x. RIGHT: 1 to the right; DX, DY: INR or DCR. In: A = u, D = v, E free.
-ALONGX  MACRO   RIGHT,DX,DY
+; ---- Along x. RIGHT: 1 to the right; DX: INR or DCR; DY1, DY2 label the two steps along y, which are put in. In: A = the
+; instruction of a step along y, C = u, D = v, E free.
+ALONGX  MACRO   RIGHT,DX,DY1,DY2
         LOCAL   LOOP,TEST,MINOR,SUB1,ABOVE,ABOVE1,EMPTY,EMPTY1,BELOW,LAST,LAST1
+        STA     DY1
+        STA     DY2
+        MOV     A,C
         STA     SUB1+1
         MOV     E,A
         IF      RIGHT
@@ -167,7 +171,7 @@ LOOP:   MOV     A,C
 MINOR:
 SUB1:   SUI     0
         MOV     C,A
-        DY      B
+DY1:    INR     B
         MOV     A,B
         OUT     GDPY
         DX      L
@@ -210,7 +214,7 @@ ABOVE1: MOV     M,B
 LAST:   MOV     A,C             ; the last column is left pending
         ADD     D
         JNC     LAST1
-        DY      B
+DY2:    INR     B
         MOV     A,B
         OUT     GDPY
 LAST1:  DX      L
@@ -255,7 +259,8 @@ VLINE:  MOV     A,E
         MOV     A,C
         CMP     D
         JC      VRUPY
-        ALONGX  1,INR,INR
+        MVI     A,INRB
+VRIGHT: ALONGX  1,INR,VRDY1,VRDY2
 VRUPY:  MOV     E,D             ; along y: the length is v
         XRA     A
         SUB     E
@@ -271,7 +276,8 @@ VRDN:   CMA
         MOV     A,C
         CMP     D
         JC      VRDNY
-        ALONGX  1,INR,DCR
+        MVI     A,DCRB
+        JMP     VRIGHT
 VRDNY:  MOV     E,D
         XRA     A
         SUB     E
@@ -291,7 +297,8 @@ VLEFT:  CMA
         MOV     A,C
         CMP     D
         JC      VLUPY
-        ALONGX  0,DCR,INR
+        MVI     A,INRB
+VBACK:  ALONGX  0,DCR,VLDY1,VLDY2
 VLUPY:  MOV     A,D
         MOV     E,D
         MOV     D,C
@@ -308,7 +315,8 @@ VLDN:   CMA
         MOV     A,C
         CMP     D
         JC      VLDNY
-        ALONGX  0,DCR,DCR
+        MVI     A,DCRB
+        JMP     VBACK
 VLDNY:  MOV     A,D
         MOV     E,D
         MOV     D,C

@@ -15,9 +15,11 @@ PSPILL: MOV     H,B
         SHLD    XYP
         JMP     DISP
 
-; ---- Along x. In: A = u, D = v.
+; ---- Along x; DY labels the step along y, which is put in. In: A = its instruction, C = u, D = v.
 PLAINX  MACRO   RIGHT,DX,DY
         LOCAL   LOOP,MINOR,SUB1
+        STA     DY
+        MOV     A,C
         STA     SUB1+1
         MOV     E,A
         IF      RIGHT
@@ -48,7 +50,7 @@ LOOP:   MOV     A,C
 MINOR:
 SUB1:   SUI     0
         MOV     C,A
-        DY      B
+DY:     INR     B
         MOV     A,B
         OUT     GDPY
         DX      L
@@ -114,7 +116,8 @@ PLINE:  MOV     A,E
         MOV     A,C
         CMP     D
         JC      PRUPY
-        PLAINX  1,INR,INR
+        MVI     A,INRB
+PRIGHT: PLAINX  1,INR,PRDY
 PRUPY:  MOV     E,D
         XRA     A
         SUB     E
@@ -130,7 +133,8 @@ PRDN:   CMA
         MOV     A,C
         CMP     D
         JC      PRDNY
-        PLAINX  1,INR,DCR
+        MVI     A,DCRB
+        JMP     PRIGHT
 PRDNY:  MOV     E,D
         XRA     A
         SUB     E
@@ -150,7 +154,8 @@ PLEFT:  CMA
         MOV     A,C
         CMP     D
         JC      PLUPY
-        PLAINX  0,DCR,INR
+        MVI     A,INRB
+PBACK:  PLAINX  0,DCR,PLDY
 PLUPY:  MOV     A,D
         MOV     E,D
         MOV     D,C
@@ -167,7 +172,8 @@ PLDN:   CMA
         MOV     A,C
         CMP     D
         JC      PLDNY
-        PLAINX  0,DCR,DCR
+        MVI     A,DCRB
+        JMP     PBACK
 PLDNY:  MOV     A,D
         MOV     E,D
         MOV     D,C

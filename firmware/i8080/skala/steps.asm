@@ -40,60 +40,80 @@ FSTEP:  CALL    STEPD
         POP     D
         RET
 
-; Prepare the engine for the line from the pen to E = x, D = y. Returns L = xp, B = yp, C D E as for the loops, and Z
-; when the line has no length.
-GSET:   LHLD    XYP
-        XCHG                    ; HL = end, DE = start
-        MOV     B,D
-        MOV     A,L
-        SUB     E
-        MVI     L,INRL
-        JNC     GSET1
-        CMA
-        INR     A
-        MVI     L,DCRL
-GSET1:  MOV     C,A             ; C = u
-        MOV     A,H
+; The way from L = xp, B = yp to E = x, D = y: A and H = the instructions of a step along x and along y, E = length,
+; D = smaller delta, C = error; Z when the line has no length, carry when it goes along y.
+GDIR:   MOV     A,D
         SUB     B
         MVI     H,INRB
-        JNC     GSET2
+        JNC     GDIR1
         CMA
         INR     A
         MVI     H,DCRB
-GSET2:  MOV     D,A             ; D = v; HL = the two step instructions
-        MOV     A,C
-        CMP     D
-        MOV     A,L
-        JC      GSET3
-        STA     GMAJ
-        MOV     A,H
-        STA     GMIN
-        MOV     A,C
-        JMP     GSET4
-GSET3:  STA     GMIN
-        MOV     A,H
-        STA     GMAJ
-        MOV     A,D
-        MOV     D,C
-GSET4:  STA     GSUB+1          ; A = length, D = smaller delta
-        MOV     C,E
-        MOV     E,A
-        MOV     A,L
-        MOV     L,C
-        CPI     INRL
+GDIR1:  MOV     D,A
         MOV     A,E
-        JNZ     GSET5
+        SUB     L
+        JC      GDIR3
+        CMP     D
+        JC      GDIR2
+        MOV     E,A
         XRA     A               ; to the right: -((L+1)/2)
         SUB     E
         RZ
         RAR
         MOV     C,A
+        MVI     A,INRL
+        ORA     A
         RET
-GSET5:  CMA                     ; to the left: -(L/2+1); never without length
+GDIR2:  MOV     E,D
+        MOV     D,A
+        XRA     A
+        SUB     E
+        RAR
+        MOV     C,A
+        MVI     A,INRL
+        STC
+        RET
+GDIR3:  CMA
+        INR     A
+        CMP     D
+        JC      GDIR4
+        MOV     E,A
+        CMA                     ; to the left: -(L/2+1)
         STC
         RAR
         MOV     C,A
-        ORA     A               ; not zero
+        MVI     A,DCRL
+        ORA     A               ; never without length
+        RET
+GDIR4:  MOV     E,D
+        MOV     D,A
+        MOV     A,E
+        CMA
+        STC
+        RAR
+        MOV     C,A
+        MVI     A,DCRL
+        ORA     A
+        STC
+        RET
+
+; Prepare the engine for the line from the pen to E = x, D = y. Returns as GDIR, without the instructions.
+GSET:   LHLD    XYP
+        MOV     B,H
+        CALL    GDIR
+        RZ
+        JC      GSET1
+        STA     GMAJ
+        MOV     A,H
+        STA     GMIN
+        MOV     A,E
+        STA     GSUB+1
+        RET
+GSET1:  STA     GMIN
+        MOV     A,H
+        STA     GMAJ
+        MOV     A,E
+        STA     GSUB+1
         RET
 
 ; The loop. Ends with the pen at the line's end.
