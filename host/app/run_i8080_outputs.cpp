@@ -45,7 +45,7 @@ RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments)
     if (arguments.json) {
       kept_console_.emplace();
     } else {
-      console = "-";
+      console.assign(1, '-');  // a literal makes g++ 12 warn of an overlap there is not
     }
   }
   const std::vector<std::pair<const std::string*, std::optional<Output>*>> files{

@@ -34,13 +34,12 @@ class Segment {
   };
   [[nodiscard]] Cuts cuts() const {
     Cuts cuts;
-    cuts.at[cuts.count++] = 0.0;
+    insert(cuts, 0.0);
     for (const double border : borders) {
       add(cuts, border, from_.x, to_.x);
       add(cuts, border, from_.y, to_.y);
     }
-    cuts.at[cuts.count++] = 1.0;
-    std::sort(cuts.at.begin(), cuts.at.begin() + static_cast<std::ptrdiff_t>(cuts.count));
+    insert(cuts, 1.0);
     return cuts;
   }
 
@@ -67,7 +66,12 @@ class Segment {
   static void add(Cuts& cuts, double border, double a, double b) {
     if ((a < border) == (b < border) && (a > border) == (b > border)) return;
     const double t = (border - a) / (b - a);
-    if (t > 0 && t < 1) cuts.at[cuts.count++] = t;
+    if (t > 0 && t < 1) insert(cuts, t);
+  }
+  static void insert(Cuts& cuts, double t) {
+    std::size_t place = cuts.count++;
+    for (; place > 0 && cuts.at[place - 1] > t; --place) cuts.at[place] = cuts.at[place - 1];
+    cuts.at[place] = t;
   }
 
   const SkalaVertex& from_;
