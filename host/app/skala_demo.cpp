@@ -25,6 +25,7 @@ SkalaOutcome drawn(const harness::SkalaProgram& program, const scene::HeightFunc
   order.view.picture = picture;
   order.view.device = device;
   order.view.rotation = 30;
+  order.measure_visibility = picture == SkalaPicture::lines && device == harness::SkalaDevice::ef9365;
   const SkalaOutcome outcome = run_skala_order(program, order);
   write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
                        order, outcome);

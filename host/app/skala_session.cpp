@@ -130,7 +130,7 @@ SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOr
   outcome.points_lit = harness::points_lit(asked.picture);
   outcome.plotter = harness::plotter_work(asked.picture.moves);
   outcome.picture = std::move(asked.picture);
-  if (order.view.visibility) {
+  if (order.view.visibility && order.measure_visibility) {
     const auto plain = static_cast<double>(drawn(program, order, false).picture.drawing.count());
     const auto with = static_cast<double>(outcome.picture.drawing.count());
     if (plain > 0) outcome.visibility_cost = 100 * (with - plain) / plain;

@@ -21,6 +21,7 @@ struct SkalaOrder {
   harness::SkalaView view;
   harness::SkalaLink link = harness::SkalaLink::parallel;
   core::ClockRate clock{};
+  bool measure_visibility = true;  // by a second run without the test
 };
 
 struct SkalaOutcome {
@@ -34,9 +35,9 @@ struct SkalaOutcome {
   std::optional<double> visibility_cost;
 };
 
-// Runs the program, and once more without the visibility test. Failure guest_failed: it did not end, stopped
-// with an error or did what a device does not allow. Failure differs: its picture is not its twin's, which is
-// a defect of this program.
+// Runs the program, and where asked once more without the visibility test. Failure guest_failed: it did not
+// end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
+// twin's, which is a defect of this program.
 [[nodiscard]] SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOrder& order);
 
 [[nodiscard]] double seconds_at(core::ClockRate clock, core::TStates time);

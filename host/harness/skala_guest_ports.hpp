@@ -33,6 +33,11 @@ class SkalaLinkPorts : public machines::SkalaPorts<Sink> {
   }
   [[nodiscard]] bool stopped() const { return stopped_; }
 
+  // Nothing is wired to INT, so no device need be brought up to date but when the program touches it.
+  void advance(core::TStateInstant) {}
+  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
+  [[nodiscard]] static constexpr bool interrupt() { return false; }
+
   // Bytes counted from the first one of all.
   void stop_after_bytes(std::size_t count) {
     stop_at_ = count;
