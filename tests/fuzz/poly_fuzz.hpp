@@ -1,0 +1,36 @@
+// What every fuzz target for a reader of polyhedra does with what was read: mend it, check it, write it in
+// all formats, and read that again.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "host/scene/poly_check.hpp"
+#include "host/scene/poly_file.hpp"
+
+namespace sightline::fuzz {
+
+inline void use(const scene::PolyScene& scene) {
+  if (!scene::check_poly_scene(scene).empty()) return;
+  for (const auto format : {scene::PolyFormat::off, scene::PolyFormat::obj, scene::PolyFormat::json}) {
+    const auto text = scene::write_poly(scene, format);
+    if (!std::holds_alternative<std::string>(text)) continue;
+    const auto again = scene::read_poly(std::get<std::string>(text), "written", format);
+    const auto* import = std::get_if<scene::PolyImport>(&again);
+    if (import == nullptr) std::abort();
+    if (format == scene::PolyFormat::json && import->scene != scene) std::abort();
+  }
+}
+
+inline void fuzz_poly(const std::uint8_t* data, std::size_t size, scene::PolyFormat format) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  for (const bool mend : {false, true}) {
+    const auto result = scene::read_poly(text, "fuzz", format, {mend});
+    if (const auto* import = std::get_if<scene::PolyImport>(&result)) use(import->scene);
+  }
+}
+
+}  // namespace sightline::fuzz
