@@ -172,14 +172,14 @@ COPY:   MOV     A,M
 
 ; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, of shading and of its first point; QUICK
 BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
-        JMP     TESTG
+        JMP     TESTV
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEV
         DW      STEPD,STEPT,SHADE,SHADEF
         DB      1
 BOARD:  JMP     DRAWG
-        JMP     TESTG
+        JMP     TESTV
         JMP     MASKV
         JMP     COMMIT
         JMP     CURVEG

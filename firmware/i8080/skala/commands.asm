@@ -14,7 +14,20 @@ DISP:   ADD     A
 
 ; MOVE: a new place for the pen, and a new run on a plotter; nothing when the pen is there.
 MOVE:   POP     D
-        CALL    MOVETO
+        LHLD    XYP
+        MOV     A,L
+        CMP     E
+        JNZ     MOVE1
+        MOV     A,H
+        CMP     D
+        JZ      NEXT
+MOVE1:  XCHG
+        SHLD    XYP
+        MVI     A,1
+        STA     FRESH
+        STA     SHFRSH
+        DCR     A
+        STA     RUN
         JMP     NEXT
 
 ; Pen to E = x, D = y.

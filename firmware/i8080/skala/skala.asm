@@ -12,6 +12,7 @@
         INCLUDE commands.asm
         INCLUDE steps.asm
         INCLUDE masks.asm
+        INCLUDE testdraw.asm
         INCLUDE lines.asm
         INCLUDE upright.asm
         INCLUDE plain.asm

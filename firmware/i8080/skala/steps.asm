@@ -5,7 +5,7 @@
 ; addition is the minor step (the paper's d, halved: no sixteen-bit sums). The paper's NT, NB are the pending column.
 
 TESTG:  POP     D
-        LHLD    TSTEP
+TESTX:  LHLD    TSTEP
         JMP     GLINES
 DRAWG:  POP     D
         LHLD    DSTEP
