@@ -117,15 +117,15 @@ SETDE1: DAD     D
 SETDE2: SHLD    QOUT+1
 
 ; Which routine draws each command: by device, visibility and silhouettes.
-SETMOD: LXI     H,FOLDN
+SETMOD: LXI     H,FOLDK
         LDA     DEV
         ANI     2
         MOV     B,A             ; not 0: a plotter
         LDA     FOLDON
         ORA     A
         JZ      SETMO1
-        LXI     H,FOLDS
-SETMO1: SHLD    FOLD+1
+        LXI     H,FOLDC
+SETMO1: SHLD    FOLDHW+1
         LDA     VIS
         ORA     A
         JNZ     SETMO2

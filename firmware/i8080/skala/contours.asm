@@ -1,21 +1,8 @@
 ; Contours: silhouettes where the surface folds, and the outer outline.
 
-; FOLD when silhouettes are kept: as FOLDN, and LT and HB hold the far end of what last raised a top or lowered a bottom -
+; FOLD when silhouettes are kept: as FOLDK, and LT and HB hold the far end of what last raised a top or lowered a bottom -
 ; one row less and one more, and 0 and 255 for none, so that one comparison tells whether a margin lies wholly beyond that
 ; end: there the surface has turned away.
-FOLDS:  PUSH    H
-        LHLD    PLO
-        MOV     A,H
-        CMP     L
-        JC      FOLDZ           ; nothing pending
-        PUSH    B
-        MOV     B,H             ; highest
-        MOV     C,L             ; lowest
-        LHLD    PX
-        CALL    FOLDC
-        JMP     FOLDX
-
-; The same for rows C (lowest) to B of column L, which nothing in memory holds. Keeps L, BC, DE.
 FOLDC:  MVI     H,MTP
         MOV     A,M
         CMP     B
@@ -47,7 +34,7 @@ FOLDC4: ORA     A
         MOV     A,M
         DCR     H
         INR     A
-        JZ      FOLDC8          ; unvisited
+        JZ      FOLDNW          ; unvisited
 FOLDC5: MOV     M,B
         MVI     H,LTP
         MOV     A,C
@@ -68,10 +55,6 @@ FOLDC7: MVI     H,HBP
         ADI     1
         SBI     0
         MOV     M,A
-        RET
-FOLDC8: MOV     M,B
-        INR     H
-        MOV     M,C
         RET
 
 ; Fold lines in column L: from the mask to the lower (at the bottom the higher) of its neighbours' masks. Keep L, BC, DE.

@@ -63,43 +63,6 @@ DY:     INR     B
         JMP     PNEXT
         ENDM
 
-; ---- Along y. In: A = instruction of a step along x, C = error, D = u, E = v.
-PLAINY  MACRO   DY
-        LOCAL   LOOP,MINOR,SUB1,DX1
-        STA     DX1
-        MOV     A,E
-        STA     SUB1+1
-        MOV     A,L
-        OUT     GDPX
-        MVI     H,DOT
-LOOP:   MOV     A,C
-        ADD     D
-        JC      MINOR
-        MOV     C,A
-        DY      B
-        MOV     A,B
-        OUT     GDPY
-        MOV     A,H
-        OUT     GDPCMD
-        DCR     E
-        JNZ     LOOP
-        JMP     PNEXT
-MINOR:
-SUB1:   SUI     0
-        MOV     C,A
-DX1:    INR     L               ; or DCR L
-        MOV     A,L
-        OUT     GDPX
-        DY      B
-        MOV     A,B
-        OUT     GDPY
-        MOV     A,H
-        OUT     GDPCMD
-        DCR     E
-        JNZ     LOOP
-        JMP     PNEXT
-        ENDM
-
 PNEXT:  DCX     SP
         POP     PSW
         CPI     2
@@ -118,14 +81,8 @@ PLINE:  MOV     A,E
         JC      PRUPY
         MVI     A,INRB
 PRIGHT: PLAINX  1,INR,PRDY
-PRUPY:  MOV     E,D
-        XRA     A
-        SUB     E
-        RAR
-        MOV     D,C
-        MOV     C,A
-        MVI     A,INRL
-        JMP     PUP
+PRUPY:  MVI     H,INRB
+        JMP     PRY
 
 PRDN:   CMA
         INR     A
@@ -135,14 +92,15 @@ PRDN:   CMA
         JC      PRDNY
         MVI     A,DCRB
         JMP     PRIGHT
-PRDNY:  MOV     E,D
+PRDNY:  MVI     H,DCRB
+PRY:    MOV     E,D
         XRA     A
         SUB     E
         RAR
         MOV     D,C
         MOV     C,A
         MVI     A,INRL
-        JMP     PDOWN
+        JMP     PLAINY
 
 PLEFT:  CMA
         INR     A
@@ -156,15 +114,8 @@ PLEFT:  CMA
         JC      PLUPY
         MVI     A,INRB
 PBACK:  PLAINX  0,DCR,PLDY
-PLUPY:  MOV     A,D
-        MOV     E,D
-        MOV     D,C
-        CMA
-        STC
-        RAR
-        MOV     C,A
-        MVI     A,DCRL
-        JMP     PUP
+PLUPY:  MVI     H,INRB
+        JMP     PLY
 
 PLDN:   CMA
         INR     A
@@ -174,7 +125,8 @@ PLDN:   CMA
         JC      PLDNY
         MVI     A,DCRB
         JMP     PBACK
-PLDNY:  MOV     A,D
+PLDNY:  MVI     H,DCRB
+PLY:    MOV     A,D
         MOV     E,D
         MOV     D,C
         CMA
@@ -182,7 +134,41 @@ PLDNY:  MOV     A,D
         RAR
         MOV     C,A
         MVI     A,DCRL
-        JMP     PDOWN
 
-PUP:    PLAINY  INR
-PDOWN:  PLAINY  DCR
+
+; ---- Along y. In: A, H = instructions of a step along x and along y, C = error, D = u, E = v.
+PLAINY: STA     PLNYX
+        MOV     A,H
+        STA     PLNYB1
+        STA     PLNYB2
+        MOV     A,E
+        STA     PLNYS+1
+        MOV     A,L
+        OUT     GDPX
+        MVI     H,DOT
+PLNY1:  MOV     A,C
+        ADD     D
+        JC      PLNY2
+        MOV     C,A
+PLNYB1: INR     B
+        MOV     A,B
+        OUT     GDPY
+        MOV     A,H
+        OUT     GDPCMD
+        DCR     E
+        JNZ     PLNY1
+        JMP     PNEXT
+PLNY2:
+PLNYS:  SUI     0
+        MOV     C,A
+PLNYX:  INR     L
+        MOV     A,L
+        OUT     GDPX
+PLNYB2: INR     B
+        MOV     A,B
+        OUT     GDPY
+        MOV     A,H
+        OUT     GDPCMD
+        DCR     E
+        JNZ     PLNY1
+        JMP     PNEXT

@@ -17,7 +17,7 @@ GLINES: SHLD    GSTEP+1
 ; The same when the pen's point has been stepped and the engine has its routine.
 GLINE:  CALL    GSET
         JZ      NEXT            ; no length
-        CALL    GLOOP
+GRUN:   CALL    GLOOP
         JMP     NEXT
 
 ; The step routines for this device and visibility (SETMOD).
@@ -183,9 +183,7 @@ STEPT:  MVI     H,MTP
         RET
 
 ; ---- Fold: the pending column's rows become part of the masks, and no column is pending. Keeps all but A.
-FOLD:   JMP     FOLDN           ; FOLDS when folds are to be seen
-
-FOLDN:  PUSH    H
+FOLD:   PUSH    H
         LHLD    PLO
         MOV     A,H
         CMP     L
@@ -194,28 +192,32 @@ FOLDN:  PUSH    H
         MOV     B,H             ; highest
         MOV     C,L             ; lowest
         LHLD    PX
-        MOV     A,M
-        CMP     B
-        JNC     FOLDN2
-        ORA     A
-        JNZ     FOLDN1
-        INR     H
-        MOV     A,M
-        DCR     H
-        INR     A
-        JZ      FOLDE           ; unvisited
-FOLDN1: MOV     M,B
-FOLDN2: INR     H
-        MOV     A,C
-        CMP     M
-        JNC     FOLDX
-        MOV     M,C
-FOLDX:  LXI     H,NOPEND
+FOLDHW: CALL    FOLDK           ; FOLDC when folds are to be seen
+        LXI     H,NOPEND
         SHLD    PLO
         POP     B
 FOLDZ:  POP     H
         RET
-FOLDE:  MOV     M,B
+
+; Rows C (lowest) to B of the column in HL. Keeps L, BC, DE.
+FOLDK:  MOV     A,M
+        CMP     B
+        JNC     FOLDK2
+        ORA     A
+        JNZ     FOLDK1
+        INR     H
+        MOV     A,M
+        DCR     H
+        INR     A
+        JZ      FOLDNW          ; unvisited
+FOLDK1: MOV     M,B
+FOLDK2: INR     H
+        MOV     A,C
+        CMP     M
+        RNC
+        MOV     M,C
+        RET
+FOLDNW: MOV     M,B
         INR     H
         MOV     M,C
-        JMP     FOLDX
+        RET

@@ -1,6 +1,5 @@
 ; The shaded surface (the paper's algorithm 4.2): Gouraud along the slice and down to the slice before it.
 
-LEV:    DB      0               ; level at the pen
 LEVEND: DB      0               ; level at the end of the line
 SHX:    DB      0               ; column of the last shade
 SHFRSH: DB      1               ; not 0: a new chain of shades
@@ -19,18 +18,34 @@ SURF:   XRA     A
         POP     PSW
         ANI     7
         STA     LEV
-SURF1:  LDA     SURN
+        CALL    SHENG
+        LDA     SURN
         DCR     A
+        JZ      SHDONE          ; one vertex is no line
+        LDA     FRESH
+        ORA     A
+        JZ      SURFG
+        LDA     QUICK
+        ORA     A
+        JZ      SURFG
+        CALL    FIRST
+        JMP     SNEXT
+SURFG:  LXI     H,SURN          ; a line by the step engine
+        DCR     M
         JZ      SHDONE
-        STA     SURN
         POP     D
         DCX     SP
         POP     PSW
         CALL    SHLINE
-        JMP     SURF1
+        JNC     SURFG
+        LDA     QUICK
+        ORA     A
+        JZ      SURFG
+        JMP     SNEXT
 
 ; RIM x y i.
-RIM:    POP     D
+RIM:    CALL    SHENG
+        POP     D
         DCX     SP
         POP     PSW
         MOV     C,A
@@ -53,83 +68,112 @@ SHDONE: LDA     COLR
         CALL    INK
         JMP     NEXT
 
-; Line to E = x, D = y, level A there.
+; The engine's steps are shades; the first point is shaded at the level of the pen.
+SHENG:  LHLD    SSTEP
+        SHLD    GSTEP+1
+        LHLD    SFIRST
+        SHLD    FSTEP+1
+        RET
+
+; Line to E = x, D = y, level A there, by the engine. Carry unless it has no length.
 SHLINE: ANI     7
         STA     LEVEND
-        LHLD    SSTEP
-        SHLD    GSTEP+1
-        LHLD    SFIRST          ; the first point is shaded at the level of the pen
-        SHLD    FSTEP+1
         CALL    FIRST
         CALL    GSET
-        JZ      SHLIN3
-        MOV     A,E
+        JZ      SHLIN1
+        CALL    SHSET
+        CALL    GLOOP
+        STC
+SHLIN1: LDA     LEVEND
+        STA     LEV
+        RET
+
+; Prepare the level's way along a line of length E. Changes A, H.
+SHSET:  MOV     A,E
         STA     SHLEN+1
-        PUSH    B
         XRA     A
         SUB     E
         RAR
         STA     SHERR
         LDA     LEV
-        MOV     B,A
+        MOV     H,A
         LDA     LEVEND
-        SUB     B
-        MVI     B,INRA
-        JNC     SHLIN1
+        SUB     H
+        MVI     H,INRA
+        JNC     SHSET1
         CMA
         INR     A
-        MVI     B,DCRA
-SHLIN1: STA     SHDEL+1
-        MOV     A,B
+        MVI     H,DCRA
+SHSET1: STA     SHDEL+1
+        STA     SXDEL+1
+        STA     SYDEL+1
+        MOV     A,H
         STA     SHINC
-        POP     B
-        CALL    SHRUN
-SHLIN3: LDA     LEVEND
-        STA     LEV
         RET
 
-; The line with everything prepared: loops of its own on the EF9365 with visibility, when the pen's column is the pending
-; and the last shaded one, as it nearly always is. All else step by step.
-SHRUN:  LDA     NOFILL
-        ORA     A
-        JNZ     GLOOP
-        LDA     QUICK
-        ORA     A
-        JZ      GLOOP
-        LDA     PX
-        CMP     L
-        JNZ     GLOOP
-        LDA     SHX
-        CMP     L
-        JNZ     GLOOP
-        LDA     PLO
-        CMP     B
-        JZ      SHRUN1
-        JNC     GLOOP
-SHRUN1: LDA     PHI
-        CMP     B
-        JC      GLOOP
-        LDA     GMAJ
-        CPI     INRL
-        JC      SY
-
-; Along x a column is entered once: tested, filled, folded and kept in one, but for the last.
-        STA     SXDX
+; ---- A slice on the EF9365 with visibility: lines with loops of their own. Between two lines L = xp, B = yp. After a line
+; along y (SNEXT) the pen's column is pending and shaded; at the end of one along x (SXEND) it is not even tested, so that it
+; can be done in one if the next line leaves it at once.
+SNEXT:  MOV     C,L
+        LXI     H,SURN
+        DCR     M
+        MOV     L,C
+        JZ      SEND
+        POP     D
+        DCX     SP
+        POP     PSW
+        ANI     7
+        STA     LEVEND
+        CALL    GDIR
+        JZ      SZERO
+        JC      SNEXTY
+        CALL    SXSET
         CALL    FOLD
-        LDA     GMIN
+        JMP     SX
+SZERO:  LDA     LEVEND          ; a new level at the same point, where it is not yet shaded
+        STA     LEV
+        MOV     H,B
+        SHLD    XYP
+        JMP     SURFG
+SEND:   MOV     H,B
+        SHLD    XYP
+        JMP     SHDONE
+
+SXEND:  MOV     C,L
+        LXI     H,SURN
+        DCR     M
+        MOV     L,C
+        JZ      SXEND3
+        POP     D
+        DCX     SP
+        POP     PSW
+        ANI     7
+        STA     LEVEND
+        CALL    GDIR
+        JZ      SXEND2
+        JC      SXEND1
+        CALL    SXSET
+        JMP     SXTEST
+SXEND1: CALL    SYSET
+        CALL    SXPEND
+        JMP     SY
+SXEND2: CALL    SXPEND
+        JMP     SZERO
+SXEND3: CALL    SXPEND
+        JMP     SEND
+
+; The last column of a line along x becomes pending.
+SXPEND: MVI     A,1
+        STA     SHFRSH
+        JMP     SHADEF
+
+; ---- Along x a column is entered once: tested, filled, folded and kept in one.
+SXSET:  STA     SXDX
+        MOV     A,H
         STA     SXDY
         MOV     A,E
         STA     SXSUB+1
-        STA     SXLEN+1
-        LDA     SHERR
-        STA     SXERR+1
-        LDA     SHDEL+1
-        STA     SXDEL+1
-        LDA     SHINC
-        STA     SXINC
-        LDA     LEV
-        STA     SXLEV+1
-        JMP     SX
+        JMP     SHSET
 
 SXTEST: MVI     H,MTP
         MOV     A,M
@@ -142,7 +186,8 @@ SXTEST: MVI     H,MTP
 SXKEEP: MVI     H,MPP
         MOV     M,B
         INR     H
-SXLEV:  MVI     M,0             ; level
+SXLEV:  MVI     M,0
+LEV     EQU     SXLEV+1         ; level at the pen
 SX:     MOV     A,C
         ADD     D
         JNC     SX1
@@ -151,28 +196,19 @@ SXDY:   INR     B
 SX1:    MOV     C,A
 SXDX:   INR     L
 SXERR:  MVI     A,0
+SHERR   EQU     SXERR+1         ; the level's error along the line
 SXDEL:  ADI     0
         JC      SX4
-SX2:    STA     SXERR+1
-        DCR     E
+        STA     SHERR
+SX2:    DCR     E
         JNZ     SXTEST
-        LDA     SXLEV+1
-        STA     LEV
-        CALL    SHADEF          ; the last column is left pending
-        MOV     H,B
-        SHLD    XYP
-        RET
-
-SX4:    MOV     H,A
-        LDA     SXLEV+1
-SXINC:  INR     A
-        STA     SXLEV+1
-        MOV     A,H
-SXLEN:  SUI     0
-        JNC     SX4
+        JMP     SXEND
+SX4:    CALL    SHLEV1
         JMP     SX2
 
-SXABOV: CALL    SXDOT
+SXABOV: LDA     LEV
+        CALL    SDOT
+        CNZ     FILLTO
         MVI     H,MTP
         MOV     A,M
         MOV     M,B
@@ -184,48 +220,63 @@ SXABOV: CALL    SXDOT
         JNZ     SXKEEP
         MOV     M,B             ; unvisited
         JMP     SXKEEP
-
-SXBELO: CALL    SXDOT
+SXBELO: LDA     LEV
+        CALL    SDOT
+        CNZ     FILL
         MVI     H,MBP
         MOV     M,B
         JMP     SXKEEP
 
-SXDOT:  LDA     SXLEV+1
-        STA     LEV
-SYDOT:  OUT     GDPCOL
+; The dot of a column just entered: NZ when there is something to fill towards. SDOTY: column and colour are set.
+SDOT:   OUT     GDPCOL
         MOV     A,L
         OUT     GDPX
-        MOV     A,B
+SDOTY:  MOV     A,B
         OUT     GDPY
         MVI     A,DOT
         OUT     GDPCMD
         MVI     H,IPP
         MOV     A,M
         ORA     A
-        RZ
-        JMP     FILL
+        RET
 
-; Along y: a fill where a column is entered; its last row is what the next slice finds.
-SY:     MVI     H,IPP           ; a new level at the same point is not yet shaded
-        LDA     LEV
-        CMP     M
-        JNZ     GLOOP
-        LDA     GMAJ
+; ---- Along y: a fill where a column is entered; its last row is what the next slice finds. The first column is the pending
+; one; of the others only the row they are entered at is kept, and they are folded when they are left. The colour latch
+; holds LEV.
+SYSET:  STA     SYDX
+        MOV     A,H
         STA     SYB1
         STA     SYB2
-        LDA     GMIN
-        STA     SYDX
+        CPI     INRB
+        PUSH    H
+        LXI     H,4FH           ; MOV C,A; NOP
+        JZ      SYSET1
+        LXI     H,4748H         ; MOV C,B; MOV B,A
+SYSET1: SHLD    SYSORT
+        POP     H
         MOV     A,E
         STA     SYSUB+1
+        RET
+
+SNEXTY: CALL    SYSET
+SY:     CALL    SHSET
+        LDA     LEV
+        OUT     GDPCOL
         MOV     A,L
         OUT     GDPX
+        LXI     H,SYFOL0
+        SHLD    SYFOLD+1
+        MOV     L,A
 SY1:    MOV     A,C
         ADD     D
         JC      SYNEW
         MOV     C,A
 SYB1:   INR     B
-        CALL    SHLEV
-        MVI     H,MTP
+        LDA     SHERR
+SYDEL:  ADI     0
+        JC      SYLEV
+        STA     SHERR
+SYTEST: MVI     H,MTP
         MOV     A,M
         CMP     B
         JC      SY2
@@ -233,19 +284,28 @@ SYB1:   INR     B
         MOV     A,B
         CMP     M
         JNC     SY3
-SY2:    LDA     LEV
-        OUT     GDPCOL
-        MOV     A,B
+SY2:    MOV     A,B
         OUT     GDPY
         MVI     A,DOT
         OUT     GDPCMD
 SY3:    DCR     E
         JNZ     SY1
-SYEND:  CALL    SHKEEP
+SYEND:  LDA     SYFOLD+1
+        CPI     LOW SYFOL0
+        JZ      SYEND1
+        MOV     A,L             ; the last column becomes pending
+        STA     PX
+        LDA     SYROW+1
+        STA     PLO
+        STA     PHI
+SYEND1: CALL    SHKEEP
         CALL    TOUCHS
-        MOV     H,B
-        SHLD    XYP
-        RET
+        JMP     SNEXT
+
+SYLEV:  CALL    SHLEV1
+        LDA     LEV
+        OUT     GDPCOL
+        JMP     SYTEST
 
 SYNEW:
 SYSUB:  SUI     0
@@ -255,12 +315,16 @@ SYSUB:  SUI     0
         INR     H
         LDA     LEV
         MOV     M,A
-        CALL    TOUCHS
+SYFOLD: CALL    SYFOL0
 SYB2:   INR     B
 SYDX:   INR     L
+        MOV     A,B
+        STA     SYROW+1
         MOV     A,L
         OUT     GDPX
         CALL    SHLEV
+        LDA     LEV
+        OUT     GDPCOL
         MVI     H,MTP
         MOV     A,M
         CMP     B
@@ -268,13 +332,32 @@ SYDX:   INR     L
         INR     H
         MOV     A,B
         CMP     M
-        JNC     SYNEW2
-SYNEW1: LDA     LEV
-        CALL    SYDOT
-SYNEW2: CALL    TOUCHN
-        DCR     E
-        JNZ     SY1
-        JMP     SYEND
+        JNC     SY3
+        CALL    SDOTY
+        CNZ     FILL
+        JMP     SYNEW2
+SYNEW1: CALL    SDOTY
+        CNZ     FILLTO
+SYNEW2: LDA     LEV
+        OUT     GDPCOL
+        JMP     SY3
+
+; Fold the column that is left: the pending one; the others.
+SYFOL0: CALL    TOUCHS
+        CALL    FOLD
+        PUSH    H
+        LXI     H,SYFOL1
+        SHLD    SYFOLD+1
+        POP     H
+        RET
+SYFOL1: PUSH    B
+SYROW:  MVI     A,0             ; the row it was entered at
+SYSORT: MOV     C,A             ; B = highest, C = lowest
+        NOP
+        MVI     H,MTP
+        CALL    FOLDK
+        POP     B
+        RET
 
 ; GAP x n: no previous slice there.
 GAP:    POP     D
@@ -317,8 +400,7 @@ SHKEEP: MVI     H,MPP
         RET
 
 ; The level's step along the line: a second error byte.
-SHLEV:  MVI     A,0
-SHERR   EQU     SHLEV+1
+SHLEV:  LDA     SHERR
 SHDEL:  ADI     0               ; levels in the line
         JNC     SHLEV2
 SHLEV1: MOV     H,A

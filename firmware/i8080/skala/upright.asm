@@ -17,14 +17,8 @@ U:      STA     UDX
         CPI     S2P
         JZ      UP1GO
 UTURN:  CALL    SPILL           ; came in above, ran down, and now turns: step by step
-        MVI     A,INRB
-        STA     GMAJ
-        LDA     UDX
-        STA     GMIN
-        LDA     USUB1+1
-        STA     GSUB+1
-        CALL    GLOOP
-        JMP     NEXT
+        CALL    UENG
+        JMP     GRUN
 UBELOW: MOV     A,M             ; the point before becomes the new bottom, the old one is kept beside
         INR     A
         JZ      UTURN           ; unvisited but for row 0
@@ -80,14 +74,17 @@ UCROSS: MOV     A,L             ; through both masks in one column: step by step
         STA     PLO
         LDA     UOLD+1
         MOV     M,A
-USLOW:  MVI     A,INRB
+USLOW:  CALL    UENG
+        CALL    GSTEP
+        JMP     NEXT
+; The rest is the engine's.
+UENG:   MVI     A,INRB
         STA     GMAJ
         LDA     UDX
         STA     GMIN
         LDA     USUB1+1
         STA     GSUB+1
-        CALL    GSTEP
-        JMP     NEXT
+        RET
 
 UP3NEW: MOV     M,B
 UNEW:
@@ -183,14 +180,8 @@ D0:     STA     DDX
         CPI     S1P
         JZ      DP1GO
         CALL    SPILL           ; came in below, ran up, and now turns
-        MVI     A,DCRB
-        STA     GMAJ
-        LDA     DDX
-        STA     GMIN
-        LDA     DSUB1+1
-        STA     GSUB+1
-        CALL    GLOOP
-        JMP     NEXT
+        CALL    DENG
+        JMP     GRUN
 DABOVE: MOV     A,M
         INR     A
         STA     DOLD+1           ; the old top + 1: visible is what is not below that
@@ -245,14 +236,17 @@ DCROSS: MOV     A,L             ; through both masks in one column
         LDA     DOLD+1
         DCR     A
         MOV     M,A
-DSLOW:  MVI     A,DCRB
+DSLOW:  CALL    DENG
+        CALL    GSTEP
+        JMP     NEXT
+; The rest is the engine's.
+DENG:   MVI     A,DCRB
         STA     GMAJ
         LDA     DDX
         STA     GMIN
         LDA     DSUB1+1
         STA     GSUB+1
-        CALL    GSTEP
-        JMP     NEXT
+        RET
 
 DP3NEW: MOV     M,B
 DNEW:
