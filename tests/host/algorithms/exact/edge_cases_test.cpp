@@ -102,6 +102,12 @@ TEST_P(EdgeCases, AFloorThatReachesBehindTheEyeHidesWhatIsUnderIt) {
   EXPECT_EQ(seen(line, line + 1), (Intervals{between(3, 4, 4)}));
 }
 
+TEST_P(EdgeCases, ASideBehindTheEyeExactlyOppositeTheEndOfALine) {
+  add_sheet(scene_, {{-50, 20, -100}, {50, 20, -100}, {50, -25, 200}, {-50, -25, 200}});
+  const auto line = add_sheet(scene_, {{0, -40, 200}, {0, -40, 400}, {0, -90, 400}});
+  EXPECT_EQ(seen(line, line + 1), (Intervals{between(0, 3, 5)}));
+}
+
 TEST_P(EdgeCases, AFaceWithAnArmOnEachSideHidesTwoParts) {
   add_sheet(scene_, {{-30, -10, 100},
                      {30, -10, 100},
