@@ -26,7 +26,7 @@ class StreamMaker {
     low_ = choose(0, 3) == 0 ? (choose(0, 1) == 1 ? 0 : 255 - span_) : choose(0, 255 - span_);
     put({0x0A, kind_.device | (kind_.visibility ? 0 : 0x80)});
     silhouette();
-    for (int i = 0; i < commands; ++i) command(choose(0, 29));
+    for (int i = 0; i < commands; ++i) command(choose(0, 32));
     put({0x00});
     return bytes_;
   }
@@ -71,6 +71,7 @@ class StreamMaker {
     if (what < 26) return curve();
     if (what < 29 && kind_.surfaces) return choose(0, 2) < 2 ? surface() : rim();
     if (what == 29) return put({0x0D});
+    if (what < 33) return cell();
     near(0x02);
   }
   void curve() {
@@ -86,13 +87,27 @@ class StreamMaker {
     }
   }
   void surface() {
-    const int n = choose(1, 8);
+    const bool close = choose(0, 1) == 1;
+    const int n = choose(1, close ? 30 : 8);
     put({0x09, n});
     for (int i = 0; i < n; ++i) {
-      x_ = across();
-      y_ = up();
+      if (close && i > 0) {  // a slice as a grid gives it, with vertices that fall together
+        x_ = std::clamp(x_ + choose(-1, 9), 0, 255);
+        y_ = std::clamp(y_ + choose(-12, 12) * choose(0, 3) / 2, 0, 255);
+      } else {
+        x_ = across();
+        y_ = up();
+      }
       put({x_, y_, choose(0, 255)});
     }
+  }
+  // A cell's contours and margins, the COMMIT sometimes left out.
+  void cell() {
+    near(0x01);
+    if (choose(0, 1) == 1) near(0x03);
+    if (choose(0, 1) == 1) near(0x01);
+    for (int i = choose(0, 2); i >= 0; --i) near(0x04);
+    if (choose(0, 3) > 0) put({0x06});
   }
   void rim() {
     at(0x0B, across(), up());

@@ -18,6 +18,7 @@
         INCLUDE plain.asm
         INCLUDE curve.asm
         INCLUDE surface.asm
+        INCLUDE slice.asm
         INCLUDE fill.asm
         INCLUDE contours.asm
         INCLUDE boards.asm
