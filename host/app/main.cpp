@@ -11,6 +11,7 @@
 #include "host/app/command.hpp"
 #include "host/app/demo_command.hpp"
 #include "host/app/disasm_command.hpp"
+#include "host/app/draw_command.hpp"
 #include "host/app/jones_command.hpp"
 #include "host/app/run_command.hpp"
 #include "host/app/scene_command.hpp"
@@ -26,6 +27,8 @@ constexpr const char* examples =
     "      run Jones's program on a scene: pictures in out/, times on the terminal\n"
     "  sightline skala lines sinc -o out\n"
     "      run Skala's program on the 8080: a function of two variables with its hidden lines removed\n"
+    "  sightline draw skala sinc -o sinc.svg\n"
+    "      the same function drawn today, as vectors\n"
     "  sightline asm pdp7 hello.s -o hello.rim && sightline run pdp7 --load hello.rim\n"
     "      assemble a program of your own and run it on the PDP-7\n\n"
     "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal.\n"
@@ -113,6 +116,7 @@ int main(int argc, char** argv) {
     sightline::app::add_demo_command(app, exit_code);
     sightline::app::add_jones_command(app, exit_code);
     sightline::app::add_skala_command(app, exit_code);
+    sightline::app::add_draw_command(app, exit_code);
     sightline::app::add_asm_command(app, exit_code);
     sightline::app::add_disasm_command(app, exit_code);
     sightline::app::add_run_command(app, exit_code);

@@ -141,6 +141,8 @@ picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& asked) {
   }
   name_layers(drawing, order.levels, rows != Family::along_z);
   if (grid.heights.empty()) return drawing;
+  // About as many as there are in a picture of slices; memory that is not touched costs nothing.
+  drawing.points.reserve(grid.heights.size());
   const Walked walked = walk(order, drawing);
   if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
   return drawing;

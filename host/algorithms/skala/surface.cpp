@@ -58,7 +58,7 @@ struct Extremes {
 // To 0..size, in steps of 1 / lattice; in the middle if there is no extent.
 class Fit {
  public:
-  Fit(Extremes extremes, double size, double lattice) : lattice_(lattice) {
+  Fit(Extremes extremes, double size, double lattice) : step_(1 / lattice) {
     const double extent = extremes.high - extremes.low;
     if (extent > smallest_extent) {
       low_ = extremes.low;
@@ -69,15 +69,28 @@ class Fit {
   }
   [[nodiscard]] double place(double value) const {
     const double steps = (value - low_) * scale_ + shift_ + 0.5;
-    return static_cast<double>(static_cast<std::int32_t>(steps)) / lattice_;
+    return static_cast<double>(static_cast<std::int32_t>(steps)) * step_;
   }
 
  private:
-  double lattice_;
+  double step_;
   double low_ = 0;
   double scale_ = 0;
   double shift_ = 0;
 };
+
+// What a place along one axis of the grid adds to a point's screen x and depth.
+struct Term {
+  double x = 0;
+  double depth = 0;
+};
+
+std::vector<Term> terms(const std::vector<double>& places, double to_x, double to_depth, bool reversed) {
+  std::vector<Term> all;
+  for (const double place : places) all.push_back({place * to_x, place * to_depth});
+  if (reversed) std::reverse(all.begin(), all.end());
+  return all;
+}
 
 // Heights as h cos E * 0.6: middle and factor of an affine map.
 struct Upwards {
@@ -103,17 +116,6 @@ Family resolved_family(const View& view) {
   return std::abs(cosine) >= std::abs(sine) ? Family::along_x : Family::along_z;
 }
 
-template <class Visit>
-void Surface::for_each(const Visit& visit) const {
-  std::size_t vertex = 0;
-  for (std::size_t row = 0; row < rows_; ++row)
-    for (std::size_t column = 0; column < columns_; ++column) {
-      const std::size_t r = rows_reversed_ ? rows_ - 1 - row : row;
-      const std::size_t c = columns_reversed_ ? columns_ - 1 - column : column;
-      visit(vertex++, row_is_slice_ ? c : r, row_is_slice_ ? r : c);
-    }
-}
-
 Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
     : row_is_slice_(family != Family::along_z), vertices_(grid.points() * grid.slices()) {
   const Turn rotation = turn_of(view.rotation);
@@ -127,33 +129,43 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
   rows_reversed_ = row_is_slice_ ? along_z_back : along_x_back;
   columns_reversed_ = row_is_slice_ ? along_x_back : along_z_back;
 
+  const auto x_terms = terms(grid.x, rotation.cosine, -rotation.sine, along_x_back);
+  const auto z_terms = terms(grid.z, rotation.sine, rotation.cosine, along_z_back);
+  const std::vector<Term>& row_terms = row_is_slice_ ? z_terms : x_terms;
+  const std::vector<Term>& column_terms = row_is_slice_ ? x_terms : z_terms;
   const Upwards upwards(grid.range, elevation.cosine);
-  const auto across = [&](std::size_t point, std::size_t slice) {
-    return grid.x[point] * rotation.cosine + grid.z[slice] * rotation.sine;
-  };
-  const auto up = [&](std::size_t point, std::size_t slice) {
-    const double depth = grid.z[slice] * rotation.cosine - grid.x[point] * rotation.sine;
-    return upwards(grid.height(point, slice)) + depth * elevation.sine;
+  // Of every vertex, row by row: its number, and where it lies before it is fitted.
+  const auto for_each = [&](const auto& visit) {
+    std::size_t vertex = 0;
+    for (std::size_t row = 0; row < rows_; ++row) {
+      const Term in_row = row_terms[row];
+      std::size_t index = height_index(row, 0);
+      // The last step may lead below 0, which is not looked at.
+      const std::size_t step = columns_ > 1 ? height_index(row, 1) - index : 0;
+      for (std::size_t column = 0; column < columns_; ++column, index += step) {
+        const Term in_column = column_terms[column];
+        const double depth = in_row.depth + in_column.depth;
+        visit(vertex++, in_row.x + in_column.x, upwards(grid.heights[index]) + depth * elevation.sine);
+      }
+    }
   };
   Extremes extremes_x;
   Extremes extremes_y;
-  for_each([&](std::size_t, std::size_t point, std::size_t slice) {
-    const double y = up(point, slice);
+  for_each([&](std::size_t, double x, double y) {
     if (!(std::abs(y) < farthest)) return;
     extremes_y.take(y);
-    extremes_x.take(across(point, slice));
+    extremes_x.take(x);
   });
   const double width = std::clamp(view.columns, fewest_columns, most_columns);
   const Fit fit_x(extremes_x, width, lattice_x);
   const Fit fit_y(extremes_y, picture_extent, lattice_y);
-  for_each([&](std::size_t vertex, std::size_t point, std::size_t slice) {
-    const double y = up(point, slice);
-    if (!(std::abs(y) < farthest)) {
+  for_each([&](std::size_t vertex, double x, double y) {
+    if (std::abs(y) < farthest) {
+      vertices_[vertex] = {static_cast<float>(fit_x.place(x) - 0.5), static_cast<float>(fit_y.place(y))};
+    } else {
       vertices_[vertex] = {0, std::numeric_limits<float>::quiet_NaN()};
-      return;
+      whole_ = false;
     }
-    vertices_[vertex] = {static_cast<float>(fit_x.place(across(point, slice)) - 0.5),
-                         static_cast<float>(fit_y.place(y))};
   });
 }
 

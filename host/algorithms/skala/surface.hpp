@@ -40,6 +40,8 @@ class Surface {
     const Vertex& vertex = at(row, column);
     return vertex.y == vertex.y;
   }
+  // Is every vertex defined?
+  [[nodiscard]] bool whole() const { return whole_; }
   // Index of the vertex's height in the grid.
   [[nodiscard]] std::size_t height_index(std::size_t row, std::size_t column) const {
     const std::size_t r = rows_reversed_ ? rows_ - 1 - row : row;
@@ -48,14 +50,12 @@ class Surface {
   }
 
  private:
-  template <class Visit>
-  void for_each(const Visit& visit) const;
-
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
   bool row_is_slice_ = true;
   bool rows_reversed_ = false;
   bool columns_reversed_ = false;
+  bool whole_ = true;
   std::vector<Vertex> vertices_;
 };
 

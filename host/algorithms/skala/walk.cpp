@@ -29,7 +29,8 @@ class Walker {
         net_(lines_ ? view_.family == Family::both : view_.subject == Subject::contours && view_.net),
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
-        rims_(view_.rims && view_.subject != Subject::surface) {}
+        rims_(view_.rims && view_.subject != Subject::surface),
+        dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
   Walked go() {
     const std::size_t rows = surface_.rows();
@@ -68,6 +69,7 @@ class Walker {
 
   // Neither this cell nor the next is missing, so that no edge of the surface lies between them.
   [[nodiscard]] bool whole_strip(std::size_t row, std::size_t column) const {
+    if (surface_.whole()) return true;
     return surface_.defined(row, column) && surface_.defined(row + 1, column) &&
            surface_.defined(row, column + 1) && surface_.defined(row + 1, column + 1) &&
            surface_.defined(row, column + 2) && surface_.defined(row + 1, column + 2);
@@ -200,7 +202,7 @@ class Walker {
 
   // A point that no line ends in.
   void dot(std::size_t row, std::size_t column) {
-    if (!lines_ || !surface_.defined(row, column)) return;
+    if (!dots_ || !surface_.defined(row, column)) return;
     if (column > 0 && surface_.defined(row, column - 1)) return;
     if (column + 1 < surface_.columns() && surface_.defined(row, column + 1)) return;
     if (net_ && ((row > 0 && surface_.defined(row - 1, column)) ||
@@ -247,6 +249,7 @@ class Walker {
   bool all_edges_;
   bool diagonals_;
   bool rims_;
+  bool dots_;
   Wake wake_;
   Pen row_pen_;
   std::vector<Pen> column_pens_;

@@ -1,0 +1,95 @@
+#include "host/app/draw_output.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "host/picture/png.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+constexpr double widest_paper = 10'000;  // millimetres
+
+std::optional<int> whole(std::string_view text, int most) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > most)
+    return std::nullopt;
+  return value;
+}
+
+std::pair<int, int> size_argument(const char* option, const std::string& text, int most) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const auto width = whole(std::string_view(text).substr(0, cross), most);
+    const auto height = whole(std::string_view(text).substr(cross + 1), most);
+    if (width && height) return {*width, *height};
+  }
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
+}
+
+}  // namespace
+
+void add_draw_output_options(CLI::App& command, DrawOutput& output) {
+  command.add_option("-o,--output", output.file, "The drawing; the ending says what it is: .svg, .png, .plt")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--size", output.size, "Of the paper in mm, for .svg and .plt")
+      ->capture_default_str()
+      ->type_name("WxH");
+  command.add_option("--margin", output.paper.margin, "Around the drawing in mm, for .svg and .plt")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("MM");
+  command.add_option("--pen", output.paper.pen, "Width of a line in mm, for .svg")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 10.0))
+      ->type_name("MM");
+  command.add_option("--pixels", output.pixels, "Size of the image, for .png")
+      ->capture_default_str()
+      ->type_name("WxH");
+}
+
+DrawingFormat settled(DrawOutput& output) {
+  const auto [width, height] = size_argument("--size", output.size, static_cast<int>(widest_paper));
+  output.paper.width = width;
+  output.paper.height = height;
+  if (2 * output.paper.margin >= std::min(width, height)) {
+    throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
+                                               output.paper.margin, output.size));
+  }
+  const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
+  output.image.width = columns;
+  output.image.height = rows;
+  const auto ends = [&](std::string_view ending) { return output.file.ends_with(ending); };
+  if (ends(".svg")) return DrawingFormat::svg;
+  if (ends(".png")) return DrawingFormat::png;
+  if (ends(".plt") || ends(".hpgl")) return DrawingFormat::hpgl;
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: expected a name that ends in .svg, .png, .plt or .hpgl", output.file));
+}
+
+void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
+                   const std::string& title) {
+  Output file(output.file);
+  if (format == DrawingFormat::svg) {
+    file.write(std::string_view(svg_of(drawing, output.paper, title)));
+  } else if (format == DrawingFormat::hpgl) {
+    file.write(std::string_view(hpgl_of(drawing, output.paper)));
+  } else {
+    const auto bytes =
+        picture::encode_png(image_of(drawing, output.image), {{"Title", title}, {"Software", "sightline"}});
+    if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+    file.write(std::span<const std::uint8_t>(*bytes));
+  }
+  file.commit();
+}
+
+}  // namespace sightline::app
