@@ -5,8 +5,8 @@ MT      EQU     1700H           ; mask top: the highest row drawn so far in each
 MB      EQU     1800H           ; mask bottom
 MP      EQU     1900H           ; row of the previous slice in each column
 IP      EQU     1A00H           ; level of the previous slice, 0 for none
-LOWT    EQU     1B00H           ; LT: lower end of what last raised the top, 0 for nothing to fold
-HIGHB   EQU     1C00H           ; HB: upper end of what last lowered the bottom, 255 for nothing to fold
+LOWT    EQU     1B00H           ; LT - 1: below the lower end of what last raised the top, 0 for nothing to fold
+HIGHB   EQU     1C00H           ; HB + 1: above the upper end of what last lowered the bottom, 255 for nothing to fold
 SCR1    EQU     1D00H           ; pages written and never read: see lines.asm
 SCR2    EQU     1E00H
 SCR0    EQU     1F00H           ; the stack's page too: nothing is on the stack when a line begins
