@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/app/scene_argument.hpp"
+#include "host/app/scene_poly_command.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/encode.hpp"
@@ -97,7 +98,9 @@ constexpr const char* check_examples =
     "its two\n"
     "cells and its outline closes; every point of every face is opaque or in one opening; lines lie on their "
     "cell; the\n"
-    "default view is in a cell. A scene with errors ends with exit code 4.\n";
+    "default view is in a cell. Of polyhedra: faces are planar and simple, holes inside them, solids closed "
+    "and facing\n"
+    "outwards, no vertex twice or for nothing. A scene with errors ends with exit code 4.\n";
 
 std::vector<scene::SceneError> errors_of(const std::string& name) {
   require_scene_exists(name);
@@ -111,6 +114,7 @@ std::vector<scene::SceneError> errors_of(const std::string& name) {
 }
 
 ExitCode check(const SceneArguments& arguments) {
+  if (is_poly_scene(arguments.scene)) return check_poly_file(arguments.scene, arguments.json);
   const auto errors = errors_of(arguments.scene);
   if (arguments.json) {
     ordered_json document{
@@ -129,7 +133,8 @@ ExitCode check(const SceneArguments& arguments) {
 void add_check(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("check", "Say everything that is wrong with a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help) + ", or an OFF or OBJ file")
+      ->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(check_examples);
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
@@ -158,6 +163,10 @@ ordered_json json_of(const geometry::Box& box) {
 }
 
 void info(const SceneArguments& arguments) {
+  if (is_poly_scene(arguments.scene)) {
+    describe_poly_file(arguments.scene, arguments.json);
+    return;
+  }
   const scene::CellScene scene = load_scene(arguments.scene);
   const scene::EncodedScene core = encoded(scene, arguments.scene);
   std::size_t lines = 0;
@@ -195,7 +204,8 @@ void info(const SceneArguments& arguments) {
 void add_info(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help) + ", or an OFF or OBJ file")
+      ->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(info_examples);
   command->callback([arguments, &exit_code] {
@@ -235,11 +245,13 @@ void add_scene_command(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Examples:\n"
       "  sightline scene info house\n"
-      "  sightline scene tape house -o house.s\n");
+      "  sightline scene tape house -o house.s\n"
+      "  sightline scene check part.off\n");
   add_tape(*command, exit_code);
   add_check(*command, exit_code);
   add_info(*command, exit_code);
   add_list(*command, exit_code);
+  add_scene_poly_commands(*command, exit_code);
 }
 
 }  // namespace sightline::app

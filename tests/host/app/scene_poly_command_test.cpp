@@ -1,0 +1,67 @@
+// `sightline scene` with polyhedra: generate, convert, check, info; files that are wrong are named.
+#include <nlohmann/json.hpp>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class ScenePolyCommand : public sightline::test::CommandLine {};
+
+TEST_F(ScenePolyCommand, GenerateConvertAndInfo) {
+  EXPECT_EQ(sightline({"scene", "generate", "boxes", "10", "-o", "b.json"}).exit_code, 0);
+  EXPECT_EQ(sightline({"scene", "generate", "boxes", "10"}).out, read("b.json"));
+  EXPECT_EQ(sightline({"scene", "convert", "b.json", "-o", "b.off"}).exit_code, 0);
+  EXPECT_EQ(sightline({"scene", "convert", "b.off", "-o", "b.obj"}).exit_code, 0);
+  for (const char* file : {"b.json", "b.off", "b.obj"}) {
+    const json info = json::parse(sightline({"scene", "info", "--json", file}).out);
+    EXPECT_EQ(info.at("vertices"), 80) << file;
+    EXPECT_EQ(info.at("edges"), 120) << file;
+    EXPECT_EQ(info.at("faces"), 60) << file;
+    EXPECT_EQ(info.at("bodies"), 10) << file;
+    EXPECT_EQ(info.at("sheets"), 0) << file;
+    EXPECT_TRUE(has(sightline({"scene", "check", file}).out, "a possible scene"));
+  }
+}
+
+TEST_F(ScenePolyCommand, ABuiltInSceneAsPolyhedra) {
+  EXPECT_EQ(sightline({"scene", "convert", "roberts", "-o", "r.obj"}).exit_code, 0);
+  EXPECT_EQ(sightline({"scene", "check", "r.obj"}).exit_code, 0);
+}
+
+TEST_F(ScenePolyCommand, RoundingIsReported) {
+  write("f.off", "OFF\n3 1 0\n0 0 0.123456789\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Ran check = sightline({"scene", "check", "f.off"});
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_TRUE(has(check.err, "rounded to a step of")) << check.err;
+}
+
+TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
+  write("twisted.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n");
+  const Ran check = sightline({"scene", "check", "twisted.off"});
+  EXPECT_EQ(check.exit_code, 4);
+  EXPECT_TRUE(has(check.err, "twisted.off: body 0, face 0: vertex 3")) << check.err;
+  EXPECT_EQ(sightline({"scene", "convert", "twisted.off", "-o", "out.json"}).exit_code, 4);
+  EXPECT_FALSE(exists("out.json"));
+  write("empty.off", "");
+  EXPECT_EQ(sightline({"scene", "info", "empty.off"}).exit_code, 4);
+  EXPECT_EQ(sightline({"scene", "check", "missing.off"}).exit_code, 5);
+  EXPECT_EQ(sightline({"scene", "check", "."}).exit_code, 5);
+  EXPECT_EQ(sightline({"scene", "generate", "castles", "1"}).exit_code, 2);
+  EXPECT_EQ(sightline({"scene", "generate", "rooms", "1000"}).exit_code, 2);
+  EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "x.ply"}).exit_code, 2);
+  EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "no/x.json"}).exit_code, 5);
+}
+
+TEST_F(ScenePolyCommand, MendRepairs) {
+  write("double.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n3 0 1 2\n");
+  EXPECT_EQ(sightline({"scene", "convert", "double.off", "-o", "d.off"}).exit_code, 4);
+  const Ran mended = sightline({"scene", "convert", "--mend", "double.off", "-o", "d.off"});
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_EQ(read("d.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+}
+
+}  // namespace
