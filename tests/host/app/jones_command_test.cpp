@@ -175,7 +175,8 @@ TEST_F(JonesCommand, DemoPrintsTheTableAndWritesThePictures) {
     ++pictures;
     EXPECT_GT(entry.file_size(), 1000U) << entry.path();
   }
-  EXPECT_EQ(pictures, 15);
+  // Five scenes in three ways; eight functions in three ways and one plot in three.
+  EXPECT_EQ(pictures, 5 * 3 + 8 * 3 + 3);
   const Ran document = sightline({"demo", "--json", "-o", "pictures"});
   ASSERT_EQ(document.exit_code, 0);
   const json r = json::parse(document.out);
