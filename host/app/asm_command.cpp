@@ -31,7 +31,7 @@ struct AsmArguments {
   bool first_line_is_title = false;
 };
 
-constexpr const char* examples =
+constexpr const char* asm_examples =
     "Examples:\n"
     "  sightline asm pdp7 hello.s -o hello.rim --listing hello.lst\n"
     "      a tape for `sightline run pdp7 --load hello.rim`, and a listing to read beside it\n"
@@ -151,7 +151,7 @@ void add_asm_command(CLI::App& app, ExitCode& exit_code) {
                  "DEC's rule: an undefined symbol is a variable (default: an error)");
   pdp7->add_flag("--title", arguments->first_line_is_title,
                  "The first line of each source is a title, not assembled");
-  pdp7->footer(examples);
+  pdp7->footer(asm_examples);
   pdp7->callback([arguments, &exit_code] {
     assemble(*arguments);
     exit_code = ExitCode::ok;

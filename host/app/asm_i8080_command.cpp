@@ -19,7 +19,7 @@ namespace sightline::app {
 
 namespace {
 
-struct AsmArguments {
+struct AsmI8080Arguments {
   std::vector<std::string> sources;
   std::vector<std::string> defines;
   std::string output;
@@ -28,7 +28,7 @@ struct AsmArguments {
   std::string symbols;
 };
 
-constexpr const char* examples =
+constexpr const char* asm_i8080_examples =
     "Examples:\n"
     "  sightline asm i8080 hello.asm -o hello.com --listing hello.prn\n"
     "      a CP/M program for `sightline run i8080 --cpm --load hello.com`, and a listing to read beside it\n"
@@ -44,7 +44,7 @@ constexpr const char* examples =
     "Without --format the ending of -o decides: .com, .bin, anything else is hex.\n"
     "Errors name file:line:column; when there is one nothing is written.\n";
 
-assembler::I8080Options options_from(const AsmArguments& arguments) {
+assembler::I8080Options options_from(const AsmI8080Arguments& arguments) {
   assembler::I8080Options options;
   for (const std::string& text : arguments.defines) {
     auto define = assembler::parse_i8080_define(text);
@@ -65,7 +65,7 @@ assembler::I8080Options options_from(const AsmArguments& arguments) {
   return options;
 }
 
-picture::Bytes encoded(const image::ByteImage& memory, const AsmArguments& arguments) {
+picture::Bytes encoded(const image::ByteImage& memory, const AsmI8080Arguments& arguments) {
   const ByteFormat format = arguments.format.empty()
                                 ? byte_format_of_name(arguments.output).value_or(ByteFormat::hex)
                                 : byte_format_named(arguments.format);
@@ -80,7 +80,7 @@ picture::Bytes encoded(const image::ByteImage& memory, const AsmArguments& argum
   return bytes.value();
 }
 
-std::string summary(const assembler::I8080Assembly& assembly, const AsmArguments& arguments) {
+std::string summary(const assembler::I8080Assembly& assembly, const AsmI8080Arguments& arguments) {
   const image::ByteImage& memory = assembly.image;
   std::string text = fmt::format("{} bytes", memory.count());
   if (!memory.empty()) text += fmt::format(" in {:04X}-{:04X}", memory.lowest(), memory.highest());
@@ -89,13 +89,13 @@ std::string summary(const assembler::I8080Assembly& assembly, const AsmArguments
   return arguments.output.empty() ? text + "; checked only, -o FILE writes it" : text;
 }
 
-void refuse_two_on_stdout(const AsmArguments& arguments) {
+void refuse_two_on_stdout(const AsmI8080Arguments& arguments) {
   const int on_stdout = (arguments.output == "-" ? 1 : 0) + (arguments.listing == "-" ? 1 : 0) +
                         (arguments.symbols == "-" ? 1 : 0);
   if (on_stdout > 1) throw Failure(ExitCode::usage, "only one of -o, --listing and --symbols can be `-`");
 }
 
-void assemble(const AsmArguments& arguments) {
+void assemble(const AsmI8080Arguments& arguments) {
   refuse_two_on_stdout(arguments);
   const assembler::I8080Options options = options_from(arguments);
   std::vector<assembler::SourceFile> sources;
@@ -124,7 +124,7 @@ void assemble(const AsmArguments& arguments) {
 void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command =
       parent.add_subcommand("i8080", "Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)");
-  const auto arguments = std::make_shared<AsmArguments>();
+  const auto arguments = std::make_shared<AsmI8080Arguments>();
   command->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")
       ->required();
   command
@@ -146,7 +146,7 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->type_name("FILE");
   command->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
       ->type_name("FILE");
-  command->footer(examples);
+  command->footer(asm_i8080_examples);
   command->callback([arguments, &exit_code] {
     assemble(*arguments);
     exit_code = ExitCode::ok;

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <system_error>
 
@@ -102,6 +103,11 @@ std::uint32_t octal_argument(std::string_view option, std::string_view text, std
                   fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
   }
   return value;
+}
+
+void require_finite(const char* option, double value) {
+  if (!std::isfinite(value))
+    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a finite number", option, value));
 }
 
 }  // namespace sightline::app

@@ -79,4 +79,7 @@ class Output {
 [[nodiscard]] std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
                                            std::string_view what);
 
+// The option parser takes nan and inf for numbers: a Failure usage for them.
+void require_finite(const char* option, double value);
+
 }  // namespace sightline::app

@@ -18,7 +18,7 @@ namespace {
 namespace jones = harness::jones;
 using nlohmann::ordered_json;
 
-constexpr const char* examples =
+constexpr const char* demo_examples =
     "Examples:\n"
     "  sightline demo\n"
     "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
@@ -27,7 +27,7 @@ constexpr const char* examples =
     "  sightline demo -o pictures --json\n"
     "      the same, the tables as one JSON document\n";
 
-struct Arguments {
+struct DemoArguments {
   std::string directory = "out";
   bool json = false;
 };
@@ -93,7 +93,7 @@ ordered_json document_of(const std::vector<Row>& rows, const std::string& direct
   return document;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_demo(const DemoArguments& arguments) {
   std::vector<Row> rows;
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = load_scene(std::string(name));
@@ -127,13 +127,13 @@ ExitCode run(const Arguments& arguments) {
 
 void add_demo_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command = app.add_subcommand("demo", "Run both machines on all their scenes and functions");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DemoArguments>();
   command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
       ->capture_default_str()
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "One JSON document instead of the table");
-  command->footer(examples);
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->footer(demo_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_demo(*arguments); });
 }
 
 }  // namespace sightline::app

@@ -13,13 +13,13 @@ namespace sightline::app {
 
 namespace {
 
-struct DisasmArguments {
+struct DisasmI8080Arguments {
   std::string file;
   std::string format;
   std::string output = "-";
 };
 
-constexpr const char* examples =
+constexpr const char* disasm_i8080_examples =
     "Examples:\n"
     "  sightline disasm i8080 hello.com\n"
     "      the program as source; `sightline asm i8080` makes the same bytes of it again\n"
@@ -34,7 +34,7 @@ constexpr const char* examples =
 
 void add_disasm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("i8080", "8080 instructions");
-  const auto arguments = std::make_shared<DisasmArguments>();
+  const auto arguments = std::make_shared<DisasmI8080Arguments>();
   command
       ->add_option("FILE", arguments->file,
                    "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input")
@@ -45,7 +45,7 @@ void add_disasm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   command->add_option("-o,--output", arguments->output, "Where the source goes; - is standard output")
       ->capture_default_str()
       ->type_name("FILE");
-  command->footer(examples);
+  command->footer(disasm_i8080_examples);
   command->callback([arguments, &exit_code] {
     const auto format =
         arguments->format.empty() ? std::nullopt : std::optional(byte_format_named(arguments->format));

@@ -9,7 +9,7 @@ namespace sightline::app {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* draw_examples =
     "Examples:\n"
     "  sightline draw skala sinc -o sinc.svg\n"
     "      a function of two variables, hidden lines removed, for a drawing program\n"
@@ -36,7 +36,7 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
   command->require_subcommand(1);
   for (const DrawAlgorithm& algorithm : algorithms)
     algorithm.add(*command->add_subcommand(algorithm.name, algorithm.description), exit_code);
-  command->footer(examples);
+  command->footer(draw_examples);
 }
 
 }  // namespace sightline::app

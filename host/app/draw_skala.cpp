@@ -18,7 +18,7 @@ namespace {
 using algorithms::skala::Family;
 using algorithms::skala::Subject;
 
-constexpr const char* examples =
+constexpr const char* draw_skala_examples =
     "Examples:\n"
     "  sightline draw skala sinc -o sinc.svg\n"
     "      slices of a function by name, in layers for a drawing program\n"
@@ -33,7 +33,7 @@ constexpr const char* examples =
     "file: CSV or\n"
     "gnuplot's matrix, the first line in front, nan for a hole. The drawing is stretched to the paper.\n";
 
-struct Arguments {
+struct DrawSkalaArguments {
   SkalaSource source;
   algorithms::skala::View view;
   bool no_visibility = false;
@@ -41,12 +41,7 @@ struct Arguments {
   DrawOutput output;
 };
 
-void require_finite(const char* option, double value) {
-  if (!std::isfinite(value))
-    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a finite number", option, value));
-}
-
-ExitCode run(Arguments arguments) {
+ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   algorithms::skala::View& view = arguments.view;
   require_finite("--rotate", view.rotation);
   require_finite("--elevate", view.elevation);
@@ -72,7 +67,7 @@ void add_function_options(CLI::App& command, SkalaSource& source) {
   command.add_option("--points", source.points, "Points in a slice; 65 unless given")->check(range);
 }
 
-void add_view_options(CLI::App& command, Arguments& arguments) {
+void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
   algorithms::skala::View& view = arguments.view;
   command.add_option("--picture", view.subject, "lines, surface or contours; unless given lines")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Subject>{
@@ -106,13 +101,13 @@ void add_view_options(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void add_draw_skala(CLI::App& command, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DrawSkalaArguments>();
   arguments->view.rotation = 30;
   add_function_options(command, arguments->source);
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
-  command.footer(examples);
-  command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command.footer(draw_skala_examples);
+  command.callback([arguments, &exit_code] { exit_code = run_draw_skala(*arguments); });
 }
 
 }  // namespace sightline::app

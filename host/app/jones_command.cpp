@@ -18,7 +18,7 @@ namespace {
 namespace jones = harness::jones;
 using nlohmann::ordered_json;
 
-constexpr const char* examples =
+constexpr const char* jones_examples =
     "Examples:\n"
     "  sightline jones roberts -o pictures\n"
     "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
@@ -33,7 +33,7 @@ constexpr const char* examples =
     "second\n"
     "flickers. Pictures: SCENE.png (one pass, every point), SCENE-phosphor.png (the screen), SCENE.svg.\n";
 
-struct Arguments {
+struct JonesArguments {
   std::string scene;
   bool no_eae = false;
   std::string at;
@@ -48,14 +48,14 @@ struct Arguments {
 
 constexpr double flicker_limit = 30.0;
 
-jones::Program program_for(const scene::CellScene& scene, const Arguments& arguments) {
+jones::Program program_for(const scene::CellScene& scene, const JonesArguments& arguments) {
   jones::ProgramOptions options;
   options.eae = !arguments.no_eae;
   if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
   return assembled(scene, arguments.scene, options);
 }
 
-jones::GuestOptions guest_options(const Arguments& arguments) {
+jones::GuestOptions guest_options(const JonesArguments& arguments) {
   jones::GuestOptions options;
   options.eae = !arguments.no_eae;
   options.scale = arguments.scale;
@@ -73,7 +73,7 @@ jones::GuestOptions guest_options(const Arguments& arguments) {
   return options;
 }
 
-ordered_json document_of(const Arguments& arguments, const jones::Program& program,
+ordered_json document_of(const JonesArguments& arguments, const jones::Program& program,
                          const jones::GuestRun& run, const std::vector<std::string>& pictures) {
   ordered_json document{{"schema", "sightline/jones/1"},
                         {"scene", arguments.scene},
@@ -100,7 +100,7 @@ ordered_json document_of(const Arguments& arguments, const jones::Program& progr
   return document;
 }
 
-std::string summary_of(const Arguments& arguments, const jones::Program& program,
+std::string summary_of(const JonesArguments& arguments, const jones::Program& program,
                        const jones::GuestRun& run) {
   const jones::GuestView& view = run.views.back();
   const auto& eye = program.scene.eye;
@@ -124,7 +124,7 @@ std::string summary_of(const Arguments& arguments, const jones::Program& program
   return text;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_scene(arguments.scene);
   const jones::Program program = program_for(scene, arguments);
   const jones::GuestRun result = jones::run_guest(program, guest_options(arguments));
@@ -153,7 +153,7 @@ ExitCode run(const Arguments& arguments) {
 void add_jones_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
       app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the PDP-7");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<JonesArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
   command->add_flag("--no-eae,!--eae", arguments->no_eae, "Without (with) the extended arithmetic element");
   command->add_option("--at", arguments->at, "The eye; the cell it is in becomes the initial cell")
@@ -171,8 +171,8 @@ void add_jones_command(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str()
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "One JSON document instead of the summary");
-  command->footer(examples);
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->footer(jones_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_jones(*arguments); });
 }
 
 }  // namespace sightline::app

@@ -21,7 +21,7 @@ namespace {
 
 using sightline::app::ExitCode;
 
-constexpr const char* examples =
+constexpr const char* sightline_examples =
     "Examples:\n"
     "  sightline jones house -o out\n"
     "      run Jones's program on a scene: pictures in out/, times on the terminal\n"
@@ -85,7 +85,7 @@ void refuse_empty_arguments(int argc, char** argv) {
   }
 }
 
-ExitCode run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
+ExitCode run_sightline(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
   refuse_empty_arguments(argc, argv);
   try {
     app.parse(argc, argv);
@@ -121,9 +121,9 @@ int main(int argc, char** argv) {
     sightline::app::add_disasm_command(app, exit_code);
     sightline::app::add_run_command(app, exit_code);
     sightline::app::add_scene_command(app, exit_code);
-    app.footer(examples);
+    app.footer(sightline_examples);
     finish_help(app);
-    exit_code = run(app, argc, argv, exit_code);
+    exit_code = run_sightline(app, argc, argv, exit_code);
   } catch (const sightline::app::Failure& failure) {
     sightline::app::complain(failure.what());
     exit_code = failure.code();

@@ -16,7 +16,7 @@ namespace sightline::app {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* run_pdp7_examples =
     "Examples:\n"
     "  sightline run pdp7 --load hello.rim --teletype -\n"
     "      from the tape's own start address to HLT; what it types goes to standard output\n"
@@ -50,7 +50,7 @@ constexpr const char* examples =
     "  trace            `TIME_NS PC WORD INSTRUCTION AC L MQ`, a line an instruction, registers after it\n"
     "  strokes          `T_NS X Y INTENSITY ADDRESS`, a line a flash of the beam\n";
 
-ExitCode run(const RunArguments& arguments) {
+ExitCode run_pdp7(const RunArguments& arguments) {
   harness::Pdp7Job job = job_from(arguments);
   RunOutputs outputs(arguments);
   outputs.attach(job);
@@ -136,9 +136,9 @@ void add_run_command(CLI::App& app, ExitCode& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   add_machine_options(*pdp7, *arguments);
   add_output_options(*pdp7, *arguments);
-  pdp7->footer(examples + ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" +
+  pdp7->footer(run_pdp7_examples + ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" +
                            timing_help()));
-  pdp7->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  pdp7->callback([arguments, &exit_code] { exit_code = run_pdp7(*arguments); });
   add_run_i8080_command(*command, exit_code);
 }
 

@@ -15,7 +15,7 @@ namespace sightline::app {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* run_i8080_examples =
     "Examples:\n"
     "  sightline run i8080 --cpm --load hello.com\n"
     "      a CP/M program: what it prints goes to standard output, the report to standard error\n"
@@ -59,7 +59,7 @@ constexpr const char* examples =
     "           none for the internal cycles of DAD\n"
     "  strokes  `T_NS X Y INTENSITY ADDRESS`, a line a step of the plotter's lowered pen\n";
 
-ExitCode run(const RunI8080Arguments& arguments) {
+ExitCode run_i8080(const RunI8080Arguments& arguments) {
   harness::I8080Job job = i8080_job_from(arguments);
   RunI8080Outputs outputs(arguments);
   outputs.attach(job);
@@ -149,8 +149,8 @@ void add_run_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   add_machine_options(*command, *arguments);
   add_device_options(*command, *arguments);
   add_output_options(*command, *arguments);
-  command->footer(examples);
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->footer(run_i8080_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_i8080(*arguments); });
 }
 
 }  // namespace sightline::app

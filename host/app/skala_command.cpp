@@ -21,7 +21,7 @@ using harness::SkalaLink;
 using harness::SkalaPicture;
 using picture::RasterPalette;
 
-constexpr const char* examples =
+constexpr const char* skala_examples =
     "Examples:\n"
     "  sightline skala lines sinc -o pictures\n"
     "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in about two seconds\n"
@@ -40,10 +40,10 @@ std::string footer() {
       "is "
       "compared with a native twin of\nthe program before it is written. Seconds are those of the emulated "
       "8080.\n",
-      examples, scene::height_function_names());
+      skala_examples, scene::height_function_names());
 }
 
-struct Arguments {
+struct SkalaArguments {
   SkalaSource source;
   SkalaOrder order;
   std::string device = "raster";
@@ -62,12 +62,6 @@ constexpr scene::GridSize usual_size(SkalaPicture picture) {
   return picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
-// The library takes nan and inf for numbers.
-void require_finite(const char* option, double value) {
-  if (!std::isfinite(value))
-    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a finite number", option, value));
-}
-
 // By the names the option takes.
 SkalaDevice device_named(const std::string& name) {
   if (name == "alt256") return SkalaDevice::alt256;
@@ -75,7 +69,7 @@ SkalaDevice device_named(const std::string& name) {
   return name == "minigraf" ? SkalaDevice::minigraf : SkalaDevice::ef9365;
 }
 
-ExitCode run(Arguments arguments) {
+ExitCode run_skala(SkalaArguments arguments) {
   SkalaOrder& order = arguments.order;
   require_finite("--rotate", order.view.rotation);
   require_finite("--elevate", order.view.elevation);
@@ -100,7 +94,7 @@ ExitCode run(Arguments arguments) {
   return ExitCode::ok;
 }
 
-void add_function_options(CLI::App& command, Arguments& arguments) {
+void add_function_options(CLI::App& command, SkalaArguments& arguments) {
   SkalaSource& source = arguments.source;
   command.add_option("FUNCTION", source.name_or_file, "A function by name, or a grid file");
   command.add_option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
@@ -119,7 +113,7 @@ void add_function_options(CLI::App& command, Arguments& arguments) {
       ->check(range);
 }
 
-void add_view_options(CLI::App& command, Arguments& arguments) {
+void add_view_options(CLI::App& command, SkalaArguments& arguments) {
   harness::SkalaView& view = arguments.order.view;
   command.add_option("--rotate", view.rotation, "Degrees about the vertical")
       ->capture_default_str()
@@ -147,7 +141,7 @@ void add_view_options(CLI::App& command, Arguments& arguments) {
     command.add_flag("--both", arguments.both, "Slices along x and along z")->excludes(along);
 }
 
-void add_machine_options(CLI::App& command, Arguments& arguments) {
+void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
   command.add_option("--device", arguments.device, "A raster board or a plotter")
       ->capture_default_str()
       ->check(CLI::IsMember({"raster", "alt256", "calcomp", "minigraf"}))
@@ -165,7 +159,7 @@ void add_machine_options(CLI::App& command, Arguments& arguments) {
       ->type_name("HZ");
 }
 
-void add_output_options(CLI::App& command, Arguments& arguments) {
+void add_output_options(CLI::App& command, SkalaArguments& arguments) {
   command
       .add_option("--palette", arguments.palette, "Of the PNG; unless given grey for surfaces, else colour")
       ->check(CLI::IsMember({"colour", "grey"}))
@@ -182,7 +176,7 @@ void add_output_options(CLI::App& command, Arguments& arguments) {
 void add_picture(CLI::App& parent, const char* name, const char* description, SkalaPicture picture,
                  ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand(name, description);
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SkalaArguments>();
   arguments->order.view.picture = picture;
   arguments->order.view.rotation = 30;
   add_function_options(*command, *arguments);
@@ -190,7 +184,7 @@ void add_picture(CLI::App& parent, const char* name, const char* description, Sk
   add_machine_options(*command, *arguments);
   add_output_options(*command, *arguments);
   command->footer(footer());
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_skala(*arguments); });
 }
 
 }  // namespace
