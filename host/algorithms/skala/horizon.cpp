@@ -14,11 +14,14 @@ constexpr float corner_slack = 1.0F / 64;
 
 // Columns that a segment crosses: those in (left, right], so that of two joined segments one has the column
 // of their joint.
+// What is right of every mask, or no number, is in no column.
+constexpr float beyond_columns = 1 << 24;
+
 int first_column(float left) {
-  return left < 0 ? 0 : static_cast<int>(left) + 1;
+  return left < 0 ? 0 : static_cast<int>(left < beyond_columns ? left : beyond_columns) + 1;
 }
 int last_column(float right) {
-  return right < 0 ? -1 : static_cast<int>(right);
+  return right >= 0 ? static_cast<int>(right < beyond_columns ? right : beyond_columns) : -1;
 }
 
 Vertex between(Vertex from, Vertex to, float t) {

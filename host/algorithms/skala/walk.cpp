@@ -180,7 +180,9 @@ class Walker {
     const double low = order_.heights[id(a)];
     const double high = order_.heights[id(b)];
     // Halves, since the difference of two heights may be beyond the greatest double.
-    const double t = (level / 2 - low / 2) / (high / 2 - low / 2);
+    double t = (level / 2 - low / 2) / (high / 2 - low / 2);
+    // Heights so small and close that their halves are equal.
+    if (!(t >= 0 && t <= 1)) t = 0.5;
     const Vertex from = vertex(a);
     const Vertex to = vertex(b);
     return {static_cast<float>(double{from.x} + t * (double{to.x} - double{from.x})),

@@ -184,6 +184,19 @@ TEST(SkalaHardCases, HugeAndTinyHeights) {
   }
 }
 
+// Their halves are equal, so that nothing can be said of where between them a level is.
+TEST(SkalaHardCases, ContoursBetweenHeightsThatHardlyDiffer) {
+  constexpr double least = 5e-324;
+  for (const int levels : {1, 7}) {
+    View view = lines(Family::automatic, 30, 30);
+    view.subject = Subject::contours;
+    view.levels = levels;
+    const VectorDrawing drawing = draw(grid_of(3, 3, {-1, -least, 0, -1, 0, 1, -least, 0, 1}), view);
+    EXPECT_GE(count(drawing, 4), 1U);
+    for (const picture::DrawingPoint p : drawing.points) EXPECT_TRUE(p.x >= 0 && p.y >= 0 && p.y <= 255);
+  }
+}
+
 TEST(SkalaHardCases, MasksOfAnyWidth) {
   for (const int columns : {0, 16, 255, 5000, 1 << 20}) {
     View view = lines(Family::both, 30, 30);
