@@ -8,6 +8,7 @@ namespace {
 
 constexpr double cells_an_occluder = 1.0;
 constexpr double widest_cells = 1024;
+constexpr std::uint32_t most_entries_an_occluder = 32;  // on average
 
 // Every so many-th edge is looked at to place the grid: a few at the rim are seen as well without.
 double percentile(std::vector<double>& values, double part) {
@@ -22,6 +23,12 @@ ImageGrid::ImageGrid(const View& view) {
   side_ = static_cast<std::uint32_t>(std::clamp(
       std::sqrt(static_cast<double>(view.occluders.size()) * cells_an_occluder), 1.0, widest_cells));
   fit(view);
+  // Occluders that cover much of the image are in many cells each: then there are fewer cells.
+  const std::uint64_t most = std::uint64_t{most_entries_an_occluder} * view.occluders.size() + 4096;
+  while (side_ > 1 && entries_needed(view) > most) {
+    side_ /= 2;
+    fit(view);
+  }
   starts_.assign(std::size_t{side_} * side_ + 1, 0);
   std::vector<Cells> covered;
   covered.reserve(view.occluders.size());
@@ -44,6 +51,15 @@ ImageGrid::ImageGrid(const View& view) {
       }
     }
   }
+}
+
+std::uint64_t ImageGrid::entries_needed(const View& view) const {
+  std::uint64_t entries = 0;
+  for (const Occluder& occluder : view.occluders) {
+    const Cells cells = cells_of(occluder.bounds);
+    entries += std::uint64_t{cells.high[0] - cells.low[0] + 1} * (cells.high[1] - cells.low[1] + 1);
+  }
+  return entries;
 }
 
 // Over the edges drawn, but for the outermost hundredth on each side: one edge beside the eye may be seen a

@@ -29,6 +29,7 @@ class ImageGrid {
 
  private:
   void fit(const View& view);
+  [[nodiscard]] std::uint64_t entries_needed(const View& view) const;  // with the cells as they are
 
   std::uint32_t side_ = 1;  // cells in a row and in a column
   std::array<double, 2> origin_{};
