@@ -45,7 +45,8 @@ bool lossless(const Vertices& vertices, const Quantisation& q) {
 double Quantisation::value_of(std::int64_t n) const {
   // A division by 1000 is rounded once, a multiplication by 0.001 twice.
   const double inverse = std::round(1 / step);
-  return step < 1 && inverse < 1e15 ? static_cast<double>(n) / inverse : static_cast<double>(n) * step;
+  const bool part_of_one = step < 1 && inverse < 1e15 && 1 / inverse == step;
+  return part_of_one ? static_cast<double>(n) / inverse : static_cast<double>(n) * step;
 }
 
 Quantisation quantisation_of(const Vertices& vertices) {

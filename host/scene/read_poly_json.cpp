@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/scene/poly_import.hpp"
+#include "host/scene/poly_quantise.hpp"
 #include "host/scene/poly_shells.hpp"
 
 namespace sightline::scene {
@@ -149,7 +150,8 @@ class Reader {
   void read(const json& document) {
     constexpr std::int64_t largest = poly_coordinate_limit - 1;
     if (const json* text = field(document, "name", "", false)) scene_.name = name(*text, "name");
-    if (const json* step = field(document, "step", "", false)) {
+    const json* step = field(document, "step", "", false);
+    if (step != nullptr) {
       scene_.step = step->is_number() ? step->get<double>() : 0;
       if (!std::isnormal(scene_.step) || scene_.step < 0) expected("a number above 0", *step, "step");
     }
@@ -159,6 +161,7 @@ class Reader {
     if (vertices == nullptr || !is_array(*vertices, "vertices")) return;
     for (std::size_t v = 0; v < vertices->size() && !error_; ++v)
       scene_.vertices.push_back(point((*vertices)[v], indexed("vertices", v), largest));
+    if (step != nullptr && !finite()) expected("a step that leaves every coordinate finite", *step, "step");
     const json* bodies = field(document, "bodies", "", true);
     if (bodies == nullptr || !is_array(*bodies, "bodies")) return;
     for (std::size_t b = 0; b < bodies->size() && !error_; ++b)
@@ -176,6 +179,13 @@ class Reader {
     scene_.camera.forward = camera_point(*camera, "forward", largest_direction);
     scene_.camera.right = camera_point(*camera, "right", largest_direction);
     scene_.camera.up = camera_point(*camera, "up", largest_direction);
+  }
+
+  [[nodiscard]] bool finite() const {
+    return std::all_of(scene_.vertices.begin(), scene_.vertices.end(), [&](const PolyPoint& p) {
+      return std::isfinite(file_coordinate(scene_, p, 0)) && std::isfinite(file_coordinate(scene_, p, 1)) &&
+             std::isfinite(file_coordinate(scene_, p, 2));
+    });
   }
 
   std::string source_;

@@ -168,6 +168,19 @@ TEST(Quantise, DecimalFractionsLoseNothing) {
             "OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n");
 }
 
+// Only of some steps below 1 does a whole number make 1.
+TEST(Quantise, AStepOfAnySizeIsMultiplied) {
+  const std::string end = ",\"vertices\":[[0,0,0],[10,0,0],[0,-3,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}";
+  const auto after_origin = [&](const std::string& step) {
+    const std::string text =
+        written(read("{\"step\":" + step + end, PolyFormat::json).scene, PolyFormat::off);
+    return text.substr(16, text.find("3 0 1 2") - 16);
+  };
+  EXPECT_EQ(after_origin("0.75"), "7.5 0 0\n0 -2.25 0\n");
+  EXPECT_EQ(after_origin("0.7"), "7 0 0\n0 -2.0999999999999996 0\n");
+  EXPECT_EQ(after_origin("0.1"), "1 0 0\n0 -0.3 0\n");
+}
+
 TEST(Quantise, OtherFilesAreRoundedToAPowerOfTwo) {
   const PolyImport import = read("OFF\n3 1 0\n0 0 0\n3.14159265 0 0\n0 1e-9 2\n3 0 1 2\n", PolyFormat::off);
   EXPECT_EQ(import.report.step, std::ldexp(1.0, -14));
@@ -288,6 +301,8 @@ TEST(ReadPoly, DamageIsNamedByLine) {
        "test: bodies[0].sheet: expected true or false, found 1"},
       {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"step\":0}",
        "test: step: expected a number above 0, found 0"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,9]],\"bodies\":[],\"step\":1e308}",
+       "test: step: expected a step that leaves every coordinate finite, found 1e+308"},
       {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"camera\":{\"eye\":[0,0,0]}}",
        "test: camera: expected a field \"forward\", found none"},
       {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"name\":7}",
