@@ -9,9 +9,12 @@
 namespace sightline::harness {
 namespace {
 
-// Heights are compared scaled down, so that no difference overflows; scaling by a power of two changes no
-// comparison and no ratio.
-constexpr double scale = 1.0 / 1024;
+// Heights whose differences might overflow are scaled down, which changes no ratio, being by a power of two.
+// Others are not: it would change small ones, down to nothing.
+double scale_for(double a, double b) {
+  constexpr double large = 1e300;
+  return std::abs(a) > large || std::abs(b) > large ? 1.0 / 1024 : 1.0;
+}
 
 // The crossing of an edge is computed from its lower grid index, so that neighbours meet in the same dot.
 SkalaVertex crossing_of_edge(const scene::HeightGrid& grid, const SkalaProjection& projection, GridIndex a,
@@ -19,8 +22,11 @@ SkalaVertex crossing_of_edge(const scene::HeightGrid& grid, const SkalaProjectio
   if (b.slice < a.slice || (b.slice == a.slice && b.point < a.point)) std::swap(a, b);
   const SkalaVertex& from = projection.at(a.point, a.slice);
   const SkalaVertex& to = projection.at(b.point, b.slice);
-  const double low = scale * grid.height(a.point, a.slice);
-  const double high = scale * grid.height(b.point, b.slice);
+  const double first = grid.height(a.point, a.slice);
+  const double second = grid.height(b.point, b.slice);
+  const double scale = scale_for(first, second);  // and for the level, which is between them
+  const double low = scale * first;
+  const double high = scale * second;
   const double t = (scale * level - low) / (high - low);
   SkalaVertex result;
   result.x = from.x + t * (to.x - from.x);
@@ -94,6 +100,7 @@ class Contours {
 std::vector<double> contour_levels(scene::Interval range, int count) {
   std::vector<double> levels;
   if (!(range.high > range.low)) return levels;
+  const double scale = scale_for(range.low, range.high);
   const double low = scale * range.low;
   const double extent = scale * range.high - low;
   for (int k = 1; k <= count; ++k) levels.push_back((low + k * extent / (count + 1)) / scale);

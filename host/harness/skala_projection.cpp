@@ -35,9 +35,10 @@ class Fit {
     high_ = std::max(high_, value);
   }
   [[nodiscard]] double place(double value, double zoom) const {
-    const double extent = high_ - low_;
-    if (!(extent > smallest_extent)) return 128.0;
-    const double fitted = last * ((value - low_) / extent);
+    // Halves, as of heights below.
+    const double half = 0.5 * high_ - 0.5 * low_;
+    if (!(half > 0.5 * smallest_extent)) return 128.0;
+    const double fitted = last * ((0.5 * value - 0.5 * low_) / half);
     return zoom == 1.0 ? fitted : last / 2 + zoom * (fitted - last / 2);
   }
 
@@ -64,6 +65,7 @@ SineCosine sine_and_cosine(double degrees) {
 
 int raster_coordinate(double value) {
   constexpr double most = 1 << 20;
+  if (std::isnan(value)) return 0;
   return static_cast<int>(std::floor(std::clamp(value, -most, most) + 0.5 + tie));
 }
 

@@ -140,6 +140,14 @@ double slope(double before, double here, double after, double to_before, double 
   return has_before ? (here - before) / to_before : 0.0;
 }
 
+// 1 .. 7 by how far the normal leans towards x; that of no leaning where places coincide or are so close that
+// the slope is beyond the greatest double.
+int shade_of(double across, double along) {
+  const double normal_x = -across / std::hypot(1.0, across, along);
+  if (!std::isfinite(normal_x)) return 4;
+  return 1 + static_cast<int>(std::floor((normal_x + 1) / 2 * 6 + 0.5));
+}
+
 }  // namespace
 
 std::vector<int> skala_shades(const scene::HeightGrid& grid) {
@@ -160,8 +168,7 @@ std::vector<int> skala_shades(const scene::HeightGrid& grid) {
                                   distance(grid.x, point + 1));
       const double along = slope(h(point, slice - 1), here, h(point, slice + 1), distance(grid.z, slice),
                                  distance(grid.z, slice + 1));
-      const double normal_x = -across / std::sqrt(1.0 + across * across + along * along);
-      shades[slice * grid.points() + point] = 1 + static_cast<int>(std::floor((normal_x + 1) / 2 * 6 + 0.5));
+      shades[slice * grid.points() + point] = shade_of(across, along);
     }
   }
   return shades;

@@ -29,6 +29,30 @@ TEST(ContourLevels, DivideTheRange) {
   for (const double level : contour_levels({-1.7e308, 1.7e308}, 255)) EXPECT_TRUE(std::isfinite(level));
 }
 
+// Of heights whose difference scaling would lose, and of those whose difference is beyond the greatest
+// double.
+TEST(ContourCrossing, IsOnItsEdgeHoweverSmallOrLargeTheHeights) {
+  const std::array<GridIndex, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
+  const auto inside = [](const SkalaVertex& v) { return v.x >= 0 && v.x <= 255 && v.y >= 0 && v.y <= 255; };
+  for (const auto& [low, high, level] : {std::array{-5e-324, 0.0, 0.0}, std::array{0.0, 5e-324, 5e-324},
+                                         std::array{-1.7e308, 1.7e308, 0.0}, std::array{-5e-324, 1.0, 0.0}}) {
+    const scene::HeightGrid grid = grid_of({{low, high}, {high, 1}});
+    const SkalaProjection projection(grid, {.elevation = 90});
+    const ContourCrossing crossing = contour_crossing(grid, projection, triangle, level);
+    ASSERT_TRUE(crossing.crossed) << low;
+    EXPECT_TRUE(inside(crossing.piece.from) && inside(crossing.piece.to)) << low << ' ' << high;
+  }
+  EXPECT_EQ(raster_coordinate(std::nan("")), 0);
+}
+
+TEST(SkalaContours, OfHeightsThatHardlyDiffer) {
+  scene::HeightGrid grid =
+      grid_of({{-1, 0, 0, 0, 1}, {0, 0, 0, 0, 0}, {0, 0, -5e-324, 0, 0}, {0, 0, 0, 0, 0}, {1, 0, 0, 0, -1}});
+  SkalaView view = contours;
+  view.levels = 7;
+  decode(skala_contours(grid, view));
+}
+
 // Unrotated from straight above, screen x and y are x and z.
 TEST(ContourCrossing, LiesOnTheEdgesAtTheLevel) {
   const scene::HeightGrid grid = grid_of({{0, 4}, {8, 2}});

@@ -122,6 +122,17 @@ TEST(SkalaShades, OfPlanes) {
   }
 }
 
+// The slope is beyond the greatest double, or nothing divided by nothing.
+TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
+  scene::HeightGrid grid = grid_of({{0, 1, 0}, {0, 1, 0}});
+  for (const std::vector<double>& x : {std::vector<double>{-1, -1, 1}, std::vector<double>{0, 1e-320, 1},
+                                       std::vector<double>{0, 1e-200, 1}}) {
+    grid.x = x;
+    for (const int shade : skala_shades(grid)) EXPECT_TRUE(shade >= 1 && shade <= 7) << shade;
+  }
+  EXPECT_EQ(skala_shades(grid).front(), 1) << "steeply up along x";
+}
+
 TEST(SkalaChain, CutsAtTheBorder) {
   const auto vertex = [](double x, double y) {
     return SkalaVertex{x, y, raster_coordinate(x), raster_coordinate(y), 0, true};
