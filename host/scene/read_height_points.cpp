@@ -108,8 +108,22 @@ class Points {
                   std::string(falling ? "less" : "more") + " than the " + text(along[i - 1]) + " before it");
     }
     const Interval ends = domain(along);
-    if (ends.high / 2 - ends.low / 2 >= std::numeric_limits<double>::min()) return true;
-    return fail(0, field, std::string(name(field)) + " from " + text(ends.low) + " to " + text(ends.high),
+    if (!(ends.high / 2 - ends.low / 2 >= std::numeric_limits<double>::min()))
+      return fail(0, field, std::string(name(field)) + " from " + text(ends.low) + " to " + text(ends.high),
+                  "places that are farther apart");
+    return distinct(along, ends, field, stride);
+  }
+
+  // Places that differ in the file may not do so in [-1, 1].
+  bool distinct(const std::vector<double>& along, Interval ends, std::size_t field, std::size_t stride) {
+    const std::vector<double> ascending = normalised(along, ends);
+    const auto same = std::adjacent_find(ascending.begin(), ascending.end());
+    if (same == ascending.end()) return true;
+    const auto n = static_cast<std::size_t>(same - ascending.begin());
+    const std::size_t later = along.front() > along.back() ? along.size() - 1 - n : n + 1;
+    return fail(later * stride, field,
+                std::string(name(field)) + " = " + text(along[later]) + ", too close to the " +
+                    text(along[later - 1]) + " before it",
                 "places that are farther apart");
   }
 

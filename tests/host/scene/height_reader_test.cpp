@@ -40,6 +40,21 @@ TEST(ReadHeightGrid, SeparatorsAndLineEnds) {
   }
 }
 
+TEST(ReadHeightGrid, NumbersTooNearZeroAreZero) {
+  EXPECT_EQ(grid_of("1e-400,-1e-999\n5e-324,1\n").heights, (std::vector<double>{0, 0, 5e-324, 1}));
+  EXPECT_NE(error_of("1e400,0\n0,1\n"), "no error");
+}
+
+// Different in the file, the same in [-1, 1].
+TEST(ReadHeightGrid, PlacesThatCoincide) {
+  EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
+                .find("grid.txt:2:1: found x = 1e-30, too close to the 0 before it"),
+            std::string::npos);
+  EXPECT_NE(error_of("2 0 1\n1 0 2\n1e-30 0 3\n0 0 3\n\n2 5 4\n1 5 5\n1e-30 5 6\n0 5 3\n")
+                .find("grid.txt:4:1: found x = 0, too close to the 1e-30 before it"),
+            std::string::npos);
+}
+
 TEST(ReadHeightGrid, UndefinedHeights) {
   const HeightGrid grid = grid_of("1 nan\nNaN 4\n");
   EXPECT_TRUE(std::isnan(grid.height(1, 0)));
