@@ -58,6 +58,26 @@ std::optional<HeightError> refused(const std::string& expression, std::string_vi
   return std::nullopt;
 }
 
+// The first ',' outside all parentheses; the end if there is none.
+std::size_t outer_comma(const std::string& text) {
+  int depth = 0;
+  std::size_t at = 0;
+  for (; at < text.size() && (text[at] != ',' || depth != 0); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')') --depth;
+  }
+  return at;
+}
+
+// What the parser says without where: that is said in our own way, and counted from 1.
+std::string without_position(std::string message) {
+  for (const std::string_view where :
+       {" found at position ", " at expression position ", " at position ", " (position: "})
+    message.resize(std::min(message.rfind(where), message.size()));
+  while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+  return message;
+}
+
 class Evaluator {
  public:
   explicit Evaluator(const std::string& expression) {
@@ -68,7 +88,9 @@ class Evaluator {
     parser_.DefineVar("z", &z_);
     parser_.SetExpr(expression);
     static_cast<void>(parser_.Eval());
-    if (parser_.GetNumResults() != 1) throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP);
+    if (parser_.GetNumResults() != 1)
+      throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", expression,
+                            static_cast<int>(outer_comma(expression)));
   }
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
@@ -100,10 +122,8 @@ std::variant<HeightGrid, HeightError> sample_expression(const std::string& expre
                     "a number at some x and z");
   } catch (const mu::ParserError& error) {
     const int place = error.GetPos();
-    std::string message = error.GetMsg();
-    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
     return error_at(expression, source, place < 0 ? expression.size() : static_cast<std::size_t>(place),
-                    "an error: " + message, "an expression of x and z");
+                    "an error: " + without_position(error.GetMsg()), "an expression of x and z");
   }
 }
 

@@ -1,8 +1,8 @@
 // A function of x and z typed by a person: sin(sqrt(x*x+z*z)).
 //
 // The syntax is that of muParser: + - * / ^, comparisons, && ||, a ? b : c, its functions (sin cos tan asin
-// acos atan sinh cosh tanh asinh acosh atanh log2 log10 log ln exp sqrt sign rint abs min max sum avg) and
-// the constants pi and e. Variables are x and z only. An assignment is refused, since it would silently
+// acos atan atan2 sinh cosh tanh asinh acosh atanh log2 log10 log ln exp sqrt sign rint abs min max sum avg)
+// and the constants pi and e. Variables are x and z only. An assignment is refused, since it would silently
 // be taken for the comparison ==.
 #pragma once
 

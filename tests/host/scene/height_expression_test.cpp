@@ -64,6 +64,22 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
   EXPECT_EQ(error_of("(x + z").caret, 6U);
   EXPECT_EQ(error_of("x z").caret, 2U);
   EXPECT_EQ(error_of("x + * z").caret, 4U);
+  EXPECT_EQ(error_of("max(x,z), z").caret, 8U);
+}
+
+// The parser counts from 0 and says so in the middle of its sentences.
+TEST(SampleExpression, OnePlaceIsSaid) {
+  for (const char* wrong : {"x + y", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
+                            "sin()", ")", "max()", "(x,z)", "x ? z"}) {
+    const HeightError error = error_of(wrong);
+    EXPECT_EQ(error.message().find("position"), std::string::npos) << error.message();
+    EXPECT_GT(error.found.size(), std::string("an error: ").size()) << wrong;
+  }
+  EXPECT_EQ(error_of("x,z").caret, 1U);
+}
+
+TEST(SampleExpression, AnAngleOfTwo) {
+  EXPECT_EQ(grid_of("atan2(z, x)").height(4, 2), std::atan2(2.0, 2.0));
 }
 
 TEST(SampleExpression, WhatOtherwiseWouldBeTakenForSomethingElse) {
@@ -98,6 +114,8 @@ TEST(SampleExpression, SizesAtTheDoor) {
 TEST(ReadDomain, TwoNumbers) {
   EXPECT_EQ(std::get<Interval>(read_domain("-3:3")), (Interval{-3, 3}));
   EXPECT_EQ(std::get<Interval>(read_domain("+1e-3:2.5")), (Interval{0.001, 2.5}));
+  EXPECT_EQ(std::get<Interval>(read_domain("-1e-400:1")), (Interval{0, 1}))
+      << "too near 0 to be told from it";
   for (const char* bad :
        {"", ":", "3", "3:", ":3", "3:3", "3:-3", "a:b", "0:nan", "0:inf", "0:1:2", "0 :1", "0:1e999"})
     EXPECT_TRUE(std::holds_alternative<HeightError>(read_domain(bad))) << bad;
