@@ -71,8 +71,8 @@ std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text)
   if (name.empty() || end_of_name(name, 0) != name.size())
     return "found " + quoted(name) + ", expected a name";
   if (equals == std::string_view::npos) return "found no '=', expected NAME=VALUE";
-  const Word* const reserved = Vocabulary().find(folded(name));
-  if (reserved != nullptr) return "found " + quoted(name) + ", expected a name that is not reserved";
+  const bool reserved = Vocabulary().find(folded(name)) != nullptr;
+  if (reserved) return "found " + quoted(name) + ", expected a name that is not reserved";
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));
   const I8080Token number = lexer.next();

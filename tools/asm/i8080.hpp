@@ -1,30 +1,41 @@
 // The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, as far as
 // these agree, for one absolute program.
 //
+// clang-format off
 //   label:  OP args ; comment      the colon may be left out when the label begins in column 1
 //   MVI A,'A' ! RET                `!` separates statements; `*` in column 1 begins a comment line
-//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A    `$` (or `*`, where a value must stand) is the address of the
-//   statement ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR    16 bits, unsigned;
-//   true is 0FFFFH ORG EQU SET DB DW DS DC END, IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF ELSE ENDIF, INCLUDE
-//   MACLIB name MACRO p,q ... LOCAL x ... EXITM ... ENDM, REPT n, IRP p,<a,b>, IRPC p,text; &, <...>, %expr,
-//   ^c, ;;, NUL
+//   $PRINT                         other lines with `$` in column 1, controls of the listing, are skipped;
+//                                  $INCLUDE(file) is an error: the directive is INCLUDE
+//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A
+//   $                              the address of the statement; also `*`, where a value must stand
+//   ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR
+//                                  16 bits, unsigned; true is 0FFFFH
+//   ORG EQU SET DB DW DS DC END
+//   IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF ELSE ENDIF
+//   INCLUDE MACLIB
+//   name MACRO p,q ... LOCAL x ... EXITM ... ENDM
+//   REPT n, IRP p,<a,b>, IRPC p,text
+//   & <...> %expr ^c ;; NUL        in macros and their arguments
 //
 // Decisions where the assemblers differ or trap the unwary:
 // - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
-// an
-//   expression is its opcode: MVI A,(RET). LXI HL and the like are taken for LXI H.
-// - A byte is -128 to 255; a pattern made by NOT may also have FF above it (ANI NOT 80H).
+//   an expression is its opcode: MVI A,(RET). LXI HL and the like are taken for LXI H.
+// - A byte is -128 to 255; a pattern made by NOT may also have FF above it, in parentheses and by way of an
+//   EQU too (ANI NOT 80H).
 // - A lone string of any length is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
-// 4142H.
-//   DC adds 80H to the last character.
+//   4142H. DC adds 80H to the last character.
 // - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
 // - A second byte for one address draws a warning and replaces the first.
 // - END ends the file it stands in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but
-// to use an
-//   external is an error: there is no linker.
-// - `!` in a comment belongs to the comment. A name of a directive is free as a label written with its colon.
+//   to use an external is an error: there is no linker.
+// - `!` in a comment belongs to the comment.
+// - A name of a directive is free as a label written with its colon. One that changes nothing (NAME, TITLE,
+//   PAGE, ENTRY, GLOBAL) is also a label in column 1 before an instruction, DB, DW, DS or DC, as in CP/M's
+//   ASM. An indented TITLE or SUBTTL is the directive whatever its text is.
 // - -D NAME=VALUE wins over the source's own EQU or SET, which so becomes its default.
+// - A line has at most 16384 characters, also after expansion.
 // Left out: Z80 mnemonics, relocation, .PHASE, .RADIX, IF1 and IF2.
+// clang-format on
 #pragma once
 
 #include <cstdint>
@@ -59,7 +70,8 @@ struct I8080Options {
   std::vector<I8080Define> defines;
   IncludeReader include;  // without one every INCLUDE is an error
   bool listing = true;
-  std::size_t most_lines = 2'000'000;  // in one pass, with all expansions: what takes more does not end
+  // In one pass, with all expansions and the rows of DS n,x: what takes more does not end.
+  std::size_t most_lines = 2'000'000;
 };
 
 enum class I8080SymbolKind : std::uint8_t { define, label, equate, set };

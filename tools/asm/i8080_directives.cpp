@@ -55,6 +55,7 @@ void I8080Pass::directive(Directive directive, const Head& head) {
     case Directive::cpu: return processor();
     case Directive::z80:
       return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
+    case Directive::title:
     case Directive::ignored: return;
     default: return conditional(directive, head);
   }
@@ -120,11 +121,15 @@ void I8080Pass::space() {
     const std::size_t fill_at = token_.column;
     const auto fill = expression();
     const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
-    for (std::uint32_t i = 0; i < *size; ++i) emit(byte);
+    count_lines(*size / listing_bytes_a_row);
+    for (std::uint32_t i = 0; i < *size && !said_overflow_ && !stopped_; ++i) emit(byte);
     if (!fill) return;
   } else if (location_ + *size > memory_end) {
-    error(at, std::to_string(*size) + " bytes of space",
-          "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
+    if (!said_overflow_) {
+      error(at, std::to_string(*size) + " bytes of space",
+            "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
+    }
+    said_overflow_ = true;
     location_ = memory_end;
   } else {
     location_ += *size;
@@ -136,6 +141,7 @@ void I8080Pass::origin() {
   const auto address = settled("an address");
   if (!address || !expect_end()) return;
   location_ = *address;
+  said_overflow_ = false;
   shown_value_ = *address;
 }
 

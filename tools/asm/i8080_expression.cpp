@@ -126,13 +126,13 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
   auto value = level(operand_level);
   --nesting_;
   if (!value) return std::nullopt;
-  value->pattern = operation == Operator::not_;
+  if (operation != Operator::add) value->pattern = operation == Operator::not_;
   switch (operation) {
     case Operator::not_: value->bits = ~value->bits & word_mask; break;
     case Operator::subtract: value->bits = (0U - value->bits) & word_mask; break;
     case Operator::high: value->bits >>= 8; break;
     case Operator::low: value->bits &= 0xFFU; break;
-    default: break;  // a plus sign
+    default: break;  // a plus sign or a parenthesis
   }
   if (!value->known) value->bits = 0;
   return value;
@@ -194,7 +194,7 @@ std::optional<I8080Value> I8080Pass::name_value() {
   const I8080Entry* const entry = found == program_.symbols.end() ? nullptr : &found->second;
   if (entry != nullptr && entry->value) {
     const bool forward = entry->kind != I8080SymbolKind::define && entry->defined_in_pass != number_;
-    return I8080Value{*entry->value, true, forward || entry->forward, false};
+    return I8080Value{*entry->value, true, forward || entry->forward, entry->pattern};
   }
   if (!final_) return I8080Value{0, false, true, false};
   if (entry != nullptr && entry->external) {

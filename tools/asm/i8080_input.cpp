@@ -40,7 +40,7 @@ std::optional<I8080Statement> I8080Frame::next_statement() {
   if (cursor_ > line_.size()) return std::nullopt;
   const bool begins_line = cursor_ == 0;
   const bool comment = begins_line && !line_.empty() && (line_[0] == '*' || line_[0] == '$');
-  const std::size_t end = comment ? line_.size() : end_of_statement(line_, cursor_);
+  const std::size_t end = comment ? line_.size() : end_of_statement(line_, cursor_, unclosed_);
   const I8080Statement statement{line_.substr(cursor_, end - cursor_), cursor_, begins_line};
   cursor_ = end + 1;
   return statement;

@@ -36,6 +36,7 @@ class I8080Frame {
   template <class NewLocal>
   bool next_line(NewLocal&& new_local) {
     cursor_ = 0;
+    unclosed_.clear();
     if (!body_) return next_file_line();
     if (next_ == body_->lines.size()) {
       if (iteration_ >= iterations_ || body_->lines.empty()) return false;
@@ -81,6 +82,7 @@ class I8080Frame {
   std::vector<std::string> texts_;  // of this iteration, in the order of names_
   std::string_view line_;
   std::size_t cursor_ = 1;  // behind the end: no line yet
+  std::string unclosed_;    // of this line, see end_of_statement
   Expansion expanded_;
   Position body_place_;
 };

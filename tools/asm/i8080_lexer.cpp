@@ -48,9 +48,9 @@ std::size_t end_of_brackets(std::string_view text, std::size_t at) {
 }
 
 // A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind:
-// the search stays linear whatever the line holds.
-std::size_t find_outside_groups(std::string_view text, std::size_t from, std::string_view stops) {
-  std::string plain;
+// the search stays linear whatever the line holds, also when it goes on behind a stop with the same `plain`.
+std::size_t find_outside_groups(std::string_view text, std::size_t from, std::string_view stops,
+                                std::string& plain) {
   for (std::size_t i = from; i < text.size();) {
     const char c = text[i];
     if (stops.find(c) != std::string_view::npos) return i;
@@ -117,13 +117,14 @@ std::string quoted(std::string_view text) {
   return shown + (text.size() > 24 ? "...'" : "'");
 }
 
-std::size_t end_of_statement(std::string_view line, std::size_t from) {
-  const std::size_t at = find_outside_groups(line, from, "!;");
+std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed) {
+  const std::size_t at = find_outside_groups(line, from, "!;", unclosed);
   return at < line.size() && line[at] == ';' ? line.size() : at;
 }
 
 std::size_t start_of_comment(std::string_view text, std::size_t from) {
-  return find_outside_groups(text, from, ";");
+  std::string unclosed;
+  return find_outside_groups(text, from, ";", unclosed);
 }
 
 I8080Token I8080Lexer::next() {

@@ -27,8 +27,8 @@ namespace sightline::assembler {
 [[nodiscard]] std::string quoted(std::string_view text);
 
 // Where the statement at `from` ends: at a `!` outside strings, angle brackets and comments, or at the end of
-// the line.
-[[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from);
+// the line. `unclosed` holds the quotes and brackets found not closed in this line, empty at its beginning.
+[[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed);
 // Where the comment begins, or the length of the text.
 [[nodiscard]] std::size_t start_of_comment(std::string_view text, std::size_t from);
 

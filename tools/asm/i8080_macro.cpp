@@ -88,7 +88,7 @@ class Replacer {
       : line_(line), names_(names), texts_(texts) {}
 
   Expansion replace() {
-    while (at_ < line_.size()) {
+    while (at_ < line_.size() && expansion_.text.size() <= longest_line) {
       const char c = line_[at_];
       if (quote_ == 0 && c == ';') {
         copy(line_.size());

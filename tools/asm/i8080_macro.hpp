@@ -15,6 +15,9 @@
 
 namespace sightline::assembler {
 
+// Of a file or an expansion, in characters.
+inline constexpr std::size_t longest_line = 16384;
+
 struct BodyLine {
   std::string text;
   Position at;  // of its first character
@@ -57,7 +60,8 @@ struct Expansion {
   [[nodiscard]] std::size_t origin_of(std::size_t offset) const;
 };
 
-// `names` folded, each replaced by the text of the same index.
+// `names` folded, each replaced by the text of the same index. Ends with the replacement that makes the text
+// longer than longest_line.
 [[nodiscard]] Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
                                       const std::vector<std::string>& texts);
 

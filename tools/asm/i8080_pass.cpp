@@ -12,10 +12,8 @@ namespace {
 using image::hexadecimal;
 
 constexpr std::uint32_t memory_end = 0x10000;
-constexpr std::size_t most_diagnostics = 1000;
-constexpr std::size_t longest_expanded_line = 16384;
+constexpr std::size_t most_errors = 1000;       // and as many warnings
 constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
-constexpr std::size_t bytes_a_row = 4;          // of the listing
 constexpr std::size_t most_places_shown = 3;    // of nested expansions
 
 std::string local_name(std::size_t number) {
@@ -48,18 +46,22 @@ bool I8080Pass::next_line() {
   I8080Frame& frame = *frames_.back();
   if (!frame.next_line([this] { return local_name(++locals_); })) return false;
   statement_ = {frame.line(), 0, true};
-  lines_ += 1 + frame.line().size() / characters_a_line;
-  if (frame.is_expansion() && frame.line().size() > longest_expanded_line) {
-    error(0, "a line of " + std::to_string(frame.line().size()) + " characters after expansion",
-          "at most " + std::to_string(longest_expanded_line));
-    stopped_ = true;
-  } else if (lines_ > options_.most_lines) {
-    error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
-          "repeats and macros that end");
+  count_lines(1 + frame.line().size() / characters_a_line);
+  if (frame.line().size() > longest_line) {
+    error(0, std::string("a longer line") + (frame.is_expansion() ? " after expansion" : ""),
+          "at most " + std::to_string(longest_line) + " characters");
     stopped_ = true;
   }
   begin_row();
   return true;
+}
+
+void I8080Pass::count_lines(std::size_t more) {
+  lines_ += more;
+  if (lines_ <= options_.most_lines) return;
+  error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
+        "repeats and macros that end");
+  stopped_ = true;
 }
 
 void I8080Pass::begin_row() {
@@ -92,8 +94,9 @@ void I8080Pass::statement() {
   statement_location_ = location_;
   bytes_.clear();
   shown_value_.reset();
-  shown_equated_ = said_overflow_ = said_overlap_ = false;
+  shown_equated_ = said_overlap_ = false;
   if (definition_) return collect();
+  if (statement_.begins_line && statement_.text.starts_with('$')) return control_line();
   const auto parsed = head();
   if (!parsed) return;
   if (active()) {
@@ -110,6 +113,19 @@ const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
+// Of Intel's controls only INCLUDE bears on the program: to skip it with the others would lose the file.
+void I8080Pass::control_line() {
+  if (!active()) return;
+  const std::string_view text = statement_.text.substr(0, start_of_comment(statement_.text, 0));
+  for (std::size_t at = 1; at < text.size();) {
+    const std::size_t end = end_of_name(text, at);
+    const std::string name = folded(text.substr(at, end - at));
+    if (name == "include" || name == "ic")
+      return error(at, "the control " + quoted(text.substr(at, end - at)), "the directive INCLUDE");
+    at = text[at] == '(' ? std::min(text.find(')', at), text.size()) : std::max(end, at + 1);
+  }
+}
+
 // Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's
 // assemblers.
 std::optional<I8080Pass::Head> I8080Pass::head() {
@@ -119,7 +135,7 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
   const std::size_t line_number = at;
   while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
   if (at < text.size() && !is_blank(text[at])) at = line_number;
-  bool first_column = statement_.begins_line && (at == 0 || at > line_number);
+  const bool first_column = statement_.begins_line && (at == 0 || at > line_number);
   at = skip_blanks(text, at);
   if (at >= text.size() || text[at] == ';') return std::nullopt;
 
@@ -144,21 +160,35 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
     label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
     return result;
   }
-  const Word* const after =
-      word(folded(text.substr(next, end_of_name(text, next) - next)), WordKind::directive);
-  if (end > at && after != nullptr &&
+  const std::string second = folded(text.substr(next, end_of_name(text, next) - next));
+  const Word* const after = word(second, WordKind::directive);
+  const Word* const itself = word(folded(first), WordKind::directive);
+  const bool is_title = itself != nullptr && itself->directive == Directive::title && !first_column;
+  if (end > at && after != nullptr && !is_title &&
       (after->directive == Directive::equ || after->directive == Directive::set ||
        after->directive == Directive::macro)) {
     label(next);
     return result;
   }
   operation(at);
-  const Word* const known = program_.vocabulary.find(result.operation);
-  const bool is_operation =
-      macros_.contains(result.operation) ||
-      (known != nullptr && (known->kind == WordKind::mnemonic || known->kind == WordKind::directive));
-  if (first_column && end > at && !is_operation) label(next);
+  if (first_column && end > at && (!is_operation(result.operation) || is_label_before(itself, second)))
+    label(next);
   return result;
+}
+
+bool I8080Pass::is_operation(const std::string& name) const {
+  return macros_.contains(name) || word(name, WordKind::mnemonic) != nullptr ||
+         word(name, WordKind::directive) != nullptr;
+}
+
+// CP/M's ASM does not know the directives that change nothing here: ENTRY LXI H,0 has a label.
+bool I8080Pass::is_label_before(const Word* first, const std::string& second) const {
+  if (first == nullptr || (first->directive != Directive::ignored && first->directive != Directive::title))
+    return false;
+  if (word(second, WordKind::mnemonic) != nullptr) return true;
+  const Word* const data = word(second, WordKind::directive);
+  return data != nullptr && (data->directive == Directive::db || data->directive == Directive::dw ||
+                             data->directive == Directive::ds || data->directive == Directive::dc);
 }
 
 void I8080Pass::execute(const Head& head) {
@@ -221,6 +251,7 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
   entry.kind = kind;
   entry.value = now;
   entry.forward = value.forward;
+  entry.pattern = value.pattern;
   entry.defined_in_pass = number_;
 }
 
@@ -247,7 +278,7 @@ void I8080Pass::end_statement(I8080Frame& frame) {
   if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
   std::size_t shown = 0;
   do {
-    const std::size_t count = std::min(bytes_.size() - shown, bytes_a_row);
+    const std::size_t count = std::min(bytes_.size() - shown, listing_bytes_a_row);
     const std::uint32_t first =
         bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
     std::string code = shown_equated_ ? "=" : "";
@@ -320,11 +351,15 @@ std::string I8080Pass::where_from() const {
 void I8080Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
   if (!final_ || stopped_) return;
   const auto& name = program_.files[at.file].name;
-  if (program_.diagnostics.size() >= most_diagnostics) {
-    program_.diagnostics.push_back({Severity::error, name, at.line, at.column,
-                                    "more than " + std::to_string(most_diagnostics) + " errors and warnings",
-                                    "fewer; the rest is not read"});
-    stopped_ = true;
+  const bool is_error = severity == Severity::error;
+  std::size_t& count = is_error ? errors_ : warnings_;
+  if (count > most_errors) return;
+  if (++count > most_errors) {
+    program_.diagnostics.push_back(
+        {severity, name, at.line, at.column,
+         "more than " + std::to_string(most_errors) + (is_error ? " errors" : " warnings"),
+         is_error ? "fewer; the rest is not read" : "fewer; the rest is not shown"});
+    stopped_ = is_error;
     return;
   }
   program_.diagnostics.push_back(

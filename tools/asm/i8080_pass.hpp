@@ -22,6 +22,8 @@
 
 namespace sightline::assembler {
 
+inline constexpr std::size_t listing_bytes_a_row = 4;
+
 struct I8080Entry {
   std::string name;  // as first written
   I8080SymbolKind kind = I8080SymbolKind::label;
@@ -29,6 +31,7 @@ struct I8080Entry {
   Position defined;
   int defined_in_pass = 0;  // the last pass that met its definition
   bool forward = false;     // its value rests on one that is defined further down
+  bool pattern = false;     // as of I8080Value
   bool external = false;
 };
 
@@ -94,10 +97,14 @@ class I8080Pass {
   // Statements (i8080_pass.cpp)
   bool next_line();
   void end_of_frame();
+  void count_lines(std::size_t more);
   void begin_row();
   void statement();
+  void control_line();
   [[nodiscard]] std::optional<Head> head();
   [[nodiscard]] const Word* word(const std::string& name, WordKind kind) const;
+  [[nodiscard]] bool is_operation(const std::string& name) const;
+  [[nodiscard]] bool is_label_before(const Word* first, const std::string& second) const;
   void execute(const Head& head);
   void define_label(const Head& head);
   void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value);
@@ -184,8 +191,10 @@ class I8080Pass {
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
   bool shown_equated_ = false;                // ... by EQU or SET
   bool said_phase_ = false;                   // the first is the cause of all others
-  bool said_overflow_ = false;                // in this statement
-  bool said_overlap_ = false;
+  bool said_overflow_ = false;                // since the last ORG
+  bool said_overlap_ = false;                 // in this statement
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
   std::size_t lines_ = 0;
   std::size_t locals_ = 0;
   int nesting_ = 0;  // of an expression

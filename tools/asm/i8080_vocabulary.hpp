@@ -43,6 +43,7 @@ enum class Directive : std::uint8_t {
   external,
   cpu,
   z80,
+  title,    // TITLE and SUBTTL: what follows is text, whatever it looks like; nothing to do either
   ignored,  // listing controls, segments, PUBLIC, NAME: nothing to do in one absolute program
 };
 

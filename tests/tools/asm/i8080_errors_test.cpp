@@ -81,6 +81,8 @@ TEST(I8080Errors, OneMistakeOneMessage) {
       {" INCLUDE gone.asm",
        "1:10: error: found 'gone.asm', which cannot be read, expected a file beside t.asm"},
       {" INCLUDE", "1:9: error: found no name, expected the name of a file"},
+      {"$INCLUDE(a.inc)", "1:2: error: found the control 'INCLUDE', expected the directive INCLUDE"},
+      {"$ NOLIST ic (a.inc)", "1:10: error: found the control 'ic', expected the directive INCLUDE"},
       {" ?", "1:2: error: found '?', expected an instruction, a directive or a macro"},
       {" +", "1:2: error: found '+', expected a label, an instruction, a directive or a comment"},
   };
@@ -127,6 +129,45 @@ TEST(I8080Errors, WarningsLetTheProgramBe) {
   EXPECT_EQ(bytes_of(twice), (Bytes{1, 3}));
   EXPECT_EQ(messages8080("P MACRO X\n DB X\n ENDM\n P 1,2\n"),
             one("4:6: warning: found 2 arguments, expected at most 1 for P"));
+}
+
+TEST(I8080Errors, AnyNumberOfWarningsLetsTheProgramBe) {
+  const std::string warned = " REPT 1500\n ORG 0\n DB 1\n ENDM\n";
+  const auto assembly = assemble8080(warned);
+  EXPECT_TRUE(assembly.ok());
+  EXPECT_EQ(bytes_of(assembly), Bytes{1});
+  ASSERT_EQ(assembly.diagnostics.size(), 1001U);
+  EXPECT_EQ(assembly.diagnostics.back().found, "more than 1000 warnings");
+  const auto with_error = assemble8080(warned + " FOO\n");
+  EXPECT_EQ(with_error.diagnostics.back().found, "'FOO'");
+}
+
+TEST(I8080Errors, AByteBehindTheMemoryIsSaidOnceUntilOrg) {
+  EXPECT_EQ(messages8080(" ORG 0FFFEH\n DS 3\n NOP\n DS 5\n DS 5,1\n ORG 0FFFFH\n NOP\n NOP\n DB 1,2\n"),
+            (Texts{"t.asm:2:5: error: found 3 bytes of space, expected at most 2 up to the end of the 64K",
+                   "t.asm:8:1: error: found a byte past FFFF, expected a program within 64K"}));
+}
+
+TEST(I8080Errors, LongLines) {
+  const std::string most(16384, ';');
+  EXPECT_EQ(messages8080(most), Texts{});
+  EXPECT_EQ(messages8080(most + ";\n NOP\n"),
+            one("1:1: error: found a longer line, expected at most 16384 characters"));
+  const std::string argument(8000, 'X');
+  std::string body = " DB '";
+  for (int i = 0; i < 4000; ++i) body += "&A&";
+  EXPECT_EQ(messages8080("P MACRO A\n" + body + "\n ENDM\n P " + argument + "\n"),
+            one("2:1: error: found a longer line after expansion, expected at most 16384 characters (in P at "
+                "t.asm:4)"));
+}
+
+TEST(I8080Errors, FilledSpaceCountsAsLines) {
+  I8080Options options;
+  options.most_lines = 20000;
+  const auto assembly = assemble8080(" REPT 3\n ORG 0\n DS 40000,1\n ENDM\n", options);
+  EXPECT_NE(messages(assembly).back().find("more than 20000 lines"), std::string::npos);
+  EXPECT_LE(assembly.listing.size(), 20010U);
+  EXPECT_TRUE(assemble8080(" DS 40000,1\n", options).ok());
 }
 
 TEST(I8080Errors, ADefineIsNotALabel) {

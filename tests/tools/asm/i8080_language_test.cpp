@@ -87,6 +87,8 @@ TEST(I8080Language, Data) {
             (Bytes{1, 0, 0, 2, 0xAA, 0xAA, 3, 4, 0, 0, 5}));
   EXPECT_EQ(bytes8080(" ANI NOT 80H\n ORI NOT 0F0H AND 0FFH\n MVI A,-128"),
             (Bytes{0xE6, 0x7F, 0xF6, 0x0F, 0x3E, 0x80}));
+  EXPECT_EQ(bytes8080("MASK EQU NOT 80H\n ANI (NOT 80H)\n ANI MASK\n ANI ((MASK))\n DB HIGH MASK\n"),
+            (Bytes{0xE6, 0x7F, 0xE6, 0x7F, 0xE6, 0x7F, 0xFF}));
 }
 
 TEST(I8080Language, SpaceIsNotGiven) {
@@ -186,6 +188,31 @@ TEST(I8080Language, WhatChangesNothing) {
                       "CPU 8080\n .XLIST\n"
                       " EXTRN ELSEWHERE\nX: NOP"),
             Bytes{0});
+}
+
+// They are no reserved words in CP/M's ASM.
+TEST(I8080Language, DirectivesThatChangeNothingAreLabelsInColumn1) {
+  const auto assembly = assemble8080(
+      "ENTRY LXI H,1234H\nNAME DB 'FOO'\nPAGE DS 1\nTITLE DB 1\nglobal dw 2\n JMP NAME\n LDA TITLE");
+  EXPECT_EQ(messages(assembly), Texts{});
+  EXPECT_EQ(bytes_of(assembly), (Bytes{0x21, 0x34, 0x12, 'F', 'O', 'O', 0, 1, 2, 0, 0xC3, 3, 0, 0x3A, 7, 0}));
+  EXPECT_EQ(assembly.value_of("page"), 6);
+  EXPECT_EQ(bytes8080("PAGE\nTITLE 'x'\nNAME ('x')\nENTRY X\nX NOP"), Bytes{0});
+}
+
+TEST(I8080Language, AnIndentedTitleIsText) {
+  for (const char* text :
+       {" TITLE SET UP THE DISK", " SUBTTL MACRO LIBRARY", " TITLE EQU ATIONS", " TITLE DB 1"}) {
+    const auto assembly = assemble8080(std::string(text) + "\n NOP");
+    EXPECT_EQ(messages(assembly), Texts{}) << text;
+    EXPECT_EQ(bytes_of(assembly), Bytes{0}) << text;
+    EXPECT_TRUE(assembly.symbols.empty()) << text;
+  }
+}
+
+TEST(I8080Language, ControlLinesOfTheListingAreSkipped) {
+  EXPECT_EQ(bytes8080("$PRINT XREF TITLE('include')\n$ NOLIST ; include\n$-MACRO\n NOP"), Bytes{0});
+  EXPECT_EQ(bytes8080(" IF 0\n$INCLUDE(x)\n ENDIF\n NOP"), Bytes{0});
 }
 
 TEST(I8080Language, Listing) {
