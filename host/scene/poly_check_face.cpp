@@ -12,6 +12,11 @@ namespace {
 using geometry::Point2;
 using Ring = std::vector<VertexIndex>;
 
+// Where very many edges are side by side the work grows with their square: four million pairs that may meet,
+// or sixteen times as many of which only the bounds are compared, are enough.
+constexpr std::size_t effort_of_a_pair = 16;
+constexpr std::size_t most_effort = std::size_t{1} << 26;
+
 // The first triple of a ring's vertices that is not on a line.
 struct Support {
   std::array<VertexIndex, 3> vertices{};
@@ -52,8 +57,8 @@ class FaceCheck {
   struct Segment {
     std::size_t ring;
     std::size_t from;  // to the next one of the ring
-    std::int32_t low;
-    std::int32_t high;
+    Point2 low;  // its bounds
+    Point2 high;
   };
 
   void add(std::string cause) {
@@ -139,17 +144,27 @@ class FaceCheck {
     std::vector<Segment> segments;
     for (std::size_t r = 0; r < flat_.size(); ++r) {
       for (std::size_t i = 0; i < flat_[r].size(); ++i) {
-        const std::int32_t from = flat_[r][i][0];
-        const std::int32_t to = flat_[r][(i + 1) % flat_[r].size()][0];
-        segments.push_back({r, i, std::min(from, to), std::max(from, to)});
+        const Point2& from = flat_[r][i];
+        const Point2& to = flat_[r][(i + 1) % flat_[r].size()];
+        segments.push_back({r,
+                            i,
+                            {std::min(from[0], to[0]), std::min(from[1], to[1])},
+                            {std::max(from[0], to[0]), std::max(from[1], to[1])}});
       }
     }
     std::stable_sort(segments.begin(), segments.end(),
-                     [](const Segment& s, const Segment& t) { return s.low < t.low; });
+                     [](const Segment& s, const Segment& t) { return s.low[0] < t.low[0]; });
+    std::size_t effort = 0;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      for (std::size_t j = i + 1; j < segments.size() && segments[j].low <= segments[i].high; ++j) {
+      const Segment& s = segments[i];
+      for (std::size_t j = i + 1; j < segments.size() && segments[j].low[0] <= s.high[0]; ++j) {
+        const Segment& t = segments[j];
+        const bool apart = s.high[1] < t.low[1] || t.high[1] < s.low[1];
+        effort += apart ? 1 : effort_of_a_pair;
+        if (effort > most_effort) return add("has too many edges side by side to be checked");
+        if (apart) continue;
         if (problems_.full()) return;
-        check_pair(segments[i], segments[j]);
+        check_pair(s, t);
       }
     }
   }

@@ -220,6 +220,25 @@ TEST(CheckPolyScene, ACavityFacesInwards) {
   EXPECT_NE(found_in(scene).find("face 6: is part of a surface turned inside out"), std::string::npos);
 }
 
+// A comb of so many teeth that each edge is beside every other one.
+TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
+  const auto comb = [](std::int32_t teeth) {
+    PolyScene scene;
+    PolyFace face;
+    for (std::int32_t i = 0; i < teeth; ++i) {
+      scene.vertices.push_back({0, 4 * i, 0});
+      scene.vertices.push_back({100000, 4 * i + 2, 0});
+    }
+    scene.vertices.push_back({-1, 4 * teeth, 0});
+    scene.vertices.push_back({-1, 0, 0});
+    for (VertexIndex v = 0; v < scene.vertices.size(); ++v) face.outline.push_back(v);
+    scene.bodies = {{"", true, {face}}};
+    return scene;
+  };
+  EXPECT_EQ(found_in(comb(2000)), "");
+  EXPECT_EQ(found_in(comb(20000)), "body 0, face 0: has too many edges side by side to be checked\n");
+}
+
 TEST(CheckPolyScene, LooksForNoMoreThanAHundredErrors) {
   PolyScene scene = generate_boxes(50);
   for (PolyPoint& p : scene.vertices) p[0] += 1 << 20;
