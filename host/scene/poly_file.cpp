@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
+#include <set>
 
 #include "host/scene/poly_quantise.hpp"
 #include "host/scene/poly_triangulate.hpp"
@@ -65,19 +65,29 @@ std::variant<std::string, SceneError> write_off(const PolyScene& scene) {
   return text + faces;
 }
 
+// What reads as the same name: a # would begin a comment, a \ at the end go on with the next line, and words
+// are one blank apart. It must not be empty nor another body's, or the two become one.
+std::string obj_name(std::string_view name, std::size_t body, std::set<std::string>& taken) {
+  std::string text;
+  for (const char c : name) {
+    if (c != ' ') text += c == '#' || c == '\\' ? '_' : c;
+    if (c == ' ' && !text.empty() && text.back() != ' ') text += ' ';
+  }
+  if (!text.empty() && text.back() == ' ') text.pop_back();
+  if (text.empty() || taken.contains(text)) text = "body " + std::to_string(body);
+  while (!taken.insert(text).second) text += '_';
+  return text;
+}
+
 std::variant<std::string, SceneError> write_obj(const PolyScene& scene) {
   std::string text;
   for (const PolyPoint& p : scene.vertices) {
     text += "v ";
     append_point(text, scene, p);
   }
-  // A name must be there and not be another body's, or the two become one.
-  std::map<std::string_view, std::size_t> uses;
-  for (const PolyBody& body : scene.bodies) ++uses[body.name];
+  std::set<std::string> names;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const std::string& name = scene.bodies[b].name;
-    const bool only = !name.empty() && uses[name] == 1;
-    text += "o " + (only ? name : "body " + std::to_string(b)) + '\n';
+    text += "o " + obj_name(scene.bodies[b].name, b, names) + '\n';
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
       const auto rings = rings_of(scene, scene.bodies[b].faces[f]);
       if (rings.empty()) return cannot_split(b, f);

@@ -22,8 +22,9 @@ enum class PolyFormat { off, obj, json };
 
 // The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
-// which draw the same; an error names a face for which that cannot be done. Neither keeps the camera, OFF no
-// names.
+// which hide the same; the diagonals are seams. An error names a face for which that cannot be done. Neither
+// keeps the camera. OFF has no names, nor which faces make a body: read again, parts that hang together are
+// the bodies. In OBJ names that could not be told apart or read again are changed.
 [[nodiscard]] std::variant<std::string, SceneError> write_poly(const PolyScene& scene, PolyFormat format);
 
 }  // namespace sightline::scene

@@ -164,7 +164,7 @@ class Import {
     return true;
   }
 
-  // Parts that hang together by edges become bodies of their own.
+  // Parts that hang together by edges become bodies of their own, cavities those of the body around them.
   void separate() {
     std::vector<PolyBody> parts;
     for (PolyBody& body : scene().bodies) {
@@ -176,6 +176,7 @@ class Import {
       }
     }
     scene().bodies = std::move(parts);
+    join_cavities(scene().vertices, scene().bodies);
   }
 
   void close(PolyBody& body) {

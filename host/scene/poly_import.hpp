@@ -30,7 +30,7 @@ struct PolyMesh {
   std::string name;
   std::vector<std::array<double, 3>> vertices;  // finite
   std::vector<PolyBody> bodies;                 // sheet is not used; every index is below vertices.size()
-  bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies
+  bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies (join_cavities)
 };
 
 struct PolyImportOptions {

@@ -129,7 +129,8 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::ve
                                                                    const PolyFace& face) {
   std::size_t count = face.outline.size();
   for (const auto& hole : face.holes) count += hole.size();
-  if (count > most_split_vertices || face.outline.size() < 3) return std::nullopt;
+  const std::size_t most = face.holes.empty() ? most_split_vertices : most_split_vertices_with_holes;
+  if (count > most || face.outline.size() < 3) return std::nullopt;
   const auto normal = ring_normal(vertices, face.outline);
   const std::size_t axis = geometry::dominant_axis(normal);
   if (normal[axis] == 0) return std::nullopt;

@@ -10,8 +10,10 @@
 
 namespace sightline::scene {
 
-// Faces with more vertices than this are not split: the work grows with the square.
+// Faces with more vertices than this are not split: to cut off an ear is to look at every vertex for every
+// ear tried, so that the work may grow with the cube. With holes it is every edge for every bridge tried too.
 inline constexpr std::size_t most_split_vertices = 4096;
+inline constexpr std::size_t most_split_vertices_with_holes = 1024;
 
 // Twice the area vector of a ring (each component below 2^39 if the ring is simple); also of one that is not
 // planar.

@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string>
 
 #include "host/scene/generate_scene.hpp"
+#include "host/scene/poly_builder.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/read_poly_json.hpp"
 
@@ -153,6 +156,59 @@ TEST(WritePoly, FacesWithHolesBecomeTriangles) {
     return sum;
   };
   EXPECT_DOUBLE_EQ(area(off), area(scene));
+}
+
+TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
+  PolyScene scene;
+  PolyFace face;
+  const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {
+    ring.push_back(static_cast<VertexIndex>(scene.vertices.size()));
+    scene.vertices.push_back({x, y, 0});
+  };
+  for (std::int32_t i = 0; i <= 600; ++i) add(face.outline, i, i * i);
+  for (std::int32_t i = 600; i-- > 0;) add(face.outline, i, 600 * i + (600 - i) * i);
+  face.holes.emplace_back();
+  for (const auto& [x, y] : {std::array{300, 100000}, std::array{300, 100001}, std::array{301, 100001}})
+    add(face.holes[0], x, y);
+  scene.bodies = {{"", true, {face}}};
+  const auto result = write_poly(scene, PolyFormat::off);
+  const auto* error = std::get_if<SceneError>(&result);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->place, "body 0, face 0");
+}
+
+// Names that are the same, look like a comment or a line that goes on, or are those of unnamed bodies.
+TEST(WritePoly, ObjKeepsBodiesApart) {
+  PolyScene scene = generate_boxes(6);
+  const char* names[] = {"", "a  b", " a b ", "#1", "ends in \\", "body 0"};
+  for (std::size_t b = 0; b < 6; ++b) scene.bodies[b].name = names[b];
+  const PolyScene again = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
+  ASSERT_EQ(again.bodies.size(), 6U);
+  const char* written_names[] = {"body 0", "a b", "body 2", "_1", "ends in _", "body 5"};
+  for (std::size_t b = 0; b < 6; ++b) {
+    EXPECT_EQ(again.bodies[b].name, written_names[b]);
+    EXPECT_EQ(again.bodies[b].faces, scene.bodies[b].faces);
+  }
+}
+
+// A hollow cube: OFF does not say that its two surfaces are one body.
+TEST(WritePoly, ACavitySurvivesOff) {
+  PolyBuilder builder;
+  builder.add_box("outer", {0, 0, 0}, {10, 10, 10});
+  builder.add_box("inner", {2, 2, 2}, {8, 8, 8});
+  PolyScene scene = builder.take();
+  for (PolyFace face : scene.bodies[1].faces) {
+    std::reverse(face.outline.begin(), face.outline.end());
+    scene.bodies[0].faces.push_back(face);
+  }
+  scene.bodies.pop_back();
+  for (const bool mend : {false, true}) {
+    const PolyImport again = read(written(scene, PolyFormat::off), PolyFormat::off, mend);
+    EXPECT_EQ(problems(again.scene), "");
+    ASSERT_EQ(again.scene.bodies.size(), 1U);
+    EXPECT_EQ(again.scene.bodies[0].faces, scene.bodies[0].faces);
+    EXPECT_EQ(again.report.turned_bodies, 0U);
+  }
 }
 
 TEST(Quantise, DecimalFractionsLoseNothing) {
