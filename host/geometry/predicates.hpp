@@ -143,7 +143,7 @@ struct Plane {
   return on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
 }
 
-// Twice the area of a ring, positive if it goes counterclockwise. At most 2^24 points.
+// Twice the area of a ring, positive if it goes counterclockwise. At most 2^23 points.
 [[nodiscard]] constexpr std::int64_t doubled_area(std::span<const Point2> ring) {
   std::int64_t area = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) area += turn(ring[0], ring[i - 1], ring[i]);
