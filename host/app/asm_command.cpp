@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/app/asm_files.hpp"
 #include "host/app/asm_i8080_command.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/image/octal.hpp"
@@ -88,14 +89,8 @@ std::string summary(const assembler::Assembly& assembly, const AsmArguments& arg
   return text;
 }
 
-void refuse_two_on_stdout(const AsmArguments& arguments) {
-  const int on_stdout = (arguments.output == "-" ? 1 : 0) + (arguments.listing == "-" ? 1 : 0) +
-                        (arguments.symbols == "-" ? 1 : 0);
-  if (on_stdout > 1) throw Failure(ExitCode::usage, "only one of -o, --listing and --symbols can be `-`");
-}
-
 void assemble(const AsmArguments& arguments) {
-  refuse_two_on_stdout(arguments);
+  refuse_clashing_files(arguments.sources, arguments.output, arguments.listing, arguments.symbols);
   const assembler::Options options = options_from(arguments);
   std::vector<assembler::SourceFile> sources;
   for (const std::string& path : arguments.sources)

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/app/asm_files.hpp"
 #include "host/app/byte_image_argument.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/image/binary.hpp"
@@ -54,8 +55,10 @@ assembler::I8080Options options_from(const AsmI8080Arguments& arguments) {
     options.defines.push_back(std::get<assembler::I8080Define>(std::move(define)));
   }
   options.listing = !arguments.listing.empty();
-  // The assembler tries several names and says itself that none of them could be read.
+  // The assembler tries several names and says itself that none of them could be read. A source says nothing
+  // about standard input: `-` is a name like any other, and no such file is there.
   options.include = [](const std::string& path) -> std::optional<std::string> {
+    if (path == "-") return std::nullopt;
     try {
       return read_input_text(path);
     } catch (const Failure&) {
@@ -89,14 +92,8 @@ std::string summary(const assembler::I8080Assembly& assembly, const AsmI8080Argu
   return arguments.output.empty() ? text + "; checked only, -o FILE writes it" : text;
 }
 
-void refuse_two_on_stdout(const AsmI8080Arguments& arguments) {
-  const int on_stdout = (arguments.output == "-" ? 1 : 0) + (arguments.listing == "-" ? 1 : 0) +
-                        (arguments.symbols == "-" ? 1 : 0);
-  if (on_stdout > 1) throw Failure(ExitCode::usage, "only one of -o, --listing and --symbols can be `-`");
-}
-
 void assemble(const AsmI8080Arguments& arguments) {
-  refuse_two_on_stdout(arguments);
+  refuse_clashing_files(arguments.sources, arguments.output, arguments.listing, arguments.symbols);
   const assembler::I8080Options options = options_from(arguments);
   std::vector<assembler::SourceFile> sources;
   for (const std::string& path : arguments.sources)

@@ -135,6 +135,8 @@ TEST_F(AsmCommand, WrongUsage) {
                                                {"asm", "pdp7", "a.s", "-D", "EAE"},
                                                {"asm", "pdp7", "a.s", "-D", "EAE=8"},
                                                {"asm", "pdp7", "a.s", "-o", "-", "--listing", "-"},
+                                               {"asm", "pdp7", "a.s", "-o", "x", "--symbols", "./x"},
+                                               {"asm", "pdp7", "a.s", "--listing", "./a.s"},
                                                {"asm", "pdp7", "a.s", "--nonsense"}}) {
     const auto ran = sightline(wrong);
     EXPECT_EQ(ran.exit_code, 2) << ran.err;

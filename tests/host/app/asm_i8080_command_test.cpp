@@ -50,6 +50,33 @@ TEST_F(AsmI8080Command, AllErrorsAndNothingWritten) {
   EXPECT_EQ(read("bad.com"), "as it was");
 }
 
+TEST_F(AsmI8080Command, EveryOutputIsAFileOfItsOwn) {
+  write("a.asm", source);
+  write("b.asm", "\tNOP\n");
+  for (const Arguments& outputs : std::vector<Arguments>{{"-o", "x", "--listing", "x"},
+                                                         {"--listing", "./x", "--symbols", "x"},
+                                                         {"-o", "b.asm"},
+                                                         {"--symbols", "./a.asm"}}) {
+    Arguments arguments{"asm", "i8080", "a.asm", "b.asm"};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const auto ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    EXPECT_TRUE(has(ran.err, outputs[outputs.size() - 2] + ": found " + outputs.back())) << ran.err;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.asm", "b.asm"}));
+  EXPECT_EQ(read("a.asm"), source);
+  const auto nowhere =
+      sightline({"asm", "i8080", "a.asm", "b.asm", "-o", "/dev/null", "--listing", "/dev/null"});
+  EXPECT_EQ(nowhere.exit_code, 0) << nowhere.err;
+}
+
+TEST_F(AsmI8080Command, ASourceCannotReadStandardInput) {
+  write("a.asm", " INCLUDE -\n NOP\n");
+  const auto ran = sightline({"asm", "i8080", "a.asm"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_TRUE(has(ran.err, "a.asm:1:10: error: found '-', which cannot be read")) << ran.err;
+}
+
 TEST_F(AsmI8080Command, AComHasNothingBelow0100) {
   write("low.asm", " NOP\n");
   const auto ran = sightline({"asm", "i8080", "low.asm", "-o", "low.com"});
