@@ -70,6 +70,7 @@ class Run {
     std::copy(program.memory.begin(), program.memory.end(), machine_.memory().begin());
     machine_.deposit(program.labels.link_switch, options.link == SkalaLink::serial ? 1 : 0);
     machine_.registers().pc = program.labels.start;
+    ports_->keep_strokes(options.keep_strokes);
     limits_.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit
                                                                : limit_for(stream.size(), options));
   }

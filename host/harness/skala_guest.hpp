@@ -31,6 +31,7 @@ struct SkalaGuestOptions {
   SkalaLink link = SkalaLink::parallel;
   core::ClockRate clock{};
   std::int64_t t_state_limit = 0;  // 0: more than any picture of so many bytes can take
+  bool keep_strokes = false;       // the marks of a plotter's pen, of which there may be millions
 };
 
 // An access no device answered.
@@ -51,7 +52,7 @@ struct SkalaGuestPicture {
   SkalaStatus status = SkalaStatus::running;
   core::Raster raster{};                // of the board; empty on a plotter
   std::vector<SkalaPlotterMove> moves;  // what the plotter did, in order
-  std::vector<core::Stroke> strokes;    // the marks of its pen, with their times
+  std::vector<core::Stroke> strokes;    // the marks of its pen, with their times; only if asked for
   SkalaColumns columns;                 // the program's masks; fold state is left out
   core::TStates total{};                // from reset to halt
   core::TStates drawing{};

@@ -93,13 +93,18 @@ class SkalaRasterPorts : private core::NoStrokes, public SkalaLinkPorts<core::No
  public:
   explicit SkalaRasterPorts(const machines::SkalaConfiguration& configuration)
       : SkalaLinkPorts(configuration, static_cast<core::NoStrokes&>(*this)) {}
+
+  static void keep_strokes(bool) {}  // a board makes none
 };
 
 struct SkalaStrokes {
   static constexpr bool consumes = true;
   void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) { marks.push_back(stroke); }
+  void stroke(const core::Stroke& stroke) {
+    if (keep) marks.push_back(stroke);
+  }
   void end_pass(core::Instant) {}
+  bool keep = false;
   std::vector<core::Stroke> marks;
 };
 
@@ -107,6 +112,8 @@ class SkalaPlotterPorts : private SkalaStrokes, public SkalaLinkPorts<SkalaStrok
  public:
   explicit SkalaPlotterPorts(const machines::SkalaConfiguration& configuration)
       : SkalaLinkPorts(configuration, static_cast<SkalaStrokes&>(*this)) {}
+
+  void keep_strokes(bool kept) { keep = kept; }
 
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
     SkalaLinkPorts::out(port, value, at);

@@ -166,7 +166,9 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
       SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
                                       << skala_picture_names[static_cast<std::size_t>(what)]);
       const auto bytes = stream_of("sinc", {13, 11}, view_of(what, device));
-      const auto guest = run_skala_guest(skala_program(), bytes, on(device));
+      SkalaGuestOptions options = on(device);
+      options.keep_strokes = true;
+      const auto guest = run_skala_guest(skala_program(), bytes, options);
       const auto twin = twin_with_only(bytes, device);
       EXPECT_TRUE(same_as_twin(guest, twin, device));
       const SkalaPlotterWork work = plotter_work(guest.moves);
@@ -189,6 +191,7 @@ TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
   const auto guest =
       run(picture(SkalaDevice::calcomp).move(2, 1).draw(5, 1).draw(5, 3).move(0, 0).draw(2, 2).end(),
           on(SkalaDevice::calcomp));
+  EXPECT_TRUE(guest.strokes.empty()) << "kept without being asked for";
   const std::vector<picture::PenPath> expected{{{{2, 1}, {5, 1}, {5, 3}}}, {{{0, 0}, {1, 1}}}};
   const auto paths = pen_paths(guest.moves);
   ASSERT_EQ(paths.size(), 2U);
