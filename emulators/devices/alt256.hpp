@@ -89,8 +89,9 @@ class Alt256 {
 
   // Beginning of the first blanking after `at`.
   [[nodiscard]] core::Duration next_blanking(core::TStateInstant at) const {
-    const core::Duration since =
-        rate_.to_nanoseconds(at).time_since_epoch() + alt256::line - alt256::blanking_begins;
+    const core::Instant now = rate_.to_nanoseconds(at);
+    if (now == core::never) return now.time_since_epoch();  // beyond what nanoseconds can count
+    const core::Duration since = now.time_since_epoch() + alt256::line - alt256::blanking_begins;
     return since / alt256::line * alt256::line + alt256::blanking_begins;
   }
 

@@ -121,8 +121,8 @@ class CalComp565 {
   void step(std::uint8_t direction, core::TStateInstant at) {
     work(step_time_, at);
     ++counts_.steps;
-    place_.x += along_x[direction];
-    const std::int32_t wanted = place_.y + along_y[direction];
+    place_.x = stepped(place_.x, along_x[direction]);
+    const std::int32_t wanted = stepped(place_.y, along_y[direction]);
     place_.y = std::clamp(wanted, std::int32_t{0}, calcomp565::carriage_steps);
     if (wanted != place_.y) {
       ++counts_.off_carriage;

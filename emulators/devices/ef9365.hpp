@@ -160,8 +160,9 @@ class Ef9365 {
 
   // The first beginning of vertical blanking after `at`.
   [[nodiscard]] core::TStateInstant blanking_after(core::TStateInstant at) const {
-    const core::Duration since =
-        rate_.to_nanoseconds(at).time_since_epoch() + ef9365::field - ef9365::displayed;
+    const core::Instant now = rate_.to_nanoseconds(at);
+    if (now == core::never) return core::never_t;  // beyond what nanoseconds can count
+    const core::Duration since = now.time_since_epoch() + ef9365::field - ef9365::displayed;
     const core::Duration begins = since / ef9365::field * ef9365::field + ef9365::displayed;
     return core::TStateInstant(rate_.t_states_in(begins));
   }

@@ -16,9 +16,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "emulators/core/tstates.hpp"
+#include "emulators/devices/kept_bytes.hpp"
 
 namespace sightline::devices {
 
@@ -154,7 +154,7 @@ class I8251 {
   [[nodiscard]] bool receive_ready() const { return ready_; }                     // the RxRDY pin
   [[nodiscard]] bool transmit_ready() const { return !holding_ && transmits(); }  // the TxRDY pin
   // Characters whose last stop bit has left, in order.
-  [[nodiscard]] const std::vector<std::uint8_t>& sent() const { return sent_; }
+  [[nodiscard]] const KeptBytes& sent() const { return sent_; }
   [[nodiscard]] const I8251Counts& counts() const { return counts_; }
 
  private:
@@ -239,7 +239,7 @@ class I8251 {
   std::uint8_t shifter_ = 0;
   unsigned errors_ = 0;
   core::TStateInstant shift_ends_{};
-  std::vector<std::uint8_t> sent_;
+  KeptBytes sent_;
   I8251Counts counts_;
 };
 

@@ -100,8 +100,7 @@ class Minigraf0507 {
   }
 
   void move(std::int32_t dx, std::int32_t dy, bool lowered_before, core::TStateInstant at) {
-    place_.x += dx;
-    place_.y += dy;
+    place_ = {stepped(place_.x, dx), stepped(place_.y, dy)};
     ++counts_.steps;
     if (place_.x < 0 || place_.x > minigraf0507::width || place_.y < 0 || place_.y > minigraf0507::height)
       ++counts_.off_field;

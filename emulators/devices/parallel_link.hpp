@@ -14,10 +14,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "emulators/core/tstates.hpp"
 #include "emulators/devices/i8255.hpp"
+#include "emulators/devices/kept_bytes.hpp"
 
 namespace sightline::devices {
 
@@ -63,7 +63,7 @@ class ParallelLink {
   // Bytes the host has strobed in so far.
   [[nodiscard]] std::size_t sent() const { return sent_; }
   // Bytes the host has taken from port A or B, in order.
-  [[nodiscard]] const std::vector<std::uint8_t>& received(I8255::Port port) const {
+  [[nodiscard]] const KeptBytes& received(I8255::Port port) const {
     return takers_[port == I8255::Port::a ? 0 : 1].bytes;
   }
 
@@ -76,7 +76,7 @@ class ParallelLink {
   struct Taker {
     I8255::Port port;
     Pulse pulse;
-    std::vector<std::uint8_t> bytes;
+    KeptBytes bytes;
   };
 
   void strobe() {

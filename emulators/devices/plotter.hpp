@@ -3,7 +3,9 @@
 // A Stroke holds coordinates of 0 to 65535; a place outside cannot be drawn, and the plotter counts it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
@@ -15,6 +17,13 @@ struct PlotterPlace {
   std::int32_t y = 0;
   friend constexpr bool operator==(const PlotterPlace&, const PlotterPlace&) = default;
 };
+
+// One step along an axis without an end; the count stays where its numbers end.
+[[nodiscard]] constexpr std::int32_t stepped(std::int32_t from, std::int32_t by) {
+  using Range = std::numeric_limits<std::int32_t>;
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(std::int64_t{from} + by, Range::min(), Range::max()));
+}
 
 // Hands the mark at `place` to the sink. False when no Stroke can hold it.
 template <class Sink>

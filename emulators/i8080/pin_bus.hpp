@@ -121,6 +121,9 @@ class PinBus {
     return true;
   }
 
+  // RESET: of a halt nothing is left.
+  void reset() { halted_ = waking_ = woken_ = false; }
+
   void interrupt_enable(bool on) { next_interrupts_on_ = on; }
   void attention() {}
   void end_acknowledge() { acknowledged_ = false; }
@@ -206,7 +209,10 @@ class PinMachine {
   PinMachine& operator=(const PinMachine&) = delete;
 
   [[nodiscard]] State registers() const { return cpu_.state(); }
-  void reset() { cpu_.reset(); }
+  void reset() {
+    cpu_.reset();
+    cpu_.bus().reset();
+  }
 
   // One instruction from memory or from the interrupting device; in a halt, one TW.
   void step() {

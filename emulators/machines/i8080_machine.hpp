@@ -51,6 +51,7 @@ class I8080Machine {
     i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);
     cpu.reset();
     static_cast<i8080::Registers&>(state_) = cpu.registers();
+    after_halt_ = false;
   }
 
   // Runs from the state as it is until something stops it; what is due at the boundary where it stops is left to the

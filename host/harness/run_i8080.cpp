@@ -63,12 +63,14 @@ class Run {
       if (stop == I8080Stop::unanswered) {
         if (const auto call = ports_.take_call()) {
           if (answer(*call)) return;
+          // Each call begins a new slice: a program that prints all the time would never come to a slice's end.
+          if (!goes_on()) return end(I8080Stop::interrupted);
           continue;
         }
       }
       const bool slice_done = stop == I8080Stop::state_limit && machine_.now() < job_.limits.until;
       if (!slice_done) return end(stop);
-      if (!job_.keep_running({machine_.instructions(), machine_.now()})) return end(I8080Stop::interrupted);
+      if (!goes_on()) return end(I8080Stop::interrupted);
     }
   }
 
@@ -100,6 +102,10 @@ class Run {
     limits.instructions -= machine_.instructions();
     if (job_.keep_running) limits.until = std::min(limits.until, machine_.now() + slice);
     return stop_of(machine_.run(limits));
+  }
+
+  [[nodiscard]] bool goes_on() const {
+    return !job_.keep_running || job_.keep_running({machine_.instructions(), machine_.now()});
   }
 
   void end(I8080Stop stop) { report_.stop = stop; }

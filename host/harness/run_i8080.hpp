@@ -32,7 +32,8 @@
 
 namespace sightline::harness {
 
-// Takes text as it comes: the console's single characters, all else in blocks of whole lines.
+// Takes text as it comes: of the console what one call of BDOS prints, a character or a string; all else in
+// blocks of whole lines.
 using I8080TextTaker = std::function<void(std::string_view)>;
 
 struct I8080Progress {
@@ -65,7 +66,8 @@ struct I8080Job {
   I8080TextTaker bus;      // one line a machine cycle, see i8080_bus_line_help
   I8080TextTaker strokes;  // of the plotter, as host/picture/stroke_log writes them
   bool drawing = false;    // keep the lines the plotter draws
-  // Asked every some million T-states; false ends the run there. Empty: never asked.
+  // Asked every some million T-states and after every call of BDOS; false ends the run there. Empty: never
+  // asked.
   std::function<bool(const I8080Progress&)> keep_running;
 };
 
@@ -89,6 +91,9 @@ struct I8080UnansweredPort {
   std::uint64_t reads;
   std::uint64_t writes;
 };
+
+// The count of bytes beyond what is kept of a link.
+inline constexpr std::string_view not_kept = "not_kept";
 
 // What a device counted, under names for reports, in the order of skala_ports.hpp.
 struct DeviceReport {

@@ -68,6 +68,7 @@ DeviceReport report_of(const devices::SerialLink& link) {
            {"framing_errors", c.framing_errors},
            {"transmitted", c.transmitted},
            {"transmit_overwritten", c.transmit_overwritten},
+           {not_kept, link.chip().sent().left_out()},
            {"unanswered", c.unanswered}}};
 }
 
@@ -116,15 +117,19 @@ void collect_devices(I8080Devices& devices, I8080Report& report) {
   if (const auto* plotter = devices.calcomp565()) report.devices.push_back(report_of(plotter->counts()));
   if (const auto* plotter = devices.minigraf0507()) report.devices.push_back(report_of(plotter->counts()));
   if (const auto* link = devices.parallel()) {
-    report.parallel_received = link->received(devices::I8255::Port::b);
-    const auto& from_a = link->received(devices::I8255::Port::a);
-    report.parallel_received.insert(report.parallel_received.end(), from_a.begin(), from_a.end());
-    report.devices.push_back(
-        {"parallel",
-         {{"sent_by_host", link->sent()}, {"received_by_host", report.parallel_received.size()}}});
+    const devices::KeptBytes& from_a = link->received(devices::I8255::Port::a);
+    const devices::KeptBytes& from_b = link->received(devices::I8255::Port::b);
+    std::vector<std::uint8_t>& all = report.parallel_received;
+    all = from_b.bytes();
+    all.insert(all.end(), from_a.bytes().begin(), from_a.bytes().end());
+    const std::uint64_t left_out = from_a.left_out() + from_b.left_out();
+    report.devices.push_back({"parallel",
+                              {{"sent_by_host", link->sent()},
+                               {"received_by_host", all.size() + left_out},
+                               {not_kept, left_out}}});
   }
   if (const auto* link = devices.serial()) {
-    report.serial_received = link->chip().sent();
+    report.serial_received = link->chip().sent().bytes();
     report.devices.push_back(report_of(*link));
   }
 }

@@ -56,6 +56,15 @@ TEST(Alt256, WritesWhileNotReadyAreLost) {
   EXPECT_EQ(board->raster().at(1, 0), 0);
 }
 
+TEST(Alt256, ADotNeedsNoTimeAfterTheTimesThatNanosecondsCanCount) {
+  const auto board = std::make_unique<Alt256>(sightline::core::ClockRate{1});
+  constexpr std::int64_t late = 9'300'000'000;
+  board->write(data, 7, at_t_state(late));
+  EXPECT_TRUE(board->ready(at_t_state(late)));
+  EXPECT_GE(sightline::core::t_states_of(board->ready_at()), 0);
+  EXPECT_EQ(board->raster().at(0, 0), 7);
+}
+
 TEST(Alt256, EraseTakesTwoFields) {
   const auto board = std::make_unique<Alt256>(three_megahertz);
   board->write(erase, 0xFA, at_t_state(1000));

@@ -383,6 +383,12 @@ TEST_F(Board, BlankingInterrupt) {
   EXPECT_FALSE(board->interrupt());
 }
 
+TEST_F(Board, NoBlankingComesAfterTheTimesThatNanosecondsCanCount) {
+  board = std::make_unique<Ef9365>(sightline::core::ClockRate{1});
+  board->write(1, 0x20, at_t_state(9'300'000'000));
+  EXPECT_EQ(board->deadline(), sightline::core::never_t);
+}
+
 TEST_F(Board, ReadyInterruptComesAtTheEndOfACommandOnly) {
   board->write(1, 0x40, at_t_state(100));
   EXPECT_EQ(board->deadline(), sightline::core::never_t);

@@ -139,7 +139,7 @@ TEST(I8251, TransmitterHasAHoldingPlaceAndAShifter) {
   EXPECT_EQ(status(link, 100 + 3125), 0x81);
   EXPECT_EQ(status(link, 100 + 6249), 0x81);
   EXPECT_EQ(status(link, 100 + 6250), 0x85);
-  EXPECT_EQ(link.chip().sent(), (std::vector<std::uint8_t>{0x31, 0x32}));
+  EXPECT_EQ(link.chip().sent().bytes(), (std::vector<std::uint8_t>{0x31, 0x32}));
 }
 
 TEST(I8251, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
@@ -147,8 +147,15 @@ TEST(I8251, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
   programme(link);
   for (const std::uint8_t value : three_bytes) link.write(0, value, at_t_state(100));
   link.advance(at_t_state(100'000));
-  EXPECT_EQ(link.chip().sent(), (std::vector<std::uint8_t>{0x41, 0xFF}));
+  EXPECT_EQ(link.chip().sent().bytes(), (std::vector<std::uint8_t>{0x41, 0xFF}));
   EXPECT_EQ(link.chip().counts().transmit_overwritten, 1U);
+}
+
+TEST(I8251, WhatIsKeptOfTheBytesSentHasABound) {
+  sightline::devices::KeptBytes kept(2);
+  for (const std::uint8_t value : three_bytes) kept.push_back(value);
+  EXPECT_EQ(kept.bytes(), (std::vector<std::uint8_t>{three_bytes[0], three_bytes[1]}));
+  EXPECT_EQ(kept.left_out(), 1U);
 }
 
 TEST(I8251, TransmitterOffHoldsTheCharacter) {
@@ -158,7 +165,7 @@ TEST(I8251, TransmitterOffHoldsTheCharacter) {
   EXPECT_EQ(status(link, 100'000), 0x80);
   link.write(1, 0x01, at_t_state(200'000));
   EXPECT_EQ(status(link, 203'125), 0x85);
-  EXPECT_EQ(link.chip().sent().size(), 1U);
+  EXPECT_EQ(link.chip().sent().bytes().size(), 1U);
 }
 
 TEST(I8251, InternalResetAsksForAModeAgain) {

@@ -208,7 +208,7 @@ TEST(ParallelLink, TheHostTakesWhatPortBPutsOut) {
   EXPECT_EQ(link.read(2, at_t_state(16)) & 0x02, 0x02);
   link.write(1, 0xA5, at_t_state(100));
   link.advance(at_t_state(200));
-  EXPECT_EQ(link.received(b), (std::vector<std::uint8_t>{0x5A, 0xA5}));
+  EXPECT_EQ(link.received(b).bytes(), (std::vector<std::uint8_t>{0x5A, 0xA5}));
 }
 
 }  // namespace

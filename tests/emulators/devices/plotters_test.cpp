@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "emulators/devices/calcomp565.hpp"
@@ -51,6 +52,26 @@ TEST(CalComp565, HandshakeTranscript) {
   EXPECT_EQ(plotter.counts().steps, 2U);
   EXPECT_EQ(plotter.counts().pen_lifts, 1U);
   EXPECT_EQ(plotter.counts().busy.count(), 620'000);
+}
+
+TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
+  constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
+  KeptStrokes sink;
+  CalComp565<KeptStrokes> plotter(three_megahertz, sink, {last, 0});
+  plotter.write(2, at_t_state(0));
+  EXPECT_EQ(plotter.place(), (PlotterPlace{last, 0}));
+  CalComp565<KeptStrokes> back(three_megahertz, sink, {-last - 1, 0});
+  back.write(6, at_t_state(0));
+  EXPECT_EQ(back.place(), (PlotterPlace{-last - 1, 0}));
+}
+
+TEST(Minigraf0507, AMotorTurnsOnWhereItsCountEnds) {
+  constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
+  KeptStrokes sink;
+  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {}, {last, -last - 1});
+  plotter.write(0x39, at_t_state(0));  // +x, -y
+  EXPECT_EQ(plotter.place(), (PlotterPlace{last, -last - 1}));
+  EXPECT_EQ(plotter.counts().steps, 1U);
 }
 
 TEST(CalComp565, EightDirectionsClockwiseFromPlusY) {

@@ -144,5 +144,18 @@ TEST(I8080Pins, EveryTStateOfEveryProgramIsThatOfTheChip) {
   EXPECT_EQ(hung, 31);
 }
 
+TEST(I8080Pins, ResetEndsAHaltWithoutATrace) {
+  const auto board = std::make_unique<tests::MemoryBoard>();
+  board->memory[0x100] = 0x76;
+  i8080::State state;
+  state.pc = 0x100;
+  i8080::PinMachine machine(*board, state);
+  for (int n = 0; n < 5; ++n) machine.step();
+  machine.reset();
+  machine.step();
+  EXPECT_EQ(board->transfers.back().address, 0);
+  EXPECT_EQ(board->transfers.back().status, 0xA2);  // not AA, the fetch that ends a halt
+}
+
 }  // namespace
 }  // namespace sightline

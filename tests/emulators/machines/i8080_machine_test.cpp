@@ -155,6 +155,18 @@ TEST(I8080Machine, ResetKeepsAllButPcAndInte) {
   EXPECT_FALSE(bench.machine.registers().halted);
 }
 
+TEST(I8080Machine, ResetBetweenAHaltAndTheFetchThatEndsItForgetsTheHalt) {
+  Bench bench{0xFB, 0x76};  // EI; HLT
+  bench.interrupt(20, 40);
+  EXPECT_EQ(bench.machine.run({100, core::at_t_state(22)}), I8080StopReason::time_limit);
+  EXPECT_EQ(bench.now(), 23);
+  EXPECT_FALSE(bench.machine.registers().halted);
+  bench.machine.reset();
+  bench.run(1);
+  EXPECT_EQ(bench.recorder.seen.back().address, 0);
+  EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);  // not AA, the fetch that ends a halt
+}
+
 TEST(I8080Machine, DadHasNoCycleToReport) {
   Bench bench{0x29, 0x76};
   bench.run();

@@ -111,6 +111,17 @@ TEST_F(CpmRun, AStringWrapsAtTheEndOfMemory) {
   EXPECT_EQ(console_, std::string("BA\xD3\0", 4));
 }
 
+// The loop of a call each 46 T-states never lasts as long as one slice.
+TEST_F(CpmRun, AProgramThatPrintsAllTheTimeCanBeInterrupted) {
+  I8080Job job = job_of("LOOP: MVI C,2\n  CALL 5\n  JMP LOOP\n");
+  job.cpm = true;
+  job.limits.instructions = 1'000'000;
+  job.console = [this](std::string_view printed) { console_ += printed; };
+  job.keep_running = [this](const I8080Progress&) { return console_.size() < 10; };
+  EXPECT_EQ(run_i8080(job).stop, I8080Stop::interrupted);
+  EXPECT_EQ(console_.size(), 10U);
+}
+
 TEST_F(CpmRun, ItsOwnOutToTheStubsPortsIsAnUnansweredPort) {
   const I8080Report report = run("  OUT 0\n  OUT 1\n  OUT 1\n  IN 1\n  JMP 0\n");
   EXPECT_EQ(report.stop, I8080Stop::exit);
