@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/app/command.hpp"
 #include "tools/image/intel_hex.hpp"
 
@@ -18,9 +20,18 @@ std::string_view digits_of(std::string_view text) {
   return text;
 }
 
+// A lone colon may as well be an 8080's LDA.
+bool begins_with_hex_record(const picture::Bytes& bytes) {
+  constexpr std::size_t shortest = 11;  // `:`, then length, address, type and checksum of no bytes at all
+  return bytes.size() >= shortest && bytes.front() == ':' &&
+         std::all_of(bytes.begin() + 1, bytes.begin() + shortest, [](std::uint8_t byte) {
+           return hexadecimal_digits.find(static_cast<char>(byte)) != std::string_view::npos;
+         });
+}
+
 ByteFormat format_of(const picture::Bytes& bytes, const std::string& path) {
   if (const auto named = byte_format_of_name(path)) return *named;
-  return !bytes.empty() && bytes.front() == ':' ? ByteFormat::hex : ByteFormat::bin;
+  return begins_with_hex_record(bytes) ? ByteFormat::hex : ByteFormat::bin;
 }
 
 }  // namespace
@@ -54,10 +65,12 @@ ByteImageArgument byte_image_argument(const std::string& option, const std::stri
   return {text.substr(0, at), static_cast<std::uint16_t>(address)};
 }
 
-image::ByteImage load_byte_image(const ByteImageArgument& argument, std::optional<ByteFormat> format) {
+image::ByteImage load_byte_image(const ByteImageArgument& argument, std::optional<ByteFormat> format,
+                                 ByteFormat raw) {
   const auto bytes = read_input(argument.path);
   const std::string name = shown_name(argument.path);
-  const ByteFormat kind = format ? *format : format_of(bytes, argument.path);
+  const ByteFormat found = format ? *format : format_of(bytes, argument.path);
+  const ByteFormat kind = !format && found == ByteFormat::bin ? raw : found;
   if (kind != ByteFormat::bin && argument.address &&
       !(kind == ByteFormat::com && *argument.address == image::com_origin)) {
     throw Failure(ExitCode::usage, fmt::format("{}: found an address, expected none: {}", name,

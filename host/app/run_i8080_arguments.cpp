@@ -15,15 +15,16 @@ namespace sightline::app {
 
 namespace {
 
+constexpr std::uint64_t slowest_clock = 1'000;
 constexpr std::uint64_t fastest_clock = 1'000'000'000;  // core::ClockRate's bound
 
 // A machine without options is the processor and 64K.
 machines::SkalaConfiguration machine_from(const RunI8080Arguments& arguments) {
   machines::SkalaConfiguration machine;
   const std::uint64_t hertz = count_argument("--clock", arguments.clock);
-  if (hertz == 0 || hertz > fastest_clock) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--clock: found {}, expected 1 to {} Hz", arguments.clock, fastest_clock));
+  if (hertz < slowest_clock || hertz > fastest_clock) {
+    throw Failure(ExitCode::usage, fmt::format("--clock: found {}, expected {} to {} Hz", arguments.clock,
+                                               slowest_clock, fastest_clock));
   }
   machine.clock.hertz = static_cast<std::int64_t>(hertz);
   machine.ef9365 = arguments.board == "ef9365";
@@ -53,22 +54,13 @@ void check_needs(const RunI8080Arguments& arguments) {
   needs(!arguments.console.empty(), arguments.cpm, "--console", "--cpm");
 }
 
-// Where nothing else tells, by address, ending or content, a program for CP/M is a .COM.
-std::optional<ByteFormat> format_under_cpm(const ByteImageArgument& argument) {
-  if (argument.address) return std::nullopt;
-  if (const auto named = byte_format_of_name(argument.path))
-    return *named == ByteFormat::bin ? ByteFormat::com : *named;
-  if (argument.path == "-") return ByteFormat::com;
-  const picture::Bytes bytes = read_input(argument.path);
-  return !bytes.empty() && bytes.front() == ':' ? ByteFormat::hex : ByteFormat::com;
-}
-
 // Later files win where two have a byte for the same address, and in the start address.
 void load_memory(const RunI8080Arguments& arguments, harness::I8080Job& job) {
   for (const std::string& text : arguments.loads) {
     const ByteImageArgument argument = byte_image_argument("--load", text);
-    const auto format = arguments.cpm ? format_under_cpm(argument) : std::nullopt;
-    const image::ByteImage loaded = load_byte_image(argument, format);
+    const bool com = arguments.cpm && !argument.address;  // raw bytes without a place are a program for CP/M
+    const image::ByteImage loaded =
+        load_byte_image(argument, std::nullopt, com ? ByteFormat::com : ByteFormat::bin);
     if (loaded.empty()) continue;
     for (std::uint32_t address = loaded.lowest(); address <= loaded.highest(); ++address) {
       const auto a = static_cast<std::uint16_t>(address);

@@ -27,7 +27,7 @@ constexpr const char* run_i8080_examples =
     "      raw bytes at two places, every instruction into a file, the report as JSON\n\n"
     "Addresses, bytes and registers are hexadecimal; counts are decimal. The ending tells what a file is "
     "(.com .bin\n"
-    ".hex), for another ending the content: a text that begins with `:` is Intel HEX, all else raw bytes. "
+    ".hex), for another ending the content: text that begins as a HEX record does is Intel HEX, all else raw. "
     "Raw bytes go\n"
     "to ADDRESS, 0000 if none is given; a .com file goes to 0100, Intel HEX where it says. Memory not loaded "
     "is 0.\n"
@@ -69,7 +69,7 @@ ExitCode run_i8080(const RunI8080Arguments& arguments) {
     ProgressLine line;
     job.keep_running = [&line, &job](const harness::I8080Progress& progress) {
       line.show({progress.instructions, job.machine.clock.to_nanoseconds(progress.now)});
-      return !InterruptKey::pressed();
+      return !InterruptKey::pressed() && std::ferror(stdout) == 0;  // nobody reads what the program prints
     };
     report = harness::run_i8080(job);
   }

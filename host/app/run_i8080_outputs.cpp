@@ -16,6 +16,8 @@ namespace sightline::app {
 
 namespace {
 
+constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
+
 void write_png(Output& output, const picture::Image& image, core::TStateInstant end) {
   const auto bytes =
       picture::encode_png(image, {{"Software", "sightline " SIGHTLINE_VERSION},
@@ -86,10 +88,20 @@ void RunI8080Outputs::attach(harness::I8080Job& job) {
   if (strokes_) job.strokes = write_to(*strokes_);
   job.drawing = svg_.has_value();
   if (console_) job.console = write_to(*console_);
-  if (kept_console_) job.console = [this](std::string_view text) { *kept_console_ += text; };
+  if (kept_console_) job.console = [this](std::string_view text) { keep(text); };
+}
+
+void RunI8080Outputs::keep(std::string_view printed) {
+  const std::size_t room = most_kept_of_console - kept_console_->size();
+  const std::string_view kept = printed.substr(0, room);
+  *kept_console_ += kept;
+  console_left_out_ += printed.size() - kept.size();
 }
 
 void RunI8080Outputs::write(const harness::I8080Report& report) {
+  if (console_left_out_ != 0)
+    warn(fmt::format("the report's \"console\" lacks the last {} bytes printed; --console FILE takes all",
+                     console_left_out_));
   if (dump_) dump_->write(harness::dump_text(report));
   if (png_ && report.raster) {
     const auto palette = grey_ ? picture::RasterPalette::grey : picture::RasterPalette::colour;

@@ -1,9 +1,11 @@
 // The files an 8080 run writes: opened before it, filled during and after it, put in their places at the end.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/app/command.hpp"
 #include "host/app/run_i8080_arguments.hpp"
@@ -25,10 +27,12 @@ class RunI8080Outputs {
 
   // Standard output is taken by one of the outputs.
   [[nodiscard]] bool uses_stdout() const { return uses_stdout_; }
-  // What was printed, as far as the report has it.
+  // What was printed, as far as the report has it: its first 16 MiB.
   [[nodiscard]] const std::optional<std::string>& kept_console() const { return kept_console_; }
 
  private:
+  void keep(std::string_view printed);
+
   std::optional<Output> dump_;
   std::optional<Output> trace_;
   std::optional<Output> bus_;
@@ -39,6 +43,7 @@ class RunI8080Outputs {
   std::optional<Output> parallel_out_;
   std::optional<Output> serial_out_;
   std::optional<std::string> kept_console_;
+  std::uint64_t console_left_out_ = 0;  // bytes
   bool grey_ = false;
   bool minigraf_ = false;
   bool uses_stdout_ = false;

@@ -13,11 +13,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Eighteen digits of seconds and nine behind the point, whatever the clock.
-std::string seconds_text(core::Instant t) {
+// Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
+std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
   constexpr std::int64_t second = 1'000'000'000;
-  const std::int64_t ns = core::nanoseconds_of(t);
-  return fmt::format("{}.{:09}", ns / second, ns % second);
+  const std::int64_t t_states = core::t_states_of(t);
+  return fmt::format("{}.{:09}", t_states / clock.hertz, t_states % clock.hertz * second / clock.hertz);
+}
+
+// null where no 64 bits hold it.
+ordered_json nanoseconds(core::Instant t) {
+  return t == core::never ? ordered_json() : ordered_json(core::nanoseconds_of(t));
 }
 
 std::string byte_text(unsigned byte) {
@@ -69,15 +74,17 @@ i8080::Address port_instruction_before(i8080::Address pc) {
 
 std::string json_report(const harness::I8080Job& job, const harness::I8080Report& report,
                         const std::optional<std::string>& console) {
-  const std::int64_t ns = core::nanoseconds_of(job.machine.clock.to_nanoseconds(report.end));
+  const core::ClockRate clock = job.machine.clock;
+  const double seconds =
+      static_cast<double>(core::t_states_of(report.end)) / static_cast<double>(clock.hertz);
   ordered_json document{{"schema", "sightline/run-i8080/1"},
                         {"stop_reason", harness::name_of(report.stop)},
                         {"pc", address_text(report.registers.pc)},
                         {"instructions", report.instructions},
                         {"t_states", core::t_states_of(report.end)},
-                        {"clock_hz", job.machine.clock.hertz},
-                        {"emulated_ns", ns},
-                        {"emulated_seconds", static_cast<double>(ns) / 1e9},
+                        {"clock_hz", clock.hertz},
+                        {"emulated_ns", nanoseconds(clock.to_nanoseconds(report.end))},
+                        {"emulated_seconds", seconds},
                         {"registers", registers_of(report.registers)},
                         {"cpm", job.cpm}};
   if (report.stop == harness::I8080Stop::unknown_bdos || report.stop == harness::I8080Stop::endless_string) {
@@ -103,7 +110,7 @@ std::string table_report(const harness::I8080Job& job, const harness::I8080Repor
   std::string text = fmt::format("stopped by      {}, PC {:04X}\n", reason, r.pc);
   text += fmt::format("T-states        {}\n", core::t_states_of(report.end));
   text += fmt::format("emulated time   {} s at {} Hz\n",
-                      seconds_text(job.machine.clock.to_nanoseconds(report.end)), job.machine.clock.hertz);
+                      seconds_text(report.end, job.machine.clock), job.machine.clock.hertz);
   text += fmt::format("instructions    {}\n", report.instructions);
   for (const harness::DeviceReport& device : report.devices) {
     std::string counts;
@@ -124,6 +131,12 @@ std::string table_report(const harness::I8080Job& job, const harness::I8080Repor
 }
 
 void warn_about(const harness::I8080Report& report) {
+  for (const harness::DeviceReport& device : report.devices) {
+    for (const auto& [name, count] : device.counts) {
+      if (name == harness::not_kept && count != 0)
+        warn(fmt::format("{}: the last {} bytes from the program were not kept", device.device, count));
+    }
+  }
   for (const harness::I8080UnansweredPort& port : report.unanswered) {
     if (port.reads != 0)
       warn(fmt::format("port {:02X}: nothing answers, {}", port.port, times(port.reads, "read as FF")));

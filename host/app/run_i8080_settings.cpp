@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "emulators/devices/calcomp565.hpp"
 #include "host/app/command.hpp"
 
 namespace sightline::app {
@@ -113,9 +114,10 @@ devices::PlotterPlace plotter_place(std::string_view option, const std::string& 
   const std::string_view whole = text;
   const auto x = parse<std::uint16_t>(whole.substr(0, comma), 10);
   const auto y = parse<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())), 10);
-  if (x && y) return {*x, *y};
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: found \"{}\", expected X,Y, decimal, each 0 to 65535", option, text));
+  constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
+  if (x && y && *y <= highest) return {*x, *y};
+  throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}",
+                                             option, text, highest));
 }
 
 void wire_interrupt(machines::SkalaConfiguration& machine, const std::string& text, bool has_parallel,

@@ -22,7 +22,7 @@ void set_i8080_register(i8080::State& registers, const std::string& text);
 // The name of the register in a "NAME=VALUE", in upper case.
 [[nodiscard]] std::string register_named(const std::string& text);
 
-// "X,Y", decimal steps. Failure usage.
+// "X,Y", decimal steps, Y on the carriage of the CalComp. Failure usage.
 [[nodiscard]] devices::PlotterPlace plotter_place(std::string_view option, const std::string& text);
 
 // "DEVICE=N": the request of ef9365, calcomp, parallel, serial-receive or serial-transmit is wired to RST N.

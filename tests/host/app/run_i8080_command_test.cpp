@@ -2,10 +2,13 @@
 // input.
 //
 // Programs are given as bytes; expected T-states are sums over opcode-timing.csv.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -98,6 +101,43 @@ TEST_F(RunI8080Command, IntelHexByEndingOrContent) {
     EXPECT_EQ(report({"--load", name}).at("t_states"), 24) << name;  // the end record's start address
     EXPECT_EQ(report({"--cpm", "--load", name}).at("t_states"), 24) << name;
   }
+}
+
+TEST_F(RunI8080Command, TextIsIntelHexOnlyIfItBeginsAsARecordDoes) {
+  // LDA 0000; MVI A,5; HLT: 13 + 7 + 7.
+  write("colon", ":\x00\x00\x3E\x05\x76"sv);
+  EXPECT_EQ(report({"--load", "colon"}).at("t_states"), 27);
+  EXPECT_EQ(report({"--cpm", "--load", "colon"}).at("pc"), "0106");
+}
+
+TEST_F(RunI8080Command, AProgramMayComeThroughAPipe) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  std::thread writer([this] { write("pipe", hello); });
+  const Ran ran = run({"--cpm", "--load", "pipe"});
+  writer.join();
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "Hello\r\n");
+}
+
+TEST_F(RunI8080Command, TheReportsConsoleHasABound) {
+  // LXI H,280; MVI C,9; LXI D,0118; CALL 5; DCX H; MOV A,H; ORA L; JNZ 0103; HLT; 65000 characters.
+  std::string program("\x21\x18\x01\x0E\x09\x11\x18\x01\xCD\x05\x00\x2B\x7C\xB5\xC2\x03\x01\x76"sv);
+  program.resize(0x18);
+  write("loud.com", program + std::string(65000, 'x') + "$");
+  const Ran ran = run({"--cpm", "--load", "loud.com", "--json"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(has(ran.err, "lacks the last 1422784 bytes printed")) << ran.err;  // 280 * 65000 - 2^24
+  EXPECT_EQ(json::parse(ran.out).at("console").get<std::string>().size(), std::size_t{1} << 24);
+}
+
+TEST_F(RunI8080Command, ARunEndsWhenNobodyTakesWhatItPrints) {
+  // LXI H,0; MVI C,2; CALL 5; DCX H; MOV A,H; ORA L; JNZ 0103; HLT: HL counts the characters.
+  write("loud.com", "\x21\x00\x00\x0E\x02\xCD\x05\x00\x2B\x7C\xB5\xC2\x03\x01\x76"sv);
+  send_stdout_to("/dev/full");
+  const Ran ran = run({"--cpm", "--load", "loud.com", "--dump", "dump"});
+  EXPECT_EQ(ran.exit_code, 5);
+  EXPECT_TRUE(has(ran.err, "standard output: cannot write")) << ran.err;
+  EXPECT_NE(read("dump").substr(18, 5), "00 00");
 }
 
 TEST_F(RunI8080Command, DumpTraceAndBus) {
@@ -234,6 +274,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--set", "INTE=2"}, "--set INTE: found \"2\"");
   refused({"--set", "PC=1", "--start", "1"}, "--set PC");
   refused({"--clock", "0"}, "--clock");
+  refused({"--clock", "999"}, "--clock: found 999, expected 1000 to 1000000000 Hz");
   refused({"--clock", "1000000001"}, "--clock");
   refused({"--max-states", "-1"}, "--max-states");
   refused({"--max-instructions", "many"}, "--max-instructions");
@@ -244,6 +285,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
   refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");
   refused({"--plotter", "calcomp", "--plotter-start", "1"}, "--plotter-start");
+  refused({"--plotter", "calcomp", "--plotter-start", "0,1101"}, "expected X,Y, decimal, X 0 to 65535, Y 0 to 1100");
   refused({"--board", "vdu"}, "--board");
   refused({"--dump", "x", "--trace", "x"}, "x: named for two outputs");
   refused({"--dump", "-", "--json"}, "--json needs standard output");
