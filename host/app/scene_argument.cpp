@@ -32,6 +32,13 @@ scene::CellScene load_scene(const std::string& name_or_file) {
   return std::get<scene::CellScene>(std::move(loaded));
 }
 
+scene::CellScene load_scene(std::string_view text, const std::string& name_or_file) {
+  auto read = scene::read_possible_cell_scene(text, name_or_file);
+  if (const auto* error = std::get_if<scene::SceneError>(&read))
+    throw Failure(ExitCode::bad_input, error->message());
+  return std::get<scene::CellScene>(std::move(read));
+}
+
 geometry::Point point_argument(std::string_view option, std::string_view text) {
   constexpr std::int32_t too_large = 1 << 15;
   geometry::Point point{};

@@ -17,6 +17,8 @@ void require_scene_exists(const std::string& name_or_file);
 
 // Read and checked. Failure io, or bad_input naming the first thing that is wrong.
 [[nodiscard]] scene::CellScene load_scene(const std::string& name_or_file);
+// The same from its text. Failure bad_input.
+[[nodiscard]] scene::CellScene load_scene(std::string_view text, const std::string& name_or_file);
 
 // "X,Y,Z", decimal integers below 2^15 in magnitude. Failure usage.
 [[nodiscard]] geometry::Point point_argument(std::string_view option, std::string_view text);

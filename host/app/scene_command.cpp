@@ -102,20 +102,18 @@ constexpr const char* check_examples =
     "and facing\n"
     "outwards, no vertex twice or for nothing. A scene with errors ends with exit code 4.\n";
 
-std::vector<scene::SceneError> errors_of(const std::string& name) {
-  require_scene_exists(name);
-  const auto builtin = scene::builtin_scene_text(name);
-  const std::string text = builtin ? std::string(*builtin) : read_input_text(name);
-  const auto read = scene::read_cell_scene(text, name);
+std::vector<scene::SceneError> errors_of(const SceneText& file) {
+  const auto read = scene::read_cell_scene(file.text, file.name);
   if (const auto* error = std::get_if<scene::SceneError>(&read)) return {*error};
   auto errors = scene::check_scene(std::get<scene::CellScene>(read));
-  for (scene::SceneError& error : errors) error.source = name;
+  for (scene::SceneError& error : errors) error.source = file.name;
   return errors;
 }
 
 ExitCode check(const SceneArguments& arguments) {
-  if (is_poly_scene(arguments.scene)) return check_poly_file(arguments.scene, arguments.json);
-  const auto errors = errors_of(arguments.scene);
+  const SceneText file = read_scene_text(arguments.scene);
+  if (file.polyhedra) return check_poly_file(file, arguments.json);
+  const auto errors = errors_of(file);
   if (arguments.json) {
     ordered_json document{
         {"schema", "sightline/scene-check/1"}, {"scene", arguments.scene}, {"possible", errors.empty()}};
@@ -163,11 +161,12 @@ ordered_json json_of(const geometry::Box& box) {
 }
 
 void info(const SceneArguments& arguments) {
-  if (is_poly_scene(arguments.scene)) {
-    describe_poly_file(arguments.scene, arguments.json);
+  const SceneText file = read_scene_text(arguments.scene);
+  if (file.polyhedra) {
+    describe_poly_file(file, arguments.json);
     return;
   }
-  const scene::CellScene scene = load_scene(arguments.scene);
+  const scene::CellScene scene = load_scene(file.text, file.name);
   const scene::EncodedScene core = encoded(scene, arguments.scene);
   std::size_t lines = 0;
   for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();

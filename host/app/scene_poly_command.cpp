@@ -31,8 +31,8 @@ scene::PolyFormat input_format(const std::string& file) {
   return scene::poly_format_of(file).value_or(scene::PolyFormat::json);
 }
 
-std::variant<scene::PolyImport, scene::SceneError> read_file(const std::string& file, bool mend) {
-  return scene::read_poly(read_input_text(file), file, input_format(file), {mend});
+std::variant<scene::PolyImport, scene::SceneError> read_file(const SceneText& file, bool mend) {
+  return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
 }
 
 // What was done to the scene while it was read, for people.
@@ -52,14 +52,14 @@ void tell(const scene::PolyImportReport& report) {
 }
 
 // Read and checked.
-scene::PolyImport load_poly_file(const std::string& file, bool mend) {
+scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
   auto read = read_file(file, mend);
   if (const auto* error = std::get_if<scene::SceneError>(&read))
     throw Failure(ExitCode::bad_input, error->message());
   auto import = std::get<scene::PolyImport>(std::move(read));
   auto errors = scene::check_poly_scene(import.scene);
   if (!errors.empty()) {
-    errors.front().source = file;
+    errors.front().source = file.name;
     const std::string more =
         errors.size() > 1 ? fmt::format(" (the first of {} errors)", errors.size()) : std::string();
     throw Failure(ExitCode::bad_input, errors.front().message() + more);
@@ -67,7 +67,8 @@ scene::PolyImport load_poly_file(const std::string& file, bool mend) {
   return import;
 }
 
-void write_scene(const scene::PolyScene& scene, const std::string& path) {
+// `source`: what the scene came from, for an error in it.
+void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path) {
   const auto format = scene::poly_format_of(path);
   if (!format && path != "-") {
     throw Failure(
@@ -75,8 +76,10 @@ void write_scene(const scene::PolyScene& scene, const std::string& path) {
         fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
   }
   auto text = scene::write_poly(scene, format.value_or(scene::PolyFormat::json));
-  if (const auto* error = std::get_if<scene::SceneError>(&text))
+  if (auto* error = std::get_if<scene::SceneError>(&text)) {
+    error->source = source;
     throw Failure(ExitCode::bad_input, error->message());
+  }
   Output output(path);
   output.write(std::get<std::string>(text));
   output.commit();
@@ -100,23 +103,30 @@ constexpr const char* convert_examples =
     "out\n\n"
     "Coordinates that are not whole numbers below 262144 are rounded once; the step is reported. OFF and OBJ "
     "have no "
-    "holes:\nfaces with holes are written there as triangles.\n";
+    "holes:\nfaces with holes are written there as triangles. OFF does not say which faces make a body: what "
+    "hangs "
+    "together is one.\n";
 
 void convert(const ConvertArguments& arguments) {
-  if (!is_poly_scene(arguments.scene)) {
-    write_scene(scene::poly_scene_of(load_scene(arguments.scene)), arguments.output);
+  const SceneText file = read_scene_text(arguments.scene);
+  if (arguments.mend && (file.builtin || input_format(file.name) == scene::PolyFormat::json)) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
+  }
+  if (!file.polyhedra) {
+    write_scene(scene::poly_scene_of(load_scene(file.text, file.name)), file.name, arguments.output);
     return;
   }
-  const scene::PolyImport import = load_poly_file(arguments.scene, arguments.mend);
+  const scene::PolyImport import = load_poly_file(file, arguments.mend);
   tell(import.report);
-  write_scene(import.scene, arguments.output);
+  write_scene(import.scene, file.name, arguments.output);
 }
 
 void add_convert(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("convert", "Read a scene and write it as polyhedra");
   const auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("SCENE", arguments->scene, "A built-in scene, or a JSON, OFF or OBJ file")->required();
-  command->add_flag("--mend", arguments->mend, "Repair what can be repaired without guessing");
+  command->add_flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
   command
       ->add_option("-o,--output", arguments->output,
                    "A .json, .off or .obj file; - is JSON on standard output")
@@ -148,7 +158,7 @@ void generate(const GenerateArguments& arguments) {
   auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
   if (const auto* error = std::get_if<scene::SceneError>(&scene))
     throw Failure(ExitCode::usage, error->message());
-  write_scene(std::get<scene::PolyScene>(scene), arguments.output);
+  write_scene(std::get<scene::PolyScene>(scene), arguments.family, arguments.output);
 }
 
 void add_generate(CLI::App& parent, ExitCode& exit_code) {
@@ -157,7 +167,7 @@ void add_generate(CLI::App& parent, ExitCode& exit_code) {
   std::string families;
   for (const std::string_view name : scene::generator_names()) families += fmt::format(" {}", name);
   command->add_option("FAMILY", arguments->family, "One of" + families)->required();
-  command->add_option("SIZE", arguments->size, "How many; touch, aligned and rooms: on a side")->required();
+  command->add_option("SIZE", arguments->size, "How many; touch, aligned, rooms and big_rooms: on a side")->required();
   command->add_option("--seed", arguments->seed, "Another seed, another scene")->capture_default_str();
   command
       ->add_option("-o,--output", arguments->output,
@@ -173,14 +183,16 @@ void add_generate(CLI::App& parent, ExitCode& exit_code) {
 
 }  // namespace
 
-bool is_poly_scene(const std::string& name_or_file) {
+SceneText read_scene_text(const std::string& name_or_file) {
   require_scene_exists(name_or_file);
-  if (scene::builtin_scene_text(name_or_file)) return false;
-  return input_format(name_or_file) != scene::PolyFormat::json ||
-         scene::is_poly_json(read_input_text(name_or_file));
+  if (const auto builtin = scene::builtin_scene_text(name_or_file))
+    return {name_or_file, std::string(*builtin), true, false};
+  SceneText file{name_or_file, read_input_text(name_or_file), false, false};
+  file.polyhedra = input_format(file.name) != scene::PolyFormat::json || scene::is_poly_json(file.text);
+  return file;
 }
 
-ExitCode check_poly_file(const std::string& file, bool json) {
+ExitCode check_poly_file(const SceneText& file, bool json) {
   const auto read = read_file(file, false);
   std::vector<scene::SceneError> errors;
   if (const auto* error = std::get_if<scene::SceneError>(&read)) {
@@ -188,10 +200,10 @@ ExitCode check_poly_file(const std::string& file, bool json) {
   } else {
     errors = scene::check_poly_scene(std::get<scene::PolyImport>(read).scene);
   }
-  for (scene::SceneError& error : errors) error.source = file;
+  for (scene::SceneError& error : errors) error.source = file.name;
   if (json) {
     ordered_json document{
-        {"schema", "sightline/scene-check/1"}, {"scene", file}, {"possible", errors.empty()}};
+        {"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
     document["errors"] = ordered_json::array();
     for (const auto& error : errors)
       document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
@@ -199,12 +211,12 @@ ExitCode check_poly_file(const std::string& file, bool json) {
   } else {
     for (const auto& error : errors) complain(error.message());
     if (const auto* import = std::get_if<scene::PolyImport>(&read)) tell(import->report);
-    if (errors.empty()) write_stdout(file + ": a possible scene\n");
+    if (errors.empty()) write_stdout(file.name + ": a possible scene\n");
   }
   return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
 }
 
-void describe_poly_file(const std::string& file, bool json) {
+void describe_poly_file(const SceneText& file, bool json) {
   const scene::PolyImport import = load_poly_file(file, false);
   const scene::PolyScene& scene = import.scene;
   std::size_t faces = 0;

@@ -242,20 +242,6 @@ std::variant<std::string, SceneError> file_text(const std::string& file) {
   return text;
 }
 
-std::variant<CellScene, SceneError> read_and_check(std::string_view json_text, const std::string& source) {
-  auto result = read_cell_scene(json_text, source);
-  if (const auto* scene = std::get_if<CellScene>(&result)) {
-    auto errors = check_scene(*scene);
-    if (!errors.empty()) {
-      SceneError first = std::move(errors.front());
-      first.source = source;
-      if (errors.size() > 1) first.cause += " (the first of " + std::to_string(errors.size()) + " errors)";
-      return first;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, std::string_view source) {
@@ -271,11 +257,26 @@ std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, 
   return scene;
 }
 
+std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view json_text,
+                                                                const std::string& source) {
+  auto result = read_cell_scene(json_text, source);
+  if (const auto* scene = std::get_if<CellScene>(&result)) {
+    auto errors = check_scene(*scene);
+    if (!errors.empty()) {
+      SceneError first = std::move(errors.front());
+      first.source = source;
+      if (errors.size() > 1) first.cause += " (the first of " + std::to_string(errors.size()) + " errors)";
+      return first;
+    }
+  }
+  return result;
+}
+
 std::variant<CellScene, SceneError> load_cell_scene(const std::string& name_or_file) {
-  if (const auto builtin = builtin_scene_text(name_or_file)) return read_and_check(*builtin, name_or_file);
+  if (const auto builtin = builtin_scene_text(name_or_file)) return read_possible_cell_scene(*builtin, name_or_file);
   const auto text = file_text(name_or_file);
   if (const auto* error = std::get_if<SceneError>(&text)) return *error;
-  return read_and_check(std::get<std::string>(text), name_or_file);
+  return read_possible_cell_scene(std::get<std::string>(text), name_or_file);
 }
 
 }  // namespace sightline::scene

@@ -20,8 +20,12 @@ namespace sightline::scene {
 [[nodiscard]] std::variant<CellScene, SceneError> read_cell_scene(std::string_view json,
                                                                   std::string_view source);
 
-// A built-in name, or else a file (at most 64 MiB): read and checked, so that what is returned is a possible
-// scene. Of several errors of a check the first is returned, with their number.
+// Read and checked, so that what is returned is a possible scene. Of several errors of a check the first is
+// returned, with their number.
+[[nodiscard]] std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view json,
+                                                                           const std::string& source);
+
+// A built-in name, or else a file (at most 64 MiB), read as by read_possible_cell_scene.
 [[nodiscard]] std::variant<CellScene, SceneError> load_cell_scene(const std::string& name_or_file);
 
 }  // namespace sightline::scene

@@ -1,4 +1,6 @@
 // `sightline scene` with polyhedra: generate, convert, check, info; files that are wrong are named.
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -62,6 +64,28 @@ TEST_F(ScenePolyCommand, MendRepairs) {
   const Ran mended = sightline({"scene", "convert", "--mend", "double.off", "-o", "d.off"});
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
   EXPECT_EQ(read("d.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+}
+
+TEST_F(ScenePolyCommand, MendIsForOffAndObjOnly) {
+  ASSERT_EQ(sightline({"scene", "generate", "boxes", "2", "-o", "b.json"}).exit_code, 0);
+  for (const char* scene : {"b.json", "roberts"}) {
+    const Ran ran = sightline({"scene", "convert", "--mend", scene, "-o", "out.off"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(has(ran.err, "--mend")) << ran.err;
+  }
+  EXPECT_FALSE(exists("out.off"));
+}
+
+// A pipe can be read once.
+TEST_F(ScenePolyCommand, SceneFromAPipe) {
+  const std::string polyhedra = sightline({"scene", "generate", "boxes", "2"}).out;
+  ASSERT_EQ(mkfifo(path("p").c_str(), 0600), 0);
+  for (const char* action : {"check", "info", "convert"}) {
+    std::thread writer([&] { std::ofstream(path("p"), std::ios::binary) << polyhedra; });
+    const Ran ran = sightline({"scene", action, "p"});
+    writer.join();
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  }
 }
 
 }  // namespace
