@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -38,13 +39,13 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
 }  // namespace
 
 void add_draw_output_options(CLI::App& command, DrawOutput& output) {
-  command.add_option("-o,--output", output.file, "The drawing; the ending says what it is: .svg, .png, .plt")
+  command.add_option("-o,--output", output.file, "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
       ->required()
       ->type_name("FILE");
-  command.add_option("--size", output.size, "Of the paper in mm, for .svg and .plt")
+  command.add_option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")
       ->capture_default_str()
       ->type_name("WxH");
-  command.add_option("--margin", output.paper.margin, "Around the drawing in mm, for .svg and .plt")
+  command.add_option("--margin", output.paper.margin, "Around the drawing in mm, for .svg, .plt and .hpgl")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1000.0))
       ->type_name("MM");
@@ -61,6 +62,11 @@ DrawingFormat settled(DrawOutput& output) {
   const auto [width, height] = size_argument("--size", output.size, static_cast<int>(widest_paper));
   output.paper.width = width;
   output.paper.height = height;
+  // The ranges of the options let through what is no number.
+  if (!std::isfinite(output.paper.margin) || !std::isfinite(output.paper.pen)) {
+    throw Failure(ExitCode::usage, fmt::format("{}: found no number, expected millimetres",
+                                               std::isfinite(output.paper.pen) ? "--margin" : "--pen"));
+  }
   if (2 * output.paper.margin >= std::min(width, height)) {
     throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
                                                output.paper.margin, output.size));

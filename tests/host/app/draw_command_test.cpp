@@ -67,6 +67,8 @@ TEST_F(DrawCommand, WrongUsage) {
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.gif"}, ".svg, .png, .plt");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--size", "12"}, "WIDTHxHEIGHT");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--size", "12x12"}, "--margin");
+  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--margin", "nan"}, "--margin");
+  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--pen", "nan"}, "--pen");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.png", "--pixels", "9000x10"}, "1 to 8192");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--rotate", "nan"}, "--rotate");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.plt", "--picture", "surface"}, "plotter");
