@@ -116,8 +116,9 @@ devices::PlotterPlace plotter_place(std::string_view option, const std::string& 
   const auto y = parse<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())), 10);
   constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
   if (x && y && *y <= highest) return {*x, *y};
-  throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}",
-                                             option, text, highest));
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("{}: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}", option, text, highest));
 }
 
 void wire_interrupt(machines::SkalaConfiguration& machine, const std::string& text, bool has_parallel,

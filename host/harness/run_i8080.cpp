@@ -63,7 +63,7 @@ class Run {
       if (stop == I8080Stop::unanswered) {
         if (const auto call = ports_.take_call()) {
           if (answer(*call)) return;
-          // Each call begins a new slice: a program that prints all the time would never come to a slice's end.
+          // Each call begins a new slice: a program that prints all the time never comes to the end of one.
           if (!goes_on()) return end(I8080Stop::interrupted);
           continue;
         }
