@@ -104,7 +104,8 @@ ExitCode run_demo(const DemoArguments& arguments) {
   if (arguments.json) {
     ordered_json document = document_of(rows, arguments.directory);
     add_skala_demo(document, skala);
-    write_stdout(document.dump(2) + "\n");
+    // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
+    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
   } else {
     write_stdout(table_of(rows));
     write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala));

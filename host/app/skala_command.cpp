@@ -24,7 +24,8 @@ using picture::RasterPalette;
 constexpr const char* skala_examples =
     "Examples:\n"
     "  sightline skala lines sinc -o pictures\n"
-    "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in about two seconds\n"
+    "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in a second; the paper: "
+    "about two\n"
     "  sightline skala lines peaks --both --elevate 45\n"
     "      slices along x and along z, cell by cell\n"
     "  sightline skala surface --function \"sin(sqrt(x*x+z*z))\" --domain -9:9\n"
@@ -36,10 +37,10 @@ constexpr const char* skala_examples =
 
 std::string footer() {
   return fmt::format(
-      "{}FUNCTION is a name ({})\nor a file: CSV or gnuplot's matrix, the first line in front. Every picture "
-      "is "
-      "compared with a native twin of\nthe program before it is written. Seconds are those of the emulated "
-      "8080.\n",
+      "{}FUNCTION is a name ({})\nor a file: CSV, gnuplot's matrix (the first line in front) or its x y z "
+      "blocks (the "
+      "least y in\nfront). Every picture is compared with a native twin of the program before it is written. "
+      "Seconds are\nthose of the emulated 8080.\n",
       skala_examples, scene::height_function_names());
 }
 
@@ -106,10 +107,11 @@ void add_function_options(CLI::App& command, SkalaArguments& arguments) {
                          static_cast<int>(scene::largest_grid.points));
   command
       .add_option("--slices", source.slices,
-                  fmt::format("Slices, from front to back; {} unless given", usual.slices))
+                  fmt::format("Samples along z: slices, unless those along z are drawn; {} unless given",
+                              usual.slices))
       ->check(range);
   command
-      .add_option("--points", source.points, fmt::format("Points in a slice; {} unless given", usual.points))
+      .add_option("--points", source.points, fmt::format("Samples along x; {} unless given", usual.points))
       ->check(range);
 }
 
@@ -126,6 +128,8 @@ void add_view_options(CLI::App& command, SkalaArguments& arguments) {
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("F");
+  CLI::Option* const both = command.add_flag("--both", arguments.both,
+                                             "Slices along x and along z; makes a difference to lines only");
   if (view.picture == SkalaPicture::contours) {
     command.add_option("--levels", view.levels, "How many contour levels")
         ->capture_default_str()
@@ -133,12 +137,9 @@ void add_view_options(CLI::App& command, SkalaArguments& arguments) {
     command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
     return;
   }
-  CLI::Option* const along =
-      command
-          .add_option("--along", arguments.along, "Slices along x or along z; unless given the less end-on")
-          ->check(CLI::IsMember({"x", "z"}));
-  if (view.picture == SkalaPicture::lines)
-    command.add_flag("--both", arguments.both, "Slices along x and along z")->excludes(along);
+  command.add_option("--along", arguments.along, "Slices along x or along z; unless given the less end-on")
+      ->check(CLI::IsMember({"x", "z"}))
+      ->excludes(both);
 }
 
 void add_machine_options(CLI::App& command, SkalaArguments& arguments) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <system_error>
+#include <utility>
 
 #include "host/app/command.hpp"
 #include "host/harness/skala_pen_paths.hpp"
@@ -38,6 +40,11 @@ struct Drawn {
   throw Failure(code, fmt::format("{}: {}", order.name, what));
 }
 
+// Why a program may fail for want of the clock it is made for; nothing at that clock.
+std::string_view clock_hint(const SkalaOrder& order) {
+  return order.clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
+}
+
 void check(const SkalaOrder& order, const SkalaGuestPicture& picture) {
   if (!picture.ended) {
     fail(order, ExitCode::guest_failed,
@@ -49,11 +56,13 @@ void check(const SkalaOrder& order, const SkalaGuestPicture& picture) {
     for (const harness::SkalaDeviceFault& fault : picture.faults)
       text +=
           fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
-    if (order.clock.hertz != core::ClockRate{}.hertz) text += "; its timing is made for a clock of 3 MHz";
-    fail(order, ExitCode::guest_failed, text);
+    fail(order, ExitCode::guest_failed, text.append(clock_hint(order)));
   }
-  if (picture.status != harness::SkalaStatus::complete)
-    fail(order, ExitCode::guest_failed, fmt::format("the program stopped: {}", text_of(picture.status)));
+  if (picture.status != harness::SkalaStatus::complete) {
+    const bool timing = picture.status == harness::SkalaStatus::link_error;
+    fail(order, ExitCode::guest_failed,
+         fmt::format("the program stopped: {}{}", text_of(picture.status), timing ? clock_hint(order) : ""));
+  }
 }
 
 Drawn drawn(const harness::SkalaProgram& program, const SkalaOrder& order, bool visibility) {
@@ -82,17 +91,34 @@ void make_directory(const std::string& directory) {
   if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
 }
 
-template <class Content>
-void write_file(const std::string& path, const Content& content) {
-  Output output(path);
-  output.write(content);
-  output.commit();
-}
+// Files BASE.ENDING of which all appear or, if one cannot be written, none: opened together, and put in their
+// places when all are written.
+class PictureSet {
+ public:
+  PictureSet(const std::string& base, std::initializer_list<std::string_view> endings) {
+    for (const std::string_view ending : endings) {
+      paths_.push_back(base + std::string(ending));
+      outputs_.emplace_back(paths_.back());
+    }
+  }
 
-void write_png(const std::string& path, const picture::Image& image, const std::string& title) {
+  // By the place of its ending.
+  Output& at(std::size_t i) { return outputs_[i]; }
+
+  std::vector<std::string> commit() {
+    for (Output& output : outputs_) output.commit();
+    return std::move(paths_);
+  }
+
+ private:
+  std::vector<std::string> paths_;
+  std::vector<Output> outputs_;
+};
+
+void write_png(Output& output, const picture::Image& image, const std::string& title) {
   const auto bytes = picture::encode_png(image, {{"Title", title}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
-  write_file(path, std::span<const std::uint8_t>(*bytes));
+  output.write(std::span<const std::uint8_t>(*bytes));
 }
 
 std::string title_of(const SkalaOrder& order) {
@@ -144,17 +170,18 @@ std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const Ska
   const std::string base = (std::filesystem::path(files.directory) / files.stem).string();
   const std::string title = title_of(order);
   if (is_raster(order.view.device)) {
-    write_png(base + ".png", picture::raster_image(outcome.picture.raster, files.palette, files.scale),
-              title);
-    return {base + ".png"};
+    PictureSet set(base, {".png"});
+    write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), title);
+    return set.commit();
   }
   const auto paths = harness::pen_paths(outcome.picture.moves);
   const picture::PlotterPaper paper =
       order.view.device == SkalaDevice::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
-  write_png(base + ".png", picture::pen_image(paths, paper, files.scale), title);
-  write_file(base + ".svg", std::string_view(picture::pen_svg(paths, paper, title)));
-  write_file(base + ".hpgl", std::string_view(picture::hpgl(paths, paper)));
-  return {base + ".png", base + ".svg", base + ".hpgl"};
+  PictureSet set(base, {".png", ".svg", ".hpgl"});
+  write_png(set.at(0), picture::pen_image(paths, paper, files.scale), title);
+  set.at(1).write(picture::pen_svg(paths, paper, title));
+  set.at(2).write(picture::hpgl(paths, paper));
+  return set.commit();
 }
 
 }  // namespace sightline::app

@@ -57,7 +57,7 @@ struct SkalaFiles {
   int scale = 3;  // pixels a point
 };
 
-// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl. Returns the paths. Failure io.
+// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths. Failure io.
 std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
                                               const SkalaOutcome& outcome);
 

@@ -109,6 +109,35 @@ TEST_F(SkalaCommand, PlottersLeaveDrawings) {
   EXPECT_TRUE(has(sightline({"skala", "lines", "franke", "--device", "calcomp"}).out, "pen lifts"));
 }
 
+// A set of files is all or nothing.
+TEST_F(SkalaCommand, WhereOneFileCannotBeNoneIs) {
+  std::filesystem::create_directories(path("p/franke.hpgl"));
+  const Ran ran = sightline({"skala", "lines", "franke", "--slices", "5", "--device", "calcomp", "-o", "p"});
+  EXPECT_EQ(ran.exit_code, 5);
+  EXPECT_TRUE(has(ran.err, "p/franke.hpgl")) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  for (const char* name : {"p/franke.png", "p/franke.svg", "p/franke.png.partial", "p/franke.svg.partial"})
+    EXPECT_FALSE(exists(name)) << name;
+}
+
+// Which the program does once whatever there is.
+TEST_F(SkalaCommand, LookingForABoardIsNoFinding) {
+  for (const char* device : {"alt256", "calcomp", "minigraf"}) {
+    const Ran ran = sightline({"skala", "lines", "sinc", "--slices", "3", "--device", device});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_FALSE(has(ran.out, "unanswered")) << ran.out;
+  }
+}
+
+TEST_F(SkalaCommand, BothFamiliesMatterToLinesOnly) {
+  for (const char* picture : {"surface", "contours"}) {
+    report({picture, "peaks", "--slices", "9", "--points", "9", "-o", "one"});
+    report({picture, "peaks", "--slices", "9", "--points", "9", "--both", "-o", "both"});
+    EXPECT_EQ(read("one/peaks.png"), read("both/peaks.png")) << picture;
+  }
+  expect_failure({"surface", "sinc", "--both", "--along", "x"}, 2, "--both");
+}
+
 TEST_F(SkalaCommand, BoardsAndLinksMakeTheSamePicture) {
   report({"lines", "step", "-o", "a"});
   report({"lines", "step", "--device", "alt256", "-o", "b"});
@@ -176,6 +205,15 @@ TEST_F(SkalaCommand, OptionsOutOfRange) {
 TEST_F(SkalaCommand, AClockTheProgramIsNotTimedFor) {
   expect_failure({"lines", "sinc", "--slices", "5", "--device", "minigraf", "--clock", "6000000"}, 3,
                  "made for a clock of 3 MHz");
+  expect_failure({"lines", "sinc", "--slices", "5", "--link", "serial", "--clock", "100000"}, 3,
+                 "serial link; its timing is made for a clock of 3 MHz");
+}
+
+// A folder's name need not be UTF-8, which JSON must be.
+TEST_F(SkalaCommand, TheDemoInAFolderOfAnyName) {
+  const Ran ran = sightline({"demo", "--json", "-o", "f\xFF"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(json::parse(ran.out).at("pictures"), "f\xEF\xBF\xBD");
 }
 
 TEST_F(SkalaCommand, HelpTeaches) {
