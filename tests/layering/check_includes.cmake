@@ -19,6 +19,7 @@ set(RULES
   "host/algorithms/oracle=host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/geometry,host/scene,host/picture"
   "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
+  "host/harness/report=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators"
   "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
