@@ -1,0 +1,36 @@
+// Which segment is nearest to a point of the screen: segments sorted into squares, looked at from the
+// point's own square outwards.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/picture/line_metrics.hpp"
+
+namespace sightline::picture {
+
+class NearestSegment {
+ public:
+  // Finite segments.
+  explicit NearestSegment(const std::vector<PixelSegment>& segments);
+
+  // To the nearest point of any segment; infinite if there are none.
+  [[nodiscard]] double distance(const PixelPoint& point) const;
+
+ private:
+  [[nodiscard]] int column_of(double x) const;
+  [[nodiscard]] int row_of(double y) const;
+  template <class Visit>
+  void for_squares(const PixelSegment& segment, Visit&& visit) const;
+  void look(int column, int row, const PixelPoint& point, double& nearest) const;
+
+  std::vector<PixelSegment> segments_;
+  PixelPoint low_;
+  double side_ = 1;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::uint32_t> first_;  // of each square in entries_, and one more
+  std::vector<std::uint32_t> entries_;
+};
+
+}  // namespace sightline::picture

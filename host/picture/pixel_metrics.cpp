@@ -1,0 +1,86 @@
+// See pixel_metrics.hpp.
+#include "host/picture/pixel_metrics.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "host/picture/line_metrics_parts.hpp"
+
+namespace sightline::picture {
+namespace {
+
+constexpr double boundary_distance = 0.75;
+
+bool within(const PixelSegment& segment, const PixelPoint& point) {
+  const PixelPoint foot = point_at(segment, std::clamp(place_on(segment, point), 0.0, 1.0));
+  const double dx = point.x - foot.x;
+  const double dy = point.y - foot.y;
+  return dx * dx + dy * dy <= boundary_distance * boundary_distance;
+}
+
+// 1 for boundary pixels: those of the rows and, in them, columns that the edge comes near.
+PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& edges) {
+  PixelGrid boundary(width, height);
+  const auto first = [](double value) {
+    return static_cast<int>(std::max(0.0, std::ceil(value - boundary_distance)));
+  };
+  const auto last = [](double value, int size) {
+    return static_cast<int>(std::min(std::floor(value + boundary_distance), size - 1.0));
+  };
+  for (const PixelSegment& edge : edges) {
+    const double rise = edge.b.y - edge.a.y;
+    const int end = last(std::max(edge.a.y, edge.b.y), height);
+    for (int row = first(std::min(edge.a.y, edge.b.y)); row <= end; ++row) {
+      double from = edge.a.x;
+      double to = edge.b.x;
+      if (std::abs(rise) > 2 * boundary_distance) {
+        from = point_at(edge, std::clamp((row - boundary_distance - edge.a.y) / rise, 0.0, 1.0)).x;
+        to = point_at(edge, std::clamp((row + boundary_distance - edge.a.y) / rise, 0.0, 1.0)).x;
+      }
+      const int stop = last(std::max(from, to), width);
+      for (int column = first(std::min(from, to)); column <= stop; ++column)
+        if (within(edge, {static_cast<double>(column), static_cast<double>(row)})) boundary.set(column, row, 1);
+    }
+  }
+  return boundary;
+}
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+}  // namespace
+
+double PixelMetrics::mismatch() const {
+  return ratio(different(), pixels);
+}
+
+double PixelMetrics::boundary_mismatch() const {
+  return ratio(different_on_boundary, boundary_pixels);
+}
+
+double PixelMetrics::interior_mismatch() const {
+  return ratio(different_inside, pixels - boundary_pixels);
+}
+
+PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
+                           const std::vector<PixelSegment>& projected_edges) {
+  assert(truth.width == drawn.width && truth.height == drawn.height);
+  const PixelGrid boundary = boundary_of(truth.width, truth.height, projected_edges);
+  PixelMetrics metrics;
+  for (std::size_t i = 0; i < truth.values.size(); ++i) {
+    const bool different = truth.values[i] != drawn.values[i];
+    const bool on_boundary = boundary.values[i] != 0;
+    ++metrics.pixels;
+    metrics.boundary_pixels += on_boundary ? 1U : 0U;
+    metrics.different_on_boundary += different && on_boundary ? 1U : 0U;
+    metrics.different_inside += different && !on_boundary ? 1U : 0U;
+    metrics.lit += truth.values[i] != 0 ? 1U : 0U;
+    metrics.missing += truth.values[i] != 0 && drawn.values[i] == 0 ? 1U : 0U;
+    metrics.extra += truth.values[i] == 0 && drawn.values[i] != 0 ? 1U : 0U;
+  }
+  return metrics;
+}
+
+}  // namespace sightline::picture
