@@ -101,8 +101,9 @@ std::variant<CellComplex, SceneError> compartment_bsp(const PolyScene& scene, co
   const std::optional<BspTree> tree =
       build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
   if (!tree) {
-    return SceneError{"", "", "cut by the planes of its faces, space falls into more than " +
-                                  std::to_string(options.most_leaves) + " cells"};
+    return SceneError{"", "",
+                      "cut by the planes of its faces, space falls into more than " +
+                          std::to_string(options.most_leaves) + " cells"};
   }
   ComplexMaker(builder, *tree).make();
   return builder.take();

@@ -1,5 +1,6 @@
-// See compartment_bsp_faces.hpp. A BSP in two dimensions (Thibault and Naylor 1987): a part that no edge passes
-// through any more is inside or outside as the edge that was last cut along says, for the part lies at it.
+// See compartment_bsp_faces.hpp. A BSP in two dimensions (Thibault and Naylor 1987): a part that no edge
+// passes through any more is inside or outside as the edge that was last cut along says, for the part lies at
+// it.
 #include "host/scene/compartment_bsp_faces.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace {
 struct FaceSide {
   PolyPoint from;
   PolyPoint to;
-  HalfSpace inner;          // of the plane through it: where the face is
-  geometry::Rational low;   // from + s (to - from), low < s < high
+  HalfSpace inner;         // of the plane through it: where the face is
+  geometry::Rational low;  // from + s (to - from), low < s < high
   geometry::Rational high;
 };
 
@@ -104,9 +105,7 @@ class FaceCutter {
 
   // Through three of the outline's vertices that are not on a line, turned as the outline's area is.
   [[nodiscard]] geometry::Plane plane_of(const PolyFace& face) const {
-    const auto point = [&](std::size_t i) {
-      return scene_.vertices[face.outline[i % face.outline.size()]];
-    };
+    const auto point = [&](std::size_t i) { return scene_.vertices[face.outline[i % face.outline.size()]]; };
     // The vertex farthest along an axis, ties broken by the next axes, is a corner of the convex hull.
     std::size_t corner = 0;
     for (std::size_t i = 1; i < face.outline.size(); ++i) {

@@ -38,7 +38,8 @@ class TreeGrower {
     return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
   }
 
-  void add_portal(PlanePolygon polygon, std::array<std::uint32_t, 2> nodes, std::vector<std::uint32_t> faces) {
+  void add_portal(PlanePolygon polygon, std::array<std::uint32_t, 2> nodes,
+                  std::vector<std::uint32_t> faces) {
     const auto number = static_cast<std::uint32_t>(tree_.portals.size());
     tree_.portals.push_back({std::move(polygon), nodes, std::move(faces)});
     for (const std::uint32_t node : nodes)
@@ -127,7 +128,8 @@ class TreeGrower {
     std::vector<std::uint32_t> in_front;
   };
 
-  [[nodiscard]] SplitFaces faces_of_parts(const std::vector<std::uint32_t>& faces, std::uint32_t plane) const {
+  [[nodiscard]] SplitFaces faces_of_parts(const std::vector<std::uint32_t>& faces,
+                                          std::uint32_t plane) const {
     SplitFaces parts;
     for (const std::uint32_t face : faces) {
       const PolygonSides sides = sides_of(planes(), tree_.faces[face].polygon, plane);

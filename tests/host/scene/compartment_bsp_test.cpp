@@ -1,0 +1,285 @@
+// Compartmentation by BSP: cells hold exactly the free points, straight lines pass from cell to cell through
+// one opening or are stopped by a face, lines are where edges touch cells.
+#include "host/scene/compartment_bsp.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "host/scene/generate_scene.hpp"
+#include "host/scene/poly_builder.hpp"
+#include "host/scene/poly_check.hpp"
+#include "host/scene/poly_file.hpp"
+#include "tests/host/scene/complex_probe.hpp"
+
+namespace sightline::scene {
+namespace {
+
+// In the order of the parameter, from cell to cell.
+struct Passage {
+  CellNumber cell = 0;
+  Stretch stretch;
+};
+
+class Prober {
+ public:
+  explicit Prober(PolyScene scene)
+      : scene_(std::move(scene)),
+        complex_(std::get<CellComplex>(compartment_bsp(scene_))),
+        triangles_(triangles_of(scene_)) {}
+
+  [[nodiscard]] const CellComplex& complex() const { return complex_; }
+
+  PolyPoint random_point() {
+    PolyPoint p{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      p[a] = std::uniform_int_distribution(complex_.outer.low[a] + 1, complex_.outer.high[a] - 1)(random_);
+    }
+    return p;
+  }
+
+  // How many cells have the point inside; nothing if it is on the surface of one.
+  [[nodiscard]] std::optional<int> cells_with(const PolyPoint& p) const {
+    int count = 0;
+    for (const ComplexCell& cell : complex_.cells) {
+      int most = -1;
+      for (const HalfSpace& half : complex_.bounds_of(cell)) {
+        const int side = complex_.planes[half.plane].side(p);
+        most = std::max(most, half.turned ? -side : side);
+      }
+      if (most == 0) return std::nullopt;
+      if (most < 0) ++count;
+    }
+    return count;
+  }
+
+  // How many solids the point is in, by a line to somewhere beyond the box; nothing if the line is a special
+  // one.
+  [[nodiscard]] std::optional<int> solids_with(const PolyPoint& p) {
+    PolyPoint far = random_point();
+    far[1] = complex_.outer.high[1];
+    int count = 0;
+    for (const SceneTriangle& triangle : triangles_) {
+      if (triangle.sheet) continue;
+      const std::optional<int> through = crossing(triangle, {p, far});
+      if (!through) return std::nullopt;
+      count -= *through;
+    }
+    return count;
+  }
+
+  [[nodiscard]] std::vector<Passage> passages(const Segment& segment) const {
+    std::vector<Passage> passages;
+    for (CellNumber c = 0; c < complex_.cells.size(); ++c) {
+      const Stretch stretch = stretch_in(complex_, complex_.bounds_of(complex_.cells[c]), segment);
+      if (stretch.has_length()) passages.push_back({c, stretch});
+    }
+    std::sort(passages.begin(), passages.end(),
+              [](const Passage& a, const Passage& b) { return a.stretch.low < b.stretch.low; });
+    return passages;
+  }
+
+  // Openings between the cells through which the segment passes at s.
+  [[nodiscard]] int openings_at(const Segment& segment, CellNumber a, CellNumber b, const Rational& s) const {
+    int count = 0;
+    for (const std::uint32_t number : complex_.openings_of(complex_.cells[a])) {
+      const ComplexOpening& opening = complex_.openings[number];
+      const geometry::Plane& plane = complex_.planes[opening.plane];
+      const bool upwards = plane.at(segment.from) < plane.at(segment.to);
+      const std::array<CellNumber, 2> cells{upwards ? a : b, upwards ? b : a};
+      if (opening.cells != cells) continue;
+      const std::int64_t from = plane.at(segment.from);
+      if (Rational(from, from - plane.at(segment.to)) != s) continue;
+      const Stretch inside = stretch_in(complex_, complex_.sides_of(opening), segment);
+      if (inside.low <= s && s <= inside.high) ++count;
+    }
+    return count;
+  }
+
+  // How often the segment meets faces, and nothing if it meets one at its rim.
+  [[nodiscard]] std::optional<int> faces_met(const Segment& segment) const {
+    int count = 0;
+    for (const SceneTriangle& triangle : triangles_) {
+      const std::optional<int> through = crossing(triangle, segment);
+      if (!through) return std::nullopt;
+      if (*through != 0) ++count;
+    }
+    return count;
+  }
+
+ private:
+  PolyScene scene_;
+  CellComplex complex_;
+  std::vector<SceneTriangle> triangles_;
+  std::mt19937 random_{7};
+};
+
+PolyScene model(const std::string& name) {
+  std::ifstream file(std::string(SIGHTLINE_TEST_DATA) + "/models/" + name);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return std::get<PolyImport>(read_poly(text, name, PolyFormat::off)).scene;
+}
+
+// Solids that reach into each other and stand in each other, one with a cavity, and a sheet with a window
+// across them and beside them: nothing a checked scene may not be.
+PolyScene tangled() {
+  PolyBuilder builder;
+  builder.add_box("first", {0, 0, 0}, {4000, 3000, 2000});
+  builder.add_box("across", {1000, -1000, 500}, {3000, 5000, 1500});
+  builder.add_box("within", {200, 200, 200}, {900, 900, 900});
+  builder.add_box("hollow", {6000, 0, 0}, {9000, 3000, 3000});
+  builder.add_box("cavity", {7000, 1000, 1000}, {8000, 2000, 2500});
+  builder.add_sheet("window",
+                    std::vector<PolyPoint>{
+                        {-500, -500, -1500}, {9900, -500, 3700}, {9900, 4500, 6200}, {-500, 4500, 1000}});
+  const std::vector<PolyPoint> hole{
+      {4500, 500, 1500}, {4400, 1500, 1950}, {5300, 1600, 2450}, {5500, 600, 2050}};
+  std::vector<VertexIndex> ring;
+  for (const PolyPoint& p : hole) ring.push_back(builder.vertex(p));
+  PolyScene scene = builder.take();
+  scene.bodies.back().faces[0].holes.push_back(ring);
+  PolyBody cavity = scene.bodies[4];
+  scene.bodies.erase(scene.bodies.begin() + 4);
+  for (PolyFace& face : cavity.faces) {
+    std::reverse(face.outline.begin(), face.outline.end());
+    scene.bodies[3].faces.push_back(face);
+  }
+  return scene;
+}
+
+// Small ones are made larger, for whoever looks for points that are not special.
+PolyScene enlarged(PolyScene scene, std::int32_t factor) {
+  for (PolyPoint& p : scene.vertices)
+    for (std::int32_t& c : p) c *= factor;
+  return scene;
+}
+
+// Small enough to be questioned for every cell; of cubes that touch each other a third is taken out, for
+// lines to pass.
+PolyScene scene_named(const std::string& name) {
+  if (name == "tangled") return tangled();
+  if (name.ends_with(".off")) return model(name);
+  const std::size_t colon = name.find(':');
+  const std::string family = name.substr(0, colon);
+  PolyScene scene = std::get<PolyScene>(generate_scene(family, std::stoul(name.substr(colon + 1)), 5));
+  if (family == "touch")
+    std::erase_if(scene.bodies, [n = 0](const PolyBody&) mutable { return n++ % 3 == 1; });
+  return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
+}
+
+TEST(CompartmentBsp, IsTriedOnPossibleScenes) {
+  EXPECT_TRUE(check_poly_scene(tangled()).empty());
+}
+
+class CompartmentBspTest : public testing::TestWithParam<const char*> {
+ protected:
+  Prober prober{scene_named(GetParam())};
+};
+
+TEST_P(CompartmentBspTest, EveryFreePointIsInOneCell) {
+  int tested = 0;
+  for (int i = 0; i < 600; ++i) {
+    const PolyPoint p = prober.random_point();
+    const std::optional<int> cells = prober.cells_with(p);
+    const std::optional<int> solids = prober.solids_with(p);
+    if (!cells || !solids) continue;
+    ++tested;
+    EXPECT_EQ(*cells, *solids > 0 ? 0 : 1) << p[0] << ' ' << p[1] << ' ' << p[2];
+  }
+  EXPECT_GT(tested, 20);
+}
+
+// A line goes from cell to cell without a gap through just one opening each time, if it meets no face
+// between.
+TEST_P(CompartmentBspTest, StraightLinesPassThroughOpenings) {
+  int passed = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Segment segment{prober.random_point(), prober.random_point()};
+    const std::optional<int> faces = prober.faces_met(segment);
+    if (!faces) continue;
+    const std::vector<Passage> passages = prober.passages(segment);
+    int stops = 0;
+    for (std::size_t k = 1; k < passages.size(); ++k) {
+      const Passage& before = passages[k - 1];
+      const Passage& after = passages[k];
+      ASSERT_LE(before.stretch.high, after.stretch.low);
+      const int openings = before.stretch.high == after.stretch.low
+                               ? prober.openings_at(segment, before.cell, after.cell, after.stretch.low)
+                               : 0;
+      ASSERT_LE(openings, 1);
+      (openings == 1 ? passed : stops) += 1;
+    }
+    if (*faces == 0 && !passages.empty()) {
+      EXPECT_EQ(stops, 0);
+    }
+    if (*faces > 0) {
+      EXPECT_LE(stops, *faces);
+    }
+    if (*faces > 0 && prober.cells_with(segment.from) == 1 && prober.cells_with(segment.to) == 1) {
+      EXPECT_GE(stops, 1);
+    }
+  }
+  EXPECT_GT(passed, 20);
+}
+
+TEST_P(CompartmentBspTest, LinesAreWhereEdgesTouchCells) {
+  const CellComplex& complex = prober.complex();
+  for (const ComplexCell& cell : complex.cells) {
+    std::size_t next = cell.first_line;
+    for (std::uint32_t e = 0; e < complex.edges.size(); ++e) {
+      const ComplexEdge& edge = complex.edges[e];
+      const Stretch stretch = stretch_in(complex, complex.bounds_of(cell),
+                                         {complex.vertices[edge.from], complex.vertices[edge.to]});
+      if (!stretch.has_length()) continue;
+      ASSERT_LT(next, cell.first_line + cell.line_count);
+      const ComplexLine& line = complex.lines[next++];
+      EXPECT_EQ(line.edge, e);
+      EXPECT_EQ(line.low, stretch.low);
+      EXPECT_EQ(line.high, stretch.high);
+    }
+    EXPECT_EQ(next, cell.first_line + cell.line_count);
+  }
+}
+
+TEST_P(CompartmentBspTest, OpeningsLieOnBoundsOfTheirCells) {
+  const CellComplex& complex = prober.complex();
+  for (const ComplexOpening& opening : complex.openings) {
+    EXPECT_GE(opening.side_count, 3U);
+    for (const bool in_front : {false, true}) {
+      const CellNumber number = opening.cells[in_front ? 1 : 0];
+      if (number == outside) continue;
+      const auto bounds = complex.bounds_of(complex.cells[number]);
+      EXPECT_EQ(std::count(bounds.begin(), bounds.end(), HalfSpace{opening.plane, in_front}), 1);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CompartmentBspTest,
+                         testing::Values("boxes:3", "boxes:12", "edgeon:9", "touch:3", "aligned:2", "town:9",
+                                         "triangles:12", "bricks:10", "rooms:3", "squares.off", "tangled"));
+
+TEST(CompartmentBsp, IsTheSameEachTime) {
+  const PolyScene scene = generate_triangles(16);
+  const auto first = std::get<CellComplex>(compartment_bsp(scene));
+  const auto second = std::get<CellComplex>(compartment_bsp(scene));
+  EXPECT_EQ(first.planes, second.planes);
+  EXPECT_EQ(first.bounds, second.bounds);
+  EXPECT_EQ(first.sides, second.sides);
+  EXPECT_EQ(first.opening_numbers, second.opening_numbers);
+}
+
+TEST(CompartmentBsp, NamesWhatStopsIt) {
+  const auto empty = compartment_bsp(PolyScene{});
+  EXPECT_EQ(std::get<SceneError>(empty).cause, "there is no face");
+  const auto large = compartment_bsp(generate_boxes(10), {.most_leaves = 20});
+  EXPECT_EQ(std::get<SceneError>(large).cause,
+            "cut by the planes of its faces, space falls into more than 20 cells");
+  EXPECT_TRUE(std::holds_alternative<CellComplex>(compartment_bsp(generate_boxes(1), {.most_leaves = 7})));
+}
+
+}  // namespace
+}  // namespace sightline::scene
