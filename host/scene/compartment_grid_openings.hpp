@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "host/geometry/box.hpp"
 #include "host/scene/compartment_grid_cells.hpp"
 #include "host/scene/compartment_grid_space.hpp"
+#include "host/scene/free_rectangles.hpp"
 
 namespace sightline::scene {
 
@@ -37,15 +37,12 @@ class GridOpenings {
   template <class Visit>
   void for_each_unit(const Meeting& meeting, Visit visit) const;
   [[nodiscard]] geometry::Rectangle whole(const Meeting& meeting) const;
-  [[nodiscard]] bool lay_out(const Meeting& meeting);
-  void cover(const geometry::Rectangle& rectangle);
-  void cover_sheets(const Meeting& meeting);
-  void take_rectangles(const Meeting& meeting);
+  void gather_covers(const Meeting& meeting);
 
   const GridSpace& space_;
   std::size_t most_parts_;
-  std::array<std::vector<std::int32_t>, 2> borders_;  // the meeting, cut where something ends
-  std::vector<char> covered_;                         // the parts between them, the first axis fastest
+  std::vector<geometry::Rectangle> covers_;
+  FreeRectangles free_;
   std::vector<geometry::Rectangle> openings_;
 };
 

@@ -1,0 +1,77 @@
+// Which of many boxes touch a box: a binary tree over them, each node with the box around what is below it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "host/geometry/box.hpp"
+
+namespace sightline::scene {
+
+class BoxTree {
+ public:
+  // Keeps a copy. Time n log n.
+  explicit BoxTree(std::span<const geometry::Box> boxes)
+      : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()) {
+    std::iota(order_.begin(), order_.end(), 0U);
+    around_.resize(boxes_.size());
+    build(0, order_.size(), 0);
+  }
+
+  // visit(number) for every box that has a point, of its surface even, in common with `query`; in no
+  // particular order, but always the same.
+  template <class Visit>
+  void for_each_touching(const geometry::Box& query, Visit visit) const {
+    search(0, order_.size(), query, visit);
+  }
+
+ private:
+  [[nodiscard]] static bool touch(const geometry::Box& a, const geometry::Box& b) {
+    bool common = true;
+    for (std::size_t i = 0; i < 3; ++i) common = common && a.low[i] <= b.high[i] && b.low[i] <= a.high[i];
+    return common;
+  }
+
+  // The node of order_[begin, end) is its middle one; those before and after it are the nodes below.
+  void build(std::size_t begin, std::size_t end, std::size_t axis) {
+    if (begin == end) return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+      const std::int64_t sum_a = std::int64_t{boxes_[a].low[axis]} + boxes_[a].high[axis];
+      const std::int64_t sum_b = std::int64_t{boxes_[b].low[axis]} + boxes_[b].high[axis];
+      return sum_a != sum_b ? sum_a < sum_b : a < b;
+    });
+    geometry::Box around = boxes_[order_[begin]];
+    for (std::size_t i = begin; i < end; ++i) {
+      const geometry::Box& box = boxes_[order_[i]];
+      for (std::size_t a = 0; a < 3; ++a) {
+        around.low[a] = std::min(around.low[a], box.low[a]);
+        around.high[a] = std::max(around.high[a], box.high[a]);
+      }
+    }
+    around_[middle] = around;
+    build(begin, middle, (axis + 1) % 3);
+    build(middle + 1, end, (axis + 1) % 3);
+  }
+
+  template <class Visit>
+  void search(std::size_t begin, std::size_t end, const geometry::Box& query, Visit& visit) const {
+    if (begin == end) return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    if (!touch(around_[middle], query)) return;
+    search(begin, middle, query, visit);
+    if (touch(boxes_[order_[middle]], query)) visit(order_[middle]);
+    search(middle + 1, end, query, visit);
+  }
+
+  std::vector<geometry::Box> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<geometry::Box> around_;  // by place in order_
+};
+
+}  // namespace sightline::scene
