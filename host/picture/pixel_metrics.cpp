@@ -46,6 +46,16 @@ PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& ed
   return boundary;
 }
 
+// None of the pixels around is lit.
+bool alone(const PixelGrid& grid, std::size_t index) {
+  const int column = static_cast<int>(index % static_cast<std::size_t>(grid.width));
+  const int row = static_cast<int>(index / static_cast<std::size_t>(grid.width));
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.height - 1); ++r)
+    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.width - 1); ++c)
+      if (grid.at(c, r) != 0) return false;
+  return true;
+}
+
 double ratio(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
@@ -77,8 +87,12 @@ PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
     metrics.different_on_boundary += different && on_boundary ? 1U : 0U;
     metrics.different_inside += different && !on_boundary ? 1U : 0U;
     metrics.lit += truth.values[i] != 0 ? 1U : 0U;
-    metrics.missing += truth.values[i] != 0 && drawn.values[i] == 0 ? 1U : 0U;
-    metrics.extra += truth.values[i] == 0 && drawn.values[i] != 0 ? 1U : 0U;
+    const bool missing = truth.values[i] != 0 && drawn.values[i] == 0;
+    const bool extra = truth.values[i] == 0 && drawn.values[i] != 0;
+    metrics.missing += missing ? 1U : 0U;
+    metrics.extra += extra ? 1U : 0U;
+    metrics.missing_far += missing && alone(drawn, i) ? 1U : 0U;
+    metrics.extra_far += extra && alone(truth, i) ? 1U : 0U;
   }
   return metrics;
 }

@@ -44,6 +44,9 @@ struct PixelMetrics {
   std::uint64_t lit = 0;      // pixels of the truth that are not 0
   std::uint64_t missing = 0;  // 0 in the picture, not in the truth
   std::uint64_t extra = 0;    // 0 in the truth, not in the picture
+  // Of missing and extra, those with no lit pixel of the other picture among their eight neighbours.
+  std::uint64_t missing_far = 0;
+  std::uint64_t extra_far = 0;
 
   [[nodiscard]] std::uint64_t different() const { return different_on_boundary + different_inside; }
   // PMR: of all pixels.

@@ -1,0 +1,42 @@
+// Two pictures over each other: what both have in grey, what the drawing lacks in orange, what it has too
+// much in blue, with a legend. The colours are told apart by colour-blind people as well.
+//
+// Missing and extra lie over what agrees, so an extra stretch on a line that is seen anyhow is shown. The
+// result is a VectorDrawing, for an image, an SVG with a layer each, or a page.
+#pragma once
+
+#include <string>
+
+#include "host/picture/line_metrics.hpp"
+#include "host/picture/pixel_metrics.hpp"
+#include "host/picture/vector_drawing.hpp"
+
+namespace sightline::picture {
+
+// Printable ASCII; small letters are shown as capitals.
+struct OverlayCaption {
+  std::string title;
+  std::string agreed = "agreed";
+  std::string missing = "missing";
+  std::string extra = "extra";
+};
+
+struct Overlay {
+  VectorDrawing drawing;  // layers legend, agreed, missing, extra
+  double pen = 1;         // in the drawing's units, a whole number
+};
+
+// The part of the screen from low to high, ends included, becomes 1024 units wide.
+[[nodiscard]] Overlay overlay_of(const LineDifference& difference, const PixelPoint& low,
+                                 const PixelPoint& high, const OverlayCaption& caption);
+// Pixels that are not 0 are lit; those lit in both but with different values count as extra. Both grids of
+// the same size (precondition).
+[[nodiscard]] Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn,
+                                 const OverlayCaption& caption);
+
+// A pixel a unit, with the pen's width around: 1027 pixels wide for lines.
+[[nodiscard]] Image overlay_image(const Overlay& overlay);
+// 200 mm wide.
+[[nodiscard]] std::string overlay_svg(const Overlay& overlay, const std::string& title);
+
+}  // namespace sightline::picture
