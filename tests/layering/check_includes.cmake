@@ -16,6 +16,7 @@ set(RULES
   "host/scene=host/geometry"
   "host/picture=host/geometry,host/scene,emulators/core"
   "host/algorithms/exact=host/geometry,host/scene,host/picture"
+  "host/algorithms/jones=host/geometry,host/scene,host/picture"
   "host/algorithms/oracle=host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/geometry,host/scene,host/picture"
   "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"

@@ -1,0 +1,99 @@
+// The numbers in which masks and lines are computed, in three widths; a view uses the narrowest that holds
+// all it can meet.
+//
+// A sight plane has components up to m; in perspective it is a triple (line) as it stands, in orthographic
+// views its image is one, with two components up to m and one up to c. Where the images of two planes cross
+// is their cross product (ray), and on which side of a third it lies the sign of a dot product: 6 m m max(m,
+// c). A plane at a vertex of the scene, 2^19 from the eye at most, is below 3 * 2^19 m + c. So:
+//   narrow: everything in 64 bits;  medium: planes in 64, rays and signs in 128;
+//   wide: planes and their values in 128, rays in 256, signs in 384. A sign in doubles is tried first: an
+//         entry is right to four units of the last place, so a sum that exceeds 2^-46 of the magnitudes of
+//         its terms has the right sign. Filters pay only where the exact way is several words long.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "host/algorithms/jones/fixed_integer.hpp"
+#include "host/geometry/integer.hpp"
+#include "host/geometry/predicates.hpp"
+
+namespace sightline::algorithms::jones {
+
+template <class Number>
+struct Triple {
+  std::array<Number, 3> part{};
+};
+
+// Planes in 64 bits, rays in 64 or 128.
+template <class RayNumber>
+struct DirectArithmetic {
+  using Number = std::int64_t;
+  using Line = Triple<std::int64_t>;
+  using Ray = Triple<RayNumber>;
+
+  static Line line(const std::array<Number, 3>& parts) { return {parts}; }
+  static Ray meet(const Line& u, const Line& v) {
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return RayNumber{u.part[i]} * v.part[j] - RayNumber{u.part[j]} * v.part[i];
+    };
+    return {{minor(1, 2), minor(2, 0), minor(0, 1)}};
+  }
+  static bool is_zero(const Ray& ray) { return ray.part[0] == 0 && ray.part[1] == 0 && ray.part[2] == 0; }
+  static int side(const Line& line, const Ray& ray) {
+    return geometry::sign(line.part[0] * ray.part[0] + line.part[1] * ray.part[1] +
+                          line.part[2] * ray.part[2]);
+  }
+};
+
+using NarrowArithmetic = DirectArithmetic<std::int64_t>;
+using MediumArithmetic = DirectArithmetic<geometry::Int128>;
+
+struct WideArithmetic {
+  using Number = geometry::Int128;
+  struct Line {
+    std::array<Number, 3> part{};
+    std::array<double, 3> near{};
+  };
+  struct Ray {
+    std::array<FixedInteger<4>, 3> part{};
+    std::array<double, 3> near{};
+  };
+
+  static Line line(const std::array<Number, 3>& parts) {
+    Line line{parts, {}};
+    for (std::size_t i = 0; i < 3; ++i) line.near[i] = static_cast<double>(parts[i]);
+    return line;
+  }
+  static Ray meet(const Line& u, const Line& v) {
+    using Product = FixedInteger<4>;
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return Product(u.part[i]) * Product(v.part[j]) - Product(u.part[j]) * Product(v.part[i]);
+    };
+    Ray ray{{minor(1, 2), minor(2, 0), minor(0, 1)}, {}};
+    for (std::size_t i = 0; i < 3; ++i) ray.near[i] = ray.part[i].to_double();
+    return ray;
+  }
+  static bool is_zero(const Ray& ray) {
+    return ray.part[0].sign() == 0 && ray.part[1].sign() == 0 && ray.part[2].sign() == 0;
+  }
+  static int side(const Line& line, const Ray& ray) {
+    double sum = 0;
+    double magnitude = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double term = line.near[i] * ray.near[i];
+      sum += term;
+      magnitude += std::fabs(term);
+    }
+    constexpr double certain = 0x1p-46;
+    if (std::fabs(sum) > certain * magnitude) return sum > 0 ? 1 : -1;
+    using Sum = FixedInteger<6>;
+    return (Sum(line.part[0]) * Sum(ray.part[0]) + Sum(line.part[1]) * Sum(ray.part[1]) +
+            Sum(line.part[2]) * Sum(ray.part[2]))
+        .sign();
+  }
+};
+
+}  // namespace sightline::algorithms::jones

@@ -1,0 +1,144 @@
+#include "host/algorithms/jones/cell_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/geometry/integer.hpp"
+
+namespace sightline::algorithms::jones {
+namespace {
+
+using geometry::Box;
+using geometry::Int128;
+
+// The greatest integer not above a / b, b positive.
+Int128 floor_divide(const Int128& a, const Int128& b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+// Takes from the box what of it is certainly not in the half-space normal . x <= offset. True if that was
+// something.
+bool tighten(Box& box, const std::array<std::int64_t, 3>& normal, std::int64_t offset) {
+  Int128 least = 0;  // of normal . x in the box
+  for (std::size_t a = 0; a < 3; ++a) least += Int128{normal[a]} * (normal[a] > 0 ? box.low[a] : box.high[a]);
+  bool changed = false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (normal[a] == 0) continue;
+    const std::int32_t near = normal[a] > 0 ? box.low[a] : box.high[a];
+    const Int128 room = offset - (least - Int128{normal[a]} * near);  // normal[a] x <= room
+    if (normal[a] > 0) {
+      const Int128 most = floor_divide(room, normal[a]);
+      if (most >= box.high[a]) continue;
+      box.high[a] = most < box.low[a] ? box.low[a] - 1 : static_cast<std::int32_t>(most);
+    } else {
+      const Int128 fewest = -floor_divide(room, -normal[a]);
+      if (fewest <= box.low[a]) continue;
+      box.low[a] = fewest > box.high[a] ? box.high[a] + 1 : static_cast<std::int32_t>(fewest);
+    }
+    if (box.low[a] > box.high[a]) return false;
+    changed = true;
+  }
+  return changed;
+}
+
+bool without_points(const Box& box) {
+  return box.low[0] > box.high[0] || box.low[1] > box.high[1] || box.low[2] > box.high[2];
+}
+
+Box box_of(const scene::CellComplex& complex, std::span<const geometry::Plane> planes,
+           const scene::ComplexCell& cell) {
+  constexpr int rounds = 4;
+  Box box = complex.outer;
+  for (int round = 0; round < rounds; ++round) {
+    bool changed = false;
+    for (const scene::HalfSpace& half : complex.bounds_of(cell)) {
+      const geometry::Plane& plane = planes[half.plane];
+      const geometry::Vector3 normal = half.turned ? geometry::negated(plane.normal) : plane.normal;
+      changed = tighten(box, normal, half.turned ? -plane.offset : plane.offset) || changed;
+      if (without_points(box)) return box;
+    }
+    if (!changed) break;
+  }
+  return box;
+}
+
+}  // namespace
+
+std::size_t CellIndex::bucket(std::size_t axis, std::int32_t coordinate) const {
+  const std::int64_t length = outer_.span(axis).length() + 1;
+  const std::int64_t along = std::int64_t{coordinate} - outer_.low[axis];
+  return static_cast<std::size_t>(along * static_cast<std::int64_t>(buckets_[axis]) / length);
+}
+
+template <class Do>
+void CellIndex::for_each_bucket(const Box& box, const Do& act) const {
+  std::array<std::size_t, 3> low{};
+  std::array<std::size_t, 3> high{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    low[a] = bucket(a, box.low[a]);
+    high[a] = bucket(a, box.high[a]);
+  }
+  std::array<std::size_t, 3> at{};
+  for (at[2] = low[2]; at[2] <= high[2]; ++at[2]) {
+    for (at[1] = low[1]; at[1] <= high[1]; ++at[1]) {
+      for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) act(number_of(at));
+    }
+  }
+}
+
+// About a bucket a cell, as nearly cubes as the outer box allows; fewer if cells would stand in very many.
+void CellIndex::choose_buckets(const std::vector<Box>& boxes) {
+  constexpr std::size_t most_entries_a_cell = 16;
+  double volume = 1;
+  for (std::size_t a = 0; a < 3; ++a) volume *= static_cast<double>(outer_.span(a).length() + 1);
+  double side = std::cbrt(volume / (static_cast<double>(boxes.size()) + 1));
+  for (bool fits = false; !fits; side *= 2) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double wanted = static_cast<double>(outer_.span(a).length()) / side;
+      buckets_[a] = wanted < 1 ? 1 : static_cast<std::size_t>(wanted);
+    }
+    std::size_t entries = 0;
+    for (const Box& box : boxes) {
+      if (without_points(box)) continue;
+      std::size_t count = 1;
+      for (std::size_t a = 0; a < 3; ++a) count *= bucket(a, box.high[a]) - bucket(a, box.low[a]) + 1;
+      entries += count;
+    }
+    fits = entries <= most_entries_a_cell * boxes.size() + 1024 || buckets_ == std::array<std::size_t, 3>{1, 1, 1};
+  }
+}
+
+CellIndex::CellIndex(const scene::CellComplex& complex, std::span<const geometry::Plane> planes)
+    : outer_(complex.outer) {
+  std::vector<Box> boxes;
+  boxes.reserve(complex.cells.size());
+  for (const scene::ComplexCell& cell : complex.cells) boxes.push_back(box_of(complex, planes, cell));
+  choose_buckets(boxes);
+  starts_.assign(buckets_[0] * buckets_[1] * buckets_[2] + 1, 0);
+  for (const Box& box : boxes) {
+    if (!without_points(box)) for_each_bucket(box, [&](std::size_t b) { ++starts_[b + 1]; });
+  }
+  for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
+  entries_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t c = 0; c < boxes.size(); ++c) {
+    if (without_points(boxes[c])) continue;
+    for_each_bucket(boxes[c], [&](std::size_t b) { entries_[next[b]++] = static_cast<scene::CellNumber>(c); });
+  }
+}
+
+std::vector<scene::CellNumber> CellIndex::cells_at(const scene::CellComplex& complex,
+                                                   std::span<const geometry::Plane> planes,
+                                                   const geometry::Point3& point) const {
+  std::vector<scene::CellNumber> cells;
+  if (!outer_.contains(point)) return cells;
+  const std::size_t b = number_of({bucket(0, point[0]), bucket(1, point[1]), bucket(2, point[2])});
+  for (std::uint32_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+    const auto bounds = complex.bounds_of(complex.cells[entries_[i]]);
+    const auto holds = [&](const scene::HalfSpace& half) { return contains(planes, half, point); };
+    if (std::all_of(bounds.begin(), bounds.end(), holds)) cells.push_back(entries_[i]);
+  }
+  return cells;
+}
+
+}  // namespace sightline::algorithms::jones

@@ -1,0 +1,105 @@
+// What has been seen of edges, piece by piece as cells came into view, and the picture it makes.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "host/algorithms/jones/sight_plane.hpp"
+#include "host/algorithms/jones/stretch.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/cell_complex.hpp"
+
+namespace sightline::algorithms::jones {
+
+// In lowest terms; nothing if that does not fit 64 bits.
+[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<std::int64_t>& fraction) {
+  return geometry::Rational(fraction.numerator, fraction.denominator);
+}
+[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<geometry::Int128>& fraction) {
+  geometry::Int128 divisor = fraction.denominator;
+  for (geometry::Int128 rest = fraction.numerator; rest != 0;) {
+    const geometry::Int128 next = divisor % rest;
+    divisor = rest;
+    rest = next;
+  }
+  const geometry::Int128 denominator = fraction.denominator / divisor;
+  if (denominator > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
+  return geometry::Rational(static_cast<std::int64_t>(fraction.numerator / divisor),
+                            static_cast<std::int64_t>(denominator));
+}
+
+template <class Number>
+class Fragments {
+ public:
+  void clear() {
+    fragments_.clear();
+    limit_ = first_limit;
+  }
+  // low < high.
+  void add(std::uint32_t edge, const Stretch<Number>& stretch) {
+    if (fragments_.size() >= limit_) {
+      unite();
+      limit_ = std::max(first_limit, 2 * fragments_.size());
+    }
+    fragments_.push_back({edge, stretch});
+  }
+
+  // The union, without edges whose image is a point or that are nowhere before the eye. Nothing if an end is
+  // longer than where edges cross, or edges and planes, can be. Of a closed mask, edges exactly beside the
+  // eye are not left out yet; here they are.
+  [[nodiscard]] std::optional<picture::LinePicture> picture(const scene::CellComplex& complex,
+                                                            const Sight& sight) {
+    unite();
+    picture::LinePicture picture;
+    picture.pieces.reserve(fragments_.size());
+    for (const Fragment& fragment : fragments_) {
+      const scene::ComplexEdge& edge = complex.edges[fragment.edge];
+      const geometry::Vector3 from = sight.from_eye(complex.vertices[edge.from]);
+      const geometry::Vector3 to = sight.from_eye(complex.vertices[edge.to]);
+      if (sight.seen_end_on(from, to)) continue;
+      if (sight.perspective() && geometry::dot(sight.forward(), from) <= 0 &&
+          geometry::dot(sight.forward(), to) <= 0)
+        continue;
+      const auto low = reduced(fragment.stretch.low);
+      const auto high = reduced(fragment.stretch.high);
+      if (!low || !high) return std::nullopt;
+      picture.pieces.push_back({{edge.from, edge.to}, *low, *high});
+    }
+    return picture;
+  }
+
+ private:
+  struct Fragment {
+    std::uint32_t edge = 0;
+    Stretch<Number> stretch;
+  };
+  static constexpr std::size_t first_limit = std::size_t{1} << 18;
+
+  // Joins what overlaps or touches; afterwards ascending by edge and place.
+  void unite() {
+    std::sort(fragments_.begin(), fragments_.end(), [](const Fragment& a, const Fragment& b) {
+      return a.edge != b.edge ? a.edge < b.edge : less(a.stretch.low, b.stretch.low);
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < fragments_.size(); ++i) {
+      Fragment& last = fragments_[kept];
+      const Fragment& next = fragments_[i];
+      if (next.edge != last.edge || less(last.stretch.high, next.stretch.low)) {
+        fragments_[++kept] = next;
+      } else if (less(last.stretch.high, next.stretch.high)) {
+        last.stretch.high = next.stretch.high;
+      }
+    }
+    if (!fragments_.empty()) fragments_.resize(kept + 1);
+  }
+
+  std::vector<Fragment> fragments_;
+  std::size_t limit_ = first_limit;
+};
+
+}  // namespace sightline::algorithms::jones

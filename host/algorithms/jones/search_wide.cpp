@@ -1,0 +1,8 @@
+// The search in planes of sight of 128 bits.
+#include "host/algorithms/jones/search.hpp"
+
+namespace sightline::algorithms::jones {
+
+template class Search<WideArithmetic>;
+
+}  // namespace sightline::algorithms::jones

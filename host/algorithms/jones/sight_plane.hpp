@@ -1,0 +1,87 @@
+// The plane of sight through one side of an opening, as a camera sees it.
+//
+// The side is where the planes P (of the opening) and Q (of the side) cross. With p and q their values at the
+// eye, P(x) q - Q(x) p vanishes at the eye and on the side, and within the opening's plane it is -Q(x) p: so
+// neither is the side worked out nor anything divided. In an orthographic view the eye is infinitely far
+// against forward: its values become p = -P.normal . forward and so on, and the plane gets an offset.
+//
+// Image: in perspective a plane is the line of its normal among the directions of sight. Orthographic: points
+// are moved along forward until one coordinate vanishes, one of which forward has a component, the largest;
+// the other two, in the order that keeps left and right, are the coordinates in the image.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "host/geometry/predicates.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::algorithms::jones {
+
+// Not negative at points y, counted from the eye, that are seen on the inner side: normal . y >= offset.
+template <class Number>
+struct SightPlane {
+  std::array<Number, 3> normal{};
+  Number offset{};
+
+  [[nodiscard]] Number at(const geometry::Vector3& y) const {
+    return normal[0] * y[0] + normal[1] * y[1] + normal[2] * y[2] - offset;
+  }
+};
+
+class Sight {
+ public:
+  explicit Sight(const scene::PolyCamera& camera)
+      : perspective_(camera.perspective),
+        eye_(camera.eye),
+        forward_(geometry::vector_of(camera.forward)) {
+    const std::size_t dropped = geometry::dominant_axis(forward_);
+    axes_ = {(dropped + 1) % 3, (dropped + 2) % 3};
+    if (forward_[dropped] < 0) axes_ = {axes_[1], axes_[0]};
+  }
+
+  [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] const geometry::Vector3& forward() const { return forward_; }
+  [[nodiscard]] geometry::Vector3 from_eye(const scene::PolyPoint& point) const {
+    return geometry::difference(point, eye_);
+  }
+  // Positive if the eye is on the side the plane's normal points to, 0 if the plane is seen edge-on.
+  [[nodiscard]] std::int64_t eye_value(const geometry::Plane& plane) const {
+    return perspective_ ? plane.at(eye_) : -geometry::dot(plane.normal, forward_);
+  }
+  // The image of the edge between two points, counted from the eye, is a point.
+  [[nodiscard]] bool seen_end_on(const geometry::Vector3& a, const geometry::Vector3& b) const {
+    if (perspective_) return geometry::is_zero(geometry::cross(a, b));
+    return geometry::is_zero(geometry::cross(forward_, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}));
+  }
+
+  // Through the side of an opening in `plane`, whose other plane is `side`; not negative where the half-space
+  // of the side is. eye = eye_value(plane), not 0.
+  template <class Number>
+  [[nodiscard]] SightPlane<Number> through(const geometry::Plane& plane, std::int64_t eye,
+                                           const geometry::Plane& side, bool turned) const {
+    const std::int64_t direction = ((eye > 0) != turned) ? 1 : -1;
+    const Number p = Number{eye} * direction;
+    const Number q = Number{eye_value(side)} * direction;
+    SightPlane<Number> sight;
+    for (std::size_t a = 0; a < 3; ++a) sight.normal[a] = plane.normal[a] * q - side.normal[a] * p;
+    if (!perspective_) sight.offset = side.at(eye_) * p - plane.at(eye_) * q;
+    return sight;
+  }
+
+  template <class Arithmetic>
+  [[nodiscard]] typename Arithmetic::Line image(
+      const SightPlane<typename Arithmetic::Number>& plane) const {
+    if (perspective_) return Arithmetic::line(plane.normal);
+    return Arithmetic::line({plane.normal[axes_[0]], plane.normal[axes_[1]], -plane.offset});
+  }
+
+ private:
+  bool perspective_;
+  geometry::Point3 eye_;
+  geometry::Vector3 forward_;
+  std::array<std::size_t, 2> axes_{};
+};
+
+}  // namespace sightline::algorithms::jones

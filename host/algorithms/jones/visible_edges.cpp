@@ -1,0 +1,99 @@
+#include "host/algorithms/jones/visible_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "host/algorithms/jones/search.hpp"
+#include "host/algorithms/jones/start_cells.hpp"
+
+namespace sightline::algorithms::jones {
+namespace {
+
+enum class Width : std::uint8_t { narrow, medium, wide };
+
+// Of the numbers a view of the complex can meet (arithmetic.hpp); nothing if no width holds them.
+std::optional<Width> width_for(const PreparedComplex& prepared, const scene::PolyCamera& camera) {
+  double forward = 0;
+  double greatest_forward = 0;
+  for (const std::int32_t part : camera.forward) {
+    forward += std::fabs(static_cast<double>(part));
+    greatest_forward = std::max(greatest_forward, std::fabs(static_cast<double>(part)));
+  }
+  const double component = prepared.greatest_component();
+  const double value = prepared.greatest_value();
+  const double m = camera.perspective ? std::max(2 * component * value, greatest_forward)
+                                      : 2 * component * component * forward;
+  const double c = camera.perspective ? 0 : 2 * component * forward * value;
+  const double at_vertex = 3 * 0x1p19 * m + c;
+  const double ray = 2 * m * std::max(m, c);
+  const double sign = 3 * ray * m;
+  if (value >= 0x1p62) return std::nullopt;
+  if (sign < 0x1p63 && at_vertex < 0x1p62) return Width::narrow;
+  if (sign < 0x1p127 && at_vertex < 0x1p62) return Width::medium;
+  if (sign < 0x1p383 && ray < 0x1p255 && at_vertex < 0x1p126) return Width::wide;
+  return std::nullopt;
+}
+
+bool too_far(const scene::PolyPoint& eye) {
+  return std::any_of(eye.begin(), eye.end(), [](std::int32_t coordinate) {
+    return std::abs(std::int64_t{coordinate}) >= scene::poly_coordinate_limit;
+  });
+}
+
+}  // namespace
+
+std::string_view message(Error error) {
+  switch (error) {
+    case Error::eye_in_solid:
+      return "the eye is inside a solid";
+    case Error::eye_too_far:
+      return "the eye is beyond the limit of coordinates, 262143";
+    case Error::too_long:
+      return "a plane of the cell complex has coefficients beyond those of planes through points of a scene";
+    case Error::no_complex:
+      break;
+  }
+  return "the cells and openings are no cell complex: they contradict each other";
+}
+
+struct Walker::State {
+  explicit State(const PreparedComplex& complex) : prepared(&complex), met(complex.complex()) {}
+
+  const PreparedComplex* prepared;
+  Met met;
+  Search<NarrowArithmetic> narrow;
+  Search<MediumArithmetic> medium;
+  Search<WideArithmetic> wide;
+};
+
+Walker::Walker(const PreparedComplex& prepared) : state_(std::make_unique<State>(prepared)) {}
+Walker::~Walker() = default;
+Walker::Walker(Walker&&) noexcept = default;
+Walker& Walker::operator=(Walker&&) noexcept = default;
+
+std::variant<View, Error> Walker::visible_edges(const scene::PolyCamera& camera) {
+  const PreparedComplex& prepared = *state_->prepared;
+  if (too_far(camera.eye)) return Error::eye_too_far;
+  const std::optional<Width> width = width_for(prepared, camera);
+  if (!width) return Error::too_long;
+  const std::optional<Start> start = find_start(prepared, camera);
+  if (!start) return Error::eye_in_solid;
+  switch (*width) {
+    case Width::narrow:
+      return state_->narrow.run(prepared, state_->met, camera, *start);
+    case Width::medium:
+      return state_->medium.run(prepared, state_->met, camera, *start);
+    case Width::wide:
+      break;
+  }
+  return state_->wide.run(prepared, state_->met, camera, *start);
+}
+
+std::variant<View, Error> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera) {
+  const PreparedComplex prepared(complex);
+  return Walker(prepared).visible_edges(camera);
+}
+
+}  // namespace sightline::algorithms::jones
