@@ -2,12 +2,15 @@
 #include "host/scene/compartment_bsp.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host/geometry/rational.hpp"
 #include "host/scene/cell_complex_builder.hpp"
+#include "host/scene/compartment_bsp_join.hpp"
 #include "host/scene/compartment_bsp_space.hpp"
 #include "host/scene/compartment_bsp_tree.hpp"
 
@@ -18,14 +21,19 @@ using geometry::Rational;
 
 class ComplexMaker {
  public:
-  ComplexMaker(CellComplexBuilder& builder, const BspTree& tree) : builder_(builder), tree_(tree) {}
+  ComplexMaker(CellComplexBuilder& builder, BspTree& tree) : builder_(builder), tree_(tree) {}
 
-  void make() {
+  void make(bool join) {
     const std::vector<bool> is_free = free_leaves(planes(), tree_);
     cells_.assign(tree_.nodes.size(), outside);
+    std::vector<std::uint32_t> part_of(tree_.nodes.size());
+    std::iota(part_of.begin(), part_of.end(), std::uint32_t{0});
+    if (join) part_of = join_leaves(builder_, is_free, tree_);
     for (std::uint32_t node = 0; node < tree_.nodes.size(); ++node) {
-      if (is_free[node]) cells_[node] = builder_.add_cell(bounds_of(tree_, node));
+      if (!is_free[node]) continue;
+      if (part_of[node] == node) cells_[node] = builder_.add_cell(bounds_of(tree_, node));
     }
+    for (std::uint32_t node = 0; node < tree_.nodes.size(); ++node) cells_[node] = cells_[part_of[node]];
     for (const BspPortal& portal : tree_.portals) add_openings(portal);
     for (std::uint32_t edge = 0; edge < builder_.complex().edges.size(); ++edge) add_lines(edge);
   }
@@ -36,6 +44,7 @@ class ComplexMaker {
   [[nodiscard]] bool is_open(std::uint32_t node) const { return node == no_node || cells_[node] != outside; }
 
   void add_openings(const BspPortal& portal) {
+    if (portal.polygon.empty()) return;
     if (!is_open(portal.nodes[0]) || !is_open(portal.nodes[1])) return;
     const auto cell = [&](std::uint32_t node) { return node == no_node ? outside : cells_[node]; };
     std::vector<HalfSpace> sides;
@@ -47,7 +56,7 @@ class ComplexMaker {
   }
 
   struct EdgePart {
-    std::uint32_t node = 0;
+    std::uint32_t place = 0;  // a node, or a cell
     Rational low;
     Rational high;
   };
@@ -57,16 +66,32 @@ class ComplexMaker {
     const ComplexEdge ends = builder_.complex().edges[edge];
     const PolyPoint from = builder_.complex().vertices[ends.from];
     const PolyPoint to = builder_.complex().vertices[ends.to];
+    in_cells_.clear();
     parts_.assign(1, {0, Rational(0), Rational(1)});
     while (!parts_.empty()) {
       const EdgePart part = parts_.back();
       parts_.pop_back();
-      const BspNode& node = tree_.nodes[part.node];
-      if (node.is_leaf()) {
-        if (cells_[part.node] != outside) builder_.add_line(cells_[part.node], edge, part.low, part.high);
-        continue;
+      const BspNode& node = tree_.nodes[part.place];
+      if (!node.is_leaf()) {
+        split_part(part, node, planes()[node.plane].at(from), planes()[node.plane].at(to));
+      } else if (cells_[part.place] != outside) {
+        in_cells_.push_back({cells_[part.place], part.low, part.high});
       }
-      split_part(part, node, planes()[node.plane].at(from), planes()[node.plane].at(to));
+    }
+    add_united_lines(edge);
+  }
+
+  // A cell may be several leaves; being convex, what it has of an edge is one piece.
+  void add_united_lines(std::uint32_t edge) {
+    std::sort(in_cells_.begin(), in_cells_.end(),
+              [](const EdgePart& a, const EdgePart& b) { return a.place < b.place; });
+    for (std::size_t i = 0; i < in_cells_.size();) {
+      EdgePart whole = in_cells_[i];
+      for (++i; i < in_cells_.size() && in_cells_[i].place == whole.place; ++i) {
+        whole.low = std::min(whole.low, in_cells_[i].low);
+        whole.high = std::max(whole.high, in_cells_[i].high);
+      }
+      builder_.add_line(whole.place, edge, whole.low, whole.high);
     }
   }
 
@@ -86,9 +111,10 @@ class ComplexMaker {
   }
 
   CellComplexBuilder& builder_;
-  const BspTree& tree_;
-  std::vector<CellNumber> cells_;  // by node
-  std::vector<EdgePart> parts_;
+  BspTree& tree_;
+  std::vector<CellNumber> cells_;   // by node
+  std::vector<EdgePart> parts_;     // of one edge, by node, still to go down
+  std::vector<EdgePart> in_cells_;  // of one edge, by cell
 };
 
 }  // namespace
@@ -98,14 +124,13 @@ std::variant<CellComplex, SceneError> compartment_bsp(const PolyScene& scene, co
                                     [](const PolyBody& body) { return !body.faces.empty(); });
   if (!has_face) return SceneError{"", "", "there is no face"};
   CellComplexBuilder builder(scene, outer_box_of(scene));
-  const std::optional<BspTree> tree =
-      build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
+  std::optional<BspTree> tree = build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
   if (!tree) {
     return SceneError{"", "",
                       "cut by the planes of its faces, space falls into more than " +
                           std::to_string(options.most_leaves) + " cells"};
   }
-  ComplexMaker(builder, *tree).make();
+  ComplexMaker(builder, *tree).make(options.join);
   return builder.take();
 }
 

@@ -27,7 +27,7 @@ namespace sightline::scene {
 
 struct BspOptions {
   std::size_t most_leaves = 4'000'000;  // free and solid; more is an error
-  bool merge = true;                    // join free leaves whose union is convex
+  bool join = true;                     // join free leaves whose union is convex
 };
 
 // Of a checked scene. The same scene and options give the same complex, cell for cell. The outer box's own
