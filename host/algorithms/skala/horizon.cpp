@@ -46,11 +46,10 @@ class Line {
 Horizon::Horizon(int columns)
     : top_(static_cast<std::size_t>(columns), -untouched),
       bottom_(static_cast<std::size_t>(columns), untouched),
-      old_top_(static_cast<std::size_t>(columns)),
-      old_bottom_(static_cast<std::size_t>(columns)) {}
+      heights_(static_cast<std::size_t>(columns)) {}
 
 void Horizon::add(Vertex from, Vertex to) {
-  if (!pieces_.empty() && pieces_.back().to == from) {
+  if (pieces_.size() > first_own_ && pieces_.back().to == from) {
     pieces_.back().to = to;
   } else {
     pieces_.push_back({from, to});
@@ -99,92 +98,98 @@ void Horizon::narrow(Vertex from, Vertex to, float slack, const Wake& wake) {
 }
 
 // The ends, beyond the outermost columns, are as these.
-void Horizon::mixed(Vertex left, Vertex right, int first, int last, float slack) {
-  const Line line(left, right);
+void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack) {
   Vertex before = left;
   Outside at_before{};
-  for (int column = first; column <= last; ++column) {
-    const auto i = static_cast<std::size_t>(column - first);
-    const Vertex here{static_cast<float>(column), line.at(column)};
-    const Outside at_here{here.y - old_top_[i] - slack, old_bottom_[i] - here.y - slack};
-    gap(before, here, column == first ? at_here : at_before, at_here);
+  for (int column = columns.first; column <= columns.last; ++column) {
+    const auto i = static_cast<std::size_t>(column);
+    const Vertex here{static_cast<float>(column), heights_[i]};
+    const Outside at_here{here.y - top_[i] - slack, bottom_[i] - here.y - slack};
+    gap(before, here, column == columns.first ? at_here : at_before, at_here);
     before = here;
     at_before = at_here;
   }
   gap(before, right, at_before, at_before);
+  if (!leftwards) return;
+  const auto own = pieces_.begin() + static_cast<std::ptrdiff_t>(first_own_);
+  std::reverse(own, pieces_.end());
+  std::for_each(own, pieces_.end(), [](Piece& piece) { std::swap(piece.from, piece.to); });
 }
 
-template <bool raising>
-bool Horizon::visit(Vertex from, Vertex to, float slack, Wake& wake) {
-  pieces_.clear();
+Horizon::Columns Horizon::columns_of(Vertex left, Vertex right) const {
+  return {first_column(left.x), std::min(last_column(right.x), static_cast<int>(top_.size()) - 1)};
+}
+
+// Adds the visible pieces and leaves the segment's height in every column it crosses.
+Horizon::Columns Horizon::look(Vertex from, Vertex to, float slack, const Wake& wake) {
+  first_own_ = pieces_.size();
   const bool leftwards = to.x < from.x;
   const Vertex left = leftwards ? to : from;
   const Vertex right = leftwards ? from : to;
-  const int first = first_column(left.x);
-  const int last = std::min(last_column(right.x), static_cast<int>(top_.size()) - 1);
-  if (first > last) {
+  const Columns columns = columns_of(left, right);
+  if (columns.first > columns.last) {
     narrow(from, to, slack, wake);
-    return !pieces_.empty();
+    return columns;
   }
   const Line line(left, right);
-  const auto count = static_cast<std::size_t>(last - first) + 1;
-  float* const top = top_.data() + first;
-  float* const bottom = bottom_.data() + first;
-  std::size_t above = 0;
-  std::size_t below = 0;
-  std::size_t either = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float y = line.at(first + static_cast<int>(i));
-    const float high = top[i];
-    const float low = bottom[i];
-    old_top_[i] = high;
-    old_bottom_[i] = low;
-    const bool over = y - high > slack;
-    const bool under = low - y > slack;
-    above += over ? 1 : 0;
-    below += under ? 1 : 0;
-    either += (over || under) ? 1 : 0;
-    if constexpr (raising) {
-      top[i] = y > high ? y : high;
-      bottom[i] = y < low ? y : low;
-    }
+  int above = 0;
+  int below = 0;
+  int either = 0;
+  for (int column = columns.first; column <= columns.last; ++column) {
+    const auto i = static_cast<std::size_t>(column);
+    const float y = line.at(column);
+    heights_[i] = y;
+    const int over = y - top_[i] > slack ? 1 : 0;
+    const int under = bottom_[i] - y > slack ? 1 : 0;
+    above += over;
+    below += under;
+    either |= over | under;
   }
-  if constexpr (raising) {
-    const std::size_t i = leftwards ? 0 : count - 1;
-    wake = {leftwards ? first : last, old_top_[i], old_bottom_[i]};
-  }
-  if (either == 0) return false;
+  if (either == 0) return columns;
+  const int count = columns.last - columns.first + 1;
   if (above == count || below == count) {
     pieces_.push_back({from, to});
-    return true;
+  } else {
+    mixed(left, right, columns, leftwards, slack);
   }
-  mixed(left, right, first, last, slack);
-  if (leftwards) {
-    std::reverse(pieces_.begin(), pieces_.end());
-    for (Piece& piece : pieces_) std::swap(piece.from, piece.to);
+  return columns;
+}
+
+// By the heights that look() left.
+void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
+  if (columns.first > columns.last) return;
+  const auto first = static_cast<std::size_t>(columns.first);
+  const auto last = static_cast<std::size_t>(columns.last);
+  const std::size_t end = leftwards ? first : last;
+  wake = {static_cast<int>(end), top_[end], bottom_[end]};
+  for (std::size_t i = first; i <= last; ++i) {
+    top_[i] = std::max(top_[i], heights_[i]);
+    bottom_[i] = std::min(bottom_[i], heights_[i]);
   }
-  return true;
 }
 
 bool Horizon::draw(Vertex from, Vertex to, Wake& wake) {
-  return visit<true>(from, to, usual_slack, wake);
+  pieces_.clear();
+  raise(look(from, to, usual_slack, wake), to.x < from.x, wake);
+  return !pieces_.empty();
 }
 
 bool Horizon::test(Vertex from, Vertex to, float slack, Wake wake) {
-  return visit<false>(from, to, slack, wake);
+  pieces_.clear();
+  look(from, to, slack, wake);
+  return !pieces_.empty();
 }
 
-void Horizon::raise(Vertex from, Vertex to) {
-  const Vertex left = to.x < from.x ? to : from;
-  const Vertex right = to.x < from.x ? from : to;
-  const int last = std::min(last_column(right.x), static_cast<int>(top_.size()) - 1);
-  const Line line(left, right);
-  for (int column = first_column(left.x); column <= last; ++column) {
-    const auto i = static_cast<std::size_t>(column);
-    const float y = line.at(column);
-    top_[i] = std::max(top_[i], y);
-    bottom_[i] = std::min(bottom_[i], y);
-  }
+// No two of the chain's segments have a column in common, so that raising can wait until the end; what a
+// segment between two columns is held against is then what was there before the chain.
+bool Horizon::draw_chain(std::span<const Vertex> chain, Wake& wake) {
+  pieces_.clear();
+  if (chain.size() < 2) return false;
+  for (std::size_t i = 1; i < chain.size(); ++i) look(chain[i - 1], chain[i], usual_slack, wake);
+  const bool leftwards = chain.back().x < chain.front().x;
+  raise(leftwards ? columns_of(chain.back(), chain.front()) : columns_of(chain.front(), chain.back()),
+        leftwards, wake);
+  return !pieces_.empty();
 }
 
 }  // namespace sightline::algorithms::skala

@@ -8,6 +8,8 @@
 // what is seen through a hole counts as hidden (documented limit of the method).
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/skala/surface.hpp"
@@ -34,9 +36,9 @@ class Horizon {
   // call. A point is visible if it is more than `slack` outside the masks; below 0: also so far inside.
   bool draw(Vertex from, Vertex to, Wake& wake);                   // and the masks are raised
   bool test(Vertex from, Vertex to, float slack, Wake wake = {});  // and they are not
+  // draw() from each vertex to the next, all pieces in one; vertices go to one side and never turn back.
+  bool draw_chain(std::span<const Vertex> chain, Wake& wake);
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
-  // Nothing is tested.
-  void raise(Vertex from, Vertex to);
 
   static constexpr float usual_slack = 1.0F / 8192;  // in y; above the rounding of a line in a column
 
@@ -45,19 +47,24 @@ class Horizon {
     float above;
     float below;
   };
+  struct Columns {  // those that a segment crosses; none if last < first
+    int first;
+    int last;
+  };
+  [[nodiscard]] Columns columns_of(Vertex left, Vertex right) const;
   [[nodiscard]] Outside outside(Vertex vertex, float slack, const Wake& wake) const;
+  Columns look(Vertex from, Vertex to, float slack, const Wake& wake);
   void narrow(Vertex from, Vertex to, float slack, const Wake& wake);
-  void mixed(Vertex left, Vertex right, int first, int last, float slack);
+  void mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack);
   void gap(Vertex from, Vertex to, Outside at_from, Outside at_to);
   void add(Vertex from, Vertex to);
-  template <bool raising>
-  bool visit(Vertex from, Vertex to, float slack, Wake& wake);
+  void raise(Columns columns, bool leftwards, Wake& wake);
 
   std::vector<float> top_;
   std::vector<float> bottom_;
-  std::vector<float> old_top_;  // of the segment at hand, from its first column on
-  std::vector<float> old_bottom_;
+  std::vector<float> heights_;  // by column, of what was looked at last
   std::vector<Piece> pieces_;
+  std::size_t first_own_ = 0;  // of the segment at hand, in pieces_
 };
 
 }  // namespace sightline::algorithms::skala

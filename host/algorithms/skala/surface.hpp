@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/skala/view.hpp"
@@ -35,6 +36,9 @@ class Surface {
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] const Vertex& at(std::size_t row, std::size_t column) const {
     return vertices_[row * columns_ + column];
+  }
+  [[nodiscard]] std::span<const Vertex> row(std::size_t row) const {
+    return std::span(vertices_).subspan(row * columns_, columns_);
   }
   [[nodiscard]] bool defined(std::size_t row, std::size_t column) const {
     const Vertex& vertex = at(row, column);

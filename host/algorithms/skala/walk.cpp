@@ -30,6 +30,7 @@ class Walker {
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),
+        slices_only_(lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
         dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
   Walked go() {
@@ -38,7 +39,7 @@ class Walker {
     if (view_.subject == Subject::surface) walked_.seen.resize((rows - 1) * (columns - 1));
     column_pens_.resize(columns);
     if (rows > 0) first_row();
-    for (std::size_t row = 0; row + 1 < rows; ++row) strip(row);
+    for (std::size_t row = 0; row + 1 < rows; ++row) slices_only_ ? strip_of_slices(row) : strip(row);
     for (Pen& pen : column_pens_) pen.lift(sheet_);
     stitcher_.finish(sheet_);
     return std::move(walked_);
@@ -64,6 +65,17 @@ class Walker {
       if (all_edges_ || column + 2 == columns || !whole_strip(row, column)) column_edge(row, column + 1);
       row_edge(row + 1, column);
     }
+    end_row();
+  }
+
+  // The same where only rims lie between slices.
+  void strip_of_slices(std::size_t row) {
+    const std::size_t last = surface_.columns() - 1;
+    column_edge(row, 0);
+    if (horizon_.draw_chain(surface_.row(row + 1).first(last), wake_))
+      row_pen_.draw(sheet_, along_rows, horizon_.pieces());
+    column_edge(row, last);
+    row_edge(row + 1, last - 1);
     end_row();
   }
 
@@ -251,6 +263,7 @@ class Walker {
   bool all_edges_;
   bool diagonals_;
   bool rims_;
+  bool slices_only_;  // and nothing interrupts a slice but its last rim
   bool dots_;
   Wake wake_;
   Pen row_pen_;
