@@ -51,15 +51,27 @@ ProgressLine::~ProgressLine() {
   if (shown_) fmt::print(stderr, "\r\033[K");
 }
 
-void ProgressLine::show(const harness::Progress& progress) {
-  if (!terminal_) return;
+bool ProgressLine::is_time() {
+  if (!terminal_) return false;
   const auto now = std::chrono::steady_clock::now();
-  if (now < next_) return;
+  if (now < next_) return false;
   next_ = now + std::chrono::milliseconds(200);
+  return true;
+}
+
+void ProgressLine::show(const harness::Progress& progress) {
+  if (!is_time()) return;
   shown_ = true;
   fmt::print(stderr, "\r\033[K{:.1f} s emulated, {} million instructions (Ctrl-C stops)",
              static_cast<double>(core::nanoseconds_of(progress.now)) / 1e9,
              progress.instructions / 1'000'000);
+  static_cast<void>(std::fflush(stderr));
+}
+
+void ProgressLine::show(std::string_view text) {
+  if (!is_time()) return;
+  shown_ = true;
+  fmt::print(stderr, "\r\033[K{} (Ctrl-C stops)", text);
   static_cast<void>(std::fflush(stderr));
 }
 

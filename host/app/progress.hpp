@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include "host/harness/run_pdp7.hpp"
 
@@ -28,8 +29,12 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const harness::Progress& progress);
+  // What the line says of any other work; one line, printable.
+  void show(std::string_view text);
 
  private:
+  [[nodiscard]] bool is_time();
+
   std::chrono::steady_clock::time_point next_;
   bool terminal_ = false;
   bool shown_ = false;

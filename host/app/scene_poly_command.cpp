@@ -35,38 +35,6 @@ std::variant<scene::PolyImport, scene::SceneError> read_file(const SceneText& fi
   return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
 }
 
-// What was done to the scene while it was read, for people.
-void tell(const scene::PolyImportReport& report) {
-  if (report.quantised)
-    warn(
-        fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));
-  if (report.split_faces > 0) {
-    warn(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
-                     report.split_faces, report.largest_deviation));
-  }
-  if (report.merged_vertices > 0) warn(fmt::format("{} equal vertices merged", report.merged_vertices));
-  if (report.dropped_vertices > 0) warn(fmt::format("{} unused vertices left out", report.dropped_vertices));
-  if (report.dropped_faces > 0) warn(fmt::format("{} faces without area left out", report.dropped_faces));
-  if (report.turned_bodies > 0)
-    warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
-}
-
-// Read and checked.
-scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
-  auto read = read_file(file, mend);
-  if (const auto* error = std::get_if<scene::SceneError>(&read))
-    throw Failure(ExitCode::bad_input, error->message());
-  auto import = std::get<scene::PolyImport>(std::move(read));
-  auto errors = scene::check_poly_scene(import.scene);
-  if (!errors.empty()) {
-    errors.front().source = file.name;
-    const std::string more =
-        errors.size() > 1 ? fmt::format(" (the first of {} errors)", errors.size()) : std::string();
-    throw Failure(ExitCode::bad_input, errors.front().message() + more);
-  }
-  return import;
-}
-
 // `source`: what the scene came from, for an error in it.
 void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path) {
   const auto format = scene::poly_format_of(path);
@@ -182,6 +150,36 @@ void add_generate(CLI::App& parent, ExitCode& exit_code) {
 }
 
 }  // namespace
+
+void tell(const scene::PolyImportReport& report) {
+  if (report.quantised)
+    warn(
+        fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));
+  if (report.split_faces > 0) {
+    warn(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
+                     report.split_faces, report.largest_deviation));
+  }
+  if (report.merged_vertices > 0) warn(fmt::format("{} equal vertices merged", report.merged_vertices));
+  if (report.dropped_vertices > 0) warn(fmt::format("{} unused vertices left out", report.dropped_vertices));
+  if (report.dropped_faces > 0) warn(fmt::format("{} faces without area left out", report.dropped_faces));
+  if (report.turned_bodies > 0)
+    warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
+}
+
+scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
+  auto read = read_file(file, mend);
+  if (const auto* error = std::get_if<scene::SceneError>(&read))
+    throw Failure(ExitCode::bad_input, error->message());
+  auto import = std::get<scene::PolyImport>(std::move(read));
+  auto errors = scene::check_poly_scene(import.scene);
+  if (!errors.empty()) {
+    errors.front().source = file.name;
+    const std::string more =
+        errors.size() > 1 ? fmt::format(" (the first of {} errors)", errors.size()) : std::string();
+    throw Failure(ExitCode::bad_input, errors.front().message() + more);
+  }
+  return import;
+}
 
 SceneText read_scene_text(const std::string& name_or_file) {
   require_scene_exists(name_or_file);

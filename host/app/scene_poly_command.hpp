@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/app/command.hpp"
+#include "host/scene/poly_import.hpp"
 
 namespace sightline::app {
 
@@ -18,6 +19,11 @@ struct SceneText {
 
 // Failure io if SCENE is neither a built-in name nor a file, or cannot be read.
 [[nodiscard]] SceneText read_scene_text(const std::string& name_or_file);
+
+// Of a file of polyhedra, read and checked. Failure bad_input, naming the first thing that is wrong.
+[[nodiscard]] scene::PolyImport load_poly_file(const SceneText& file, bool mend);
+// What was done to the scene while it was read, as warnings.
+void tell(const scene::PolyImportReport& report);
 
 // What `scene check` and `scene info` do with polyhedra.
 [[nodiscard]] ExitCode check_poly_file(const SceneText& file, bool json);

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <utility>
 
 #include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/scene/compartment.hpp"
 
 namespace sightline::harness {
 
@@ -34,9 +37,68 @@ std::variant<PreparedScene, scene::SceneError> prepare_oracle(const scene::PolyS
   return prepared;
 }
 
+namespace native = algorithms::jones;
+
+// A walker serves one view at a time: those that have none to serve wait here.
+class JonesScene {
+ public:
+  explicit JonesScene(scene::CellComplex complex) : complex_(std::move(complex)), prepared_(complex_) {}
+
+  [[nodiscard]] const scene::CellComplex& complex() const { return complex_; }
+
+  std::variant<LineView, scene::SceneError> view(const scene::PolyCamera& camera) {
+    native::Walker walker = take();
+    auto result = walker.visible_edges(camera);
+    give_back(std::move(walker));
+    if (const auto* error = std::get_if<native::Error>(&result))
+      return scene::SceneError{"", "jones", std::string(message(*error))};
+    auto& seen = std::get<native::View>(result);
+    const native::Counts& c = seen.counts;
+    return LineView{std::move(seen.picture),
+                    {{"visits", c.visits},
+                     {"cells", c.cells},
+                     {"openings_tested", c.openings_tested},
+                     {"masks", c.masks},
+                     {"lines_clipped", c.lines_clipped},
+                     {"fragments", c.fragments},
+                     {"depth", c.depth},
+                     {"mask_sides", c.mask_sides}}};
+  }
+
+ private:
+  native::Walker take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return native::Walker(prepared_);
+    native::Walker walker = std::move(idle_.back());
+    idle_.pop_back();
+    return walker;
+  }
+  void give_back(native::Walker walker) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(walker));
+  }
+
+  scene::CellComplex complex_;
+  native::PreparedComplex prepared_;
+  std::mutex mutex_;
+  std::vector<native::Walker> idle_;
+};
+
+std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolyScene& scene) {
+  auto complex = scene::compartment(scene);
+  if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
+  const auto cells = std::make_shared<JonesScene>(std::get<scene::CellComplex>(std::move(complex)));
+  PreparedScene prepared;
+  prepared.counts = {{"cells", cells->complex().cells.size()}, {"openings", cells->complex().openings.size()}};
+  prepared.view = [cells](const scene::PolyCamera& camera) { return cells->view(camera); };
+  return prepared;
+}
+
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
                   prepare_exact},
+    LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position", applies,
+                  prepare_jones},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
 };

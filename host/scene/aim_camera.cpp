@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/poly_bounds.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -45,15 +46,28 @@ class AimSearch {
   }
 
  private:
+  // The slopes n / m that come near the wanted one are its continued fraction's, and the last step of it that
+  // still keeps the vectors short.
   void offer(std::int64_t p, std::int64_t q, double slope) {
     const std::int64_t square = p * p + q * q;
     if (square == 0) return;
-    const std::int64_t longer = std::max(std::abs(p), std::abs(q));
-    const double rise = slope * std::sqrt(static_cast<double>(square));
-    for (std::int64_t m = 1; square * m <= largest; ++m) {
-      const double n = std::floor(rise * static_cast<double>(m) + 0.5);
-      if (std::abs(n) * static_cast<double>(longer) > static_cast<double>(largest)) return;
-      offer(Aim{p, q, m, static_cast<std::int64_t>(n)});
+    const std::int64_t longest_m = largest / square;
+    const std::int64_t longest_n = largest / std::max(std::abs(p), std::abs(q));
+    double rest = std::abs(slope) * std::sqrt(static_cast<double>(square));
+    std::array<std::int64_t, 2> n{0, 1};
+    std::array<std::int64_t, 2> m{1, 0};
+    for (bool more = true; more;) {
+      const std::int64_t room_n = n[1] == 0 ? largest : (longest_n - n[0]) / n[1];
+      const std::int64_t room_m = m[1] == 0 ? largest : (longest_m - m[0]) / m[1];
+      const double whole = std::floor(rest);
+      const std::int64_t room = std::min(room_n, room_m);
+      const std::int64_t step = whole < static_cast<double>(room) ? static_cast<std::int64_t>(whole) : room;
+      more = whole <= static_cast<double>(room) && rest > whole;
+      n = {n[1], n[0] + step * n[1]};
+      m = {m[1], m[0] + step * m[1]};
+      if (m[1] == 0 || n[1] > longest_n || m[1] > longest_m) return;
+      offer(Aim{p, q, m[1], slope < 0 ? -n[1] : n[1]});
+      rest = 1 / (rest - whole);
     }
   }
 
@@ -146,27 +160,18 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
 }
 
 PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene) {
-  PolyPoint low = scene.vertices.at(0);
-  PolyPoint high = low;
-  for (const PolyPoint& p : scene.vertices) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  std::int64_t half = 1;
-  for (std::size_t a = 0; a < 3; ++a) half = std::max(half, (std::int64_t{high[a]} - low[a] + 1) / 2);
+  const PolyBounds bounds = bounds_of(scene);
+  const std::int64_t half = bounds.half_size();
+  const PolyPoint centre = bounds.middle();
   const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
   const geometry::Vector3 away = completed(frame, right, up_of(frame));
   PolyPoint direction{};
   for (std::size_t a = 0; a < 3; ++a)
     direction[a] = static_cast<std::int32_t>(20 * away[a] - 12 * right[a] - 9 * up_of(frame)[a]);
-  PolyPoint centre{};
   PolyPoint eye{};
   bool fits = true;
   // |direction| is 25: the eye is 25/8 of the half side away, the corners of the scene less than 14/8.
   for (std::size_t a = 0; a < 3; ++a) {
-    centre[a] = static_cast<std::int32_t>((std::int64_t{low[a]} + high[a]) / 2);
     const std::int64_t place = centre[a] - (direction[a] * half - 7) / 8;
     fits = fits && std::abs(place) < poly_coordinate_limit;
     eye[a] = static_cast<std::int32_t>(place);

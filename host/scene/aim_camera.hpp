@@ -36,7 +36,7 @@ struct SceneFrame {
                                       const PolyPoint& direction, bool perspective = true);
 
 // From outside the scene's bounds onto their middle, from above, one side and the front; orthographic if no
-// such eye keeps below poly_coordinate_limit. Of a scene with a vertex.
+// such eye keeps below poly_coordinate_limit.
 [[nodiscard]] PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene);
 
 }  // namespace sightline::scene

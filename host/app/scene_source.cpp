@@ -1,0 +1,73 @@
+// See scene_source.hpp.
+#include "host/app/scene_source.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/app/command.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/app/scene_poly_command.hpp"
+#include "host/scene/builtin.hpp"
+#include "host/scene/generate_scene.hpp"
+#include "host/scene/poly_from_cells.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+template <class Number>
+bool read_number(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+struct GeneratedName {
+  std::string family;
+  std::size_t size = 0;
+  std::uint64_t seed = 1;
+};
+
+// "boxes-100" or "boxes-100-7", of a family there is.
+std::optional<GeneratedName> generated_name(std::string_view text) {
+  for (const std::string_view family : scene::generator_names()) {
+    if (!text.starts_with(family) || !text.substr(family.size()).starts_with("-")) continue;
+    std::string_view rest = text.substr(family.size() + 1);
+    GeneratedName name{std::string(family)};
+    if (const std::size_t dash = rest.find('-'); dash != std::string_view::npos) {
+      if (!read_number(rest.substr(dash + 1), name.seed)) return std::nullopt;
+      rest = rest.substr(0, dash);
+    }
+    if (read_number(rest, name.size)) return name;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SceneSource load_scene_source(const std::string& name) {
+  std::error_code unknown;
+  const auto generated = generated_name(name);
+  if (generated && !std::filesystem::exists(name, unknown)) {
+    auto scene = scene::generate_scene(generated->family, generated->size, generated->seed);
+    if (const auto* error = std::get_if<scene::SceneError>(&scene))
+      throw Failure(ExitCode::usage, error->message());
+    return {name, std::nullopt, std::get<scene::PolyScene>(std::move(scene))};
+  }
+  const SceneText file = read_scene_text(name);
+  if (file.polyhedra) {
+    scene::PolyImport import = load_poly_file(file, false);
+    tell(import.report);
+    return {name, std::nullopt, std::move(import.scene)};
+  }
+  scene::CellScene cells = load_scene(file.text, file.name);
+  scene::PolyScene scene = scene::poly_scene_of(cells);
+  return {name, std::move(cells), std::move(scene)};
+}
+
+}  // namespace sightline::app

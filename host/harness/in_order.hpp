@@ -1,0 +1,98 @@
+// Many pieces of work on several threads, their results taken one by one in order.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sightline::harness {
+
+template <class Result>
+struct OrderedWork {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;  // excluded
+  unsigned jobs = 1;       // threads
+  std::function<Result(std::uint64_t)> make;         // on any of them
+  std::function<void(std::uint64_t, Result)> take;  // on the caller's, first to last
+  std::function<bool()> go_on;                       // asked some times a second on the caller's
+};
+
+// Returns once all is taken, or soon after go_on says no: then what has been begun is finished and dropped.
+// What make or take throws is thrown here. The threads are never far ahead of what is taken.
+template <class Result>
+void run_in_order(const OrderedWork<Result>& work) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::map<std::uint64_t, Result> ready;
+  std::exception_ptr failure;
+  std::uint64_t next = work.first;
+  std::uint64_t taken = work.first;
+  bool stop = false;
+  const std::uint64_t ahead = std::uint64_t{work.jobs} * 16;
+
+  const auto worker = [&] {
+    std::unique_lock lock(mutex);
+    while (true) {
+      changed.wait(lock, [&] { return stop || next >= work.last || next < taken + ahead; });
+      if (stop || next >= work.last) return;
+      const std::uint64_t number = next++;
+      lock.unlock();
+      std::exception_ptr thrown;
+      std::map<std::uint64_t, Result> made;
+      try {
+        made.emplace(number, work.make(number));
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+      lock.lock();
+      ready.merge(made);
+      if (thrown) {
+        failure = thrown;
+        stop = true;
+      }
+      changed.notify_all();
+    }
+  };
+
+  std::vector<std::thread> threads;
+  // Whatever is thrown, the threads are told to stop and waited for.
+  struct Join {
+    std::mutex& mutex;
+    std::condition_variable& changed;
+    bool& stop;
+    std::vector<std::thread>& threads;
+    ~Join() {
+      {
+        const std::lock_guard lock(mutex);
+        stop = true;
+      }
+      changed.notify_all();
+      for (std::thread& thread : threads) thread.join();
+    }
+  };
+  {
+    const Join join{mutex, changed, stop, threads};
+    for (unsigned i = 0; i < work.jobs; ++i) threads.emplace_back(worker);
+    while (taken < work.last && work.go_on()) {
+      std::unique_lock lock(mutex);
+      changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return failure || ready.contains(taken); });
+      if (failure) break;
+      auto found = ready.extract(taken);
+      if (found.empty()) continue;
+      ++taken;
+      changed.notify_all();
+      lock.unlock();
+      work.take(found.key(), std::move(found.mapped()));
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace sightline::harness

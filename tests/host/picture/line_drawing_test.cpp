@@ -1,0 +1,131 @@
+// Line pictures as drawings: where points come to lie, what is cut off, joined lines, dashes.
+#include "host/picture/line_drawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/scene/poly_builder.hpp"
+
+namespace sightline::picture {
+namespace {
+
+// A square of 2 x 2 at z = 4, seen from the origin along z.
+scene::PolyScene square(std::int32_t half = 1, std::int32_t z = 4) {
+  scene::PolyBuilder builder;
+  const std::array<scene::PolyPoint, 4> outline{
+      {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}}};
+  builder.add_sheet("square", outline);
+  return builder.take();
+}
+
+DrawingField field(double width, double height, std::optional<double> extent = std::nullopt) {
+  DrawingField f;
+  f.width = width;
+  f.height = height;
+  f.extent = extent;
+  return f;
+}
+
+std::size_t count_in(const VectorDrawing& drawing, std::uint32_t layer) {
+  std::size_t count = 0;
+  for (const DrawingLine& line : drawing.lines) count += line.layer == layer ? 1U : 0U;
+  return count;
+}
+
+TEST(LineDrawing, FittedIntoTheMiddleAndUndistorted) {
+  const scene::PolyScene scene = square();
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(300, 100));
+  ASSERT_EQ(drawing.lines.size(), 1U) << "one line around";
+  EXPECT_EQ(drawing.lines[0].count, 5U);
+  for (const DrawingPoint& p : drawing.points) {
+    EXPECT_TRUE(p.x == 100 || p.x == 200) << p.x;
+    EXPECT_TRUE(p.y == 0 || p.y == 100) << p.y;
+  }
+}
+
+TEST(LineDrawing, AFieldInDegrees) {
+  // 90 degrees: x / z = 1 is the border. The square's corners are at 1/4.
+  const scene::PolyScene scene = square();
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100, 90));
+  for (const DrawingPoint& p : drawing.points) {
+    EXPECT_NEAR(std::abs(p.x - 50), 12.5, 1e-4);
+    EXPECT_NEAR(std::abs(p.y - 50), 12.5, 1e-4);
+  }
+}
+
+TEST(LineDrawing, WhatIsBeyondTheFieldIsCut) {
+  const scene::PolyScene scene = square(8);  // corners at 2, sides outside of the window altogether
+  EXPECT_TRUE(line_drawing(wire_frame(scene), scene, {}, field(100, 100, 90)).lines.empty());
+  scene::PolyCamera camera;
+  camera.eye = {8, 0, 0};  // the right side runs through the middle from top to bottom
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, camera, field(100, 100, 90));
+  ASSERT_EQ(drawing.lines.size(), 1U);
+  ASSERT_EQ(drawing.points.size(), 2U);
+  EXPECT_EQ(drawing.points[0], (DrawingPoint{50, 0}));
+  EXPECT_EQ(drawing.points[1], (DrawingPoint{50, 100}));
+}
+
+TEST(LineDrawing, AllAroundTheEyeIsCutToTheUsualAngle) {
+  scene::PolyBuilder builder;
+  builder.add_box("room", {-10, -10, -10}, {10, 10, 10});
+  const scene::PolyScene scene = builder.take();
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100));
+  ASSERT_FALSE(drawing.lines.empty());
+  for (const DrawingPoint& p : drawing.points) {
+    EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+    EXPECT_TRUE(0 <= p.x && p.x <= 100 && 0 <= p.y && p.y <= 100);
+  }
+}
+
+TEST(LineDrawing, WithoutPerspectiveInSceneUnits) {
+  const scene::PolyScene scene = square();
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, camera, field(100, 100, 4));
+  for (const DrawingPoint& p : drawing.points) EXPECT_EQ(std::abs(p.x - 50), 25);
+}
+
+TEST(LineDrawing, HiddenPartsAreDashedFromEndToEnd) {
+  const scene::PolyScene scene = square();
+  const LinePicture edges = wire_frame(scene);
+  LinePicture seen = edges;
+  seen.pieces.resize(1);
+  seen.pieces[0].high = geometry::Rational(1, 2);
+  DrawingField f = field(100, 100);
+  f.dash = 2;
+  const VectorDrawing drawing = line_drawing(seen, scene, {}, f, &edges);
+  ASSERT_EQ(drawing.layers.size(), 2U);
+  EXPECT_EQ(count_in(drawing, 0), 1U);
+  // 3 sides of 100 with about 29 dashes of 2 and gaps of 1.5, and half a side.
+  EXPECT_EQ(count_in(drawing, 1), 3 * 29U + 15U);
+  double length = 0;
+  for (const DrawingLine& line : drawing.lines) {
+    const DrawingPoint& a = drawing.points[line.first];
+    const DrawingPoint& b = drawing.points[line.first + 1];
+    if (line.layer == 1) length += std::hypot(double{b.x} - a.x, double{b.y} - a.y);
+  }
+  EXPECT_NEAR(length, 350 * 4.0 / 7.0, 4);
+}
+
+TEST(LineDrawing, CoincidingEdgesAreDrawnOnce) {
+  scene::PolyScene scene = square();
+  const std::size_t count = scene.vertices.size();
+  for (std::size_t v = 0; v < count; ++v) scene.vertices.push_back(scene.vertices[v]);
+  scene.bodies.push_back(scene.bodies[0]);
+  for (scene::VertexIndex& v : scene.bodies[1].faces[0].outline) v += static_cast<scene::VertexIndex>(count);
+  const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100));
+  ASSERT_EQ(drawing.lines.size(), 1U);
+  EXPECT_EQ(drawing.lines[0].count, 5U);
+}
+
+TEST(LineDrawing, NothingIsADrawingOfNothing) {
+  const scene::PolyScene scene = square();
+  const VectorDrawing drawing = line_drawing({}, scene, {}, field(100, 50));
+  EXPECT_TRUE(drawing.lines.empty());
+  EXPECT_EQ(drawing.width, 100);
+  EXPECT_EQ(drawing.height, 50);
+}
+
+}  // namespace
+}  // namespace sightline::picture
