@@ -11,9 +11,12 @@
 // (compartment_bsp_faces.hpp); points are the meetings of three planes and never rounded. Leaves of any size
 // are kept.
 //
-// Left out: splitting planes other than those of faces; anything that looks at where an eye may be. Growth: n
-// faces give of the order of n log n leaves in scenes of many small bodies, n^2 and more where long faces
-// cross each other's planes.
+// Left out: splitting planes other than those of faces; anything that looks at where an eye may be.
+//
+// Growth: scenes of many small bodies give a constant number of cells a body and take of the order of n log n
+// (boxes 10, 100, 1000, 10000: 51, 506, 5311, about 55000 cells with 6 openings each). Where long faces cross
+// each other's planes cells and time grow with n^2 and, if planes cross everywhere, n^3: a limit on leaves
+// stops it.
 #pragma once
 
 #include <cstddef>

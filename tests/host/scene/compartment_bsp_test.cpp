@@ -8,12 +8,17 @@
 #include <iterator>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "host/scene/builtin.hpp"
+#include "host/scene/check_complex.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_builder.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/poly_file.hpp"
+#include "host/scene/poly_from_cells.hpp"
+#include "host/scene/read.hpp"
 #include "tests/host/scene/complex_probe.hpp"
 
 namespace sightline::scene {
@@ -151,6 +156,22 @@ PolyScene tangled() {
   return scene;
 }
 
+// Triangles through each other, as large as coordinates may be: the longest planes there are, and corners far
+// from integers.
+PolyScene crossed() {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::int32_t> coordinate(2 - poly_coordinate_limit,
+                                                         poly_coordinate_limit - 2);
+  PolyBuilder builder;
+  for (int i = 0; i < 7; ++i) {
+    std::vector<PolyPoint> outline;
+    for (int k = 0; k < 3; ++k)
+      outline.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    builder.add_sheet("", outline);
+  }
+  return builder.take();
+}
+
 // Small ones are made larger, for whoever looks for points that are not special.
 PolyScene enlarged(PolyScene scene, std::int32_t factor) {
   for (PolyPoint& p : scene.vertices)
@@ -162,6 +183,7 @@ PolyScene enlarged(PolyScene scene, std::int32_t factor) {
 // lines to pass.
 PolyScene scene_named(const std::string& name) {
   if (name == "tangled") return tangled();
+  if (name == "crossed") return crossed();
   if (name.ends_with(".off")) return model(name);
   const std::size_t colon = name.find(':');
   const std::string family = name.substr(0, colon);
@@ -173,6 +195,7 @@ PolyScene scene_named(const std::string& name) {
 
 TEST(CompartmentBsp, IsTriedOnPossibleScenes) {
   EXPECT_TRUE(check_poly_scene(tangled()).empty());
+  EXPECT_TRUE(check_poly_scene(crossed()).empty());
 }
 
 class CompartmentBspTest : public testing::TestWithParam<const char*> {
@@ -260,7 +283,38 @@ TEST_P(CompartmentBspTest, OpeningsLieOnBoundsOfTheirCells) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CompartmentBspTest,
                          testing::Values("boxes:3", "boxes:12", "edgeon:9", "touch:3", "aligned:2", "town:9",
-                                         "triangles:12", "bricks:10", "rooms:3", "squares.off", "tangled"));
+                                         "triangles:12", "bricks:10", "rooms:3", "squares.off", "tangled",
+                                         "crossed"));
+
+std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) {
+  std::string text;
+  const auto made = compartment_bsp(scene, options);
+  for (const SceneError& error : check_complex(std::get<CellComplex>(made), scene))
+    text += error.message() + '\n';
+  return text;
+}
+
+TEST(CompartmentBsp, MakesPossibleComplexes) {
+  for (const char* name : {"boxes:30", "edgeon:27", "touch:2", "aligned:3", "town:25", "triangles:16",
+                           "bricks:12", "rooms:4", "grid.off", "tori.off", "tangled", "crossed"}) {
+    EXPECT_EQ(problems_of(scene_named(name)), "") << name;
+  }
+}
+
+TEST(CompartmentBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
+  BspOptions apart;
+  apart.join = false;
+  for (const char* name : {"town:16", "rooms:3", "squares.off", "tangled", "crossed"}) {
+    EXPECT_EQ(problems_of(scene_named(name), apart), "") << name;
+  }
+}
+
+TEST(CompartmentBsp, CutsTheSolidsAndWallsOfCellScenes) {
+  for (const std::string_view name : builtin_scene_names()) {
+    const CellScene cells = std::get<CellScene>(load_cell_scene(std::string(name)));
+    EXPECT_EQ(problems_of(poly_scene_of(cells)), "") << name;
+  }
+}
 
 TEST(CompartmentBsp, IsTheSameEachTime) {
   const PolyScene scene = generate_triangles(16);
