@@ -15,7 +15,13 @@ void SkalaMasks::reset() {
 bool SkalaMasks::outside_with_slack(SkalaPoint point) const {
   const int top = columns_.mask_top[point.x];
   const int bottom = columns_.mask_bottom[point.x];
-  return point.y >= std::max(top - 1, 0) || point.y <= std::min(bottom + 1, 255);
+  if (point.y >= std::max(top - 1, 0) || point.y <= std::min(bottom + 1, 255)) return true;
+  const auto shown_beside = [&](int x) {
+    if (x < 0 || x > 255 || !visited(static_cast<std::uint8_t>(x))) return false;
+    const SkalaPoint beside{static_cast<std::uint8_t>(x), point.y};
+    return outside(beside) || on_border(beside);
+  };
+  return shown_beside(point.x - 1) || shown_beside(point.x + 1);
 }
 
 SkalaFoldLines SkalaMasks::touch(SkalaPoint point) {
@@ -75,8 +81,10 @@ std::optional<SkalaFoldLine> SkalaMasks::fold_bottom(const Pending& column) {
 
 std::vector<std::uint8_t> SkalaMasks::visited_neighbours(std::uint8_t x) const {
   std::vector<std::uint8_t> neighbours;
-  if (x > 0 && visited(static_cast<std::uint8_t>(x - 1))) neighbours.push_back(static_cast<std::uint8_t>(x - 1));
-  if (x < 255 && visited(static_cast<std::uint8_t>(x + 1))) neighbours.push_back(static_cast<std::uint8_t>(x + 1));
+  if (x > 0 && visited(static_cast<std::uint8_t>(x - 1)))
+    neighbours.push_back(static_cast<std::uint8_t>(x - 1));
+  if (x < 255 && visited(static_cast<std::uint8_t>(x + 1)))
+    neighbours.push_back(static_cast<std::uint8_t>(x + 1));
   return neighbours;
 }
 

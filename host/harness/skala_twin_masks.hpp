@@ -42,7 +42,8 @@ class SkalaMasks {
   [[nodiscard]] bool on_border(SkalaPoint point) const {
     return point.y == columns_.mask_top[point.x] || point.y == columns_.mask_bottom[point.x];
   }
-  // The test of TESTDRAW: outside, or in the outermost two rows of the strip.
+  // The test of TESTDRAW: outside, or in the outermost two rows of the strip; or outside or on the border of
+  // the strip in a column beside it that has been visited.
   [[nodiscard]] bool outside_with_slack(SkalaPoint point) const;
 
   // The point belongs to the pending column. The fold lines are those of the column that was pending before.

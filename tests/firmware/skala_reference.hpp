@@ -197,7 +197,11 @@ class Reference {
         run_.clear();
         touch(x, y);
         return;
-      case Mode::test: seen = y >= std::max(t - 1, 0) || y <= std::min(b + 1, 255); break;
+      case Mode::test:
+        seen = y >= std::max(t - 1, 0) || y <= std::min(b + 1, 255);
+        for (const int beside : {x - 1, x + 1})
+          if (visited(beside)) seen = seen || y >= top[column(beside)] || y <= bottom[column(beside)];
+        break;
       default:
         if (plotter() && !run_.empty()) seen = seen || y == t || y == b;
         if (!visible_) seen = true;

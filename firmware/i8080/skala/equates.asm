@@ -1,15 +1,13 @@
 ; Where everything is: memory pages, ports, and the codes of the four instructions the step engine is patched with.
 
 ; ---- Memory. All masks are whole pages, so that a column's entry is found by loading a page number into H.
-MT      EQU     1700H           ; mask top: the highest row drawn so far in each column
-MB      EQU     1800H           ; mask bottom
-MP      EQU     1900H           ; row of the previous slice in each column
-IP      EQU     1A00H           ; level of the previous slice, 0 for none
-LOWT    EQU     1B00H           ; LT - 1: below the lower end of what last raised the top, 0 for nothing to fold
-HIGHB   EQU     1C00H           ; HB + 1: above the upper end of what last lowered the bottom, 255 for nothing to fold
-SCR1    EQU     1D00H           ; pages written and never read: see lines.asm
-SCR2    EQU     1E00H
-SCR0    EQU     1F00H           ; the stack's page too: nothing is on the stack when a line begins
+MT      EQU     1900H           ; mask top: the highest row drawn so far in each column
+MB      EQU     1A00H           ; mask bottom
+MP      EQU     1B00H           ; row of the previous slice in each column
+IP      EQU     1C00H           ; level of the previous slice, 0 for none
+LOWT    EQU     1D00H           ; LT - 1: below the lower end of what last raised the top, 0 for nothing to fold
+HIGHB   EQU     1E00H           ; HB + 1: above the upper end of what last lowered the bottom, 255 for nothing to fold
+SCR0    EQU     1F00H           ; written and never read (lines.asm); the stack's page too: empty when a line begins
 BUFFER  EQU     2000H           ; commands as received; the stack starts below it
 BUFEND  EQU     0E000H
 SLACK   EQU     800             ; less than this free: draw what is buffered (the longest command has 770 bytes)
@@ -21,8 +19,8 @@ IPP     EQU     IP SHR 8
 LTP     EQU     LOWT SHR 8
 HBP     EQU     HIGHB SHR 8
 S0P     EQU     SCR0 SHR 8
-S1P     EQU     SCR1 SHR 8
-S2P     EQU     SCR2 SHR 8
+S1P     EQU     LTP             ; as SCR0: the loops that write there draw only without silhouettes
+S2P     EQU     HBP
 
 ; ---- EF9365 raster board
 GDPCMD  EQU     40H             ; command; read: status

@@ -32,17 +32,7 @@ STDQ2:  CALL    RUNOFF
 STDQ3:  CALL    PLOT
         JMP     TOUCH
 
-STEPTQ: MVI     H,MTP
-        MOV     A,M
-        SUB     B
-        JC      PLOT
-        CPI     2
-        JC      PLOT
-        INR     H
-        MOV     A,B
-        SUB     M
-        JC      PLOT
-        CPI     2
+STEPTQ: CALL    SEENT
         JC      PLOT
         JMP     RUNOFF
 

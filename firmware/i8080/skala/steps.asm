@@ -167,19 +167,47 @@ TOUCHN: CALL    FOLD            ; another one
         STA     PHI
         RET
 
-; TESTDRAW: one row of slack, no masks.
-STEPT:  MVI     H,MTP
+; TESTDRAW: a dot of slack, no masks.
+STEPT:  CALL    SEENT
+        JC      PLOT
+        RET
+
+; Carry when a dot of TESTDRAW is visible: by its own column, or by a visited one beside it, which shows it on its masks
+; and beyond. Keeps L, BC, DE.
+SEENT:  MVI     H,MTP
         MOV     A,M
         SUB     B
-        JC      PLOT
+        RC
         CPI     2
-        JC      PLOT
+        RC
         INR     H
         MOV     A,B
         SUB     M
-        JC      PLOT
+        RC
         CPI     2
-        JC      PLOT
+        RC
+        MVI     H,MTP
+        MOV     A,L
+        DCR     L
+        CALL    SEENB
+        INR     L
+        RC
+        MVI     H,MTP
+        INR     L
+        MOV     A,L
+        CALL    SEENB
+        DCR     L
+        RET
+SEENB:  CALL    FSIDE
+        RZ                      ; no carry
+        MOV     A,B
+        CMP     M
+        CMC
+        RC                      ; B >= MT
+        INR     H
+        MOV     A,M
+        CMP     B
+        CMC                     ; B <= MB
         RET
 
 ; ---- Fold: the pending column's rows become part of the masks, and no column is pending. Keeps all but A.

@@ -1,8 +1,9 @@
-; TESTDRAW on the EF9365 board: a line tested with a row of slack, which leaves the masks alone. Contours are many and
+; TESTDRAW on the EF9365 board: a line tested with a dot of slack, which leaves the masks alone. Contours are many and
 ; short, so one loop serves all directions; its instructions of a step are put in.
 ;
-; B = y + 1: visible from B >= MT on, or B - 3 < MB. Within rows 2 to 254 nothing of that leaves a byte; lines that touch the
-; others go step by step.
+; B = y + 1: visible from B >= MT on, or B - 3 < MB; by a column beside from B - 1 >= MT on, or B - 2 < MB. Within rows 2 to 254
+; nothing of that leaves a byte; lines that touch the others go step by step. Whether there is such a column, and anyone has
+; been in it, is asked last: it hardly ever fails.
 
 TESTV:  POP     D
         LDA     DEV
@@ -53,6 +54,23 @@ TVTEST: MVI     H,MTP
         SUI     3
         CMP     M
         JC      TVDOT
+        INR     A               ; hidden in its own column
+        DCR     L
+        CMP     M
+        JC      TVLEFT
+        DCR     H
+        INR     A
+        CMP     M
+        JNC     TVLEFT
+TV2:    INR     L
+        INR     L
+        CMP     M
+        JNC     TVRGHT
+        INR     H
+        DCR     A
+        CMP     M
+        JC      TVRGHT
+TV3:    DCR     L
         DCR     E
         JNZ     TVLOOP
 TVEND:  DCR     B
@@ -69,6 +87,22 @@ TVDOT:  MOV     A,L
         DCR     E
         JNZ     TVLOOP
         JMP     TVEND
+TVLEFT: MVI     H,MTP
+        MOV     A,L
+        INR     A
+        CALL    FSIDE
+        JZ      TVLEF1
+        INR     L
+        JMP     TVDOT
+TVLEF1: MOV     A,B
+        DCR     A
+        JMP     TV2
+TVRGHT: MVI     H,MTP
+        MOV     A,L
+        CALL    FSIDE
+        JZ      TV3
+        DCR     L
+        JMP     TVDOT
 
 ; A piece within one dot.
 TESTV5: LDA     FRESH

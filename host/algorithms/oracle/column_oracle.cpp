@@ -146,13 +146,55 @@ void light_surface(std::bitset<raster_columns>& lit, int from, int to,
     if (!nearer || y > nearer->high || y < nearer->low) lit.set(static_cast<std::size_t>(y));
 }
 
+[[nodiscard]] std::optional<ColumnHull> joined(const std::optional<ColumnHull>& a,
+                                               const std::optional<ColumnHull>& b) {
+  if (!a || !b) return a ? a : b;
+  return ColumnHull{std::min(a->low, b->low), std::max(a->high, b->high)};
+}
+
+// What would be nearer than this piece if it lay in another column, whose pieces are in order.
+[[nodiscard]] std::optional<ColumnHull> hull_nearer_than(const Piece& piece, const Column& others,
+                                                         std::int64_t tolerance) {
+  const auto last_nearer = std::find_if(others.rbegin(), others.rend(), [&](const Piece& other) {
+    return clearly_nearer(other, piece, tolerance);
+  });
+  const auto end = std::find_if(last_nearer.base(), others.end(), [&](const Piece& other) {
+    return other.rank >= piece.rank || clearly_nearer(piece, other, tolerance);
+  });
+  std::optional<ColumnHull> hull;
+  for (auto other = others.begin(); other != end; ++other) hull = joined(hull, hull_of(*other));
+  return hull;
+}
+
+[[nodiscard]] bool test_only(const Piece& piece) {
+  return std::all_of(piece.dots.begin(), piece.dots.end(),
+                     [](const Dot& dot) { return dot.role == SegmentRole::test; });
+}
+
+// Hulls of what is nearer than a test-only piece in the columns beside it, as far as there is anything.
+[[nodiscard]] std::vector<ColumnHull> hulls_beside(const Columns& columns, int x, const Piece& piece,
+                                                   std::int64_t tolerance) {
+  std::vector<ColumnHull> hulls;
+  if (!test_only(piece)) return hulls;
+  for (const int beside : {x - 1, x + 1}) {
+    if (beside < 0 || beside >= raster_columns) continue;
+    const auto hull = hull_nearer_than(piece, columns[static_cast<std::size_t>(beside)], tolerance);
+    if (hull) hulls.push_back(*hull);
+  }
+  return hulls;
+}
+
 void light_piece(std::bitset<raster_columns>& lit, const Column& pieces, std::size_t number,
-                 const std::optional<ColumnHull>& nearer) {
+                 const std::optional<ColumnHull>& nearer, const std::vector<ColumnHull>& beside) {
   const Piece& piece = pieces[number];
   for (const Dot& dot : piece.dots) {
     const int slack = dot.role == SegmentRole::test ? 2 : 0;
     const bool outside = !nearer || dot.y > nearer->high - slack || dot.y < nearer->low + slack;
-    if (outside && dot.role != SegmentRole::mask) lit.set(static_cast<std::size_t>(dot.y));
+    const bool outside_beside = std::any_of(beside.begin(), beside.end(), [&](const ColumnHull& hull) {
+      return dot.y >= hull.high || dot.y <= hull.low;
+    });
+    if ((outside || outside_beside) && dot.role != SegmentRole::mask)
+      lit.set(static_cast<std::size_t>(dot.y));
   }
   const auto entry =
       std::find_if(piece.dots.begin(), piece.dots.end(), [](const Dot& dot) { return shaded(dot.role); });
@@ -180,17 +222,19 @@ void light_piece(std::bitset<raster_columns>& lit, const Column& pieces, std::si
   return values;
 }
 
-void take_column(ColumnPicture& picture, std::size_t x, const Column& pieces) {
+void take_column(ColumnPicture& picture, std::size_t x, const Columns& columns, std::int64_t tolerance) {
+  const Column& pieces = columns[x];
   std::vector<int> highs;
   std::vector<int> lows;
   std::optional<ColumnHull>& nearer = picture.hull[x];
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    light_piece(picture.lit[x], pieces, i, nearer);
+    light_piece(picture.lit[x], pieces, i, nearer,
+                hulls_beside(columns, static_cast<int>(x), pieces[i], tolerance));
     const auto own = hull_of(pieces[i]);
     if (!own) continue;
     highs.push_back(own->high);
     lows.push_back(own->low);
-    nearer = nearer ? ColumnHull{std::min(nearer->low, own->low), std::max(nearer->high, own->high)} : *own;
+    nearer = joined(nearer, own);
   }
   for (const int y : records_left(highs, lows)) picture.silhouette[x].set(static_cast<std::size_t>(y));
   for (const int y : records_left(negated(lows), negated(highs)))
@@ -244,9 +288,9 @@ std::vector<RasterDot> segment_dots(int x0, int y0, int x1, int y1) {
 ColumnPicture column_picture(const std::vector<Chain>& chains, std::int64_t depth_tolerance) {
   Columns columns;
   for (const Chain& chain : chains) collect(columns, chain);
+  for (Column& column : columns) column = in_order(std::move(column), depth_tolerance);
   ColumnPicture picture;
-  for (std::size_t x = 0; x < columns.size(); ++x)
-    take_column(picture, x, in_order(std::move(columns[x]), depth_tolerance));
+  for (std::size_t x = 0; x < columns.size(); ++x) take_column(picture, x, columns, depth_tolerance);
   take_outline(picture);
   return picture;
 }

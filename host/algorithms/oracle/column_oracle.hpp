@@ -19,6 +19,8 @@
 //   rounded to columns), nor if their chains lie beside each other and meet in this column: their true ends
 //   are somewhere in it. Then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
 //   must therefore be right only where depth says nothing.
+// - What is nearer than a test-only piece in a column beside it is told in the same way, as if the piece lay
+//   there.
 //
 // Left out: colours and levels, gaps, lines beyond the raster.
 #pragma once
@@ -37,7 +39,8 @@ inline constexpr int raster_columns = 256;
 enum class SegmentRole : std::uint8_t {
   none,   // no segment: the chain is interrupted, or begins
   draw,   // lit where it is strictly outside the hull of what is nearer; hides
-  test,   // lit there and in the outermost two rows of the hull; hides nothing
+  test,   // lit there and in the outermost two rows of the hull, and where it is outside or in the outermost
+          // row of the hull of what is nearer in a column beside it; hides nothing
   mask,   // never lit; hides
   shade,  // as draw; and the surface down or up to the piece before is filled as far as it is outside
   rim,    // as draw; the surface of a later piece may be filled up to it

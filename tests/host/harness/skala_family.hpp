@@ -63,11 +63,13 @@ class SliceFamily {
     all.push_back({2, rim(false, slice_role)});
     return all;
   }
-  // A short segment on the surface halfway between a slice and the next; nothing if they share no column.
+  // A short segment on the surface halfway between a slice and the next, a column at least inside what they
+  // share: beyond that there are only rims, one drawn before all slices and one after them, whatever their
+  // depth. Nothing if there is no such column.
   [[nodiscard]] std::optional<Chain> piece(int behind_slice) {
-    const int first = left_ + std::max(behind_slice * shift_, (behind_slice + 1) * shift_);
+    const int first = left_ + std::max(behind_slice * shift_, (behind_slice + 1) * shift_) + 1;
     const int last =
-        left_ + std::min(behind_slice * shift_, (behind_slice + 1) * shift_) + (points_ - 1) * spacing_;
+        left_ + std::min(behind_slice * shift_, (behind_slice + 1) * shift_) + (points_ - 1) * spacing_ - 1;
     if (first > last) return std::nullopt;
     const auto vertex_at = [&](int x, int y, SegmentRole role) {
       return ChainVertex{x, y, std::int64_t{behind_slice} * gap + gap / 2 + std::int64_t{slope_} * x, role};

@@ -138,7 +138,7 @@ TEST(SkalaTwinMasks, MaskHidesWithoutInk) {
             (Rows{"...77"}));
 }
 
-// One row of slack: the border row and the one inside it still show; hidden farther in. Nothing is masked by
+// A dot of slack: the border row and the one inside it still show; hidden farther in. Nothing is masked by
 // it.
 TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
   auto bytes = picture().move(0, 2).mask(0, 8).commit();
@@ -150,6 +150,33 @@ TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
   const auto unvisited = picture().move(5, 5).test(5, 5).test(6, 5).end().run();
   EXPECT_EQ(unvisited.columns.mask_top[5], 0);
   EXPECT_EQ(unvisited.columns.mask_bottom[5], 255);
+}
+
+// A bar in rows 2 to 8 between a lower and a higher one: a dot of it shows where the bar beside it ends, that
+// is on the last row of that, not a row inside it.
+TEST(SkalaTwinMasks, TestDrawShowsBesideAShorterColumn) {
+  const auto bars = [] {
+    auto bytes = picture().move(10, 2).mask(10, 5).commit();
+    return bytes.move(11, 2).mask(11, 8).commit().move(12, 4).mask(12, 9).commit();
+  };
+  EXPECT_EQ(window(bars().move(11, 10).test(11, 0), 11, 0, 11, 10),
+            (Rows{"7", "7", "7", "7", "7", "7", "7", "7", "7", "7", "7"}));
+  EXPECT_EQ(window(bars().move(12, 4).mask(12, 3).commit().move(11, 10).test(11, 0), 11, 0, 11, 10),
+            (Rows{"7", "7", "7", "7", "7", "7", ".", "7", "7", "7", "7"}));
+  EXPECT_EQ(window(bars().move(10, 9).mask(10, 9).commit().move(11, 10).test(11, 0), 11, 0, 11, 10),
+            (Rows{"7", "7", "7", "7", ".", ".", "7", "7", "7", "7", "7"}));
+}
+
+// A column beside it that nobody has been in, or that is beyond the border, shows nothing.
+TEST(SkalaTwinMasks, TestDrawIsNotShownByColumnsWithoutAMask) {
+  for (const int x : {0, 20, 255}) {
+    auto bytes = picture().move(x, 2).mask(x, 8).commit();
+    const auto drawn = bytes.move(x, 5).test(x, 6).end().run();
+    EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 0U) << x;
+  }
+  // At the borders the columns of the other side are no neighbours.
+  auto bytes = picture().move(0, 2).mask(0, 8).commit().move(255, 5).mask(255, 5).commit();
+  EXPECT_EQ(lit_dots(bytes.move(0, 5).test(0, 6).end().run().raster(SkalaDevice::ef9365)), 0U);
 }
 
 TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {

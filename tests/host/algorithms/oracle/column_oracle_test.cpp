@@ -73,6 +73,27 @@ TEST(ColumnOracle, RolesDifferInInkAndHiding) {
   EXPECT_EQ(lit({run(1, 3, 8, test), run(2, 5, 5)}), "...######...");
 }
 
+// As `run`, in another column.
+Chain run_at(int x, std::int64_t depth, int from, int to, SegmentRole role) {
+  return {0, {{x, from, depth, none}, {x, to, depth, role}}};
+}
+
+TEST(ColumnOracle, TestedPiecesShowBesideLowerColumns) {
+  const Chain cover = run_at(3, 10, 0, 11, mask);
+  const Chain tested = run(20, 1, 10, test);
+  EXPECT_EQ(lit({cover, tested}), ".#........#.");
+  // The last row of the hull beside it shows it, a row inside does not.
+  EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, mask), tested}), ".####...###.");
+  EXPECT_EQ(lit({cover, run_at(4, 10, 4, 8, mask), tested}), ".####...###.");
+  EXPECT_EQ(lit({cover, run_at(4, 10, 4, 7, mask), run_at(2, 10, 5, 11, mask), tested}), ".#####.####.");
+  // What is farther, two columns away or itself only tested says nothing.
+  EXPECT_EQ(lit({cover, run_at(2, 30, 4, 8, mask), tested}), ".#........#.");
+  EXPECT_EQ(lit({cover, run_at(5, 10, 4, 8, mask), tested}), ".#........#.");
+  EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, test), tested}), ".#........#.");
+  // Nor does it to a line that hides.
+  EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, mask), run(20, 1, 10, draw)}), "............");
+}
+
 TEST(ColumnOracle, SurfacesAreFilledBetweenPieces) {
   EXPECT_EQ(lit({run(1, 2, 2, shade), run(2, 7, 7, shade)}), "..######....");
   EXPECT_EQ(lit({run(1, 2, 2, shade), run(2, 7, 7, rim)}), "..#....#....");
