@@ -36,6 +36,8 @@ constexpr const char* jones_examples =
 struct JonesArguments {
   std::string scene;
   bool no_eae = false;
+  unsigned fraction = 1;
+  bool truncate = false;
   std::string at;
   std::optional<int> scale;
   std::string switches;
@@ -51,6 +53,8 @@ constexpr double flicker_limit = 30.0;
 jones::Program program_for(const scene::CellScene& scene, const JonesArguments& arguments) {
   jones::ProgramOptions options;
   options.eae = !arguments.no_eae;
+  options.fraction_bits = arguments.fraction;
+  options.truncate = arguments.truncate;
   if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
   return assembled(scene, arguments.scene, options);
 }
@@ -78,6 +82,8 @@ ordered_json document_of(const JonesArguments& arguments, const jones::Program& 
   ordered_json document{{"schema", "sightline/jones/1"},
                         {"scene", arguments.scene},
                         {"eae", !arguments.no_eae},
+                        {"fraction_bits", arguments.fraction},
+                        {"truncated", arguments.truncate},
                         {"eye", program.scene.eye},
                         {"cells", program.scene.cell_addresses.size()},
                         {"core_words_used", program.words_used},
@@ -156,6 +162,10 @@ void add_jones_command(CLI::App& app, ExitCode& exit_code) {
   const auto arguments = std::make_shared<JonesArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
   command->add_flag("--no-eae,!--eae", arguments->no_eae, "Without (with) the extended arithmetic element");
+  command->add_option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 3));
+  command->add_flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
   command->add_option("--at", arguments->at, "The eye; the cell it is in becomes the initial cell")
       ->type_name("X,Y,Z");
   command->add_option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")

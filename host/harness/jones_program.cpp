@@ -59,6 +59,8 @@ std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene
   if (auto* error = std::get_if<scene::SceneError>(&tape)) return *error;
   assembler::Options assembler_options;
   assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
+  assembler_options.defines.push_back({"FRACTION", core::Word18(options.fraction_bits)});
+  assembler_options.defines.push_back({"TRUNCATE", core::Word18(options.truncate ? 1 : 0)});
   const auto assembly =
       assembler::assemble_pdp7(sources_with(std::get<std::string>(tape)), assembler_options);
   if (!assembly.ok()) throw std::logic_error("the program does not assemble:\n" + all_diagnostics(assembly));

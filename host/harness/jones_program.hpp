@@ -55,7 +55,9 @@ struct Program {
 
 struct ProgramOptions {
   bool eae = true;
-  scene::TapeOptions tape;  // the eye, and with it the initial cell
+  std::uint32_t fraction_bits = 1;  // -D FRACTION, 0..3: of a coordinate on the screen
+  bool truncate = false;            // -D TRUNCATE: quotients and points are cut off, not rounded
+  scene::TapeOptions tape;          // the eye, and with it the initial cell
 };
 
 // Error: the eye is not in a cell, or the scene does not fit into core beside the program.

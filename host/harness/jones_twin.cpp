@@ -30,7 +30,8 @@ Parameters default_parameters(std::span<const Word18> core, std::uint32_t scene_
 }
 
 View run(std::span<const Word18> core, std::uint32_t scene_header, const Parameters& parameters) {
-  return Search(core, scene_header, parameters).run();
+  const ShortWords number(machine_word_bits, parameters.fraction_bits, parameters.truncate);
+  return Search(core, scene_header, parameters, number).run();
 }
 
 }  // namespace sightline::harness::jones

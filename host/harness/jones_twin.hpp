@@ -1,7 +1,7 @@
 // Native twin of Jones's program on the PDP-7: the same display words and the same status for every scene,
-// view and mode, written from firmware/pdp7/jones/SPECIFICATION.md (sections 1, 4, 5 and 7) and from nothing
-// else. It reads the data elements out of an image of core, as the machine does, and calls nothing of the
-// emulator.
+// view, mode and build, written from firmware/pdp7/jones/SPECIFICATION.md (sections 1, 4, 5 and 7) and from
+// nothing else. It reads the data elements out of an image of core, as the machine does, and calls nothing of
+// the emulator.
 //
 // Left out: time, and what happens between views (section 6: switches, clock, the two display files).
 // The search is Jones (1971), "The algorithm"; it keeps an explicit stack, as his program does.
@@ -34,11 +34,13 @@ enum class Status : std::uint8_t {
 [[nodiscard]] std::string_view name(Status status);
 
 struct Parameters {
-  SpacePoint eye;                     // object units
-  std::int32_t scale = 512;           // S, 64..4096
-  bool stereo = false;                // AC switch 17
-  bool immediate = false;             // AC switch 16: lines are added at once
-  std::uint64_t limit = 100'000'000;  // vectors and list entries looked at before the twin gives up
+  SpacePoint eye;                             // object units
+  std::int32_t scale = 512;                   // S, 64..4096
+  bool stereo = false;                        // AC switch 17
+  bool immediate = false;                     // AC switch 16: lines are added at once
+  std::uint64_t limit = 100'000'000;          // vectors and list entries looked at before the twin gives up
+  int fraction_bits = machine_fraction_bits;  // 0..3: -D FRACTION of the program
+  bool truncate = false;                      // -D TRUNCATE
 };
 // Eye of the scene header; scale 512, mono.
 [[nodiscard]] Parameters default_parameters(std::span<const core::Word18> core, std::uint32_t scene_header);
@@ -56,23 +58,31 @@ struct Counts {
   int depth = 0;
   int stack_words = 0;
   int mask_vertices = 0;
-  std::int32_t largest_coordinate = 0;  // magnitude, half points, before clipping
+  double largest_coordinate = 0;  // magnitude, points, before clipping
   Operations operations;
 };
 
 // A line piece as it left the clip: which vector word drew it and where.
-struct Piece {
+template <class Coordinate>
+struct BasicPiece {
   std::uint16_t vector_address = 0;
   Pass pass = Pass::mono;
-  ScreenSegment line;  // half points relative to the centre of its window
-};
+  BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window: half points by default
+  bool drawn = true;                    // false: both ends are the same point of the screen
 
-struct View {
+  friend bool operator==(const BasicPiece&, const BasicPiece&) = default;
+};
+using Piece = BasicPiece<std::int32_t>;
+
+template <class Coordinate>
+struct BasicView {
   Status status = Status::complete;
-  std::vector<core::Word18> display_file;  // the stop word included
-  std::vector<Piece> pieces;               // in the order drawn
+  std::vector<core::Word18> display_file;       // the stop word included
+  std::vector<BasicPiece<Coordinate>> pieces;   // drawn, in the order drawn
+  std::vector<BasicPiece<Coordinate>> clipped;  // all that left the clip, drawn or too short for it
   Counts counts;
 };
+using View = BasicView<std::int32_t>;
 
 // core: 8192 words, shorter images read as zero beyond their end. scene_header: address of the header of
 // section 7; addresses wrap at 13 bits. The eye must lie in the initial cell: nothing here checks it, as

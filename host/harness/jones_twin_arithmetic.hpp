@@ -3,13 +3,16 @@
 //
 // Each function is the twin of one routine of firmware/pdp7/jones and gives the same numbers, so that a test
 // can call the machine's routine through its label and compare. Source: firmware/pdp7/jones/SPECIFICATION.md
-// sections 1 and 2. Space is in object units relative to the eye, the screen in half points relative to the
-// centre of the window. Every number fits a word of 18 bits, or a double word of 36 where that is said; debug
-// builds assert it. Masks and clipping are in jones_twin_mask.hpp.
+// sections 1 and 2. Space is in object units relative to the eye, the screen in units relative to the centre
+// of the window: half points on the machine, 2^fraction_bits to a point for other numbers
+// (jones_twin_number.hpp). Functions without a number are the machine's own. Masks and clipping are in
+// jones_twin_mask.hpp.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+
+#include "host/harness/jones_twin_number.hpp"
 
 namespace sightline::harness::jones {
 
@@ -24,27 +27,35 @@ struct SpaceSegment {
   SpacePoint p, q;
   friend constexpr bool operator==(const SpaceSegment&, const SpaceSegment&) = default;
 };
-struct ScreenPoint {
-  std::int32_t x = 0, y = 0;
-  friend constexpr bool operator==(const ScreenPoint&, const ScreenPoint&) = default;
+template <class Coordinate>
+struct BasicScreenPoint {
+  Coordinate x = 0, y = 0;
+  friend constexpr bool operator==(const BasicScreenPoint&, const BasicScreenPoint&) = default;
 };
-struct ScreenSegment {
-  ScreenPoint a, b;
-  friend constexpr bool operator==(const ScreenSegment&, const ScreenSegment&) = default;
+template <class Coordinate>
+struct BasicScreenSegment {
+  BasicScreenPoint<Coordinate> a, b;
+  friend constexpr bool operator==(const BasicScreenSegment&, const BasicScreenSegment&) = default;
 };
+using ScreenPoint = BasicScreenPoint<std::int32_t>;
+using ScreenSegment = BasicScreenSegment<std::int32_t>;
 
 enum class Axis : std::uint8_t { x = 1, y = 2, z = 3 };  // A of a vector word: i, j, k
 
 // What is shown on one half of a stereo pair, or on the whole screen.
 struct Window {
-  std::int32_t xlo = -1024, xhi = 1022, ylo = -1024, yhi = 1022;  // half points relative to the centre
+  std::int32_t xlo = -1024, xhi = 1022, ylo = -1024, yhi = 1022;  // units relative to the centre
   std::int32_t centre_x = 512, centre_y = 512;                    // points of the screen
-  std::int32_t width_scale = 1024;                                // W: half points per unit of x/z
+  std::int32_t width_scale = 1024;                                // W: units per unit of x/z
   std::int32_t bound_factor = 4;                                  // K: lines are cut at |x|, |y| <= K z
 };
 enum class Pass : std::uint8_t { mono, left, right };
-// scale: S, 64..4096. Section 1.
-[[nodiscard]] Window window_of(Pass pass, std::int32_t scale);
+// scale: S, 64..4096. Section 1, with K chosen for the length of a word.
+[[nodiscard]] Window window_of(Pass pass, std::int32_t scale, int fraction_bits = machine_fraction_bits,
+                               int word_bits = machine_word_bits);
+// Whether the bound holds the window and no difference of two coordinates in it leaves the word. Always so
+// for 18 bits and at most 3 fraction bits.
+[[nodiscard]] bool fits(const Window& window, int fraction_bits, int word_bits);
 
 // What one kind of work cost.
 struct Work {
@@ -59,8 +70,11 @@ struct Operations {
 // 18 bits (the divide overflow of the machine).
 [[nodiscard]] std::optional<std::int32_t> muldiv(std::int32_t a, std::int32_t b, std::int32_t c);
 
-// B(z) = min(K z, 131071), z >= 0.
-[[nodiscard]] std::int32_t bound(std::int32_t bound_factor, std::int32_t z);
+inline constexpr std::int32_t largest_word = 131071;
+
+// B(z) = min(K z, largest), z >= 0.
+[[nodiscard]] std::int32_t bound(std::int32_t bound_factor, std::int32_t z,
+                                 std::int32_t largest = largest_word);
 
 // The least z of the near plane or beyond at which a coordinate of this magnitude is inside the bound.
 [[nodiscard]] std::int32_t depth_inside(std::int32_t magnitude, std::int32_t bound_factor);
@@ -68,9 +82,26 @@ struct Operations {
 // The part of the axis-parallel vector p-q inside z >= near_z, |x| <= B(z), |y| <= B(z); nothing if no length
 // is left.
 [[nodiscard]] std::optional<SpaceSegment> seg3(const SpaceSegment& vector, Axis axis,
-                                               std::int32_t bound_factor);
+                                               std::int32_t bound_factor,
+                                               std::int32_t largest = largest_word);
 
 // Perspective of a point with z >= near_z; nothing on divide overflow.
+template <class Number>
+[[nodiscard]] std::optional<BasicScreenPoint<typename Number::Coordinate>> project(const Number& number,
+                                                                                   const SpacePoint& point,
+                                                                                   std::int32_t width_scale,
+                                                                                   Operations& operations) {
+  using Coordinate = typename Number::Coordinate;
+  operations.projection.muldivs += 2;
+  const auto along = [&](std::int32_t place) {
+    return number.muldiv(static_cast<Coordinate>(place < 0 ? -place : place),
+                         static_cast<Coordinate>(width_scale), static_cast<Coordinate>(point.z));
+  };
+  const auto x = along(point.x);
+  const auto y = along(point.y);
+  if (!x || !y) return std::nullopt;
+  return BasicScreenPoint<Coordinate>{point.x < 0 ? -*x : *x, point.y < 0 ? -*y : *y};
+}
 [[nodiscard]] std::optional<ScreenPoint> project(const SpacePoint& point, std::int32_t width_scale,
                                                  Operations& operations);
 

@@ -21,31 +21,23 @@ constexpr Word18 escape{0400000};
 constexpr unsigned vector_dy_shift = 8;
 constexpr std::int32_t longest_vector = 127;
 
-ScreenPoint to_point(ScreenPoint half, const Window& window) {
-  const ScreenPoint point{((half.x + 1) >> 1) + window.centre_x, ((half.y + 1) >> 1) + window.centre_y};
-  assert(0 <= point.x && point.x <= 1023 && 0 <= point.y && point.y <= 1023);
-  return point;
-}
-
 std::uint32_t bits(std::int32_t magnitude) {
   return static_cast<std::uint32_t>(magnitude);
 }
 
-std::int32_t partial(std::int32_t i, std::int32_t whole, std::int32_t count, Operations& operations) {
-  ++operations.display.muldivs;
-  return muldiv(i, std::abs(whole), count).value();
+[[maybe_unused]] bool on_screen(ScreenPoint p) {
+  return 0 <= p.x && p.x <= 1023 && 0 <= p.y && p.y <= 1023;
 }
 
 }  // namespace
 
-DisplayFile::DisplayFile(std::size_t capacity, bool joining) : capacity_(capacity), joining_(joining) {
+DisplayFile::DisplayFile(std::size_t capacity, bool joining, bool truncate)
+    : capacity_(capacity), joining_(joining), number_(machine_word_bits, machine_fraction_bits, truncate) {
   words_.push_back(first_word);
 }
 
-DisplayFile::Outcome DisplayFile::add(const ScreenSegment& piece, const Window& window,
-                                      Operations& operations) {
-  const ScreenPoint a = to_point(piece.a, window);
-  const ScreenPoint b = to_point(piece.b, window);
+DisplayFile::Outcome DisplayFile::add(ScreenPoint a, ScreenPoint b, Operations& operations) {
+  assert(on_screen(a) && on_screen(b));
   if (a == b) return Outcome::no_length;
   const std::int32_t dx = b.x - a.x;
   const std::int32_t dy = b.y - a.y;
@@ -68,8 +60,12 @@ DisplayFile::Outcome DisplayFile::add(const ScreenSegment& piece, const Window& 
 void DisplayFile::add_vectors(std::int32_t dx, std::int32_t dy, std::int32_t count, Operations& operations) {
   const std::uint32_t lit = vector_lit | (dy < 0 ? vector_down : 0) | (dx < 0 ? vector_left : 0);
   ScreenPoint done;
+  const auto partial = [&](std::int32_t i, std::int32_t whole) {
+    ++operations.display.muldivs;
+    return number_.muldiv(i, std::abs(whole), count).value();
+  };
   for (std::int32_t i = 1; i <= count; ++i) {
-    const ScreenPoint sum{partial(i, dx, count, operations), partial(i, dy, count, operations)};
+    const ScreenPoint sum{partial(i, dx), partial(i, dy)};
     const std::int32_t mx = sum.x - done.x;
     const std::int32_t my = sum.y - done.y;
     assert(0 <= mx && mx <= longest_vector && 0 <= my && my <= longest_vector);

@@ -16,9 +16,10 @@ class DisplayFile {
   enum class Outcome : std::uint8_t { drawn, no_length, full };
 
   // capacity in words, the stop included; joining: pieces that continue each other share their set-up words.
-  DisplayFile(std::size_t capacity, bool joining);
-  // piece in half points relative to the centre of the window.
-  [[nodiscard]] Outcome add(const ScreenSegment& piece, const Window& window, Operations& operations);
+  // truncate: a long line is divided into vectors by quotients that are cut off, not rounded.
+  DisplayFile(std::size_t capacity, bool joining, bool truncate = false);
+  // A line from a to b, points of the screen.
+  [[nodiscard]] Outcome add(ScreenPoint a, ScreenPoint b, Operations& operations);
   // Adds the stop; the file takes nothing more.
   [[nodiscard]] std::vector<core::Word18> finish() &&;
 
@@ -27,6 +28,7 @@ class DisplayFile {
 
   std::size_t capacity_;
   bool joining_;
+  ShortWords number_;
   std::vector<core::Word18> words_;
   std::optional<ScreenPoint> beam_;  // end of the last piece, in points of the screen
 };

@@ -5,14 +5,16 @@
 
 namespace sightline::harness::jones {
 
-RingBound::RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor)
+RingBound::RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor,
+                     std::int32_t largest)
     : plane_(plane),
       bound_factor_(bound_factor),
+      largest_(largest),
       nearest_(plane == Axis::z ? near_z : depth_inside(std::abs(plane_coordinate), bound_factor)) {}
 
 SpacePoint RingBound::into_bound(SpacePoint corner) const {
   corner.z = std::max(corner.z, nearest_);
-  const std::int32_t limit = bound(bound_factor_, corner.z);
+  const std::int32_t limit = bound(bound_factor_, corner.z, largest_);
   corner.x = std::clamp(corner.x, -limit, limit);
   corner.y = std::clamp(corner.y, -limit, limit);
   return corner;

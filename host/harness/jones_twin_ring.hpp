@@ -15,8 +15,10 @@ namespace sightline::harness::jones {
 
 class RingBound {
  public:
-  // plane: the axis normal to the opening; plane_coordinate: of the opening on it, relative to the eye.
-  RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor);
+  // plane: the axis normal to the opening; plane_coordinate: of the opening on it, relative to the eye;
+  // largest: of a word.
+  RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor,
+            std::int32_t largest = largest_word);
 
   // rho: a corner of the ring, moved into the bound.
   [[nodiscard]] SpacePoint into_bound(SpacePoint corner) const;
@@ -27,6 +29,7 @@ class RingBound {
  private:
   Axis plane_;
   std::int32_t bound_factor_;
+  std::int32_t largest_;
   std::int32_t nearest_;  // least z at which the plane is inside the bound
 };
 

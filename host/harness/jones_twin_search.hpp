@@ -18,22 +18,32 @@ namespace sightline::harness::jones {
 
 // Words that the stack takes to come back to a cell seen through this mask: place in the list, entry, cell,
 // the link to the frame before; count and box of the mask, its sloped edges.
-[[nodiscard]] inline int frame_words(const Mask& mask) {
+template <class Coordinate>
+[[nodiscard]] int frame_words(const BasicMask<Coordinate>& mask) {
   return 9 + 4 * sloped_edges(mask);
 }
 
-// One view: made, run once, and used up.
+// One view in one arithmetic: made, run once, and used up.
+template <class Number>
 class Search {
  public:
-  Search(std::span<const core::Word18> core, std::uint32_t header, const Parameters& parameters)
+  using Coordinate = typename Number::Coordinate;
+  using View = BasicView<Coordinate>;
+
+  Search(std::span<const core::Word18> core, std::uint32_t header, const Parameters& parameters,
+         const Number& number)
       : core_(core),
         header_(header),
         parameters_(parameters),
-        file_(display_file_words, !parameters.immediate) {}
+        number_(number),
+        file_(display_file_words, !parameters.immediate, number.truncate()) {}
 
   [[nodiscard]] View run() &&;
 
  private:
+  using Point = BasicScreenPoint<Coordinate>;
+  using Mask = BasicMask<Coordinate>;
+  using PolygonBuilder = BasicPolygonBuilder<Coordinate>;
   // What is known of an opening before its ring is walked.
   struct RingScan {
     bool crossing = false;  // the eye is strictly on the near side
@@ -67,7 +77,8 @@ class Search {
   bool scan(const Chain& ring, bool towards_higher, RingScan& facts);
   bool go_through(std::uint32_t far_cell, std::uint32_t element, PolygonBuilder& polygon,
                   bool counter_clockwise);
-  bool project_point(const SpacePoint& point, ScreenPoint& projected);
+  bool project_point(const SpacePoint& point, Point& projected);
+  bool add_to_file(BasicPiece<Coordinate>& piece);
 
   bool fail(Status status) {
     view_.status = status;
@@ -75,12 +86,15 @@ class Search {
   }
   bool spend() { return spent_++ < parameters_.limit || fail(Status::unfinished); }
   [[nodiscard]] SpacePoint stereo_eye(std::int32_t shift) const;
-  [[nodiscard]] Chain chain_at(std::uint32_t element) const;
+  // No number has left its word so far.
+  bool sound() { return !number_.overflowed() || fail(Status::arithmetic_overflow); }
+  bool chain_at(std::uint32_t element, Chain& chain);
   void count_fresh(const SpacePoint& point);
 
   CoreImage core_;
   std::uint32_t header_;
   Parameters parameters_;
+  Number number_;
   DisplayFile file_;
   View view_;
   std::bitset<core_words> cells_;
@@ -92,5 +106,10 @@ class Search {
   std::optional<SpacePoint> projected_last_;  // within one chain
   std::uint64_t spent_ = 0;
 };
+
+extern template class Search<ShortWords>;
+extern template class Search<LongWords>;
+extern template class Search<SingleFloat>;
+extern template class Search<DoubleFloat>;
 
 }  // namespace sightline::harness::jones

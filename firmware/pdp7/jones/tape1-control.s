@@ -5,12 +5,50 @@
 / of the paper is which label here, in NOTES.md.  Two's complement throughout;
 / octal; negate is cma, tad (1.
 /
+/ FRACTION is how many fraction bits a coordinate on the screen has, 0 to 3;
+/ TRUNCATE=1 cuts quotients and points off where TRUNCATE=0 rounds them.
+/
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
 / constants   10075 records   11446 mask stack   12460 and 15230 the two display
 / files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
+
+FRACTION=1
+TRUNCATE=0
+        IFNZRO FRACTION&777774 <
+unit=1
+uhalf=0
+u100=100
+        FRACTION-is-not-0-1-2-3
+        >
+        IFZERO FRACTION <       / a point of the screen, half of it, 64 of it
+unit=1
+uhalf=0
+u100=100
+        >
+        IFZERO FRACTION-1 <
+unit=2
+uhalf=1
+u100=200
+        >
+        IFZERO FRACTION-2 <
+unit=4
+uhalf=2
+u100=400
+        >
+        IFZERO FRACTION-3 <
+unit=10
+uhalf=4
+u100=1000
+        >
+        IFNZRO TRUNCATE <
+uhalf=0
+        >
+u200=u100+u100
+u400=u200+u200
+u1000=u400+u400
 
 recs=10075              / records of openings: 5 words each
 recmax=224              / 148 of them
@@ -273,19 +311,27 @@ limit1, lac limhi
 limit2, lac limt
         jmp i limit
 
-/ Windows.  wxlo.. are half points from the centre; cx2 is twice the centre
-/ plus one, for rounding.
+/ Windows.  wxlo.. are units from the centre, half points with one fraction
+/ bit; cx2 is the centre plus half a point, for rounding.
 monwin, 0
         lac scale
+        IFNZRO FRACTION <
         rcl
+        >
+        IFNZRO FRACTION&2 <
+        rcl
+        >
+        IFZERO FRACTION-3 <
+        rcl
+        >
         dac pjw
         lac ex
         dac pex
-        lac (776000     / -1024
+        lac (-u1000+1   / -512 points
         dac wxlo
-        lac (1776       / 1022
+        lac (u1000-unit / 511
         dac wxhi
-        lac (2001       / 2*512+1
+        lac (u1000+uhalf
         dac cx2
         jmp i monwin
 
@@ -297,7 +343,7 @@ lefwin, 0
         tad ex
         jms limitx
         dac pex
-        lac (1001       / 2*256+1
+        lac (u400+uhalf
         dac cx2
         jmp i lefwin
 
@@ -307,18 +353,26 @@ rigwin, 0
         tad ex
         jms limitx
         dac pex
-        lac (3001       / 2*768+1
+        lac (u1000+u400+uhalf
         dac cx2
         jmp i rigwin
 
 halfw,  0
         lac scale
         rcr
+        IFNZRO FRACTION <
         rcl
+        >
+        IFNZRO FRACTION&2 <
+        rcl
+        >
+        IFZERO FRACTION-3 <
+        rcl
+        >
         dac pjw
-        lac (777000     / -512
+        lac (-u400+1    / -256 points
         dac wxlo
-        lac (776        / 510
+        lac (u400-unit  / 255
         dac wxhi
         jmp i halfw
 

@@ -1,6 +1,7 @@
 / Tape 3: lines in space and their perspective
 
-/ Bounds for the eye and scale of this pass: K = 4, doubled while K*W < 2048.
+/ Bounds for the eye and scale of this pass: K = 4, doubled while K*W is below
+/ 1024 points; with two or three fraction bits 1 if 4*W is above 2^15.
 setbnd, 0
         lac (nop
         dac bl1
@@ -9,21 +10,32 @@ setbnd, 0
         dac br1
         dac br2
         dac br3
+        IFNZRO FRACTION&2 <
+        lac (rcl
+        dac bl4
+        lac (rcr
+        dac br4
+        >
         lac (-100000+1  / -(2^17)/4
         dac nzcap
         lac (3
         dac km1
         lac pjw
-        tad (-1000+1
+        tad (-u400+1
         sma
+        IFZERO FRACTION&2 <
         jmp i setbnd
+        >
+        IFNZRO FRACTION&2 <
+        jmp setbn1
+        >
         lac (rcl
         dac bl1
         lac (rcr
         dac br1
         jms setb1
         lac pjw
-        tad (-400+1
+        tad (-u200+1
         sma
         jmp i setbnd
         lac (rcl
@@ -32,7 +44,7 @@ setbnd, 0
         dac br2
         jms setb1
         lac pjw
-        tad (-200+1
+        tad (-u100+1
         sma
         jmp i setbnd
         lac (rcl
@@ -41,6 +53,18 @@ setbnd, 0
         dac br3
         jms setb1
         jmp i setbnd
+        IFNZRO FRACTION&2 <
+setbn1, tad (u400-20000
+        spa             / is W above 2^13?
+        jmp i setbnd
+        lac (400000     / K = 1
+        dac nzcap
+        dzm km1
+        lac (skp        / pass over both shifts
+        dac bl4
+        dac br4
+        jmp i setbnd
+        >
 setb1,  0               / K doubles: the cap halves
         lac nzcap
         stl
@@ -71,7 +95,7 @@ newz,   0
         sma
         jmp newz1
         lac pz
-        rcl
+bl4,    rcl
         rcl
 bl1,    nop             / rcl for K = 8
 bl2,    nop             / 16
@@ -552,7 +576,7 @@ zleast, 0
         cma
         tad (1
         tad km1
-        rcr
+br4,    rcr
         rcr
 br1,    nop             / rcr for K = 8
 br2,    nop             / 16
@@ -578,7 +602,8 @@ raise,  0               / AC, but not below zmin
 raise1, lac t1
         jmp i raise
 
-/ Perspective: AC = sign * (|AC|*W + z/2) / z, with W in pjw, z by setz.
+/ Perspective: AC = sign * (|AC|*W + z/2) / z, with W in pjw, z by setz; half
+/ of z is left out where quotients are cut off.
         IFNZRO EAE <
 setz,   0
         dac pjz
@@ -591,7 +616,12 @@ proj,   0
         spa
         jmp proj1
         lmq
+        IFZERO TRUNCATE <
         lac pjh         / mulac adds it to the product
+        >
+        IFNZRO TRUNCATE <
+        lac (0
+        >
         cll
         mulac
 pjw,    0
@@ -606,7 +636,12 @@ proj1,  cma             / the same of a negative one
         dac pjx
         lac pjw
         lmq
+        IFZERO TRUNCATE <
         lac pjh
+        >
+        IFNZRO TRUNCATE <
+        lac (0
+        >
         cll
         mulac
 pjx,    0

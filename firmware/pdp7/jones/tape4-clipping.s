@@ -357,7 +357,7 @@ dist2,  0
         jms addprd
         jmp i dist2
 
-/ Accumulator + AC * smb, both signed and below 2^11.
+/ Accumulator + AC * smb, both signed and below 1024 points.
         IFNZRO EAE <
 / The machine multiplies unsigned words and adds AC to the product.  A negative
 / factor is 2^18 too much, which the other one takes back from the high word.
@@ -391,7 +391,7 @@ addpr1, lac smb
         jmp i addprd
         >
         IFZERO EAE <
-/ The product comes times 2^7; only signs and ratios are ever used.
+/ The product comes times 2^(8-FRACTION); only signs and ratios are ever used.
 addprd, 0
         dac sma1
         xor smb

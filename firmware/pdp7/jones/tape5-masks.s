@@ -9,9 +9,9 @@ winmsk, 0
         dac bxlo
         lac wxhi
         dac bxhi
-        lac (776000     / -1024
+        lac (-u1000+1
         dac bylo
-        lac (1776       / 1022
+        lac (u1000-unit
         dac byhi
         jms setbox
         dzm nslope

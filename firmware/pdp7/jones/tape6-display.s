@@ -24,23 +24,55 @@ newfi1, lac (fileb
         dac lastpx
         jmp i newfil
 
-/ Add the line A-B, half points, to the file.
+/ Add the line A-B to the file.
 piece,  0
         lac lax
         tad cx2
+        IFNZRO FRACTION <
         rcr
+        >
+        IFNZRO FRACTION&2 <
+        rcr
+        >
+        IFZERO FRACTION-3 <
+        rcr
+        >
         dac pax
         lac lbx
         tad cx2
+        IFNZRO FRACTION <
         rcr
+        >
+        IFNZRO FRACTION&2 <
+        rcr
+        >
+        IFZERO FRACTION-3 <
+        rcr
+        >
         dac pbx
         lac lay
-        tad (2001
+        tad (u1000+uhalf
+        IFNZRO FRACTION <
         rcr
+        >
+        IFNZRO FRACTION&2 <
+        rcr
+        >
+        IFZERO FRACTION-3 <
+        rcr
+        >
         dac pay
         lac lby
-        tad (2001
+        tad (u1000+uhalf
+        IFNZRO FRACTION <
         rcr
+        >
+        IFNZRO FRACTION&2 <
+        rcr
+        >
+        IFZERO FRACTION-3 <
+        rcr
+        >
         dac pby
         lac pax
         cma

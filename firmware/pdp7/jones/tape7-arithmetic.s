@@ -1,7 +1,8 @@
 / Tape 7: arithmetic
 
         IFNZRO EAE <
-/ AC = (AC*b + c/2)/c, b in mdm, c in mdd; all positive, c below 2^17.
+/ AC = (AC*b + c/2)/c, b in mdm, c in mdd; all positive, c below 2^17.  Half of
+/ c is left out where quotients are cut off, here and below.
 muldiv, 0
         sna
         jmp i muldiv
@@ -14,7 +15,12 @@ muldiv, 0
         dac mdt
         lac mdm
         dac mdb
+        IFZERO TRUNCATE <
         lac mdt         / mulac adds it to the product
+        >
+        IFNZRO TRUNCATE <
+        lac (0
+        >
         cll
         mulac
 mdb,    0
@@ -92,20 +98,26 @@ muld5,  lac mds
         sad (400000
         skp
         jmp muld2
+        IFZERO TRUNCATE <
         lac mdr         / rounding: one more doubling
         rcl
         tad mdnc
         lac mdq
         szl
         tad (1
+        >
+        IFNZRO TRUNCATE <
+        lac mdq
+        >
         jmp i muldv1
 
-/ mpyh,mpyl = AC * mpyb * 2^7, both below 2^11: eleven steps, the multiplier
-/ leaving the low word to the right as the product enters it from the left.
+/ mpyh,mpyl = AC * mpyb * 2^(8-FRACTION), both below 1024 points: one step for
+/ each bit, the multiplier leaving the low word to the right as the product
+/ enters it from the left.
 mpy,    0
         dac mpya
         dzm mpyh
-        lac (777765     / -11
+        lac (777766-FRACTION
         dac mpyn
         lac mpyb
         rcr

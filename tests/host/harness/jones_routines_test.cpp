@@ -167,6 +167,9 @@ TEST_P(JonesRoutines, DisplayWordsOfPieces) {
     const bool joining = file % 2 == 0;
     const Window window;
     DisplayFile expected(1400, joining);
+    const auto point_of = [&](ScreenPoint half) {
+      return ScreenPoint{((half.x + 1) >> 1) + window.centre_x, ((half.y + 1) >> 1) + window.centre_y};
+    };
     Operations operations;
     machine.set("mode", joining ? 0 : 2);
     machine.set("runing", 1);
@@ -188,7 +191,7 @@ TEST_P(JonesRoutines, DisplayWordsOfPieces) {
       machine.set("lbx", line.b.x);
       machine.set("lby", line.b.y);
       ASSERT_EQ(machine.call("piece"), End::returned);
-      ASSERT_NE(expected.add(line, window, operations), DisplayFile::Outcome::full);
+      ASSERT_NE(expected.add(point_of(line.a), point_of(line.b), operations), DisplayFile::Outcome::full);
       end = line.b;
     }
     std::vector<core::Word18> words;
