@@ -38,7 +38,8 @@ HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<
   return {sorted.back(), sorted[sorted.size() - 1 - sorted.size() / 1000]};
 }
 
-std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines, LineParts MeasuredLine::*parts) {
+std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines,
+                                      LineParts MeasuredLine::*parts) {
   std::vector<PixelSegment> segments;
   for (const MeasuredLine& line : lines)
     for (const LinePart& part : line.*parts) segments.push_back(part_of(line.image, part));

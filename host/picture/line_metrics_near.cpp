@@ -78,8 +78,8 @@ void NearestSegment::for_squares(const PixelSegment& segment, Visit&& visit) con
 
 void NearestSegment::look(int column, int row, const PixelPoint& point, double& nearest) const {
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
-  const std::size_t square = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                             static_cast<std::size_t>(column);
+  const std::size_t square =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   for (std::uint32_t i = first_[square]; i < first_[square + 1]; ++i)
     nearest = std::min(nearest, square_of_distance(segments_[entries_[i]], point));
 }

@@ -24,10 +24,8 @@ VectorDrawing empty_overlay(double picture_height) {
   VectorDrawing drawing;
   drawing.width = picture_side;
   drawing.height = picture_height + legend_height;
-  drawing.layers = {{"legend", {0, 0, 0}},
-                    {"agreed", {165, 165, 165}},
-                    {"missing", {213, 94, 0}},
-                    {"extra", {0, 90, 200}}};
+  drawing.layers = {
+      {"legend", {0, 0, 0}}, {"agreed", {165, 165, 165}}, {"missing", {213, 94, 0}}, {"extra", {0, 90, 200}}};
   return drawing;
 }
 
@@ -43,8 +41,8 @@ void add_legend(VectorDrawing& drawing, const OverlayCaption& caption) {
   constexpr double column = (picture_side - border) / 3;
   constexpr double swatch = 40;
   double x = border;
-  for (const auto& [layer, text] :
-       {std::pair{agreed, &caption.agreed}, std::pair{missing, &caption.missing}, std::pair{extra, &caption.extra}}) {
+  for (const auto& [layer, text] : {std::pair{agreed, &caption.agreed}, std::pair{missing, &caption.missing},
+                                    std::pair{extra, &caption.extra}}) {
     append_line(drawing, layer, x, border + text_height / 2, x + swatch, border + text_height / 2);
     fitted_text(drawing, x + swatch + border, border, column - swatch - 2 * border, *text);
     x += column;
@@ -86,7 +84,8 @@ Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn, const Overlay
       const std::uint32_t layer = layer_at(column, row);
       const int first = column;
       while (column < truth.width && layer_at(column, row) == layer) ++column;
-      if (layer != legend) append_line(overlay.drawing, layer, (first + 0.5) * scale, y, (column - 0.5) * scale, y);
+      if (layer != legend)
+        append_line(overlay.drawing, layer, (first + 0.5) * scale, y, (column - 0.5) * scale, y);
     }
   }
   add_legend(overlay.drawing, caption);

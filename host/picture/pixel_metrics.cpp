@@ -40,7 +40,8 @@ PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& ed
       }
       const int stop = last(std::max(from, to), width);
       for (int column = first(std::min(from, to)); column <= stop; ++column)
-        if (within(edge, {static_cast<double>(column), static_cast<double>(row)})) boundary.set(column, row, 1);
+        if (within(edge, {static_cast<double>(column), static_cast<double>(row)}))
+          boundary.set(column, row, 1);
     }
   }
   return boundary;

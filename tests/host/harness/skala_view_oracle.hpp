@@ -6,9 +6,9 @@
 #include <bitset>
 #include <vector>
 
+#include "host/harness/compare_view_chains.hpp"
 #include "host/harness/skala_stream.hpp"
 #include "tests/host/harness/skala_chain_stream.hpp"
-#include "tests/host/harness/skala_view_chains.hpp"
 
 namespace sightline::harness {
 

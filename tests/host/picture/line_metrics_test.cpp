@@ -1,4 +1,6 @@
 // Metrics of line pictures: cases measured by hand, and the laws of line_metrics.hpp.
+#include "host/picture/line_metrics.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_near.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
@@ -195,11 +196,15 @@ TEST(LineMetricsLaws, Hold) {
     EXPECT_EQ(again.missing, m.missing);
     EXPECT_EQ(again.wrong_visibility.wrong, m.wrong_visibility.wrong);
     // The rate is what the lengths say, but for what is near an end.
-    EXPECT_NEAR(m.wrong_visibility.rate, m.symmetric() / [&] {
-      double all = 0;
-      for (const ReferenceLine& line : p.truth) all += length_of(line.image);
-      return all;
-    }(), 0.04);
+    EXPECT_NEAR(
+        m.wrong_visibility.rate,
+        m.symmetric() /
+            [&] {
+              double all = 0;
+              for (const ReferenceLine& line : p.truth) all += length_of(line.image);
+              return all;
+            }(),
+        0.04);
   }
 }
 

@@ -1,10 +1,11 @@
 // Overlays: colours where they belong, a legend that is there, and writing that is the same everywhere.
+#include "host/picture/overlay.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "host/picture/overlay.hpp"
 #include "host/picture/overlay_text.hpp"
 
 namespace sightline::picture {

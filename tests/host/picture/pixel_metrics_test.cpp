@@ -1,9 +1,9 @@
 // Pixel mismatch: cases counted by hand, and the laws of pixel_metrics.hpp.
+#include "host/picture/pixel_metrics.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "host/picture/pixel_metrics.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -35,9 +35,7 @@ TEST(PixelMetrics, CountsBoundaryAndInteriorApart) {
 
 TEST(PixelMetrics, TheBoundaryIsThreeQuartersOfAPixelWide) {
   const PixelGrid grid(9, 9);
-  const auto boundary = [&](PixelSegment edge) {
-    return pixel_metrics(grid, grid, {edge}).boundary_pixels;
-  };
+  const auto boundary = [&](PixelSegment edge) { return pixel_metrics(grid, grid, {edge}).boundary_pixels; };
   EXPECT_EQ(boundary({{4, 4}, {4, 4}}), 1U) << "a point";
   EXPECT_EQ(boundary({{4.5, 4.5}, {4.5, 4.5}}), 4U) << "0.71 from four middles";
   EXPECT_EQ(boundary({{4.25, 0}, {4.25, 8}}), 18U) << "0.25 and 0.75 from two columns";

@@ -1,0 +1,160 @@
+// See compare_heights.hpp.
+#include "host/harness/compare_heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/algorithms/oracle/column_oracle.hpp"
+#include "host/algorithms/skala/draw.hpp"
+#include "host/harness/compare_view_chains.hpp"
+#include "host/harness/skala_guest.hpp"
+#include "host/harness/skala_program.hpp"
+#include "host/harness/skala_stream.hpp"
+#include "host/harness/skala_twin.hpp"
+
+namespace sightline::harness {
+namespace {
+
+using algorithms::oracle::Chain;
+using algorithms::oracle::SegmentRole;
+using picture::PixelGrid;
+using picture::PixelSegment;
+
+constexpr int side = algorithms::oracle::raster_columns;
+
+std::vector<Chain> chains_of(const scene::HeightGrid& grid, const SkalaView& view, const ViewChains& chains) {
+  if (view.picture == SkalaPicture::contours) return chains.contours(grid, view.levels);
+  if (view.picture == SkalaPicture::surface) return chains.slices(SegmentRole::shade, SegmentRole::rim);
+  if (view.family == SkalaFamily::both) return chains.cells();
+  return chains.slices(SegmentRole::draw, SegmentRole::draw);
+}
+
+PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view) {
+  const SkalaProjection projection(grid, view);
+  const ViewChains chains(projection);
+  const bool contours = view.picture == SkalaPicture::contours;
+  const bool by_cells = contours || view.family == SkalaFamily::both;
+  const auto seen = algorithms::oracle::column_picture(
+      chains_of(grid, view, chains), by_cells ? chains.cell_tolerance() : chains.slice_tolerance());
+  PixelGrid raster(side, side);
+  for (int x = 0; x < side; ++x) {
+    auto lit = seen.lit[static_cast<std::size_t>(x)];
+    if (contours) lit |= seen.outline[static_cast<std::size_t>(x)];
+    for (int y = 0; y < side; ++y) raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
+  }
+  return raster;
+}
+
+PixelGrid lit_points(const core::Raster& raster) {
+  PixelGrid grid(side, side);
+  for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
+  return grid;
+}
+
+// One point a column, or a row if it is steep: the nearest to the line.
+void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint to) {
+  const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
+  picture::PixelPoint a{steep ? from.y : from.x, steep ? from.x : from.y};
+  picture::PixelPoint b{steep ? to.y : to.x, steep ? to.x : to.y};
+  if (a.x > b.x) std::swap(a, b);
+  const auto nearest = [](double value) { return static_cast<int>(std::floor(value + 0.5)); };
+  for (int along = nearest(a.x); along <= nearest(b.x); ++along) {
+    const double place = b.x > a.x ? std::clamp((along - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
+    const int across = nearest(a.y + place * (b.y - a.y));
+    const int x = std::clamp(steep ? across : along, 0, side - 1);
+    const int y = std::clamp(steep ? along : across, 0, side - 1);
+    grid.set(x, y, 1);
+  }
+}
+
+PixelGrid native_raster(const scene::HeightGrid& heights, const SkalaView& view) {
+  algorithms::skala::View native;
+  native.rotation = view.rotation;
+  native.elevation = view.elevation;
+  native.visibility = view.visibility;
+  constexpr std::array families{algorithms::skala::Family::along_x, algorithms::skala::Family::along_z,
+                                algorithms::skala::Family::both, algorithms::skala::Family::automatic};
+  native.family = families[static_cast<std::size_t>(view.family)];
+  const picture::VectorDrawing drawing = algorithms::skala::draw(heights, native);
+  PixelGrid grid(side, side);
+  for (const picture::DrawingLine& line : drawing.lines) {
+    for (std::uint32_t i = 0; i + 1 < std::max(line.count, 2U); ++i)
+      put_line(grid, drawing.points[line.first + i],
+               drawing.points[line.first + std::min(i + 1, line.count - 1)]);
+  }
+  return grid;
+}
+
+// All sides of all cells, hidden or not.
+std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const SkalaView& view) {
+  const SkalaProjection projection(grid, view);
+  const auto at = [&](std::size_t point, std::size_t slice) {
+    const SkalaVertex& vertex = projection.at(point, slice);
+    return picture::PixelPoint{vertex.x, vertex.y};
+  };
+  std::vector<PixelSegment> edges;
+  for (std::size_t slice = 0; slice < projection.slices(); ++slice) {
+    for (std::size_t point = 0; point < projection.points(); ++point) {
+      if (point + 1 < projection.points()) edges.push_back({at(point, slice), at(point + 1, slice)});
+      if (slice + 1 < projection.slices()) edges.push_back({at(point, slice), at(point, slice + 1)});
+    }
+  }
+  return edges;
+}
+
+SkalaView comparable(SkalaView view) {
+  view.device = SkalaDevice::ef9365;
+  return view;
+}
+
+// Contours without silhouettes: a colour of 0 is none.
+std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const SkalaView& view) {
+  constexpr std::size_t colour_of_silhouette = 4;
+  auto stream = skala_stream(grid, view);
+  if (view.picture == SkalaPicture::contours) stream.at(colour_of_silhouette) = 0;
+  return stream;
+}
+
+}  // namespace
+
+std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid, const SkalaView& view) {
+  if (view.zoom != 1) return "the column oracle knows pictures without zoom only";
+  if (!view.visibility) return "without the visibility test there is nothing to compare";
+  if (grid.points() < 2 || grid.slices() < 2) return "the column oracle needs a grid of at least two by two";
+  if (std::any_of(grid.heights.begin(), grid.heights.end(), [](double h) { return !std::isfinite(h); }))
+    return "the column oracle knows grids without undefined heights only";
+  return std::nullopt;
+}
+
+HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView& asked,
+                                 const std::function<void(std::string_view)>& progress) {
+  HeightComparison comparison;
+  const SkalaView view = comparison.view = comparable(asked);
+  progress("column oracle");
+  comparison.truth = oracle_raster(grid, view);
+  const auto edges = projected_edges(grid, view);
+  const auto add = [&](const char* name, PixelGrid raster) {
+    const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
+    comparison.rasters.push_back({name, metrics, std::move(raster)});
+  };
+  const auto stream = stream_of(grid, view);
+  progress("guest");
+  const SkalaGuestPicture guest = run_skala_guest(assemble_skala_program(), stream);
+  comparison.guest_time = guest.drawing;
+  add("guest", lit_points(guest.raster));
+  progress("twin");
+  const SkalaTwinPicture twin = run_skala_twin(stream);
+  comparison.guest_difference = difference_from_twin(guest, twin, view.device);
+  add("twin", lit_points(twin.raster(view.device)));
+  progress("native");
+  if (view.picture == SkalaPicture::lines)
+    add("native", native_raster(grid, view));
+  else
+    comparison.not_applicable.emplace_back(
+        "native", view.picture == SkalaPicture::surface
+                      ? "draws a surface as facets, not as points"
+                      : "draws contours on the surface itself, not on two triangles a cell");
+  return comparison;
+}
+
+}  // namespace sightline::harness
