@@ -49,10 +49,18 @@ class Cameras {
   std::mt19937 dice_;
 };
 
+// A complex with an unused plane so long that views need numbers of another width.
+scene::CellComplex with_long_plane(scene::CellComplex complex, std::int64_t component) {
+  complex.planes.push_back({{component, 1, 0}, 0});
+  return complex;
+}
+
 class JonesCells : public testing::TestWithParam<std::string_view> {
  protected:
-  void expect_exact(const PolyCamera& camera) {
-    const auto result = walker_.visible_edges(camera);
+  void expect_exact(const PolyCamera& camera) { expect_exact(walker_, camera); }
+
+  void expect_exact(jones::Walker& walker, const PolyCamera& camera) {
+    const auto result = walker.visible_edges(camera);
     const auto* view = std::get_if<jones::View>(&result);
     const std::string where = std::string(camera.perspective ? "perspective" : "orthographic") + " eye " +
                               testing::PrintToString(camera.eye) + " forward " +
@@ -100,6 +108,21 @@ TEST_P(JonesCells, FromOutsideAndFromInfinity) {
     const PolyPoint eye = cameras_.point_in(around);
     if (!cells_.outer.contains(eye)) expect_exact(cameras_.looking_anywhere(eye));
     expect_exact(cameras_.looking_anywhere(eye, false));
+  }
+}
+
+TEST_P(JonesCells, WithNumbersOfAnyWidth) {
+  for (const int bits : {10, 39}) {
+    const scene::CellComplex complex = with_long_plane(complex_, std::int64_t{1} << bits);
+    const jones::PreparedComplex prepared(complex);
+    jones::Walker walker(prepared);
+    for (int i = 0; i < 10; ++i) {
+      const scene::Cell& cell = cells_.cells[static_cast<std::size_t>(i) % cells_.cells.size()];
+      expect_exact(walker, cameras_.looking_anywhere(cameras_.point_in(cell.box)));
+      expect_exact(walker, cameras_.looking_anywhere(scene_.camera.eye, false));
+    }
+    const auto view = walker.visible_edges(scene_.camera);
+    EXPECT_EQ(std::get<jones::View>(view).counts.number_bits, bits == 39 ? 128U : 64U);
   }
 }
 
