@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/app/scene_argument.hpp"
+#include "host/app/scene_compartment_command.hpp"
 #include "host/app/scene_poly_command.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/check.hpp"
@@ -239,7 +240,7 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
 }  // namespace
 
 void add_scene_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("scene", "Check, describe and encode scenes");
+  CLI::App* const command = app.add_subcommand("scene", "Check, describe, encode and cut up scenes");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"
@@ -251,6 +252,7 @@ void add_scene_command(CLI::App& app, ExitCode& exit_code) {
   add_info(*command, exit_code);
   add_list(*command, exit_code);
   add_scene_poly_commands(*command, exit_code);
+  add_scene_compartment_command(*command, exit_code);
 }
 
 }  // namespace sightline::app

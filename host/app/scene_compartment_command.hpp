@@ -1,0 +1,11 @@
+// `sightline scene compartment`: free space of a scene cut into convex cells and openings.
+#pragma once
+
+#include "host/app/command.hpp"
+
+namespace sightline::app {
+
+// `exit_code` is set when the subcommand has run; it outlives the App.
+void add_scene_compartment_command(CLI::App& scene_command, ExitCode& exit_code);
+
+}  // namespace sightline::app
