@@ -76,15 +76,15 @@ class Contours {
   [[nodiscard]] bool defined(GridIndex index) const { return cells_.at(index).defined; }
 
   void pieces(const std::array<GridIndex, 3>& triangle) {
+    std::vector<SkalaColouredChain> chains;
     for (std::size_t k = 0; k < levels_.size(); ++k) {
       const ContourCrossing crossing = contour_crossing(grid_, projection_, triangle, levels_[k]);
       const auto& [from, to] = crossing.piece;
       if (!crossing.crossed || (from.column == to.column && from.row == to.row)) continue;
-      writer_.colour(skala_contour_colours[k % skala_contour_colours.size()]);
-      SkalaChain chain;
-      chain.segment(from, to, SkalaStep::test);
-      writer_.chain(chain);
+      chains.push_back({skala_contour_colours[k % skala_contour_colours.size()], {}});
+      chains.back().chain.segment(from, to, SkalaStep::test);
     }
+    writer_.test_chains(std::move(chains));
   }
 
   const scene::HeightGrid& grid_;

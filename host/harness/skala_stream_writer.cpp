@@ -60,8 +60,15 @@ void SkalaStreamWriter::to(SkalaCommand what, const SkalaNode& node) {
   byte(node.column);
   byte(node.row);
   if (what == SkalaCommand::rim) byte(node.level);
+  pen_at(node, what != SkalaCommand::move && what != SkalaCommand::mask);
+}
+
+void SkalaStreamWriter::pen_at(const SkalaNode& node, bool inked) {
   pen_column_ = node.column;
   pen_row_ = node.row;
+  if (!inked) return;
+  ink_column_ = node.column;
+  ink_row_ = node.row;
 }
 
 void SkalaStreamWriter::move(const SkalaNode& node) {
@@ -69,7 +76,12 @@ void SkalaStreamWriter::move(const SkalaNode& node) {
 }
 
 int SkalaStreamWriter::distance(const SkalaNode& node) const {
-  return std::max(std::abs(node.column - pen_column_), std::abs(node.row - pen_row_));
+  return std::max(std::abs(node.column - ink_column_), std::abs(node.row - ink_row_));
+}
+
+int SkalaStreamWriter::distance(const SkalaChain& chain) const {
+  const Nodes& nodes = chain.nodes();
+  return nodes.empty() ? 0 : std::min(distance(nodes.front()), distance(nodes.back()));
 }
 
 void SkalaStreamWriter::chain(const SkalaChain& chain) {
@@ -86,6 +98,20 @@ void SkalaStreamWriter::chain_and_commit(const SkalaChain& chain_of_lines) {
   if (chain_of_lines.nodes().empty()) return;
   chain(chain_of_lines);
   command(SkalaCommand::commit);
+}
+
+void SkalaStreamWriter::test_chains(std::vector<SkalaColouredChain> chains) {
+  for (auto next = chains.begin(); next != chains.end(); ++next) {
+    if (nearer_end_first_) {
+      const auto nearest = std::min_element(next, chains.end(), [&](const auto& a, const auto& b) {
+        return distance(a.chain) < distance(b.chain);
+      });
+      std::rotate(next, nearest, nearest + 1);
+    }
+    if (next->chain.nodes().empty()) continue;
+    colour(next->colour);
+    chain(next->chain);
+  }
 }
 
 void SkalaStreamWriter::pieces(const Nodes& nodes) {
@@ -132,8 +158,7 @@ void SkalaStreamWriter::curve(const Nodes& nodes, std::size_t begin, std::size_t
   byte(nodes[begin].column);
   byte(static_cast<int>(end - begin));
   for (std::size_t i = begin; i < end; ++i) byte(nodes[i].row);
-  pen_column_ = nodes[end - 1].column;
-  pen_row_ = nodes[end - 1].row;
+  pen_at(nodes[end - 1], true);
 }
 
 std::size_t SkalaStreamWriter::surface(const Nodes& nodes, std::size_t begin, std::size_t end) {
@@ -152,8 +177,7 @@ void SkalaStreamWriter::surface_list(const Nodes& nodes) {
     byte(node.row);
     byte(node.level);
   }
-  pen_column_ = nodes.back().column;
-  pen_row_ = nodes.back().row;
+  pen_at(nodes.back(), true);
 }
 
 void SkalaStreamWriter::gap(int first_column, int last_column) {

@@ -13,6 +13,11 @@
 
 namespace sightline::harness {
 
+struct SkalaColouredChain {
+  int colour = 0;
+  SkalaChain chain;
+};
+
 class SkalaStreamWriter {
  public:
   // DEVICE, RESET; then SILHOUETTE unless 0; then COLOUR.
@@ -22,6 +27,9 @@ class SkalaStreamWriter {
   // On a plotter, if the view is serpentine, from the end nearer to the pen. Nothing for an empty chain.
   void chain(const SkalaChain& chain);
   void chain_and_commit(const SkalaChain& chain);
+  // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
+  // last colours a dot; on a plotter, if the view is serpentine, always the one nearest to the pen.
+  void test_chains(std::vector<SkalaColouredChain> chains);
   // The slice just sent is undefined in these columns; cut to the raster, nothing if none are left.
   void gap(int first_column, int last_column);
   void outline();
@@ -34,6 +42,7 @@ class SkalaStreamWriter {
   void command(SkalaCommand command) { bytes_.push_back(static_cast<std::uint8_t>(command)); }
   void byte(int value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
   void to(SkalaCommand command, const SkalaNode& node);
+  void pen_at(const SkalaNode& node, bool inked);
   void move(const SkalaNode& node);
   void pieces(const Nodes& nodes);
   void piece(const Nodes& nodes, std::size_t begin, std::size_t end);
@@ -43,12 +52,16 @@ class SkalaStreamWriter {
   [[nodiscard]] std::size_t surface(const Nodes& nodes, std::size_t begin, std::size_t end);
   void surface_list(const Nodes& nodes);
   [[nodiscard]] int distance(const SkalaNode& node) const;
+  [[nodiscard]] int distance(const SkalaChain& chain) const;
 
   std::vector<std::uint8_t> bytes_;
   bool nearer_end_first_;
   int colour_;
   int pen_column_ = 0;
   int pen_row_ = 0;
+  // Where a plotter's pen is, if what was last drawn in ink is visible: MASK does not move it.
+  int ink_column_ = 0;
+  int ink_row_ = 0;
 };
 
 }  // namespace sightline::harness

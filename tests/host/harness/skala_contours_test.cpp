@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "host/harness/skala_stream_writer.hpp"
 #include "tests/host/harness/skala_stream_support.hpp"
 
 namespace sightline::harness {
@@ -43,6 +44,37 @@ TEST(ContourCrossing, IsOnItsEdgeHoweverSmallOrLargeTheHeights) {
     EXPECT_TRUE(inside(crossing.piece.from) && inside(crossing.piece.to)) << low << ' ' << high;
   }
   EXPECT_EQ(raster_coordinate(std::nan("")), 0);
+}
+
+// A MASK leaves the pen of a plotter at the end of the last ink; from there the nearest line comes next, from
+// its nearer end. On a raster the last of two colours stays, so lines keep their order.
+TEST(SkalaStreamWriter, TestLinesNearestToAPlottersPenFirst) {
+  const auto vertex = [](int x, int y) { return SkalaVertex{1.0 * x, 1.0 * y, x, y, 0, true}; };
+  const auto chain = [&](Place from, Place to, SkalaStep step) {
+    const SkalaVertex a = vertex(from.x, from.y);
+    const SkalaVertex b = vertex(to.x, to.y);
+    SkalaChain result;
+    result.segment(a, b, step);
+    return result;
+  };
+  const auto tested = [&](const SkalaView& view) {
+    SkalaStreamWriter writer(view, 7);
+    writer.chain(chain({10, 10}, {20, 10}, SkalaStep::test));
+    writer.chain_and_commit(chain({100, 100}, {120, 100}, SkalaStep::mask));
+    writer.test_chains({{1, chain({118, 100}, {80, 90}, SkalaStep::test)},
+                        {2, chain({60, 30}, {40, 20}, SkalaStep::test)},
+                        {3, chain({21, 10}, {22, 19}, SkalaStep::test)}});
+    std::vector<Place> ends;
+    for (const Line& line : lines_of(writer.finish()))
+      if (line.by == SkalaCommand::test_draw) ends.push_back(line.to);
+    return ends;
+  };
+  SkalaView view = contours;
+  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
+  view.device = SkalaDevice::minigraf;
+  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {22, 19}, {60, 30}, {118, 100}}));
+  view.serpentine = false;
+  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
 }
 
 TEST(SkalaContours, OfHeightsThatHardlyDiffer) {
