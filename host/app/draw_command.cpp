@@ -1,9 +1,11 @@
 #include "host/app/draw_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <string>
 
+#include "host/app/draw_lines.hpp"
 #include "host/app/draw_skala.hpp"
+#include "host/harness/algorithms.hpp"
 
 namespace sightline::app {
 
@@ -11,22 +13,14 @@ namespace {
 
 constexpr const char* draw_examples =
     "Examples:\n"
+    "  sightline draw exact part.off -o part.svg\n"
+    "      a solid with its hidden lines removed, for a drawing program\n"
+    "  sightline draw exact town-100 --hidden -o town.plt\n"
+    "      a generated scene for a plotter, what is hidden dashed with the second pen\n"
     "  sightline draw skala sinc -o sinc.svg\n"
     "      a function of two variables, hidden lines removed, for a drawing program\n"
     "  sightline draw skala heights.csv --picture contours -o map.png\n"
     "      contours on a grid of heights\n";
-
-struct DrawAlgorithm {
-  const char* name;
-  const char* description;
-  void (*add)(CLI::App& command, ExitCode& exit_code);
-};
-
-// An algorithm is a line here and the function it names.
-constexpr std::array algorithms{
-    DrawAlgorithm{"skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)",
-                  add_draw_skala},
-};
 
 }  // namespace
 
@@ -34,8 +28,12 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
       app.add_subcommand("draw", "Draw without what is hidden, as SVG, PNG or HP-GL, by a native algorithm");
   command->require_subcommand(1);
-  for (const DrawAlgorithm& algorithm : algorithms)
-    algorithm.add(*command->add_subcommand(algorithm.name, algorithm.description), exit_code);
+  // One more line algorithm is a line in the table, none here.
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
+    add_draw_lines(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
+                   algorithm, exit_code);
+  }
+  add_draw_skala(*command->add_subcommand("skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)"), exit_code);
   command->footer(draw_examples);
 }
 

@@ -16,6 +16,7 @@
 #include "host/app/run_command.hpp"
 #include "host/app/scene_command.hpp"
 #include "host/app/skala_command.hpp"
+#include "host/app/sweep_command.hpp"
 
 namespace {
 
@@ -117,6 +118,7 @@ int main(int argc, char** argv) {
     sightline::app::add_jones_command(app, exit_code);
     sightline::app::add_skala_command(app, exit_code);
     sightline::app::add_draw_command(app, exit_code);
+    sightline::app::add_sweep_command(app, exit_code);
     sightline::app::add_asm_command(app, exit_code);
     sightline::app::add_disasm_command(app, exit_code);
     sightline::app::add_run_command(app, exit_code);

@@ -61,8 +61,85 @@ TEST_F(DrawCommand, AGridFileWithAHole) {
   EXPECT_FALSE(exists("bad.svg"));
 }
 
+TEST_F(DrawCommand, ASceneByEveryAlgorithm) {
+  for (const char* algorithm : {"exact", "oracle"}) {
+    const std::string file = std::string(algorithm) + ".svg";
+    const auto ran = sightline({"draw", algorithm, "boxes-5", "--json", "-o", file});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(has(ran.out, "\"schema\": \"sightline/draw/1\"")) << ran.out;
+    EXPECT_TRUE(has(ran.out, "\"edges\": 60,")) << ran.out;
+  }
+  EXPECT_EQ(read("exact.svg"), read("oracle.svg"));
+  EXPECT_TRUE(has(read("exact.svg"), "inkscape:label=\"1 visible\""));
+  EXPECT_FALSE(has(read("exact.svg"), "hidden"));
+}
+
+TEST_F(DrawCommand, HiddenLinesAreALayerAndAPenOfTheirOwn) {
+  ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.svg"}).exit_code, 0);
+  EXPECT_TRUE(has(read("h.svg"), "inkscape:label=\"2 hidden\""));
+  ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.plt"}).exit_code, 0);
+  EXPECT_TRUE(has(read("h.plt"), "SP2;"));
+}
+
+TEST_F(DrawCommand, SeamsAreDrawnWhenAskedFor) {
+  ASSERT_EQ(sightline({"draw", "exact", "touch-2", "-o", "t.svg"}).exit_code, 0);
+  ASSERT_EQ(sightline({"draw", "exact", "touch-2", "--all-edges", "-o", "all.svg"}).exit_code, 0);
+  EXPECT_LT(read("t.svg").size(), read("all.svg").size());
+}
+
+TEST_F(DrawCommand, CamerasThatSayTheSame) {
+  ASSERT_EQ(sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--look-at", "0,0,0", "-o",
+                       "a.svg"})
+                .exit_code,
+            0);
+  ASSERT_EQ(sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--forward", "-1,-1,-1", "--right",
+                       "-1,1,0", "--up", "-1,-1,2", "-o", "b.svg"})
+                .exit_code,
+            0);
+  EXPECT_EQ(read("a.svg"), read("b.svg"));
+  const auto top = sightline({"draw", "exact", "boxes-5", "--orthographic", "0,0,-1", "--json", "-o", "c.svg"});
+  ASSERT_EQ(top.exit_code, 0) << top.err;
+  EXPECT_TRUE(has(top.out, "\"perspective\": false")) << top.out;
+}
+
+TEST_F(DrawCommand, AnEyeInsideASolidIsNamed) {
+  write("cube.off",
+        "OFF\n8 6 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n"
+        "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  ASSERT_EQ(sightline({"draw", "exact", "cube.off", "-o", "cube.svg"}).exit_code, 0);
+  const auto inside = sightline({"draw", "exact", "cube.off", "--eye", "4,4,4", "-o", "i.svg"});
+  EXPECT_EQ(inside.exit_code, 4);
+  EXPECT_TRUE(has(inside.err, "cube.off: body 0")) << inside.err;
+  EXPECT_TRUE(has(inside.err, "inside this solid")) << inside.err;
+  const auto on = sightline({"draw", "exact", "cube.off", "--eye", "9,4,4", "-o", "i.svg"});
+  EXPECT_EQ(on.exit_code, 4);
+  EXPECT_TRUE(has(on.err, "on this face")) << on.err;
+  EXPECT_FALSE(exists("i.svg"));
+}
+
+TEST_F(DrawCommand, WrongCameras) {
+  const auto expect = [&](sightline::test::Arguments options, std::string_view what) {
+    sightline::test::Arguments all{"draw", "exact", "boxes-2", "-o", "s.svg"};
+    all.insert(all.end(), options.begin(), options.end());
+    expect_usage_error(all, what);
+  };
+  expect({"--eye", "1,2"}, "--eye");
+  expect({"--eye", "1,2,262144"}, "-262143 to 262143");
+  expect({"--eye", "1,2,3", "--look-at", "1,2,3"}, "the eye itself");
+  expect({"--orthographic", "0,0,0"}, "a direction");
+  expect({"--orthographic", "0,0,1", "--eye", "1,2,3"}, "one of them");
+  expect({"--forward", "0,0,1"}, "together");
+  expect({"--forward", "0,0,1", "--right", "1,0,1", "--up", "0,1,0"}, "right angles");
+  expect({"--field", "180"}, "--field");
+  expect({"--field", "nan"}, "--field");
+  expect({"--vertical", "up"}, "--vertical");
+}
+
 TEST_F(DrawCommand, WrongUsage) {
+  expect_usage_error({"draw"}, "exact");
   expect_usage_error({"draw"}, "skala");
+  expect_usage_error({"draw", "exact", "-o", "s.svg"}, "SCENE");
+  expect_usage_error({"draw", "exact", "boxes-0", "-o", "s.svg"}, "size");
   expect_usage_error({"draw", "skala", "sinc"}, "--output");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.gif"}, ".svg, .png, .plt");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--size", "12"}, "WIDTHxHEIGHT");

@@ -25,7 +25,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "demo", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "sweep", "demo", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
@@ -79,6 +79,18 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"jones"}, {"SCENE", "--eae", "--no-eae", "--at", "--scale", "--switches", "--stereo",
                           "--immediate", "-o"});
   expect_help({"demo"}, {"-o"});
+  for (const char* algorithm : {"exact", "jones", "oracle"}) {
+    expect_help({"draw", algorithm},
+                {"SCENE", "--eye", "--look-at", "--orthographic", "--forward", "--right", "--up", "--vertical",
+                 "--field", "--all-edges", "--hidden", "--json", "-o", "--size", "--margin", "--pen", "--pixels"});
+  }
+  expect_help({"draw", "skala"},
+              {"GRID", "--function", "--domain", "--slices", "--points", "--picture", "--along", "--rotate",
+               "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels"});
+  expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});
+  expect_help({"skala", "lines"}, {"--rotate", "-o"});
+  expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--no-eae",
+                          "--time", "--jobs", "-o", "parallel", "sbatch"});
 }
 
 TEST_F(HelpCommand, ShowsTheCommandAsItIsTyped) {

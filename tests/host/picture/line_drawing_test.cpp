@@ -68,7 +68,7 @@ TEST(LineDrawing, WhatIsBeyondTheFieldIsCut) {
 
 TEST(LineDrawing, AllAroundTheEyeIsCutToTheUsualAngle) {
   scene::PolyBuilder builder;
-  builder.add_box("room", {-10, -10, -10}, {10, 10, 10});
+  builder.add_box("room", {-10, -10, -10}, {10, 10, 20});
   const scene::PolyScene scene = builder.take();
   const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100));
   ASSERT_FALSE(drawing.lines.empty());

@@ -1,0 +1,124 @@
+// `sightline sweep`: shards that are the whole, interruptions, threads, and what a user gets wrong. With GNU
+// parallel where it is installed (tools/dev installs it).
+#include <sys/file.h>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using sightline::test::Arguments;
+using sightline::test::has;
+
+class SweepCommand : public sightline::test::CommandLine {
+ protected:
+  [[nodiscard]] static Arguments sweep(const Arguments& more) {
+    Arguments all{"sweep", "boxes-4", "--views", "20", "--algorithm", "exact,oracle"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  std::string whole() { return sightline(sweep({"--jobs", "1"})).out; }
+  void expect_error(const Arguments& arguments, int code, std::string_view what) {
+    const auto ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, code) << ran.err;
+    EXPECT_TRUE(has(ran.err, what)) << ran.err;
+    EXPECT_EQ(ran.out, "");
+  }
+};
+
+TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
+  const auto ran = sightline(sweep({"--jobs", "1"}));
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 20);
+  EXPECT_TRUE(ran.out.starts_with("{\"schema\":\"sightline/sweep/1\",\"scene\":\"boxes-4\","));
+  EXPECT_TRUE(has(ran.out, "\"view\":19,"));
+  EXPECT_TRUE(has(ran.out, "\"agrees\":true"));
+  EXPECT_FALSE(has(ran.out, "\"ns\":"));
+  EXPECT_EQ(sightline(sweep({"--jobs", "5"})).out, ran.out);
+  EXPECT_TRUE(has(sightline(sweep({"--time"})).out, "\"ns\":"));
+  EXPECT_NE(sightline(sweep({"--seed", "2"})).out, ran.out);
+}
+
+TEST_F(SweepCommand, ShardsOneAfterTheOtherAreTheWhole) {
+  std::string joined;
+  for (const char* shard : {"1/3", "2/3", "3/3"}) joined += sightline(sweep({"--shard", shard})).out;
+  EXPECT_EQ(joined, whole());
+}
+
+TEST_F(SweepCommand, GoesOnWhereItWasInterrupted) {
+  const std::string all = whole();
+  std::size_t middle = 0;
+  for (int i = 0; i < 7; ++i) middle = all.find('\n', middle) + 1;
+  // Whole lines; a torn one; no line at all.
+  for (const std::size_t length : {middle, middle + 40, std::size_t{11}, std::size_t{0}, all.size()}) {
+    write("s.jsonl", all.substr(0, length));
+    EXPECT_EQ(sightline(sweep({"-o", "s.jsonl"})).exit_code, 0);
+    EXPECT_EQ(read("s.jsonl"), all) << length;
+  }
+}
+
+TEST_F(SweepCommand, AStrangersFileIsLeftAlone) {
+  const std::string all = whole();
+  const std::string first = all.substr(0, all.find('\n') + 1);
+  for (const std::string& text : {std::string("my notes\n"), first + first, all + "more\n"}) {
+    write("s.jsonl", text);
+    expect_error(sweep({"-o", "s.jsonl"}), 4, "s.jsonl: line ");
+    EXPECT_EQ(read("s.jsonl"), text);
+  }
+  write("s.jsonl", all);
+  expect_error(sweep({"-o", "s.jsonl", "--seed", "2"}), 4, "s.jsonl: line 1 ");
+}
+
+TEST_F(SweepCommand, OneSweepAtATimeWritesAFile) {
+  write("s.jsonl", "");
+  const int file = open(path("s.jsonl").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(flock(file, LOCK_EX), 0);
+  expect_error(sweep({"-o", "s.jsonl"}), 5, "another sweep");
+  close(file);
+}
+
+TEST_F(SweepCommand, InterruptedAndGoneOnWith) {
+  const Arguments many{"sweep", "boxes-4", "--views", "1000000", "--algorithm", "oracle", "-o", "s.jsonl"};
+  const auto ran = sightline(many, "", std::chrono::milliseconds(1500));
+  EXPECT_EQ(ran.exit_code, 130) << ran.err;
+  EXPECT_TRUE(has(ran.err, "goes on from there")) << ran.err;
+  EXPECT_TRUE(read("s.jsonl").ends_with("}}\n"));
+}
+
+TEST_F(SweepCommand, TheGuestOfASceneOfCells) {
+  const auto ran = sightline({"sweep", "roberts", "--views", "2", "--guest", "--algorithm", "oracle"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "\"same_as_twin\":true")) << ran.out;
+  expect_error({"sweep", "boxes-4", "--views", "2", "--guest"}, 2, "--guest");
+}
+
+TEST_F(SweepCommand, WrongUsage) {
+  expect_error({"sweep"}, 2, "SCENE");
+  expect_error({"sweep", "boxes-4"}, 2, "--views");
+  expect_error(sweep({"--shard", "0/3"}), 2, "I/N");
+  expect_error(sweep({"--shard", "4/3"}), 2, "I/N");
+  expect_error(sweep({"--shard", "1/"}), 2, "I/N");
+  expect_error({"sweep", "boxes-4", "--views", "2", "--algorithm", "guess"}, 2, "jones");
+  expect_error({"sweep", "boxes-0", "--views", "2"}, 2, "size");
+  expect_error({"sweep", "nowhere.off", "--views", "2"}, 5, "nowhere.off");
+  expect_error(sweep({"-o", "nowhere/s.jsonl"}), 5, "nowhere/s.jsonl");
+  expect_error(sweep({"-o", "/dev/full"}), 5, "/dev/full");
+}
+
+TEST_F(SweepCommand, SpreadByGnuParallel) {
+  if (std::system("parallel --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  const std::string all = whole();
+  // Kept in order by parallel; then as files, put together by their names.
+  const auto spread = [&](const std::string& options, const std::string& output) {
+    return std::system(("cd '" + path("").string() + "' && parallel --will-cite -j3 " + options + " '" +
+                        SIGHTLINE_COMMAND +
+                        "' sweep boxes-4 --views 20 --algorithm exact,oracle --jobs 1 --shard {}/6 " + output)
+                           .c_str());
+  };
+  ASSERT_EQ(spread("-k", "::: 1 2 3 4 5 6 > merged.jsonl"), 0);
+  EXPECT_EQ(read("merged.jsonl"), all);
+  ASSERT_EQ(spread("", "-o part-{}.jsonl ::: 6 5 4 3 2 1 && cat part-*.jsonl > files.jsonl"), 0);
+  EXPECT_EQ(read("files.jsonl"), all);
+}
+
+}  // namespace
