@@ -9,6 +9,7 @@
 
 #include "host/app/asm_command.hpp"
 #include "host/app/command.hpp"
+#include "host/app/compare_command.hpp"
 #include "host/app/demo_command.hpp"
 #include "host/app/disasm_command.hpp"
 #include "host/app/draw_command.hpp"
@@ -118,6 +119,7 @@ int main(int argc, char** argv) {
     sightline::app::add_jones_command(app, exit_code);
     sightline::app::add_skala_command(app, exit_code);
     sightline::app::add_draw_command(app, exit_code);
+    sightline::app::add_compare_command(app, exit_code);
     sightline::app::add_sweep_command(app, exit_code);
     sightline::app::add_asm_command(app, exit_code);
     sightline::app::add_disasm_command(app, exit_code);

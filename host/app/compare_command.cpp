@@ -1,0 +1,252 @@
+#include "host/app/compare_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "host/app/compare_output.hpp"
+#include "host/app/draw_camera.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/app/scene_source.hpp"
+#include "host/app/skala_source.hpp"
+#include "host/scene/builtin.hpp"
+#include "host/scene/height_function.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using harness::SkalaFamily;
+using harness::SkalaPicture;
+using nlohmann::ordered_json;
+
+constexpr const char* compare_examples =
+    "Examples:\n"
+    "  sightline compare\n"
+    "      every built-in scene and function: how wrong the old programs are, and that the new ones are not\n"
+    "  sightline compare roberts street4 --view 120,90,60 --scale 700 -o pictures\n"
+    "      Jones's program on the PDP-7, its twin and the native algorithms from one place\n"
+    "  sightline compare sinc heights.csv --rotate 120 --elevate 45\n"
+    "      Skala's program on the 8080, its twin and the native algorithm\n"
+    "  sightline compare part.off boxes-100 --json\n"
+    "      polyhedra: the exact algorithms only\n\n"
+    "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
+    "name, or a\n"
+    "grid file. Every picture is held against an oracle that shares no visibility code with anything:\n"
+    "  missing, extra   length of lines that are seen but not drawn, and drawn but not seen, along the true "
+    "lines\n"
+    "  miss >1, extra >1   the part of it that is farther than a pixel from anything drawn, or seen\n"
+    "  H, 99.9 %        the farthest any point of one picture is from the other; all but a thousandth are "
+    "nearer\n"
+    "  wrong points     of random points of all lines, those drawn though hidden or not drawn though seen\n"
+    "  pieces           pieces of lines that have no counterpart with the same ends\n"
+    "Overlays are NAME-compare-PICTURE.png and .svg: grey where both agree, orange what is missing, blue "
+    "what is extra;\n"
+    "stretches of up to a pixel are left out of them. The exit code is 1 if an exact algorithm does not give "
+    "the\n"
+    "oracle's picture, or a guest not its twin's: defects of this program. Old programs may be wrong.\n";
+
+struct CompareArguments {
+  std::vector<std::string> scenes;
+  std::string view;
+  std::optional<int> scale;
+  bool no_eae = false;
+  double rotation = 30;
+  double elevation = 30;
+  SkalaPicture picture = SkalaPicture::lines;
+  bool both = false;
+  std::string directory = "out";
+  bool json = false;
+};
+
+// What is being done, on a terminal only; gone when it is over.
+class CompareProgressLine {
+ public:
+  CompareProgressLine() {
+    const char* const kind = std::getenv("TERM");
+    terminal_ = isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+  }
+  ~CompareProgressLine() { clear(); }
+  CompareProgressLine(const CompareProgressLine&) = delete;
+  CompareProgressLine& operator=(const CompareProgressLine&) = delete;
+
+  void show(std::size_t number, std::size_t count, std::string_view name, std::string_view step) {
+    if (!terminal_) return;
+    fmt::print(stderr, "\r\033[K{} of {}: {}, {}", number, count, name, step);
+    static_cast<void>(std::fflush(stderr));
+    shown_ = true;
+  }
+  void clear() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+    shown_ = false;
+  }
+
+ private:
+  bool terminal_ = false;
+  bool shown_ = false;
+};
+
+std::vector<std::string> every_builtin() {
+  std::vector<std::string> names;
+  for (const std::string_view name : scene::builtin_scene_names()) names.emplace_back(name);
+  for (const auto& function : scene::height_functions().first(scene::figure_functions))
+    names.emplace_back(function.name);
+  return names;
+}
+
+bool is_height_function(const std::string& name) {
+  if (scene::builtin_scene_text(name)) return false;
+  if (scene::height_function(name)) return true;
+  std::error_code unknown;
+  const auto ends = [&](std::string_view ending) { return name.ends_with(ending); };
+  return std::filesystem::exists(name, unknown) && !ends(".json") && !ends(".off") && !ends(".obj");
+}
+
+void refuse(bool given, const char* option, const std::string& name, const char* expected) {
+  if (given)
+    throw Failure(ExitCode::usage, fmt::format("{}: found with {}, expected {}", option, name, expected));
+}
+
+struct ComparedScene {
+  bool agrees = true;
+  std::string table;
+  ordered_json json;
+  std::vector<std::string> overlays;
+};
+
+ComparedScene compare_function(const CompareArguments& arguments, const std::string& name,
+                               const harness::CompareProgress& progress) {
+  refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
+  refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
+  refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
+  harness::SkalaView view;
+  view.picture = arguments.picture;
+  view.rotation = arguments.rotation;
+  view.elevation = arguments.elevation;
+  if (arguments.both && view.picture == SkalaPicture::lines) view.family = SkalaFamily::both;
+  SkalaSource source;
+  source.name_or_file = name;
+  const SkalaFunction function = load_skala_function(
+      source, view.picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+  if (const auto reason = harness::why_not_comparable(function.grid, view))
+    throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
+  const auto comparison = harness::compare_heights(function.grid, view, progress);
+  return {comparison.agrees(), compare_table(function.name, comparison),
+          compare_json(function.name, comparison),
+          write_overlays(arguments.directory, function.stem, comparison)};
+}
+
+ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name,
+                            const harness::CompareProgress& progress) {
+  const SceneSource source = load_scene_source(name);
+  const auto compared = [&] {
+    if (source.cells) {
+      harness::CompareOptions options;
+      if (!arguments.view.empty()) options.eye = point_argument("--view", arguments.view);
+      if (arguments.scale) options.scale = *arguments.scale;
+      options.eae = !arguments.no_eae;
+      return harness::compare_cell_scene(*source.cells, options, progress);
+    }
+    refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
+    refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
+    CameraArguments camera;
+    camera.eye = arguments.view;
+    return harness::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
+  }();
+  if (const auto* error = std::get_if<scene::SceneError>(&compared)) {
+    scene::SceneError named = *error;
+    named.source = name;
+    throw Failure(ExitCode::bad_input, named.message());
+  }
+  auto comparison = std::get<harness::SceneComparison>(compared);
+  if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
+  return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
+          write_overlays(arguments.directory, comparison)};
+}
+
+ExitCode run_compare(const CompareArguments& arguments) {
+  require_finite("--rotate", arguments.rotation);
+  require_finite("--elevate", arguments.elevation);
+  const auto names = arguments.scenes.empty() ? every_builtin() : arguments.scenes;
+  ordered_json document{
+      {"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", ordered_json::array()}};
+  bool agrees = true;
+  CompareProgressLine line;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    const std::string& name = names[n];
+    const auto progress = [&](std::string_view step) { line.show(n + 1, names.size(), name, step); };
+    ComparedScene compared = is_height_function(name) ? compare_function(arguments, name, progress)
+                                                      : compare_scene(arguments, name, progress);
+    line.clear();
+    agrees = agrees && compared.agrees;
+    if (arguments.json) {
+      compared.json["overlays"] = compared.overlays;
+      document["scenes"].push_back(std::move(compared.json));
+      continue;
+    }
+    write_stdout((n > 0 ? "\n" : "") + compared.table);
+    for (const std::string& path : compared.overlays)
+      if (path.ends_with(".png")) write_stdout(fmt::format("overlay {}, .svg\n", path));
+  }
+  document["agrees"] = agrees;
+  if (arguments.json)
+    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  if (agrees) return ExitCode::ok;
+  complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+  return ExitCode::differs;
+}
+
+void add_compare_options(CLI::App& command, CompareArguments& arguments) {
+  command.add_option("SCENE", arguments.scenes, "Scenes and functions; unless given all built-in ones");
+  command.add_option("--view", arguments.view, "The eye in a scene; its own view unless given")
+      ->type_name("X,Y,Z");
+  command.add_option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
+      ->check(CLI::Range(64, 4096));
+  command.add_flag("--no-eae,!--eae", arguments.no_eae,
+                   "The PDP-7 without (with) the extended arithmetic element");
+  command.add_option("--rotate", arguments.rotation, "A function: degrees about the vertical")
+      ->capture_default_str()
+      ->type_name("A");
+  command.add_option("--elevate", arguments.elevation, "A function: degrees of the eye above the horizon")
+      ->capture_default_str()
+      ->check(CLI::Range(-90.0, 90.0))
+      ->type_name("E");
+  command
+      .add_option("--picture", arguments.picture,
+                  "A function: lines, surface or contours; lines unless given")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, SkalaPicture>{{"lines", SkalaPicture::lines},
+                                                                      {"surface", SkalaPicture::surface},
+                                                                      {"contours", SkalaPicture::contours}}))
+      ->type_name("NAME");
+  command.add_flag("--both", arguments.both, "A function's lines: slices along x and along z");
+  command.add_option("-o,--output", arguments.directory, "Folder for the overlays")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command.add_flag("--json", arguments.json, "One JSON document instead of the tables");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("compare", "Hold guest, twin and native algorithms against the oracle on one view");
+  const auto arguments = std::make_shared<CompareArguments>();
+  add_compare_options(*command, *arguments);
+  command->footer(compare_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_compare(*arguments); });
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,266 @@
+// See compare_output.hpp.
+#include "host/app/compare_output.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+
+#include "host/app/command.hpp"
+#include "host/app/jones_session.hpp"
+#include "host/picture/overlay.hpp"
+#include "host/picture/png.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace jones = harness::jones;
+using harness::ComparedPicture;
+using harness::ComparedRaster;
+using harness::HeightComparison;
+using harness::SceneComparison;
+using nlohmann::ordered_json;
+using picture::LineMetrics;
+using picture::PixelMetrics;
+
+constexpr std::array<std::string_view, 3> compared_height_pictures{"lines", "surface", "contours"};
+constexpr std::array<std::string_view, 4> compared_families{"slices along x", "slices along z",
+                                                            "both families", "slices"};
+
+std::string pixels_and_share(const LineMetrics& metrics, double length) {
+  const double share = 100 * metrics.share(length);
+  return std::isfinite(share) ? fmt::format("{:.2f} ({:.3f} %)", length, share)
+                              : fmt::format("{:.2f}", length);
+}
+
+std::string distance_text(double distance) {
+  return std::isfinite(distance) ? fmt::format("{:.2f}", distance) : std::string("none");
+}
+
+std::string point_text(const scene::PolyPoint& p) {
+  return fmt::format("{},{},{}", p[0], p[1], p[2]);
+}
+
+std::string view_text(const SceneComparison& comparison) {
+  const scene::PolyCamera& camera = comparison.camera;
+  return camera.perspective ? "from " + point_text(camera.eye)
+                            : "along " + point_text(camera.forward) + ", orthographic";
+}
+
+std::string exactness_text(const ComparedPicture& compared) {
+  if (!compared.identical) return "";
+  return *compared.identical ? "equal to the oracle's" : "NOT THE ORACLE'S";
+}
+
+std::string guest_text(const harness::GuestAgreement& guest) {
+  if (!guest.difference.empty()) return "guest and twin differ: " + guest.difference + "\n";
+  return fmt::format("guest and twin: identical, {} display words, status {}; view 1 took {:.3f} s\n",
+                     guest.words, jones::name(guest.status), seconds(guest.time));
+}
+
+std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {
+  std::string text;
+  for (const auto& [name, reason] : reasons) text += fmt::format("{} not compared: {}\n", name, reason);
+  return text;
+}
+
+ordered_json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [name, reason] : reasons) list.push_back({{"name", name}, {"reason", reason}});
+  return list;
+}
+
+ordered_json line_json(const ComparedPicture& compared) {
+  const LineMetrics& m = compared.metrics;
+  ordered_json row{{"name", compared.name}, {"measured", compared.what}};
+  if (compared.identical) row["equal_to_oracle"] = *compared.identical;
+  row.update({{"true_length", m.true_length},
+              {"drawn_length", m.drawn_length},
+              {"missing", m.missing},
+              {"extra", m.extra},
+              {"missing_share", m.share(m.missing)},
+              {"extra_share", m.share(m.extra)},
+              {"missing_far", m.missing_far},
+              {"extra_far", m.extra_far},
+              {"hausdorff", m.hausdorff.greatest},
+              {"hausdorff_99_9", m.hausdorff.usual},
+              {"wrong_visibility",
+               {{"points", m.wrong_visibility.points},
+                {"wrong", m.wrong_visibility.wrong},
+                {"rate", m.wrong_visibility.rate},
+                {"low", m.wrong_visibility.low},
+                {"high", m.wrong_visibility.high}}},
+              {"pieces_different", m.pieces_different}});
+  return row;
+}
+
+ordered_json raster_json(const ComparedRaster& compared) {
+  const PixelMetrics& m = compared.metrics;
+  return {{"name", compared.name},
+          {"pixels", m.pixels},
+          {"boundary_pixels", m.boundary_pixels},
+          {"different_on_boundary", m.different_on_boundary},
+          {"different_inside", m.different_inside},
+          {"mismatch", m.mismatch()},
+          {"boundary_mismatch", m.boundary_mismatch()},
+          {"interior_mismatch", m.interior_mismatch()},
+          {"lit", m.lit},
+          {"missing", m.missing},
+          {"extra", m.extra},
+          {"missing_far", m.missing_far},
+          {"extra_far", m.extra_far}};
+}
+
+void write_overlay(const std::string& base, const picture::Overlay& overlay, const std::string& title,
+                   std::vector<std::string>& paths) {
+  const auto png =
+      picture::encode_png(picture::overlay_image(overlay), {{"Title", title}, {"Software", "sightline"}});
+  if (!png) throw Failure(ExitCode::io, png.error().message());
+  Output image(base + ".png");
+  Output drawing(base + ".svg");
+  image.write(std::span<const std::uint8_t>(*png));
+  drawing.write(picture::overlay_svg(overlay, title));
+  image.commit();
+  drawing.commit();
+  paths.push_back(base + ".png");
+  paths.push_back(base + ".svg");
+}
+
+std::string overlay_base(const std::string& directory, const std::string& scene, const std::string& name) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
+  return (std::filesystem::path(directory) / (file_stem(scene) + "-compare-" + file_stem(name))).string();
+}
+
+}  // namespace
+
+std::string compare_table(const SceneComparison& comparison) {
+  std::string text = fmt::format("{} {}", comparison.scene, view_text(comparison));
+  if (!comparison.pictures.empty())
+    text += fmt::format(", {:.1f} px of lines are seen", comparison.pictures.front().metrics.true_length);
+  text +=
+      fmt::format("\n  {:<8}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
+                  "miss >1", "extra >1", "H px", "99.9 %", "wrong points, 95 % interval", "pieces");
+  for (const ComparedPicture& compared : comparison.pictures) {
+    const LineMetrics& m = compared.metrics;
+    const picture::Rate& rate = m.wrong_visibility;
+    text += fmt::format(
+        "  {:<8}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", compared.name,
+        pixels_and_share(m, m.missing), pixels_and_share(m, m.extra), m.missing_far, m.extra_far,
+        distance_text(m.hausdorff.greatest), distance_text(m.hausdorff.usual),
+        fmt::format("{:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
+        m.pieces_different, exactness_text(compared));
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+  if (comparison.guest) text += guest_text(*comparison.guest);
+  return text + reasons_text(comparison.not_applicable);
+}
+
+std::string compare_table(const std::string& name, const HeightComparison& comparison) {
+  const harness::SkalaView& view = comparison.view;
+  std::string text =
+      fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name,
+                  compared_height_pictures[static_cast<std::size_t>(view.picture)],
+                  compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
+  if (!comparison.rasters.empty()) {
+    const PixelMetrics& any = comparison.rasters.front().metrics;
+    text += fmt::format(", {} of {} points are lit, {} at edges", any.lit, any.pixels, any.boundary_pixels);
+  }
+  text += fmt::format("\n  {:<8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
+                      "elsewhere", "missing", "extra", "miss >1", "extra >1");
+  for (const ComparedRaster& compared : comparison.rasters) {
+    const PixelMetrics& m = compared.metrics;
+    text +=
+        fmt::format("  {:<8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", compared.name,
+                    fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()), m.different_on_boundary,
+                    m.different_inside, m.missing, m.extra, m.missing_far, m.extra_far);
+  }
+  text += comparison.agrees()
+              ? fmt::format("guest and twin: identical in every dot and mask; drawn in {:.3f} s\n",
+                            static_cast<double>(comparison.guest_time.count()) /
+                                static_cast<double>(core::ClockRate{}.hertz))
+              : "guest and twin differ: " + comparison.guest_difference + "\n";
+  return text + reasons_text(comparison.not_applicable);
+}
+
+ordered_json compare_json(const SceneComparison& comparison) {
+  ordered_json document{{"scene", comparison.scene},
+                        {"perspective", comparison.camera.perspective},
+                        {"eye", comparison.camera.eye},
+                        {"forward", comparison.camera.forward},
+                        {"pixels_a_unit", comparison.frame.scale},
+                        {"agrees", comparison.agrees()},
+                        {"pictures", ordered_json::array()}};
+  for (const ComparedPicture& compared : comparison.pictures)
+    document["pictures"].push_back(line_json(compared));
+  if (comparison.guest) {
+    document["guest"] = {{"identical_to_twin", comparison.guest->difference.empty()},
+                         {"difference", comparison.guest->difference},
+                         {"status", jones::name(comparison.guest->status)},
+                         {"display_words", comparison.guest->words},
+                         {"emulated_ns", comparison.guest->time.count()}};
+  }
+  document["not_compared"] = reasons_json(comparison.not_applicable);
+  return document;
+}
+
+ordered_json compare_json(const std::string& name, const HeightComparison& comparison) {
+  ordered_json document{
+      {"function", name},
+      {"picture", compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)]},
+      {"rotation", comparison.view.rotation},
+      {"elevation", comparison.view.elevation},
+      {"agrees", comparison.agrees()},
+      {"pictures", ordered_json::array()}};
+  for (const ComparedRaster& compared : comparison.rasters)
+    document["pictures"].push_back(raster_json(compared));
+  document["guest"] = {{"identical_to_twin", comparison.agrees()},
+                       {"difference", comparison.guest_difference},
+                       {"t_states", comparison.guest_time.count()}};
+  document["not_compared"] = reasons_json(comparison.not_applicable);
+  return document;
+}
+
+std::vector<std::string> write_overlays(const std::string& directory, const SceneComparison& comparison) {
+  std::vector<std::string> paths;
+  const harness::ScreenFrame& frame = comparison.frame;
+  for (const ComparedPicture& compared : comparison.pictures) {
+    const LineMetrics& m = compared.metrics;
+    const std::string title =
+        fmt::format("{}: {} against the oracle, {}", comparison.scene, compared.name, view_text(comparison));
+    const picture::OverlayCaption caption{title, fmt::format("agreed {:.1f} px", m.true_length - m.missing),
+                                          fmt::format("missing {:.2f} px", m.missing),
+                                          fmt::format("extra {:.2f} px", m.extra)};
+    write_overlay(
+        overlay_base(directory, comparison.scene, compared.name),
+        picture::overlay_of(compared.difference, {frame.low, frame.low}, {frame.high, frame.high}, caption),
+        title, paths);
+  }
+  return paths;
+}
+
+std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
+                                        const HeightComparison& comparison) {
+  std::vector<std::string> paths;
+  for (const ComparedRaster& compared : comparison.rasters) {
+    const PixelMetrics& m = compared.metrics;
+    const std::string title = fmt::format(
+        "{}, {}: {} against the column oracle", name,
+        compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)], compared.name);
+    const picture::OverlayCaption caption{title, fmt::format("agreed {} points", m.lit - m.missing),
+                                          fmt::format("missing {}", m.missing),
+                                          fmt::format("extra {}", m.extra)};
+    write_overlay(overlay_base(directory, name, compared.name),
+                  picture::overlay_of(comparison.truth, compared.grid, caption), title, paths);
+  }
+  return paths;
+}
+
+}  // namespace sightline::app
