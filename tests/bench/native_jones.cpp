@@ -1,0 +1,56 @@
+// Native Jones: views of a street and of random boxes, in open space, where every cell sees most others; with
+// what the search did.
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <variant>
+
+#include "host/algorithms/jones/visible_edges.hpp"
+#include "host/scene/compartment_grid.hpp"
+#include "host/scene/generate_scene.hpp"
+#include "host/scene/poly_from_cells.hpp"
+#include "host/scene/read.hpp"
+
+namespace sightline {
+namespace {
+
+using algorithms::jones::PreparedComplex;
+using algorithms::jones::View;
+using algorithms::jones::Walker;
+
+void look_at(benchmark::State& state, const scene::PolyScene& scene) {
+  const auto complex = std::get<scene::CellComplex>(scene::compartment_grid(scene));
+  const PreparedComplex prepared(complex);
+  Walker walker(prepared);
+  View view;
+  for (auto _ : state) view = std::get<View>(walker.visible_edges(scene.camera));
+  state.counters["cells"] = static_cast<double>(complex.cells.size());
+  state.counters["visits"] = static_cast<double>(view.counts.visits);
+  state.counters["openings"] = static_cast<double>(view.counts.openings_tested);
+  state.counters["lines"] = static_cast<double>(view.counts.lines_clipped);
+  state.counters["fragments"] = static_cast<double>(view.counts.fragments);
+  state.counters["segments"] = static_cast<double>(view.picture.pieces.size());
+}
+
+void street(benchmark::State& state) {
+  look_at(state, scene::poly_scene_of(std::get<scene::CellScene>(scene::load_cell_scene("street4"))));
+}
+void boxes(benchmark::State& state) {
+  look_at(state, scene::generate_boxes(static_cast<std::size_t>(state.range(0))));
+}
+// The part seen stays the same in kind; what is not seen grows.
+void rooms(benchmark::State& state) {
+  look_at(state, scene::generate_big_rooms(static_cast<std::size_t>(state.range(0))));
+}
+
+BENCHMARK(street)->Name("jones_native/view_of_street4")->Unit(benchmark::kMicrosecond);
+BENCHMARK(boxes)->Name("jones_native/view_of_boxes")->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(rooms)
+    ->Name("jones_native/view_of_big_rooms")
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace sightline
