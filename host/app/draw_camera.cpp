@@ -28,8 +28,8 @@ scene::PolyPoint vector_argument(std::string_view option, const std::string& tex
                       (axis == 2 ? after == end : after != end && *after == ',');
     if (!good) {
       throw Failure(ExitCode::usage,
-                    fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option, text,
-                                1 - limit, limit - 1));
+                    fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option,
+                                text, 1 - limit, limit - 1));
     }
     at = after + 1;
   }
@@ -85,14 +85,15 @@ scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCam
 scene::PolyCamera aimed(const CameraArguments& arguments, const scene::PolyScene& scene) {
   const scene::SceneFrame frame = frame_argument(arguments.vertical, scene.camera);
   if (!arguments.orthographic.empty()) {
-    return aimed_camera(frame, bounds_of(scene).middle(),
-                        direction_argument("--orthographic", arguments.orthographic, scene::poly_coordinate_limit),
-                        false);
+    return aimed_camera(
+        frame, bounds_of(scene).middle(),
+        direction_argument("--orthographic", arguments.orthographic, scene::poly_coordinate_limit), false);
   }
   scene::PolyCamera camera = scene.camera;
   if (!arguments.vertical.empty() && !scene.vertices.empty()) camera = three_quarter_camera(frame, scene);
   if (arguments.eye.empty() && arguments.look_at.empty()) return camera;
-  if (!arguments.eye.empty()) camera.eye = vector_argument("--eye", arguments.eye, scene::poly_coordinate_limit);
+  if (!arguments.eye.empty())
+    camera.eye = vector_argument("--eye", arguments.eye, scene::poly_coordinate_limit);
   camera.perspective = true;
   const scene::PolyBounds bounds = bounds_of(scene);
   if (arguments.look_at.empty() && bounds.contain(camera.eye)) return camera;
@@ -117,7 +118,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   add("--eye", arguments.eye, "Look from this point");
   add("--look-at", arguments.look_at, "Look at this point");
   add("--orthographic", arguments.orthographic, "No perspective: look in this direction");
-  add("--forward", arguments.forward, "With --right and --up: the camera's vectors themselves, at right angles");
+  add("--forward", arguments.forward,
+      "With --right and --up: the camera's vectors themselves, at right angles");
   add("--right", arguments.right, "See --forward");
   add("--up", arguments.up, "See --forward");
   command.add_option("--vertical", arguments.vertical, "Which axis points up, such as z or -y")

@@ -22,8 +22,10 @@ struct CameraArguments {
 void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
 inline constexpr const char* camera_help =
-    "Points and directions are whole numbers in the scene's own units (`sightline scene info` says its bounds and "
-    "what\na unit stands for). Without options the scene is looked at as its file says, or from above and one side. "
+    "Points and directions are whole numbers in the scene's own units (`sightline scene info` says its "
+    "bounds and "
+    "what\na unit stands for). Without options the scene is looked at as its file says, or from above and "
+    "one side. "
     "--eye\nalone looks at the middle of the scene, or, from inside it, the way the scene's own view does.\n";
 
 // The scene's own camera changed as the options say; in free space, unless the camera is orthographic.

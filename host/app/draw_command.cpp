@@ -33,7 +33,9 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
     add_draw_lines(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
                    algorithm, exit_code);
   }
-  add_draw_skala(*command->add_subcommand("skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)"), exit_code);
+  add_draw_skala(*command->add_subcommand(
+                     "skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)"),
+                 exit_code);
   command->footer(draw_examples);
 }
 

@@ -45,7 +45,8 @@ std::string draw_lines_footer(std::string_view algorithm) {
       "      a built-in scene from a point of your own\n"
       "  sightline draw {0} part.obj --vertical z --orthographic -1,2,-1 --json -o part.svg\n"
       "      a file whose z points up, without perspective; what was drawn in numbers on standard output\n\n"
-      "{1}The picture is fitted to the paper or image, undistorted; where it is all around the eye, 90 degrees "
+      "{1}The picture is fitted to the paper or image, undistorted; where it is all around the eye, 90 "
+      "degrees "
       "of it\nare. Edges between faces in one plane are left out unless --all-edges is given.\n",
       algorithm, camera_help);
 }
@@ -54,16 +55,17 @@ void check_field(const DrawLinesArguments& arguments, const scene::PolyCamera& c
   if (!arguments.field) return;
   require_finite("--field", *arguments.field);
   if (!(*arguments.field > 0) || (camera.perspective && *arguments.field > 170)) {
-    throw Failure(ExitCode::usage, fmt::format("--field: found {}, expected {}", *arguments.field,
-                                               camera.perspective ? "degrees above 0, at most 170"
-                                                                  : "scene units above 0"));
+    throw Failure(ExitCode::usage,
+                  fmt::format("--field: found {}, expected {}", *arguments.field,
+                              camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
   }
 }
 
 harness::LineView view_of(const harness::LineAlgorithm& algorithm, const SceneSource& source,
                           const scene::PolyCamera& camera) {
   if (const auto reason = algorithm.why_not(source.scene))
-    throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
   const auto checked = [&](auto result) {
     if (auto* error = std::get_if<scene::SceneError>(&result)) {
       error->source = source.name;
@@ -95,22 +97,21 @@ void print_summary(const harness::LineAlgorithm& algorithm, const DrawLinesArgum
                    std::size_t drawn) {
   ordered_json counts = ordered_json::object();
   for (const auto& count : view.counts) counts[std::string(count.name)] = count.value;
-  const ordered_json document{
-      {"schema", "sightline/draw/1"},
-      {"algorithm", algorithm.name},
-      {"scene", source.name},
-      {"output", arguments.output.file},
-      {"camera",
-       {{"perspective", camera.perspective},
-        {"eye", camera.eye},
-        {"forward", camera.forward},
-        {"right", camera.right},
-        {"up", camera.up}}},
-      {"edges", picture::edges_of(source.scene).size()},
-      {"pieces", view.picture.pieces.size()},
-      {"pieces_drawn", drawn},
-      {"visible_length", picture::image_length(view.picture, source.scene, camera)},
-      {"counts", counts}};
+  const ordered_json document{{"schema", "sightline/draw/1"},
+                              {"algorithm", algorithm.name},
+                              {"scene", source.name},
+                              {"output", arguments.output.file},
+                              {"camera",
+                               {{"perspective", camera.perspective},
+                                {"eye", camera.eye},
+                                {"forward", camera.forward},
+                                {"right", camera.right},
+                                {"up", camera.up}}},
+                              {"edges", picture::edges_of(source.scene).size()},
+                              {"pieces", view.picture.pieces.size()},
+                              {"pieces_drawn", drawn},
+                              {"visible_length", picture::image_length(view.picture, source.scene, camera)},
+                              {"counts", counts}};
   write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 

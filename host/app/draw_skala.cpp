@@ -29,9 +29,11 @@ constexpr const char* draw_skala_examples =
     "  sightline draw skala peaks --points 512 --slices 512 --picture surface --pixels 2000x1500 -o "
     "peaks.png\n"
     "      a shaded surface\n\n"
-    "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) or a "
+    "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) "
+    "or a "
     "file:\nCSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole. --slices and "
-    "--points say how finely\na function is sampled; a file has its own size. The drawing is stretched to the "
+    "--points say how finely\na function is sampled; a file has its own size. The drawing is stretched to "
+    "the "
     "paper.\n";
 
 struct DrawSkalaArguments {
@@ -64,8 +66,12 @@ void add_function_options(CLI::App& command, SkalaSource& source) {
       ->type_name("A:B");
   const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
                          static_cast<int>(scene::largest_grid.points));
-  command.add_option("--slices", source.slices, "Of a function: how many slices, from front to back; 65 unless given")->check(range);
-  command.add_option("--points", source.points, "Of a function: how many points in a slice; 65 unless given")->check(range);
+  command
+      .add_option("--slices", source.slices,
+                  "Of a function: how many slices, from front to back; 65 unless given")
+      ->check(range);
+  command.add_option("--points", source.points, "Of a function: how many points in a slice; 65 unless given")
+      ->check(range);
 }
 
 void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {

@@ -11,7 +11,8 @@
 namespace sightline::app {
 
 inline constexpr std::string_view scene_source_help =
-    "A built-in scene (see `sightline scene list`), a JSON, OFF or OBJ file, or FAMILY-SIZE or FAMILY-SIZE-SEED "
+    "A built-in scene (see `sightline scene list`), a JSON, OFF or OBJ file, or FAMILY-SIZE or "
+    "FAMILY-SIZE-SEED "
     "of a generated one, such as boxes-100";
 
 struct SceneSource {

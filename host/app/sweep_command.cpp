@@ -30,8 +30,10 @@ constexpr const char* sweep_examples =
     "      Jones's program on the emulated PDP-7, too: against its twin word for word, and how wrong it is\n"
     "  sightline sweep part.off --views 5000 --seed 7 --algorithm jones,oracle --shard 2/10 -o part-2.jsonl\n"
     "      the second tenth of five thousand views, for one machine of ten\n\n"
-    "One line of JSON a view, in order: the camera, and for each algorithm the pieces of edges it sees, their "
-    "length\nin the image (null where they run out to infinity), whether it agrees with `exact` piece for piece, "
+    "One line of JSON a view, in order: the camera, and for each algorithm the pieces of edges it sees, "
+    "their "
+    "length\nin the image (null where they run out to infinity), whether it agrees with `exact` piece for "
+    "piece, "
     "and what it did.\nView k depends on the scene, the seed and k alone. Shards are stretches of views: one "
     "after the other they are the\nfile that one run would have made, byte for byte (but for --time).\n\n"
     "On several machines with GNU parallel, which keeps the order:\n"
@@ -115,7 +117,8 @@ harness::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
   options.guest = arguments.guest;
   options.eae = !arguments.no_eae;
   options.time = arguments.time;
-  auto sweep = harness::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
+  auto sweep =
+      harness::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
   if (const auto* error = std::get_if<scene::SceneError>(&sweep))
     throw Failure(ExitCode::bad_input, error->message());
   return std::get<harness::Sweep>(std::move(sweep));
@@ -132,11 +135,12 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
     return true;
   });
   if (kept >= 0) return static_cast<std::uint64_t>(kept);
-  throw Failure(ExitCode::bad_input,
-                fmt::format("{}: line {} is not {} of this sweep: found another scene, seed, choice or order; "
-                            "expected a file to go on with, or none",
-                            arguments.output, -kept,
-                            next < shard.last ? fmt::format("view {}", next) : std::string("a view")));
+  throw Failure(
+      ExitCode::bad_input,
+      fmt::format("{}: line {} is not {} of this sweep: found another scene, seed, choice or order; "
+                  "expected a file to go on with, or none",
+                  arguments.output, -kept,
+                  next < shard.last ? fmt::format("view {}", next) : std::string("a view")));
 }
 
 ExitCode run_sweep(const SweepArguments& arguments) {
@@ -192,8 +196,9 @@ void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str()
       ->type_name("I/N");
   command
-      ->add_option("--algorithm", arguments->algorithms,
-                   fmt::format("Of {}; unless given all but the oracle. exact always runs", known_algorithms()))
+      ->add_option(
+          "--algorithm", arguments->algorithms,
+          fmt::format("Of {}; unless given all but the oracle. exact always runs", known_algorithms()))
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_flag("--guest", arguments->guest,

@@ -4,6 +4,7 @@
 // without its end, which an interruption may leave, is dropped.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>

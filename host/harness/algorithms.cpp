@@ -20,7 +20,8 @@ std::optional<std::string> applies(const scene::PolyScene&) {
 }
 
 std::variant<PreparedScene, scene::SceneError> prepare_exact(const scene::PolyScene& scene) {
-  const auto mesh = std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
+  const auto mesh =
+      std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
   PreparedScene prepared;
   prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
   prepared.view = [mesh](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
@@ -89,7 +90,8 @@ std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolySc
   if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
   const auto cells = std::make_shared<JonesScene>(std::get<scene::CellComplex>(std::move(complex)));
   PreparedScene prepared;
-  prepared.counts = {{"cells", cells->complex().cells.size()}, {"openings", cells->complex().openings.size()}};
+  prepared.counts = {{"cells", cells->complex().cells.size()},
+                     {"openings", cells->complex().openings.size()}};
   prepared.view = [cells](const scene::PolyCamera& camera) { return cells->view(camera); };
   return prepared;
 }
@@ -97,8 +99,8 @@ std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolySc
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
                   prepare_exact},
-    LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position", applies,
-                  prepare_jones},
+    LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
+                  applies, prepare_jones},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
 };

@@ -17,11 +17,11 @@ namespace sightline::harness {
 template <class Result>
 struct OrderedWork {
   std::uint64_t first = 0;
-  std::uint64_t last = 0;  // excluded
-  unsigned jobs = 1;       // threads
-  std::function<Result(std::uint64_t)> make;         // on any of them
+  std::uint64_t last = 0;                           // excluded
+  unsigned jobs = 1;                                // threads
+  std::function<Result(std::uint64_t)> make;        // on any of them
   std::function<void(std::uint64_t, Result)> take;  // on the caller's, first to last
-  std::function<bool()> go_on;                       // asked some times a second on the caller's
+  std::function<bool()> go_on;                      // asked some times a second on the caller's
 };
 
 // Returns once all is taken, or soon after go_on says no: then what has been begun is finished and dropped.
@@ -82,7 +82,8 @@ void run_in_order(const OrderedWork<Result>& work) {
     for (unsigned i = 0; i < work.jobs; ++i) threads.emplace_back(worker);
     while (taken < work.last && work.go_on()) {
       std::unique_lock lock(mutex);
-      changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return failure || ready.contains(taken); });
+      changed.wait_for(lock, std::chrono::milliseconds(100),
+                       [&] { return failure || ready.contains(taken); });
       if (failure) break;
       auto found = ready.extract(taken);
       if (found.empty()) continue;

@@ -128,7 +128,8 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
   if (options.guest && cells != nullptr) {
     auto guest = SweepGuest::of(*cells, options.eae);
     if (!guest)
-      return scene::SceneError{source, "", "too many grid coordinates for the oracle the guest is held against"};
+      return scene::SceneError{source, "",
+                               "too many grid coordinates for the oracle the guest is held against"};
     sweep.guest_ = std::make_shared<const SweepGuest>(std::move(*guest));
   }
   return sweep;
@@ -137,12 +138,8 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
 std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) const {
   ordered_json algorithms = ordered_json::array();
   for (const Entry& entry : entries_) algorithms.push_back(entry.algorithm->name);
-  ordered_json document{{"schema", "sightline/sweep/1"},
-                        {"scene", source_},
-                        {"fingerprint", fingerprint_},
-                        {"seed", options_.seed},
-                        {"view", number},
-                        {"algorithms", algorithms}};
+  ordered_json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
+                        {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
   if (guest_) document["guest"] = options_.eae ? "with EAE" : "without EAE";
   document["camera"] = {{"perspective", camera.perspective},
                         {"eye", camera.eye},

@@ -69,8 +69,9 @@ std::variant<SweepGuestView, scene::SceneError> SweepGuest::view(const geometry:
   }
   oracle::Window window;
   window.near = scene::near_plane;
-  result.error = oracle::drawn_error(
-      oracle::on_screen(oracle::visible_lines(matter_, lines_, eye, window), eye, window), in_points(twin.pieces), 1.0);
+  result.error =
+      oracle::drawn_error(oracle::on_screen(oracle::visible_lines(matter_, lines_, eye, window), eye, window),
+                          in_points(twin.pieces), 1.0);
   return result;
 }
 

@@ -21,7 +21,8 @@ class ViewRandom {
   std::uint64_t below(std::uint64_t n) { return next() % n; }
   // Both ends included.
   std::int32_t between(std::int64_t low, std::int64_t high) {
-    return static_cast<std::int32_t>(low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1)));
+    return static_cast<std::int32_t>(
+        low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1)));
   }
 
  private:
@@ -94,8 +95,8 @@ scene::PolyCamera cell_camera(const scene::CellScene& cells, ViewRandom& random)
 
 }  // namespace
 
-scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells, std::uint64_t seed,
-                               std::uint64_t number) {
+scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells,
+                               std::uint64_t seed, std::uint64_t number) {
   ViewRandom random(seed, number);
   return cells != nullptr ? cell_camera(*cells, random) : poly_camera(scene, random);
 }

@@ -121,9 +121,8 @@ SceneFrame frame_of(const PolyCamera& camera) {
   SceneFrame frame;
   frame.vertical = geometry::dominant_axis(vector_of(camera.up));
   frame.downwards = camera.up[frame.vertical] < 0;
-  frame.forward_is_z =
-      geometry::wide_dot(geometry::cross(vector_of(camera.right), vector_of(camera.up)),
-                         vector_of(camera.forward)) > 0;
+  frame.forward_is_z = geometry::wide_dot(geometry::cross(vector_of(camera.right), vector_of(camera.up)),
+                                          vector_of(camera.forward)) > 0;
   return frame;
 }
 

@@ -30,8 +30,8 @@ struct SceneFrame {
 // What the scene's own camera says: its up, and the turn of its vectors.
 [[nodiscard]] SceneFrame frame_of(const PolyCamera& camera);
 
-// From eye towards eye + direction; direction is not zero, its components are below 2^20 (precondition). Up is
-// as near to the vertical as it can be; for a direction along the vertical, the next axis is to the right.
+// From eye towards eye + direction; direction is not zero, its components are below 2^20 (precondition). Up
+// is as near to the vertical as it can be; for a direction along the vertical, the next axis is to the right.
 [[nodiscard]] PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye,
                                       const PolyPoint& direction, bool perspective = true);
 

@@ -108,7 +108,8 @@ std::optional<SceneError> eye_error(const PolyScene& scene, const PolyCamera& ca
   const std::string eye = "the eye " + std::to_string(camera.eye[0]) + "," + std::to_string(camera.eye[1]) +
                           "," + std::to_string(camera.eye[2]) + " is ";
   if (place.kind == EyePlace::Kind::inside)
-    return SceneError{"", body_place(scene, place.body), eye + "inside this solid, expected it in free space"};
+    return SceneError{"", body_place(scene, place.body),
+                      eye + "inside this solid, expected it in free space"};
   return SceneError{"", face_place(scene, place.body, place.face),
                     eye + "on this face, expected it in free space"};
 }

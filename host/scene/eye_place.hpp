@@ -24,8 +24,8 @@ struct EyePlace {
 };
 
 // The first face of the scene, in its order, that contains the eye, border included; else the first solid
-// around it. The scene is a checked one, the eye's coordinates are below poly_coordinate_limit (precondition).
-// Linear in the size of the scene.
+// around it. The scene is a checked one, the eye's coordinates are below poly_coordinate_limit
+// (precondition). Linear in the size of the scene.
 [[nodiscard]] EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye);
 
 // Whether the scene can be drawn from this camera by those that need an eye in free space: an error naming

@@ -88,16 +88,17 @@ TEST_F(DrawCommand, SeamsAreDrawnWhenAskedFor) {
 }
 
 TEST_F(DrawCommand, CamerasThatSayTheSame) {
-  ASSERT_EQ(sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--look-at", "0,0,0", "-o",
-                       "a.svg"})
-                .exit_code,
-            0);
-  ASSERT_EQ(sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--forward", "-1,-1,-1", "--right",
-                       "-1,1,0", "--up", "-1,-1,2", "-o", "b.svg"})
+  ASSERT_EQ(
+      sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--look-at", "0,0,0", "-o", "a.svg"})
+          .exit_code,
+      0);
+  ASSERT_EQ(sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--forward", "-1,-1,-1",
+                       "--right", "-1,1,0", "--up", "-1,-1,2", "-o", "b.svg"})
                 .exit_code,
             0);
   EXPECT_EQ(read("a.svg"), read("b.svg"));
-  const auto top = sightline({"draw", "exact", "boxes-5", "--orthographic", "0,0,-1", "--json", "-o", "c.svg"});
+  const auto top =
+      sightline({"draw", "exact", "boxes-5", "--orthographic", "0,0,-1", "--json", "-o", "c.svg"});
   ASSERT_EQ(top.exit_code, 0) << top.err;
   EXPECT_TRUE(has(top.out, "\"perspective\": false")) << top.out;
 }

@@ -106,7 +106,8 @@ TEST_F(SweepCommand, WrongUsage) {
 }
 
 TEST_F(SweepCommand, SpreadByGnuParallel) {
-  if (std::system("parallel --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  if (std::system("parallel --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "GNU parallel is not installed";
   const std::string all = whole();
   // Kept in order by parallel; then as files, put together by their names.
   const auto spread = [&](const std::string& options, const std::string& output) {

@@ -53,7 +53,8 @@ TEST(EyePlace, RaysThroughEdgesAndCorners) {
     for (const VertexIndex y : {2U, 3U})
       for (const VertexIndex z : {4U, 5U}) {
         const bool turned = (x + y + z) % 2 != 0;
-        body.faces.push_back({turned ? std::vector<VertexIndex>{x, z, y} : std::vector<VertexIndex>{x, y, z}, {}});
+        body.faces.push_back(
+            {turned ? std::vector<VertexIndex>{x, z, y} : std::vector<VertexIndex>{x, y, z}, {}});
       }
   scene.bodies.push_back(body);
   ASSERT_TRUE(check_poly_scene(scene).empty()) << check_poly_scene(scene).front().message();
