@@ -47,8 +47,8 @@ void street(benchmark::State& state) {
 void boxes(benchmark::State& state) {
   look_at(state, scene::generate_boxes(static_cast<std::size_t>(state.range(0))));
 }
-// From within the room in the corner: what is not seen grows. So do, as the rooms have no ceilings, the lines on
-// the few cells above them, which are seen.
+// From within the room in the corner: what is not seen grows. So do, as the rooms have no ceilings, the lines
+// on the few cells above them, which are seen.
 void rooms(benchmark::State& state) {
   scene::PolyScene scene = scene::generate_big_rooms(static_cast<std::size_t>(state.range(0)));
   scene.camera.eye = {90, 110, 70};
@@ -56,7 +56,12 @@ void rooms(benchmark::State& state) {
 }
 
 BENCHMARK(street)->Name("jones_native/view_of_street4")->Unit(benchmark::kMicrosecond);
-BENCHMARK(boxes)->Name("jones_native/view_of_boxes")->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(boxes)
+    ->Name("jones_native/view_of_boxes")
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(rooms)
     ->Name("jones_native/view_of_big_rooms")
     ->Arg(10)

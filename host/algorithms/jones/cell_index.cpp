@@ -104,7 +104,8 @@ void CellIndex::choose_buckets(const std::vector<Box>& boxes) {
       for (std::size_t a = 0; a < 3; ++a) count *= bucket(a, box.high[a]) - bucket(a, box.low[a]) + 1;
       entries += count;
     }
-    fits = entries <= most_entries_a_cell * boxes.size() + 1024 || buckets_ == std::array<std::size_t, 3>{1, 1, 1};
+    fits = entries <= most_entries_a_cell * boxes.size() + 1024 ||
+           buckets_ == std::array<std::size_t, 3>{1, 1, 1};
   }
 }
 
@@ -123,7 +124,8 @@ CellIndex::CellIndex(const scene::CellComplex& complex, std::span<const geometry
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
   for (std::size_t c = 0; c < boxes.size(); ++c) {
     if (without_points(boxes[c])) continue;
-    for_each_bucket(boxes[c], [&](std::size_t b) { entries_[next[b]++] = static_cast<scene::CellNumber>(c); });
+    for_each_bucket(boxes[c],
+                    [&](std::size_t b) { entries_[next[b]++] = static_cast<scene::CellNumber>(c); });
   }
 }
 

@@ -45,7 +45,8 @@ class FixedInteger {
   [[nodiscard]] double to_double() const {
     if (sign() < 0) return -(FixedInteger{} - *this).to_double();
     double value = 0;
-    for (std::size_t i = limbs; i-- > 0;) value = value * 18446744073709551616.0 + static_cast<double>(limbs_[i]);
+    for (std::size_t i = limbs; i-- > 0;)
+      value = value * 18446744073709551616.0 + static_cast<double>(limbs_[i]);
     return value;
   }
 
@@ -76,8 +77,7 @@ class FixedInteger {
     for (std::size_t i = 0; i < limbs; ++i) {
       std::uint64_t carry = 0;
       for (std::size_t j = 0; i + j < limbs; ++j) {
-        const UnsignedInt128 part =
-            UnsignedInt128{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+        const UnsignedInt128 part = UnsignedInt128{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
         product.limbs_[i + j] = static_cast<std::uint64_t>(part);
         carry = static_cast<std::uint64_t>(part >> 64);
       }

@@ -274,12 +274,9 @@ auto Search<Arithmetic>::Pass::clipped(std::span<const Side> mask, std::uint32_t
   std::vector<Side>& left = mask.data() == search.cut_.data() ? search.cut_again_ : search.cut_;
   const auto image_of = [this](std::uint32_t number) { return image(number); };
   switch (clip_mask<Arithmetic>(mask, plane, image(plane), image_of, search.signs_, left)) {
-    case Cut::nothing:
-      return mask;
-    case Cut::part:
-      return left;
-    case Cut::all:
-      break;
+    case Cut::nothing: return mask;
+    case Cut::part: return left;
+    case Cut::all: break;
   }
   return {};
 }

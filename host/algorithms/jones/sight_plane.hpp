@@ -33,9 +33,7 @@ struct SightPlane {
 class Sight {
  public:
   explicit Sight(const scene::PolyCamera& camera)
-      : perspective_(camera.perspective),
-        eye_(camera.eye),
-        forward_(geometry::vector_of(camera.forward)) {
+      : perspective_(camera.perspective), eye_(camera.eye), forward_(geometry::vector_of(camera.forward)) {
     const std::size_t dropped = geometry::dominant_axis(forward_);
     axes_ = {(dropped + 1) % 3, (dropped + 2) % 3};
     if (forward_[dropped] < 0) axes_ = {axes_[1], axes_[0]};
@@ -71,8 +69,7 @@ class Sight {
   }
 
   template <class Arithmetic>
-  [[nodiscard]] typename Arithmetic::Line image(
-      const SightPlane<typename Arithmetic::Number>& plane) const {
+  [[nodiscard]] typename Arithmetic::Line image(const SightPlane<typename Arithmetic::Number>& plane) const {
     if (perspective_) return Arithmetic::line(plane.normal);
     return Arithmetic::line({plane.normal[axes_[0]], plane.normal[axes_[1]], -plane.offset});
   }

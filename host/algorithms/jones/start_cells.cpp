@@ -27,9 +27,8 @@ std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::v
   const auto has_eye = [&](const scene::ComplexOpening& opening) {
     const auto sides = complex.sides_of(opening);
     return prepared.planes()[opening.plane].side(eye) == 0 &&
-           std::all_of(sides.begin(), sides.end(), [&](const scene::HalfSpace& half) {
-             return contains(prepared.planes(), half, eye);
-           });
+           std::all_of(sides.begin(), sides.end(),
+                       [&](const scene::HalfSpace& half) { return contains(prepared.planes(), half, eye); });
   };
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (const std::uint32_t number : complex.openings_of(complex.cells[cells[i]])) {

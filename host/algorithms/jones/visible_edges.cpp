@@ -46,14 +46,11 @@ bool too_far(const scene::PolyPoint& eye) {
 
 std::string_view message(Error error) {
   switch (error) {
-    case Error::eye_in_solid:
-      return "the eye is inside a solid";
-    case Error::eye_too_far:
-      return "the eye is beyond the limit of coordinates, 262143";
+    case Error::eye_in_solid: return "the eye is inside a solid";
+    case Error::eye_too_far: return "the eye is beyond the limit of coordinates, 262143";
     case Error::too_long:
       return "a plane of the cell complex has coefficients beyond those of planes through points of a scene";
-    case Error::no_complex:
-      break;
+    case Error::no_complex: break;
   }
   return "the cells and openings are no cell complex: they contradict each other";
 }
@@ -81,12 +78,9 @@ std::variant<View, Error> Walker::visible_edges(const scene::PolyCamera& camera)
   const std::optional<Start> start = find_start(prepared, camera);
   if (!start) return Error::eye_in_solid;
   switch (*width) {
-    case Width::narrow:
-      return state_->narrow.run(prepared, state_->met, camera, *start);
-    case Width::medium:
-      return state_->medium.run(prepared, state_->met, camera, *start);
-    case Width::wide:
-      break;
+    case Width::narrow: return state_->narrow.run(prepared, state_->met, camera, *start);
+    case Width::medium: return state_->medium.run(prepared, state_->met, camera, *start);
+    case Width::wide: break;
   }
   return state_->wide.run(prepared, state_->met, camera, *start);
 }

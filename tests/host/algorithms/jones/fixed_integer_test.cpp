@@ -1,11 +1,12 @@
 // Integers of several limbs against 128-bit ones, and by the laws of arithmetic where those end.
+#include "host/algorithms/jones/fixed_integer.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "host/algorithms/jones/arithmetic.hpp"
-#include "host/algorithms/jones/fixed_integer.hpp"
 #include "host/geometry/predicates.hpp"
 
 namespace sightline::algorithms::jones {
@@ -18,8 +19,9 @@ class Numbers {
   // Of any length up to `bits`, either sign; often 0 and powers of two, and one less.
   Int128 next(unsigned bits) {
     const auto length = static_cast<unsigned>(dice_() % (bits + 1));
-    Int128 value = dice_() % 4 == 0 ? Int128{0} : (Int128{static_cast<std::int64_t>(dice_() >> 1)} << 62) +
-                                                      static_cast<std::int64_t>(dice_() >> 2);
+    Int128 value = dice_() % 4 == 0 ? Int128{0}
+                                    : (Int128{static_cast<std::int64_t>(dice_() >> 1)} << 62) +
+                                          static_cast<std::int64_t>(dice_() >> 2);
     value &= (Int128{1} << length) - 1;
     if (dice_() % 8 == 0) value = Int128{1} << (length == bits ? bits - 1 : length);
     return dice_() % 2 == 0 ? value : -value;
@@ -78,7 +80,8 @@ TEST(WideArithmetic, SignsAreExactWhereDoublesAreNot) {
     const WideArithmetic::Ray ray = WideArithmetic::meet(u, v);
     EXPECT_EQ(WideArithmetic::side(u, ray), 0);
     EXPECT_EQ(WideArithmetic::side(v, ray), 0);
-    const auto nudged = WideArithmetic::line({u.part[0] + v.part[0] + 1, u.part[1] + v.part[1], u.part[2] + v.part[2]});
+    const auto nudged =
+        WideArithmetic::line({u.part[0] + v.part[0] + 1, u.part[1] + v.part[1], u.part[2] + v.part[2]});
     EXPECT_EQ(WideArithmetic::side(nudged, ray), ray.part[0].sign());
   }
 }

@@ -28,8 +28,8 @@ struct HardCase {
   std::vector<geometry::Box> cells;
   std::vector<BoxOpening> openings;
   scene::PolyCamera camera;
-  std::uint64_t cells_seen = 0;    // expected
-  std::uint64_t most_sides = 0;    // of a mask, expected; 0: not said
+  std::uint64_t cells_seen = 0;  // expected
+  std::uint64_t most_sides = 0;  // of a mask, expected; 0: not said
 
   [[nodiscard]] scene::CellComplex complex() const { return complex_of_boxes(scene, outer, cells, openings); }
 };
@@ -42,7 +42,8 @@ inline void add_wall(scene::PolyScene& scene, const geometry::Rectangle& wall,
     const std::size_t u = (r.axis + 1) % 3;
     const std::size_t v = (r.axis + 2) % 3;
     std::vector<scene::VertexIndex> corners;
-    for (const auto& [high_u, high_v] : {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
+    for (const auto& [high_u, high_v] :
+         {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
       scene::PolyPoint corner = box.low;
       if (high_u) corner[u] = box.high[u];
       if (high_v) corner[v] = box.high[v];
@@ -67,7 +68,8 @@ inline void add_walls_around(scene::PolyScene& scene, const geometry::Box& box) 
 // Portals at z = depth(i), i = 1 .. portals.size(); the last cell ends at `end`.
 inline HardCase corridor(std::string id, std::string what, const std::vector<geometry::Rectangle>& portals,
                          std::int32_t end, std::int32_t half = 50) {
-  HardCase hard{std::move(id), std::move(what), {}, {{-half, -half, -100}, {half, half, end}}, {}, {}, {}, 0, 0};
+  HardCase hard{
+      std::move(id), std::move(what), {}, {{-half, -half, -100}, {half, half, end}}, {}, {}, {}, 0, 0};
   add_walls_around(hard.scene, hard.outer);
   geometry::Box room = hard.outer;
   for (std::size_t i = 0; i < portals.size(); ++i) {
@@ -89,7 +91,8 @@ inline geometry::Rectangle portal(std::int32_t z, geometry::Span x, geometry::Sp
 
 inline HardCase edge_on_portal() {
   HardCase hard{"J1", "edge-on portal", {}, {{-50, -50, -100}, {50, 50, 100}}, {}, {}, {}, 2, 4};
-  hard.cells = {{{-50, -50, -100}, {50, 50, 40}}, {{-50, -50, 40}, {0, 50, 100}}, {{0, -50, 40}, {50, 50, 100}}};
+  hard.cells = {
+      {{-50, -50, -100}, {50, 50, 40}}, {{-50, -50, 40}, {0, 50, 100}}, {{0, -50, 40}, {50, 50, 100}}};
   const geometry::Rectangle door = {0, 0, {geometry::Span{-5, 5}, geometry::Span{50, 80}}};
   hard.openings = {{{2, 40, {geometry::Span{-50, 0}, geometry::Span{-50, 50}}}, 0, 1}, {door, 1, 2}};
   add_walls_around(hard.scene, hard.outer);
@@ -105,7 +108,8 @@ inline HardCase eye_in_portal() {
 }
 
 inline HardCase portal_partly_behind() {
-  HardCase hard{"J13", "portal partly behind the eye", {}, {{-30, -50, -100}, {60, 50, 100}}, {}, {}, {}, 2, 0};
+  HardCase hard{"J13", "portal partly behind the eye", {}, {{-30, -50, -100}, {60, 50, 100}}, {}, {}, {}, 2,
+                0};
   hard.cells = {{{-30, -50, -100}, {30, 50, 100}}, {{30, -50, -100}, {60, 50, 100}}};
   const geometry::Rectangle door = {0, 30, {geometry::Span{-20, 20}, geometry::Span{-50, 50}}};
   hard.openings = {{door, 0, 1}};
@@ -114,10 +118,13 @@ inline HardCase portal_partly_behind() {
   return hard;
 }
 
-// Three cells around a pillar, x 10..20, z 20..30: beside it to the left, beyond it, and beside it to the right.
+// Three cells around a pillar, x 10..20, z 20..30: beside it to the left, beyond it, and beside it to the
+// right.
 inline HardCase around_a_pillar() {
   HardCase hard{"J15", "cells in a circle", {}, {{-50, -50, -100}, {50, 50, 100}}, {}, {}, {}, 3, 0};
-  hard.cells = {{{-50, -50, -100}, {10, 50, 100}}, {{10, -50, 30}, {50, 50, 100}}, {{20, -50, -100}, {50, 50, 30}},
+  hard.cells = {{{-50, -50, -100}, {10, 50, 100}},
+                {{10, -50, 30}, {50, 50, 100}},
+                {{20, -50, -100}, {50, 50, 30}},
                 {{10, -50, -100}, {20, 50, 20}}};
   const geometry::Span height{-50, 50};
   hard.openings = {{{0, 10, {height, geometry::Span{30, 100}}}, 0, 1},
@@ -142,14 +149,17 @@ inline std::vector<HardCase> hard_cases() {
     cases.push_back(std::move(hard));
   };
   const geometry::Span wide{-20, 20};
-  add(corridor("J5", "windows share a side",
-               {portal(100, {-20, 0}, wide), portal(200, {0, 20}, wide)}, 300), 2, 4);
+  add(corridor("J5", "windows share a side", {portal(100, {-20, 0}, wide), portal(200, {0, 20}, wide)}, 300),
+      2, 4);
   add(corridor("J5 narrow", "windows share a strip",
-               {portal(100, {-20, 1}, wide), portal(200, {0, 20}, wide)}, 300), 3, 4);
+               {portal(100, {-20, 1}, wide), portal(200, {0, 20}, wide)}, 300),
+      3, 4);
   add(corridor("J5 corner", "windows share a point",
-               {portal(100, {-20, 0}, {-20, 0}), portal(200, {0, 20}, {0, 20})}, 300), 2, 4);
+               {portal(100, {-20, 0}, {-20, 0}), portal(200, {0, 20}, {0, 20})}, 300),
+      2, 4);
   add(corridor("J6", "corner on a corner",
-               {portal(100, {-10, 10}, {-10, 10}), portal(200, {-20, 20}, {-20, 20})}, 300), 3, 4);
+               {portal(100, {-10, 10}, {-10, 10}), portal(200, {-20, 20}, {-20, 20})}, 300),
+      3, 4);
   std::vector<geometry::Rectangle> grazing;
   for (std::int32_t i = 1; i <= 39; ++i) grazing.push_back(portal(100 * i, {i, 40}, wide));
   add(corridor("J7", "portals along a grazing ray", grazing, 4000), 40, 4);
