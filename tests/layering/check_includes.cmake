@@ -17,8 +17,11 @@ set(RULES
   "host/picture=host/geometry,host/scene,emulators/core"
   "host/algorithms/exact=host/geometry,host/scene,host/picture"
   "host/algorithms/jones=host/geometry,host/scene,host/picture"
+  "host/algorithms/montani_re=host/geometry,host/scene,host/picture"
   "host/algorithms/oracle=host/geometry,host/scene,host/picture"
+  "host/algorithms/plantinga=host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/geometry,host/scene,host/picture"
+  "host/algorithms/willis=host/geometry,host/scene,host/picture"
   "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
   "host/harness/report=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators"
   "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")

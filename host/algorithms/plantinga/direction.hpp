@@ -1,0 +1,91 @@
+// The direction of sight of an event, exact: a point (X : Z) of the circle, the viewer far away on the side
+// of (X, 0, Z). Its angle is theta with X = sin theta and Z = cos theta up to a positive factor, in (-pi,
+// pi]; the tangent is never used, so that 90 degrees is a direction like others (hard cases P4, P5).
+//
+// Two edges or an edge and a vertex give directions of degree 1 in the coordinates' products (rational),
+// three edges give the roots of a quadratic form. A direction is kept in a canonical form, so that equal
+// directions have equal parts and == is exact: coprime integers, or a primitive irreducible form with the
+// number of its root. Order is by angle: doubles first, and where those are too near each other, exactly
+// (Plantinga, Seales and Dyer 1990, section 3; D: the paper does not say how equal events are told).
+//
+// Sizes: linear forms below 2^52, quadratic forms below 2^104: coordinates below 2^23.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/integer.hpp"
+
+namespace sightline::algorithms::plantinga {
+
+using geometry::Int128;
+
+// x X + z Z
+struct LinearForm {
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+};
+
+// xx X^2 + xz X Z + zz Z^2
+struct QuadraticForm {
+  Int128 xx = 0;
+  Int128 xz = 0;
+  Int128 zz = 0;
+
+  friend bool operator==(const QuadraticForm&, const QuadraticForm&) = default;
+};
+
+// The angle of a Direction differs from the true one by less than this.
+inline constexpr double angle_error = 0x1p-48;
+
+struct Direction {
+  // Rational: form.xx and form.zz are X and Z, coprime. Otherwise: form is primitive and irreducible, form.xx
+  // is positive, and X : Z = -xz + root sqrt(xz^2 - 4 xx zz) : 2 xx, times `side`.
+  bool rational = true;
+  std::int8_t root = 0;  // +1 or -1; 0 for a rational
+  std::int8_t side = 1;  // +1 or -1; 1 for a rational
+  QuadraticForm form{0, 0, 1};
+  double angle = 0;  // radians, within angle_error
+
+  friend bool operator==(const Direction& a, const Direction& b) {
+    return a.rational == b.rational && a.root == b.root && a.side == b.side && a.form == b.form;
+  }
+};
+
+// Negative, zero or positive as the angle of a is less than, equal to or greater than that of b.
+[[nodiscard]] int compare(const Direction& a, const Direction& b);
+[[nodiscard]] inline bool less(const Direction& a, const Direction& b) {
+  return compare(a, b) < 0;
+}
+
+// (x : z), not both 0.
+[[nodiscard]] Direction rational_direction(Int128 x, Int128 z);
+[[nodiscard]] Direction opposite(const Direction& direction);
+
+// Where a form is 0: two opposite directions; none if it is 0 everywhere.
+[[nodiscard]] std::vector<Direction> roots_of(const LinearForm& form);
+// Where a form changes its sign: none, or two directions and their opposites. A double root, where the form
+// touches 0, is none: what meets there parts again without having changed order (hard cases P1 to P1d).
+[[nodiscard]] std::vector<Direction> roots_of(const QuadraticForm& form);
+
+// The sign of a linear form at a direction, exact.
+[[nodiscard]] int sign_at(const Direction& direction, const LinearForm& form);
+
+// A direction of sight in small integers, for exact work in 64 and 128 bits.
+struct Sight {
+  std::int64_t x = 0;
+  std::int64_t z = 1;
+
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+inline constexpr std::int64_t sight_limit = std::int64_t{1} << 21;  // of |x| and |z|, not reached
+
+// A direction strictly between two others, the second after the first (round by pi if its angle is not
+// greater). Nothing if none was found whose parts keep below sight_limit.
+[[nodiscard]] std::optional<Sight> sight_between(const Direction& a, const Direction& b);
+// The same without a limit (wide.hpp); a and b are different.
+struct WideSight;
+[[nodiscard]] WideSight wide_sight_between(const Direction& a, const Direction& b);
+
+}  // namespace sightline::algorithms::plantinga
