@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/box_tree.hpp"
+#include "host/geometry/box_tree.hpp"
 #include "host/scene/cell_complex_boxes.hpp"
 #include "host/scene/cell_complex_builder.hpp"
 #include "host/scene/free_rectangles.hpp"
@@ -25,7 +25,7 @@ std::vector<Box> boxes_of(const CellScene& scene) {
 }
 
 void add_lines(CellComplexBuilder& builder, const std::vector<Box>& boxes) {
-  const BoxTree tree(boxes);
+  const geometry::BoxTree tree(boxes);
   const CellComplex& complex = builder.complex();
   for (std::uint32_t e = 0; e < complex.edges.size(); ++e) {
     const PolyPoint& from = complex.vertices[complex.edges[e].from];

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/box_tree.hpp"
+#include "host/geometry/box_tree.hpp"
 #include "host/scene/check_complex_parts.hpp"
 #include "host/scene/compartment_bsp_predicates.hpp"
 
@@ -183,7 +183,7 @@ geometry::Box box_of(const PolyScene& scene, const PolyBody& body) {
 
 // Bodies whose boxes overlap may overlap themselves; then the sum of volumes says less.
 bool may_overlap(const std::vector<geometry::Box>& boxes) {
-  const BoxTree tree(boxes);
+  const geometry::BoxTree tree(boxes);
   bool found = false;
   for (std::size_t b = 0; b < boxes.size() && !found; ++b) {
     tree.for_each_touching(boxes[b], [&](std::uint32_t other) {

@@ -3,64 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/geometry/integer.hpp"
+#include "host/algorithms/jones/enclosing_box.hpp"
 
 namespace sightline::algorithms::jones {
 namespace {
 
 using geometry::Box;
-using geometry::Int128;
-
-// The greatest integer not above a / b, b positive.
-Int128 floor_divide(const Int128& a, const Int128& b) {
-  return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
-
-// Takes from the box what of it is certainly not in the half-space normal . x <= offset. True if that was
-// something.
-bool tighten(Box& box, const std::array<std::int64_t, 3>& normal, std::int64_t offset) {
-  Int128 least = 0;  // of normal . x in the box
-  for (std::size_t a = 0; a < 3; ++a) least += Int128{normal[a]} * (normal[a] > 0 ? box.low[a] : box.high[a]);
-  bool changed = false;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (normal[a] == 0) continue;
-    const std::int32_t near = normal[a] > 0 ? box.low[a] : box.high[a];
-    const Int128 room = offset - (least - Int128{normal[a]} * near);  // normal[a] x <= room
-    if (normal[a] > 0) {
-      const Int128 most = floor_divide(room, normal[a]);
-      if (most >= box.high[a]) continue;
-      box.high[a] = most < box.low[a] ? box.low[a] - 1 : static_cast<std::int32_t>(most);
-    } else {
-      const Int128 fewest = -floor_divide(room, -normal[a]);
-      if (fewest <= box.low[a]) continue;
-      box.low[a] = fewest > box.high[a] ? box.high[a] + 1 : static_cast<std::int32_t>(fewest);
-    }
-    if (box.low[a] > box.high[a]) return false;
-    changed = true;
-  }
-  return changed;
-}
-
-bool without_points(const Box& box) {
-  return box.low[0] > box.high[0] || box.low[1] > box.high[1] || box.low[2] > box.high[2];
-}
-
-Box box_of(const scene::CellComplex& complex, std::span<const geometry::Plane> planes,
-           const scene::ComplexCell& cell) {
-  constexpr int rounds = 4;
-  Box box = complex.outer;
-  for (int round = 0; round < rounds; ++round) {
-    bool changed = false;
-    for (const scene::HalfSpace& half : complex.bounds_of(cell)) {
-      const geometry::Plane& plane = planes[half.plane];
-      const geometry::Vector3 normal = half.turned ? geometry::negated(plane.normal) : plane.normal;
-      changed = tighten(box, normal, half.turned ? -plane.offset : plane.offset) || changed;
-      if (without_points(box)) return box;
-    }
-    if (!changed) break;
-  }
-  return box;
-}
 
 }  // namespace
 
@@ -113,7 +61,8 @@ CellIndex::CellIndex(const scene::CellComplex& complex, std::span<const geometry
     : outer_(complex.outer) {
   std::vector<Box> boxes;
   boxes.reserve(complex.cells.size());
-  for (const scene::ComplexCell& cell : complex.cells) boxes.push_back(box_of(complex, planes, cell));
+  for (const scene::ComplexCell& cell : complex.cells)
+    boxes.push_back(enclosing_box(outer_, planes, complex.bounds_of(cell)));
   choose_buckets(boxes);
   starts_.assign(buckets_[0] * buckets_[1] * buckets_[2] + 1, 0);
   for (const Box& box : boxes) {

@@ -1,8 +1,8 @@
 // Which cells is a point in? A grid of buckets over the outer box, each with the cells that may reach into
 // it, made once for a complex; a question then costs a bucket, not the number of cells.
 //
-// A cell goes by a box around its integer points, found by tightening the outer box with each of its planes
-// in turn, rounded to integers outwards: exact for cells parallel to the axes, never too small for others.
+// A cell goes by the box around it (enclosing_box.hpp): exact for cells parallel to the axes, never too small
+// for others.
 #pragma once
 
 #include <array>

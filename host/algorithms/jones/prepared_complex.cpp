@@ -22,7 +22,10 @@ std::vector<geometry::Plane> in_lowest_terms(std::vector<geometry::Plane> planes
 }  // namespace
 
 PreparedComplex::PreparedComplex(const scene::CellComplex& complex)
-    : complex_(&complex), planes_(in_lowest_terms(complex.planes)), index_(complex, planes_) {
+    : complex_(&complex),
+      planes_(in_lowest_terms(complex.planes)),
+      index_(complex, planes_),
+      crowded_(complex, planes_) {
   measure();
   find_ways_in();
 }

@@ -1,7 +1,8 @@
 // A complex made ready for being looked at from anywhere: what all views of it share.
 //
 // Planes in lowest terms, and how long their numbers are; the way in from outside; the edges that lie in the
-// surface of the outer box, which is looked at from outside without passing an opening; the index of cells.
+// surface of the outer box, which is looked at from outside without passing an opening; the index of cells;
+// what is where in crowded ones.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "host/algorithms/jones/cell_index.hpp"
+#include "host/algorithms/jones/crowded_cells.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/cell_complex.hpp"
 
@@ -32,6 +34,10 @@ class PreparedComplex {
   [[nodiscard]] std::vector<scene::CellNumber> cells_at(const geometry::Point3& point) const {
     return index_.cells_at(*complex_, planes_, point);
   }
+  // Null for a cell with few lines and openings.
+  [[nodiscard]] const CrowdedCell* crowded(scene::CellNumber cell) const {
+    return crowded_.find(*complex_, cell);
+  }
   // No component of a normal is greater, nor the value of a plane at a point within the coordinate limit.
   [[nodiscard]] double greatest_component() const { return greatest_component_; }
   [[nodiscard]] double greatest_value() const { return greatest_value_; }
@@ -45,6 +51,7 @@ class PreparedComplex {
   std::vector<std::uint32_t> entrances_;  // numbers of the openings one of whose cells is outside
   std::array<OuterFace, 6> outer_faces_;
   CellIndex index_;
+  CrowdedCells crowded_;
   double greatest_component_ = 0;
   double greatest_value_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "host/algorithms/jones/start_cells.hpp"
 #include "host/algorithms/jones/stretch.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
+#include "host/geometry/box.hpp"
 #include "host/geometry/integer.hpp"
 
 namespace sightline::algorithms::jones {
@@ -86,7 +88,9 @@ class Search {
     void draw_outer_faces();
     [[nodiscard]] bool walk();
     void visit(const Waiting& waiting);
+    [[nodiscard]] bool may_see(const geometry::Box& box) const;
     void draw_line(const scene::ComplexLine& line, std::span<const Side> mask);
+    void look_out(const Waiting& waiting, std::uint32_t opening);
     void look_through(std::uint32_t opening, scene::CellNumber beyond, std::uint32_t depth);
     [[nodiscard]] bool faces_eye(std::uint32_t opening, bool from_negative_side);
     void make_planes(const scene::ComplexOpening& opening, Met::Opening& state);
@@ -101,6 +105,7 @@ class Search {
   std::vector<Side> cut_;
   std::vector<Side> cut_again_;
   std::vector<std::int8_t> signs_;
+  std::vector<std::uint32_t> met_openings_;  // of a crowded cell
   Fragments<Number> fragments_;
 };
 
@@ -165,13 +170,40 @@ void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
   }
   const scene::CellComplex& complex = prepared.complex();
   const scene::ComplexCell& cell = complex.cells[waiting.cell];
-  for (const scene::ComplexLine& line : complex.lines_of(cell)) draw_line(line, search.mask_);
+  const auto lines = complex.lines_of(cell);
   const auto openings = complex.openings_of(cell);
-  for (std::size_t i = openings.size(); i-- > 0;) {
-    const auto& cells = complex.openings[openings[i]].cells;
-    const scene::CellNumber beyond = cells[0] == waiting.cell ? cells[1] : cells[0];
-    if (beyond != scene::outside) look_through(openings[i], beyond, waiting.depth);
+  const CrowdedCell* const crowded = prepared.crowded(waiting.cell);
+  if (crowded == nullptr) {
+    for (const scene::ComplexLine& line : lines) draw_line(line, search.mask_);
+    for (std::size_t i = openings.size(); i-- > 0;) look_out(waiting, openings[i]);
+    return;
   }
+  const auto meets = [this](const geometry::Box& box) { return may_see(box); };
+  crowded->lines.for_each_that(meets, [&](std::uint32_t i) { draw_line(lines[i], search.mask_); });
+  search.met_openings_.clear();
+  crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.met_openings_.push_back(i); });
+  std::sort(search.met_openings_.begin(), search.met_openings_.end(), std::greater<>());
+  for (const std::uint32_t i : search.met_openings_) look_out(waiting, openings[i]);
+}
+
+template <class Arithmetic>
+void Search<Arithmetic>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
+  const auto& cells = prepared.complex().openings[opening].cells;
+  const scene::CellNumber beyond = cells[0] == waiting.cell ? cells[1] : cells[0];
+  if (beyond != scene::outside) look_through(opening, beyond, waiting.depth);
+}
+
+// False if the box lies beyond one side of the mask at hand.
+template <class Arithmetic>
+bool Search<Arithmetic>::Pass::may_see(const geometry::Box& box) const {
+  const auto beyond = [&](const SightPlane<Number>& plane) {
+    scene::PolyPoint corner{};
+    for (std::size_t a = 0; a < 3; ++a) corner[a] = plane.normal[a] < 0 ? box.low[a] : box.high[a];
+    return plane.at(sight.from_eye(corner)) < 0;
+  };
+  if (search.mask_.empty()) return !sight.perspective() || !beyond(search.planes_[0]);
+  return std::none_of(search.mask_.begin(), search.mask_.end(),
+                      [&](const Side& side) { return beyond(search.planes_[side.plane]); });
 }
 
 template <class Arithmetic>

@@ -222,7 +222,7 @@ TEST(BoxTree, FindsAllThatTouch) {
   };
   std::vector<geometry::Box> all(100);
   std::generate(all.begin(), all.end(), box);
-  const BoxTree tree(all);
+  const geometry::BoxTree tree(all);
   for (int round = 0; round < 200; ++round) {
     const geometry::Box query = box();
     std::vector<std::uint32_t> expected;

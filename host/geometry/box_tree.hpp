@@ -1,4 +1,4 @@
-// Which of many boxes touch a box: a binary tree over them, each node with the box around what is below it.
+// Which of many boxes meet something: a binary tree over them, each node with the box around what is below it.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 #include "host/geometry/box.hpp"
 
-namespace sightline::scene {
+namespace sightline::geometry {
 
 class BoxTree {
  public:
   // Keeps a copy. Time n log n.
-  explicit BoxTree(std::span<const geometry::Box> boxes)
+  explicit BoxTree(std::span<const Box> boxes)
       : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()) {
     std::iota(order_.begin(), order_.end(), 0U);
     around_.resize(boxes_.size());
@@ -25,12 +25,17 @@ class BoxTree {
   // visit(number) for every box that has a point, of its surface even, in common with `query`; in no
   // particular order, but always the same.
   template <class Visit>
-  void for_each_touching(const geometry::Box& query, Visit visit) const {
-    search(0, order_.size(), query, visit);
+  void for_each_touching(const Box& query, Visit visit) const {
+    for_each_that([&query](const Box& box) { return touch(box, query); }, visit);
+  }
+  // The same for boxes that `meets`, which must hold for a box if it does for one within.
+  template <class Meets, class Visit>
+  void for_each_that(const Meets& meets, Visit visit) const {
+    search(0, order_.size(), meets, visit);
   }
 
  private:
-  [[nodiscard]] static bool touch(const geometry::Box& a, const geometry::Box& b) {
+  [[nodiscard]] static bool touch(const Box& a, const Box& b) {
     bool common = true;
     for (std::size_t i = 0; i < 3; ++i) common = common && a.low[i] <= b.high[i] && b.low[i] <= a.high[i];
     return common;
@@ -46,9 +51,9 @@ class BoxTree {
       const std::int64_t sum_b = std::int64_t{boxes_[b].low[axis]} + boxes_[b].high[axis];
       return sum_a != sum_b ? sum_a < sum_b : a < b;
     });
-    geometry::Box around = boxes_[order_[begin]];
+    Box around = boxes_[order_[begin]];
     for (std::size_t i = begin; i < end; ++i) {
-      const geometry::Box& box = boxes_[order_[i]];
+      const Box& box = boxes_[order_[i]];
       for (std::size_t a = 0; a < 3; ++a) {
         around.low[a] = std::min(around.low[a], box.low[a]);
         around.high[a] = std::max(around.high[a], box.high[a]);
@@ -59,19 +64,19 @@ class BoxTree {
     build(middle + 1, end, (axis + 1) % 3);
   }
 
-  template <class Visit>
-  void search(std::size_t begin, std::size_t end, const geometry::Box& query, Visit& visit) const {
+  template <class Meets, class Visit>
+  void search(std::size_t begin, std::size_t end, const Meets& meets, Visit& visit) const {
     if (begin == end) return;
     const std::size_t middle = begin + (end - begin) / 2;
-    if (!touch(around_[middle], query)) return;
-    search(begin, middle, query, visit);
-    if (touch(boxes_[order_[middle]], query)) visit(order_[middle]);
-    search(middle + 1, end, query, visit);
+    if (!meets(around_[middle])) return;
+    search(begin, middle, meets, visit);
+    if (meets(boxes_[order_[middle]])) visit(order_[middle]);
+    search(middle + 1, end, meets, visit);
   }
 
-  std::vector<geometry::Box> boxes_;
+  std::vector<Box> boxes_;
   std::vector<std::uint32_t> order_;
-  std::vector<geometry::Box> around_;  // by place in order_
+  std::vector<Box> around_;  // by place in order_
 };
 
-}  // namespace sightline::scene
+}  // namespace sightline::geometry
