@@ -1,0 +1,22 @@
+// A box of integer corners around the points that are in several half-spaces, never too small: exact where
+// all planes are parallel to the axes.
+#pragma once
+
+#include <span>
+
+#include "host/geometry/box.hpp"
+#include "host/geometry/predicates.hpp"
+#include "host/scene/cell_complex.hpp"
+
+namespace sightline::algorithms::jones {
+
+// `box` tightened with each half-space in turn, rounded outwards. `planes` are what the half-spaces name.
+// Empty (some low above its high) only if no point of the box is in all of them.
+[[nodiscard]] geometry::Box enclosing_box(geometry::Box box, std::span<const geometry::Plane> planes,
+                                          std::span<const scene::HalfSpace> halves);
+
+[[nodiscard]] constexpr bool without_points(const geometry::Box& box) {
+  return box.low[0] > box.high[0] || box.low[1] > box.high[1] || box.low[2] > box.high[2];
+}
+
+}  // namespace sightline::algorithms::jones
