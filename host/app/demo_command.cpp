@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "host/app/demo_comparison.hpp"
 #include "host/app/jones_session.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/app/skala_demo.hpp"
@@ -23,7 +24,8 @@ constexpr const char* demo_examples =
     "  sightline demo\n"
     "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
     "eight\n"
-    "      functions as lines, surfaces and contours; the pictures go to out/\n"
+    "      functions as lines, surfaces and contours; the pictures go to out/; then both held against "
+    "oracles\n"
     "  sightline demo -o pictures --json\n"
     "      the same, the tables as one JSON document\n";
 
@@ -101,18 +103,22 @@ ExitCode run_demo(const DemoArguments& arguments) {
       rows.push_back(run_scene(std::string(name), scene, eae, arguments.directory));
   }
   const SkalaDemo skala = run_skala_demo(arguments.directory);
+  const DemoComparison comparison = compare_for_demo();
   if (arguments.json) {
     ordered_json document = document_of(rows, arguments.directory);
     add_skala_demo(document, skala);
+    add_demo_comparison(document, comparison);
     // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
     write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
   } else {
     write_stdout(table_of(rows));
     write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala));
+    write_stdout("\nBoth against their oracles, and the native algorithms beside them\n" +
+                 demo_comparison_table(comparison));
     write_stdout(
         fmt::format("\nPictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
                     "for drawing\nprograms; FUNCTION-lines.png, -surface.png, -contours.png, "
-                    "{}-calcomp.hpgl for plotters.\n",
+                    "{}-calcomp.hpgl for plotters. The whole story: sightline report.\n",
                     arguments.directory, skala.plotted));
   }
   ExitCode code = ExitCode::ok;
@@ -121,13 +127,18 @@ ExitCode run_demo(const DemoArguments& arguments) {
     complain(fmt::format("{}: the view stopped: {}", row.scene, jones::name(row.view.status)));
     code = ExitCode::guest_failed;
   }
+  if (!comparison.agrees()) {
+    complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+    code = ExitCode::differs;
+  }
   return code;
 }
 
 }  // namespace
 
 void add_demo_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("demo", "Run both machines on all their scenes and functions");
+  CLI::App* const command =
+      app.add_subcommand("demo", "Run both machines on all their scenes and functions, and compare");
   const auto arguments = std::make_shared<DemoArguments>();
   command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
       ->capture_default_str()

@@ -14,6 +14,7 @@
 #include "host/app/disasm_command.hpp"
 #include "host/app/draw_command.hpp"
 #include "host/app/jones_command.hpp"
+#include "host/app/report_command.hpp"
 #include "host/app/run_command.hpp"
 #include "host/app/scene_command.hpp"
 #include "host/app/skala_command.hpp"
@@ -116,6 +117,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
     app.require_subcommand(1);
     sightline::app::add_demo_command(app, exit_code);
+    sightline::app::add_report_command(app, exit_code);
     sightline::app::add_jones_command(app, exit_code);
     sightline::app::add_skala_command(app, exit_code);
     sightline::app::add_draw_command(app, exit_code);
