@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -104,7 +105,7 @@ class Page {
     html_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
       html_ += "<tr>";
-      for (const Cell& cell : row) add(cell);
+      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], holds_numbers(table, i));
       html_ += "</tr>\n";
     }
     html_ += "</tbody>\n</table>\n</div>\n";
@@ -114,19 +115,24 @@ class Page {
         id);
   }
 
-  // Over numbers a heading stands to the right as they do.
+  static bool holds_numbers(const Table& table, std::size_t at) {
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [at](const auto& row) { return at < row.size() && is_number(row[at]); });
+  }
+
+  // Over numbers a heading stands to the right as they do, and so does what stands for a missing one.
   void heading(const Table& table, std::size_t at) {
     const Column& column = table.columns[at];
-    bool numbers = false;
-    for (const auto& row : table.rows) numbers = numbers || (at < row.size() && is_number(row[at]));
-    html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", html_escaped(column.title));
+    html_ += fmt::format("<th scope=\"col\"{}>{}", holds_numbers(table, at) ? " class=\"n\"" : "",
+                         html_escaped(column.title));
     if (!column.unit.empty()) html_ += "<small>" + html_escaped(column.unit) + "</small>";
     html_ += "</th>";
   }
 
-  void add(const Cell& cell) {
+  void add(const Cell& cell, bool among_numbers) {
     std::string_view look;
-    if (is_number(cell)) look = " class=\"n\"";
+    if (is_number(cell) || (among_numbers && std::holds_alternative<std::monostate>(cell)))
+      look = " class=\"n\"";
     if (const auto* const verdict = std::get_if<Verdict>(&cell))
       look = verdict->good ? " class=\"good\"" : " class=\"bad\"";
     html_ += fmt::format("<td{}>{}</td>", look, html_escaped(shown_text(cell)));
