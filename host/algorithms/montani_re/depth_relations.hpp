@@ -1,0 +1,47 @@
+// Which face hides which: six tests of increasing cost on pairs of faces sorted by their lowest X, as Montani
+// and Re have them (1985, section 3 and Table 2), with their misprints mended (NOTES.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/montani_re/faces.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+// `near` has priority over `far`: near < far in the paper's sign.
+struct Relation {
+  std::uint32_t near = 0;
+  std::uint32_t far = 0;
+  std::uint8_t test = 0;  // that decided it; by 3 to 5 the projections need not overlap
+};
+
+// A part of the image of `face` in which the other face of a pair is nearer.
+struct HiddenPart {
+  std::uint32_t face = 0;
+  TrapezoidPcs part;
+};
+
+// What test 6 finds of two faces. At most one of the orders, or parts of both, or interpenetration.
+struct Overlap {
+  bool overlaps = false;
+  int order = 0;  // negative: the first is nearer, positive: the second; 0: coplanar, or differs by part
+  bool interpenetrating = false;
+  std::vector<HiddenPart> parts;  // where the order differs from part to part
+  double area = 0;
+};
+[[nodiscard]] Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second);
+
+struct DepthRelations {
+  std::vector<Relation> relations;
+  std::vector<HiddenPart> hidden;             // of pairs that hide each other in different places
+  std::array<std::uint64_t, 7> decided_by{};  // pairs by the test that decided
+  std::optional<std::pair<std::uint32_t, std::uint32_t>>
+      interpenetrating;  // the first pair found; the rest is void
+};
+[[nodiscard]] DepthRelations depth_relations(const FaceSet& set);
+
+}  // namespace sightline::algorithms::montani_re

@@ -1,0 +1,83 @@
+#include "host/algorithms/montani_re/edge_parameter.hpp"
+
+#include <gmpxx.h>
+
+#include <utility>
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+using geometry::Int128;
+using geometry::Rational;
+
+mpz_class big(const Image::Number& n) {
+  const bool negative = n.sign() < 0;
+  const Image::Number magnitude = negative ? Image::Number{} - n : n;
+  mpz_class value = 0;
+  for (std::size_t i = 5; i-- > 0;) {
+    mpz_class limb;
+    const std::uint64_t part = magnitude.limb(i);
+    mpz_import(limb.get_mpz_t(), 1, 1, sizeof part, 0, 0, &part);
+    value = (value << 64) + limb;
+  }
+  return negative ? mpz_class(-value) : value;
+}
+
+// p / (p - q): where a quantity vanishes that is p at the start and q at the end.
+Rational zero_between(Int128 p, Int128 q) {
+  Int128 numerator = p;
+  Int128 denominator = p - q;
+  Int128 a = numerator < 0 ? -numerator : numerator;
+  Int128 b = denominator < 0 ? -denominator : denominator;
+  while (b != 0) a = std::exchange(b, a % b);
+  if (a == 0) return {0};
+  return {static_cast<std::int64_t>(numerator / a), static_cast<std::int64_t>(denominator / a)};
+}
+
+Rational zero_between(const mpz_class& p, const mpz_class& q) {
+  mpz_class numerator = p;
+  mpz_class denominator = p - q;
+  const mpz_class divisor = gcd(numerator, denominator);
+  numerator /= divisor;
+  denominator /= divisor;
+  return {numerator.get_si(), denominator.get_si()};
+}
+
+Int128 at_vertex(const Image& image, std::uint32_t line, std::uint32_t vertex) {
+  const ImageLine& l = image.lines()[line];
+  const Vertex& v = image.vertices()[vertex];
+  return l.a * v.x + l.b * v.y + l.c * image.weight(vertex);
+}
+
+}  // namespace
+
+Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t other) {
+  const ImageLine& line = image.lines()[edge];
+  return zero_between(at_vertex(image, other, line.from), at_vertex(image, other, line.to));
+}
+
+Rational parameter_at(const Image& image, std::uint32_t edge, const Ordinate& y) {
+  const ImageLine& line = image.lines()[edge];
+  if (y.second == edge) return parameter_at_line(image, edge, y.first);
+  if (y.second != none && y.first == edge) return parameter_at_line(image, edge, y.second);
+  if (y.second == none && y.first == line.from) return {0};
+  if (y.second == none && y.first == line.to) return {1};
+  const Vertex& p = image.vertices()[line.from];
+  const Vertex& q = image.vertices()[line.to];
+  if (y.second == none) {
+    const Int128 numerator = image.vertices()[y.first].y;
+    const Int128 denominator = image.weight(y.first);
+    return zero_between(p.y * denominator - numerator * image.weight(line.from),
+                        q.y * denominator - numerator * image.weight(line.to));
+  }
+  const Image::Quotient at = image.exact(y);
+  const mpz_class numerator = big(at.numerator);
+  const mpz_class denominator = big(at.denominator);
+  const auto value = [&](const Vertex& v, std::int64_t weight) {
+    return mpz_class(mpz_class(static_cast<long>(v.y)) * denominator -
+                     numerator * mpz_class(static_cast<long>(weight)));
+  };
+  return zero_between(value(p, image.weight(line.from)), value(q, image.weight(line.to)));
+}
+
+}  // namespace sightline::algorithms::montani_re

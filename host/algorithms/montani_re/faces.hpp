@@ -1,0 +1,94 @@
+// The faces of a view as list priority wants them: their planes and extents in the camera's frame, their
+// regions in the image.
+//
+// Left out: faces seen edge-on (no area, so no part in any relation), faces of solids that look away, and
+// faces behind the eye. In perspective, a face that is neither wholly before nor wholly behind the eye has an
+// image that runs to infinity, which stripes cannot hold: such a scene is refused by name.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/algorithms/montani_re/image.hpp"
+#include "host/algorithms/montani_re/trapezoid_pcs.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/cell_scene.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+// numerator / denominator, the denominator positive; in floating point first, exactly where that is equal.
+struct ImageNumber {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+  double approximate = 0;
+};
+[[nodiscard]] int compare(const ImageNumber& a, const ImageNumber& b);
+
+struct Face {
+  std::uint32_t body = 0;
+  std::uint32_t index = 0;  // in its body
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> lines;
+  // normal . p = offset, turned so that the near side is negative. Normal 80 bits, a vertex 119.
+  std::array<geometry::Int128, 3> normal{};
+  geometry::Int128 offset = 0;
+  std::array<ImageNumber, 2> low;  // X, Y
+  std::array<ImageNumber, 2> high;
+  std::int64_t nearest = 0;  // Z
+  std::int64_t farthest = 0;
+  TrapezoidPcs pcs;
+
+  // Negative on the near side of the plane, 0 in it.
+  [[nodiscard]] int side(const Vertex& p) const {
+    const geometry::Int128 at = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z - offset;
+    return (at > 0 ? 1 : 0) - (at < 0 ? 1 : 0);
+  }
+};
+
+struct FaceSet {
+  Image image{false};
+  std::vector<Face> faces;
+  std::vector<picture::LineEdge> edges;  // of each line of the image: vertices of the image
+  std::uint64_t edge_on = 0;             // faces left out
+};
+
+// Rings of vertices of the image, each ring a closed polygon in the plane of all.
+using Rings = std::vector<std::vector<std::uint32_t>>;
+
+class FaceSetBuilder {
+ public:
+  explicit FaceSetBuilder(bool perspective) { set_.image = Image(perspective); }
+
+  std::uint32_t add_vertex(const Vertex& v) { return set_.image.add_vertex(v); }
+  // False, and nothing added, if the face is seen edge-on. All vertices before the eye (precondition).
+  bool add_face(const Rings& rings, std::uint32_t body, std::uint32_t index);
+  [[nodiscard]] FaceSet take();
+
+ private:
+  struct KnownLine {
+    std::uint32_t to = 0;
+    std::uint32_t line = 0;
+  };
+  [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
+  void measure(Face& face) const;
+
+  FaceSet set_;
+  std::vector<std::vector<KnownLine>> lines_at_;  // by the lower vertex
+};
+
+// Why this algorithm does not draw what "exact" draws of a view; nothing if it does: a face from before the
+// eye to behind it, or a face of a sheet seen edge-on, which is a line to others and nothing to stripes.
+[[nodiscard]] std::optional<std::string> why_not_view(const scene::PolyScene& scene,
+                                                      const scene::PolyCamera& camera);
+
+// Vertices keep the scene's numbers. The scene is a checked one (precondition).
+[[nodiscard]] std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,
+                                                                const scene::PolyCamera& camera);
+
+}  // namespace sightline::algorithms::montani_re

@@ -1,0 +1,150 @@
+#include "host/algorithms/montani_re/image.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+using geometry::Int128;
+
+constexpr double unit = 0x1p-52;  // twice the rounding error of one operation, to be on the safe side
+
+Int128 magnitude(Int128 n) {
+  return n < 0 ? -n : n;
+}
+
+Int128 common_divisor(Int128 a, Int128 b) {
+  a = magnitude(a);
+  b = magnitude(b);
+  while (b != 0) {
+    if (a <= std::numeric_limits<std::int64_t>::max() && b <= std::numeric_limits<std::int64_t>::max()) {
+      auto p = static_cast<std::uint64_t>(a);
+      auto q = static_cast<std::uint64_t>(b);
+      while (q != 0) p = std::exchange(q, p % q);
+      return static_cast<Int128>(p);
+    }
+    a = std::exchange(b, a % b);
+  }
+  return a;
+}
+
+// p q - r s, with a bound of its error.
+struct Estimate {
+  double value = 0;
+  double error = 0;
+};
+Estimate difference_of_products(double p, double q, double r, double s) {
+  const double first = p * q;
+  const double second = r * s;
+  return {first - second, 4 * unit * (std::abs(first) + std::abs(second))};
+}
+
+}  // namespace
+
+std::uint32_t Image::add_vertex(const Vertex& v) {
+  vertices_.push_back(v);
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+bool Image::distinct_images(std::uint32_t v, std::uint32_t w) const {
+  const Vertex& p = vertices_[v];
+  const Vertex& q = vertices_[w];
+  return Int128{p.x} * weight(w) != Int128{q.x} * weight(v) ||
+         Int128{p.y} * weight(w) != Int128{q.y} * weight(v);
+}
+
+std::uint32_t Image::add_line(std::uint32_t from, std::uint32_t to) {
+  const Vertex& p = vertices_[from];
+  const Vertex& q = vertices_[to];
+  ImageLine line;
+  line.from = from;
+  line.to = to;
+  line.a = Int128{p.y} * weight(to) - Int128{q.y} * weight(from);
+  line.b = Int128{q.x} * weight(from) - Int128{p.x} * weight(to);
+  line.c = Int128{p.x} * q.y - Int128{q.x} * p.y;
+  Int128 divisor = common_divisor(common_divisor(line.a, line.b), line.c);
+  if (line.a < 0 || (line.a == 0 && line.b < 0)) divisor = -divisor;
+  line.a /= divisor;
+  line.b /= divisor;
+  line.c /= divisor;
+  line.approximate = {static_cast<double>(line.a), static_cast<double>(line.b), static_cast<double>(line.c)};
+  lines_.push_back(line);
+  return static_cast<std::uint32_t>(lines_.size() - 1);
+}
+
+Ordinate Image::ordinate_of(std::uint32_t vertex) const {
+  const double value = static_cast<double>(vertices_[vertex].y) / static_cast<double>(weight(vertex));
+  const double error = std::abs(value) * unit;
+  return {value - error, value + error, vertex, none};
+}
+
+Image::Quotient Image::exact(const Ordinate& y) const {
+  if (y.second == none) return {Number{vertices_[y.first].y}, Number{weight(y.first)}};
+  const ImageLine& l = lines_[y.first];
+  const ImageLine& m = lines_[y.second];
+  Quotient q{Number{l.c} * Number{m.a} - Number{m.c} * Number{l.a},
+             Number{l.a} * Number{m.b} - Number{m.a} * Number{l.b}};
+  if (q.denominator.sign() < 0) q = {Number{} - q.numerator, Number{} - q.denominator};
+  return q;
+}
+
+Ordinate Image::crossing(std::uint32_t line, std::uint32_t other) const {
+  if (line > other) std::swap(line, other);
+  const auto& l = lines_[line].approximate;
+  const auto& m = lines_[other].approximate;
+  const Estimate numerator = difference_of_products(l[2], m[0], m[2], l[0]);
+  const Estimate denominator = difference_of_products(l[0], m[1], m[0], l[1]);
+  double value = 0;
+  double error = 0;
+  if (std::abs(denominator.value) > 2 * denominator.error) {
+    value = numerator.value / denominator.value;
+    error = (numerator.error + std::abs(value) * denominator.error) /
+            (std::abs(denominator.value) - denominator.error) * (1 + 0x1p-40);
+  }
+  if (!(error < 0x1p-30 * std::abs(value)) && std::abs(value) + error > 0x1p-1000) error = -1;
+  if (std::abs(denominator.value) <= 2 * denominator.error || error < 0) {
+    const Quotient q = exact({0, 0, line, other});
+    value = q.numerator.to_double() / q.denominator.to_double();
+    error = 0;
+  }
+  error += 8 * unit * std::abs(value);
+  return {value - error, value + error, line, other};
+}
+
+int Image::compare(const Ordinate& a, const Ordinate& b) const {
+  if (a.first == b.first && a.second == b.second) return 0;
+  if (a.high < b.low) return -1;
+  if (a.low > b.high) return 1;
+  const Quotient p = exact(a);
+  const Quotient q = exact(b);
+  return (p.numerator * q.denominator - q.numerator * p.denominator).sign();
+}
+
+// At y, X = -(b y + c) / a for both, so that the difference has the sign of p y + q below.
+int Image::order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const {
+  if (line == other) return 0;
+  const auto& l = lines_[line].approximate;
+  const auto& m = lines_[other].approximate;
+  const Estimate p = difference_of_products(m[1], l[0], l[1], m[0]);
+  const Estimate q = difference_of_products(m[2], l[0], l[2], m[0]);
+  const double middle = y.middle();
+  const double value = p.value * middle + q.value;
+  const double error = p.error * std::abs(middle) + q.error + std::abs(p.value) * (y.high - y.low) +
+                       4 * unit * (std::abs(p.value * middle) + std::abs(q.value));
+  if (value > error) return 1;
+  if (value < -error) return -1;
+  const ImageLine& el = lines_[line];
+  const ImageLine& em = lines_[other];
+  const Quotient at = exact(y);
+  return ((Number{em.b} * Number{el.a} - Number{el.b} * Number{em.a}) * at.numerator +
+          (Number{em.c} * Number{el.a} - Number{el.c} * Number{em.a}) * at.denominator)
+      .sign();
+}
+
+double Image::abscissa(std::uint32_t line, double y) const {
+  const auto& l = lines_[line].approximate;
+  return -(l[1] * y + l[2]) / l[0];
+}
+
+}  // namespace sightline::algorithms::montani_re

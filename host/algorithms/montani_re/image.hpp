@@ -1,0 +1,92 @@
+// The image plane of a view, exactly: vertices, the lines through them, ordinates where lines cross, and the
+// two questions that everything built on trapezoids comes down to: which of two ordinates is lower, and which
+// of two lines is farther west at an ordinate.
+//
+// A vertex is (x, y, z) in the camera's frame: x to the right, y up, z away. Its image is (x / z, y / z) in
+// perspective (z > 0), else (x, y). Sizes, |x|, |y|, |z| < 2^37: a line's coefficients 75 bits, an ordinate
+// 151 over 151 bits, both questions 303 bits. They are answered in floating point where its error bound
+// allows, else by integers of 320 bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "host/algorithms/montani_re/wide_integer.hpp"
+#include "host/geometry/integer.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+struct Vertex {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+
+  friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+// a X + b Y + c = 0, a > 0, or a = 0 and b > 0 for a line of one ordinate; no common factor.
+struct ImageLine {
+  geometry::Int128 a = 0;
+  geometry::Int128 b = 0;
+  geometry::Int128 c = 0;
+  std::array<double, 3> approximate{};
+  std::uint32_t from = 0;  // vertices
+  std::uint32_t to = 0;
+
+  [[nodiscard]] bool horizontal() const { return a == 0; }
+};
+
+// Of a vertex (`second` none), or of the crossing of two lines.
+struct Ordinate {
+  double low = 0;  // bounds of its value
+  double high = 0;
+  std::uint32_t first = 0;
+  std::uint32_t second = none;
+
+  [[nodiscard]] double middle() const { return low + (high - low) / 2; }
+};
+
+class Image {
+ public:
+  explicit Image(bool perspective) : perspective_(perspective) {}
+
+  std::uint32_t add_vertex(const Vertex& v);
+  // Two vertices whose images differ (precondition: distinct_images).
+  std::uint32_t add_line(std::uint32_t from, std::uint32_t to);
+  [[nodiscard]] bool distinct_images(std::uint32_t v, std::uint32_t w) const;
+
+  [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] const std::vector<Vertex>& vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<ImageLine>& lines() const { return lines_; }
+  [[nodiscard]] std::int64_t weight(std::uint32_t v) const { return perspective_ ? vertices_[v].z : 1; }
+
+  [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const;
+  // Of two lines that are neither parallel nor horizontal.
+  [[nodiscard]] Ordinate crossing(std::uint32_t line, std::uint32_t other) const;
+
+  // Negative, zero or positive: a is lower than, as high as, higher than b.
+  [[nodiscard]] int compare(const Ordinate& a, const Ordinate& b) const;
+  // Negative, zero or positive: at y, `line` is to the west of, on, to the east of `other`. None horizontal.
+  [[nodiscard]] int order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const;
+  // The abscissa of a line there, in floating point.
+  [[nodiscard]] double abscissa(std::uint32_t line, double y) const;
+
+  using Number = Wide<5>;
+  struct Quotient {
+    Number numerator;
+    Number denominator;  // positive
+  };
+  [[nodiscard]] Quotient exact(const Ordinate& y) const;
+
+ private:
+  bool perspective_;
+  std::vector<Vertex> vertices_;
+  std::vector<ImageLine> lines_;
+};
+
+}  // namespace sightline::algorithms::montani_re

@@ -1,0 +1,272 @@
+#include "host/algorithms/montani_re/trapezoid_pcs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+bool kept(Operation operation, bool in_a, bool in_b) {
+  switch (operation) {
+    case Operation::unite: return in_a || in_b;
+    case Operation::intersect: return in_a && in_b;
+    case Operation::subtract: return in_a && !in_b;
+  }
+  return false;
+}
+
+// A band that goes on where the one below ended, with the same sides, is the same band.
+void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
+                 std::span<const Side> sides) {
+  if (sides.empty()) return;
+  if (!pcs.bands.empty()) {
+    Band& last = pcs.bands.back();
+    const auto before = pcs.sides_of(last);
+    if (std::equal(before.begin(), before.end(), sides.begin(), sides.end()) &&
+        image.compare(last.high, low) == 0) {
+      last.high = high;
+      return;
+    }
+  }
+  pcs.bands.push_back(
+      {low, high, static_cast<std::uint32_t>(pcs.sides.size()), static_cast<std::uint32_t>(sides.size())});
+  pcs.sides.insert(pcs.sides.end(), sides.begin(), sides.end());
+}
+
+class Combination {
+ public:
+  Combination(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b, Operation operation)
+      : image_(image), a_(a), b_(b), operation_(operation) {}
+
+  TrapezoidPcs run() {
+    std::size_t i = 0;
+    std::size_t j = 0;
+    const Ordinate* reached = nullptr;
+    while (i < a_.bands.size() || j < b_.bands.size()) {
+      const bool need_a = operation_ != Operation::unite && i == a_.bands.size();
+      const bool need_b = operation_ == Operation::intersect && j == b_.bands.size();
+      if (need_a || need_b) break;
+      const Band* a = i < a_.bands.size() ? &a_.bands[i] : nullptr;
+      const Band* b = j < b_.bands.size() ? &b_.bands[j] : nullptr;
+      const Ordinate* from_a = a == nullptr ? nullptr : later(a->low, reached);
+      const Ordinate* from_b = b == nullptr ? nullptr : later(b->low, reached);
+      const int first = from_a == nullptr ? 1 : from_b == nullptr ? -1 : image_.compare(*from_a, *from_b);
+      const bool in_a = first <= 0;
+      const bool in_b = first >= 0;
+      const Ordinate* low = in_a ? from_a : from_b;
+      const Ordinate* high = earlier(a == nullptr ? nullptr
+                                     : in_a       ? &a->high
+                                                  : &a->low,
+                                     b == nullptr ? nullptr
+                                     : in_b       ? &b->high
+                                                  : &b->low);
+      append(*low, *high, in_a ? a_.sides_of(*a) : std::span<const Side>{},
+             in_b ? b_.sides_of(*b) : std::span<const Side>{});
+      if (in_a && image_.compare(a->high, *high) == 0) ++i;
+      if (in_b && image_.compare(b->high, *high) == 0) ++j;
+      reached = high;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Member {
+    Side side;
+    bool of_a = false;
+  };
+
+  [[nodiscard]] const Ordinate* later(const Ordinate& low, const Ordinate* reached) const {
+    return reached != nullptr && image_.compare(*reached, low) > 0 ? reached : &low;
+  }
+  [[nodiscard]] const Ordinate* earlier(const Ordinate* one, const Ordinate* other) const {
+    if (one == nullptr || other == nullptr) return one == nullptr ? other : one;
+    return image_.compare(*one, *other) <= 0 ? one : other;
+  }
+
+  void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b) {
+    if (a.empty() && operation_ != Operation::unite) return;
+    if (b.empty() && operation_ == Operation::intersect) return;
+    if (a.empty() || b.empty()) {
+      append_band(image_, result_, low, high, a.empty() ? b : a);
+      return;
+    }
+    Ordinate from = low;
+    for (;;) {
+      merge(from, high, a, b);
+      const Ordinate* crossing = nullptr;
+      Ordinate lowest;
+      for (std::size_t k = 0; k + 1 < row_.size(); ++k) {
+        const std::uint32_t west = row_[k].side.line;
+        const std::uint32_t east = row_[k + 1].side.line;
+        if (row_[k].of_a == row_[k + 1].of_a || image_.order_at(west, east, high) <= 0) continue;
+        const Ordinate here = image_.crossing(west, east);
+        if (crossing == nullptr || image_.compare(here, lowest) < 0) lowest = here;
+        crossing = &lowest;
+      }
+      toggle(from, high);
+      append_band(image_, result_, from, crossing != nullptr ? lowest : high, out_);
+      if (crossing == nullptr) return;
+      from = lowest;
+    }
+  }
+
+  // Both rows in the order just above `from`.
+  void merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a, std::span<const Side> b) {
+    row_.clear();
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < a.size() || j < b.size()) {
+      bool take_a = j == b.size();
+      if (!take_a && i < a.size()) {
+        int order = image_.order_at(a[i].line, b[j].line, from);
+        if (order == 0) order = image_.order_at(a[i].line, b[j].line, high);
+        take_a = order <= 0;
+      }
+      row_.push_back(take_a ? Member{a[i], true} : Member{b[j], false});
+      ++(take_a ? i : j);
+    }
+  }
+
+  // The sides of the result: sides that coincide are passed at once.
+  void toggle(const Ordinate& from, const Ordinate& high) {
+    out_.clear();
+    bool in_a = false;
+    bool in_b = false;
+    for (std::size_t k = 0; k < row_.size();) {
+      const bool before = kept(operation_, in_a, in_b);
+      std::size_t end = k;
+      const Member* side = &row_[k];
+      bool own = false;
+      do {
+        (row_[end].of_a ? in_a : in_b) ^= true;
+        if (row_[end].of_a) {
+          side = &row_[end];
+          own = own || row_[end].side.own;
+        }
+        ++end;
+      } while (end < row_.size() && image_.order_at(row_[k].side.line, row_[end].side.line, from) == 0 &&
+               image_.order_at(row_[k].side.line, row_[end].side.line, high) == 0);
+      if (kept(operation_, in_a, in_b) != before) out_.push_back({side->side.line, own});
+      k = end;
+    }
+  }
+
+  const Image& image_;
+  const TrapezoidPcs& a_;
+  const TrapezoidPcs& b_;
+  Operation operation_;
+  TrapezoidPcs result_;
+  std::vector<Member> row_;
+  std::vector<Side> out_;
+};
+
+}  // namespace
+
+TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines) {
+  struct Span {
+    std::uint32_t line = 0;
+    Ordinate low;
+    Ordinate high;
+  };
+  std::vector<Span> spans;
+  std::vector<Ordinate> levels;
+  for (const std::uint32_t line : lines) {
+    if (image.lines()[line].horizontal()) continue;
+    Span span{line, image.ordinate_of(image.lines()[line].from), image.ordinate_of(image.lines()[line].to)};
+    if (image.compare(span.low, span.high) > 0) std::swap(span.low, span.high);
+    spans.push_back(span);
+    levels.push_back(span.low);
+    levels.push_back(span.high);
+  }
+  std::sort(levels.begin(), levels.end(),
+            [&image](const Ordinate& a, const Ordinate& b) { return image.compare(a, b) < 0; });
+  levels.erase(
+      std::unique(levels.begin(), levels.end(),
+                  [&image](const Ordinate& a, const Ordinate& b) { return image.compare(a, b) == 0; }),
+      levels.end());
+  TrapezoidPcs pcs;
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+    sides.clear();
+    for (const Span& span : spans) {
+      if (image.compare(span.low, levels[k]) <= 0 && image.compare(span.high, levels[k + 1]) >= 0) {
+        sides.push_back({span.line, true});
+      }
+    }
+    std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+      const int order = image.order_at(a.line, b.line, levels[k]);
+      return order != 0 ? order < 0 : image.order_at(a.line, b.line, levels[k + 1]) < 0;
+    });
+    append_band(image, pcs, levels[k], levels[k + 1], sides);
+  }
+  return pcs;
+}
+
+TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b, Operation operation) {
+  return Combination(image, a, b, operation).run();
+}
+
+std::vector<TrapezoidPcs> components(const Image& image, const TrapezoidPcs& pcs) {
+  const std::size_t count = pcs.sides.size() / 2;  // substripes, numbered through
+  std::vector<std::size_t> parent(count);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&parent](std::size_t k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
+  const auto wide = [&](std::size_t west, std::size_t east, const Ordinate& y) {
+    return image.order_at(pcs.sides[west].line, pcs.sides[east].line, y) < 0;
+  };
+  for (std::size_t i = 0; i + 1 < pcs.bands.size(); ++i) {
+    const Band& below = pcs.bands[i];
+    const Band& above = pcs.bands[i + 1];
+    if (image.compare(below.high, above.low) != 0) continue;
+    const Ordinate& y = above.low;
+    for (std::size_t p = below.first; p < below.first + below.count; p += 2) {
+      for (std::size_t q = above.first; q < above.first + above.count; q += 2) {
+        if (wide(p, p + 1, y) && wide(q, q + 1, y) && wide(p, q + 1, y) && wide(q, p + 1, y)) {
+          parent[root(p / 2)] = root(q / 2);
+        }
+      }
+    }
+  }
+  std::vector<TrapezoidPcs> parts;
+  std::vector<std::uint32_t> number(count, none);
+  std::vector<Side> pair(2);
+  for (const Band& band : pcs.bands) {
+    std::vector<std::vector<Side>> rows(parts.size());
+    for (std::size_t p = band.first; p < band.first + band.count; p += 2) {
+      std::uint32_t& part = number[root(p / 2)];
+      if (part == none) {
+        part = static_cast<std::uint32_t>(parts.size());
+        parts.emplace_back();
+        rows.emplace_back();
+      }
+      rows[part].push_back(pcs.sides[p]);
+      rows[part].push_back(pcs.sides[p + 1]);
+    }
+    for (std::size_t part = 0; part < rows.size(); ++part) {
+      append_band(image, parts[part], band.low, band.high, rows[part]);
+    }
+  }
+  return parts;
+}
+
+double area(const Image& image, const TrapezoidPcs& pcs) {
+  double sum = 0;
+  for (const Band& band : pcs.bands) {
+    const double low = band.low.middle();
+    const double high = band.high.middle();
+    const auto sides = pcs.sides_of(band);
+    for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
+      const double width = image.abscissa(sides[k + 1].line, low) - image.abscissa(sides[k].line, low) +
+                           image.abscissa(sides[k + 1].line, high) - image.abscissa(sides[k].line, high);
+      sum += width / 2 * (high - low);
+    }
+  }
+  return sum;
+}
+
+}  // namespace sightline::algorithms::montani_re

@@ -1,0 +1,58 @@
+// Parallel Connected Stripes for any edges: bands of their own height, every side a piece of a line of the
+// image, both exact. The set operations are those of the lattice form: sides from west to east, a side of the
+// result where membership changes; where sides cross inside a band, the band is split there.
+//
+// Every region has its own breakpoints (its corners and the crossings that set operations found), never
+// stripes common to a whole scene: those would make the growth quadratic.
+//
+// Laws: bands ascend and do not overlap; sides in a band ascend from west to east and do not cross inside it,
+// their number is even and not 0; bands that touch differ in their sides.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/algorithms/montani_re/image.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+struct Side {
+  std::uint32_t line = 0;
+  bool own = false;  // a piece of an edge of the region itself, not a cut made by another
+
+  friend bool operator==(const Side&, const Side&) = default;
+};
+
+struct Band {
+  Ordinate low;
+  Ordinate high;
+  std::uint32_t first = 0;  // into the sides
+  std::uint32_t count = 0;
+};
+
+struct TrapezoidPcs {
+  std::vector<Band> bands;
+  std::vector<Side> sides;
+
+  [[nodiscard]] std::span<const Side> sides_of(const Band& band) const {
+    return {sides.data() + band.first, band.count};
+  }
+  [[nodiscard]] bool empty() const { return bands.empty(); }
+};
+
+// The region of rings of lines, those that are horizontal left out, by the even-odd rule. All sides are own.
+[[nodiscard]] TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines);
+
+enum class Operation { unite, intersect, subtract };
+// A side is own in the result if it is one of a's.
+[[nodiscard]] TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b,
+                                   Operation operation);
+
+// Connected parts; parts that only touch in a point are apart.
+[[nodiscard]] std::vector<TrapezoidPcs> components(const Image& image, const TrapezoidPcs& pcs);
+
+// In floating point.
+[[nodiscard]] double area(const Image& image, const TrapezoidPcs& pcs);
+
+}  // namespace sightline::algorithms::montani_re

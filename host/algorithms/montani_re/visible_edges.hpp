@@ -1,0 +1,33 @@
+// Montani and Re's algorithm in object space: what is seen of the edges of a polyhedral scene, exactly.
+//
+// An edge is drawn where it bounds what is seen of one of its faces. Where an edge lies exactly behind the
+// outline of a nearer face, only that outline is drawn: the pictures of `exact` and of this algorithm are
+// then equal as sets of points (picture::image_set), else by ==. Edges of faces seen edge-on alone are not
+// drawn.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/cell_scene.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+struct LineView {
+  picture::LinePicture picture;
+  RegionCounts counts;
+};
+
+// The scene is a checked one (precondition). An error names faces that pass through each other, or in
+// perspective one that reaches behind the eye.
+[[nodiscard]] std::variant<LineView, scene::SceneError> visible_edges(const scene::PolyScene& scene,
+                                                                      const scene::PolyCamera& camera);
+
+// The own sides and horizontal edges of the regions, as pieces of the edges of the set.
+[[nodiscard]] picture::LinePicture edges_of_regions(const FaceSet& set,
+                                                    const std::vector<TrapezoidPcs>& regions);
+
+}  // namespace sightline::algorithms::montani_re

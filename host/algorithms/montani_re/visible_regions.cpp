@@ -1,0 +1,116 @@
+#include "host/algorithms/montani_re/visible_regions.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "host/algorithms/montani_re/depth_relations.hpp"
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+// Deletes relations on cycles and notes which faces are to be cut by which.
+class CycleCutter {
+ public:
+  CycleCutter(const FaceSet& set, std::span<const Relation> relations, RegionCounts& counts)
+      : set_(set), relations_(relations), counts_(counts), areas_(relations.size(), -1) {}
+
+  std::vector<std::uint32_t> operator()(std::span<const std::uint32_t> on_cycles) {
+    std::vector<std::uint32_t> spurious;
+    for (const std::uint32_t r : on_cycles) {
+      if (areas_[r] >= 0) continue;
+      const Overlap overlap = overlap_of(set_, relations_[r].near, relations_[r].far);
+      areas_[r] = overlap.area;
+      if (!overlap.overlaps) spurious.push_back(r);
+    }
+    if (!spurious.empty()) {
+      counts_.spurious += spurious.size();
+      return spurious;
+    }
+    const std::uint32_t least = *std::min_element(on_cycles.begin(), on_cycles.end(), [this](auto a, auto b) {
+      return areas_[a] != areas_[b] ? areas_[a] < areas_[b] : a < b;
+    });
+    ++counts_.cuts;
+    cut.push_back(least);
+    return {least};
+  }
+
+  std::vector<std::uint32_t> cut;  // relations
+
+ private:
+  const FaceSet& set_;
+  std::span<const Relation> relations_;
+  RegionCounts& counts_;
+  std::vector<double> areas_;  // of what both cover; negative: not known yet
+};
+
+void subtract(const FaceSet& set, TrapezoidPcs& region, const TrapezoidPcs& other, RegionCounts& counts) {
+  if (region.empty()) return;
+  ++counts.subtractions;
+  region = combine(set.image, region, other, Operation::subtract);
+}
+
+// Every face less those before it in the list that are its neighbours in the relations, nearest first.
+void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result) {
+  std::vector<std::uint32_t> rank(set.faces.size());
+  std::uint32_t next = 0;
+  for (const PriorityClass& members : result.list.classes()) {
+    for (const std::uint32_t face : members) rank[face] = next++;
+  }
+  std::vector<std::vector<std::uint32_t>> before(set.faces.size());
+  for (const Relation& relation : relations) {
+    if (rank[relation.near] < rank[relation.far]) before[relation.far].push_back(relation.near);
+  }
+  for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
+    std::sort(before[face].begin(), before[face].end(),
+              [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
+    for (const std::uint32_t near : before[face]) {
+      subtract(set, result.regions[face], set.faces[near].pcs, result.counts);
+    }
+  }
+}
+
+void hide_by_silhouette(const FaceSet& set, VisibleRegions& result) {
+  TrapezoidPcs silhouette;
+  for (const PriorityClass& members : result.list.classes()) {
+    for (const std::uint32_t face : members) {
+      TrapezoidPcs& region = result.regions[face];
+      subtract(set, region, silhouette, result.counts);
+      silhouette = combine(set.image, silhouette, region, Operation::unite);
+    }
+  }
+}
+
+}  // namespace
+
+VisibleRegions visible_regions(const FaceSet& set, Silhouette silhouette) {
+  VisibleRegions result;
+  DepthRelations depth = depth_relations(set);
+  result.counts.decided_by = depth.decided_by;
+  result.counts.relations = depth.relations.size();
+  if (depth.interpenetrating) {
+    result.interpenetrating = depth.interpenetrating;
+    return result;
+  }
+  CycleCutter cutter(set, depth.relations, result.counts);
+  result.list =
+      priority_list(static_cast<std::uint32_t>(set.faces.size()), depth.relations,
+                    [&cutter](std::span<const std::uint32_t> on_cycles) { return cutter(on_cycles); });
+  for (const Face& face : set.faces) result.regions.push_back(face.pcs);
+  for (const std::uint32_t r : cutter.cut) {
+    const Relation& relation = depth.relations[r];
+    subtract(set, result.regions[relation.far], set.faces[relation.near].pcs, result.counts);
+  }
+  result.counts.mutual_parts = depth.hidden.size();
+  for (const HiddenPart& part : depth.hidden)
+    subtract(set, result.regions[part.face], part.part, result.counts);
+  if (silhouette == Silhouette::whole) {
+    hide_by_silhouette(set, result);
+  } else {
+    hide_by_neighbours(set, depth.relations, result);
+  }
+  for (const TrapezoidPcs& region : result.regions) result.counts.sides += region.sides.size();
+  return result;
+}
+
+}  // namespace sightline::algorithms::montani_re

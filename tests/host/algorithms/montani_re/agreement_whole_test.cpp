@@ -1,0 +1,17 @@
+// The whole generated set against `exact`, from more cameras than an unoptimised build can draw in time.
+#include <gtest/gtest.h>
+
+#include "tests/host/algorithms/montani_re/agreement.hpp"
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+TEST(MontaniReAgreementWhole, GeneratedSet) {
+  for (const auto& [family, agreement] : compare_generated_set(1, 10)) {
+    EXPECT_EQ(agreement.first_wrong, "") << family;
+    EXPECT_EQ(agreement.equal + agreement.same_image + agreement.refused, agreement.views) << family;
+  }
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::montani_re
