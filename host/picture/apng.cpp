@@ -1,0 +1,135 @@
+// See apng.hpp. A frame's IDAT is taken over from the encoded PNG; the ones after the first become fdAT.
+#include "host/picture/apng.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace sightline::picture {
+
+namespace {
+
+constexpr std::size_t signature_size = 8;
+
+// The cyclic redundancy code of chunks (PNG specification, annex D): polynomial 0xEDB88320, reflected.
+std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
+  static constexpr auto table = [] {
+    std::array<std::uint32_t, 256> entries{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+      std::uint32_t c = n;
+      for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
+      entries[n] = c;
+    }
+    return entries;
+  }();
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const std::uint8_t byte : bytes) crc = table[(crc ^ byte) & 0xFFU] ^ (crc >> 8);
+  return ~crc;
+}
+
+void put32(Bytes& bytes, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+void put16(Bytes& bytes, std::uint16_t value) {
+  bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+  bytes.push_back(static_cast<std::uint8_t>(value));
+}
+
+std::uint32_t get32(std::span<const std::uint8_t> bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | bytes[i];
+  return value;
+}
+
+// Length, type, data, code over type and data.
+void put_chunk(Bytes& bytes, std::string_view type, std::span<const std::uint8_t> data) {
+  put32(bytes, static_cast<std::uint32_t>(data.size()));
+  const std::size_t begin = bytes.size();
+  bytes.insert(bytes.end(), type.begin(), type.end());
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  put32(bytes, crc_of(std::span(bytes).subspan(begin)));
+}
+
+struct Chunk {
+  std::string_view type;
+  std::span<const std::uint8_t> data;
+  std::span<const std::uint8_t> whole;
+};
+
+// Of a PNG that was just encoded, and is therefore in order.
+template <class Visit>
+void for_chunks(const Bytes& png, Visit&& visit) {
+  std::size_t at = signature_size;
+  while (at + 12 <= png.size()) {
+    const std::span<const std::uint8_t> rest = std::span(png).subspan(at);
+    const std::size_t length = get32(rest);
+    visit(Chunk{{reinterpret_cast<const char*>(rest.data()) + 4, 4}, rest.subspan(8, length),
+                rest.subspan(0, length + 12)});
+    at += length + 12;
+  }
+}
+
+void append(Bytes& bytes, std::span<const std::uint8_t> more) {
+  bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
+    : time_(time), plays_(plays), text_(std::move(text)) {}
+
+Result<Done> ApngWriter::add(const Image& image) {
+  if (frames_ > 0 && (image.width != width_ || image.height != height_ || image.channels != channels_)) {
+    return FileError{"APNG", "frame " + std::to_string(frames_),
+                     std::to_string(image.width) + " by " + std::to_string(image.height),
+                     std::to_string(width_) + " by " + std::to_string(height_) + " as the first one"};
+  }
+  const auto png = encode_png(image, frames_ == 0 ? text_ : TextEntries());
+  if (!png) return png.error();
+  width_ = image.width;
+  height_ = image.height;
+  channels_ = image.channels;
+  Bytes control;
+  put32(control, sequence_++);
+  put32(control, static_cast<std::uint32_t>(width_));
+  put32(control, static_cast<std::uint32_t>(height_));
+  put32(control, 0);  // at the left
+  put32(control, 0);  // and top
+  put16(control, time_.numerator);
+  put16(control, time_.denominator);
+  control.push_back(0);  // left as it is when the next one comes,
+  control.push_back(0);  // which replaces it
+  put_chunk(body_, "fcTL", control);
+  if (frames_ == 0) append(head_, std::span(*png).first(signature_size));
+  for_chunks(*png, [&](const Chunk& chunk) {
+    if (chunk.type == "IDAT" && frames_ > 0) {
+      Bytes data;
+      put32(data, sequence_++);
+      append(data, chunk.data);
+      put_chunk(body_, "fdAT", data);
+    } else if (chunk.type == "IDAT") {
+      append(body_, chunk.whole);
+    } else if (frames_ == 0 && chunk.type != "IEND") {
+      append(head_, chunk.whole);
+    }
+  });
+  ++frames_;
+  return Done{};
+}
+
+Result<Bytes> ApngWriter::finish() const {
+  if (frames_ == 0) return FileError{"APNG", "", "no frame", "one or more"};
+  Bytes bytes = head_;
+  Bytes animation;
+  put32(animation, frames_);
+  put32(animation, plays_);
+  put_chunk(bytes, "acTL", animation);
+  append(bytes, body_);
+  put_chunk(bytes, "IEND", {});
+  return bytes;
+}
+
+}  // namespace sightline::picture
