@@ -1,0 +1,40 @@
+// The boundary around a surface within which distance may give a wrong order, and the pair test built on it.
+//
+// oval: all points nearer to the surface than its length L (in three dimensions its diameter), Fig. 6's solid
+//   line. ball: the smallest such boundary, the union of the balls about the vertices v with radius rho(v),
+//   the distance of v from the farthest vertex; in plan the two circles of Fig. 6's broken line.
+// A pair is a cluster iff either surface has a point in the boundary of the other, on it included (the test
+// is made both ways, because it is not symmetric), and one can obscure the other at all.
+#pragma once
+
+#include <cstdint>
+
+#include "host/algorithms/willis/surface.hpp"
+
+namespace sightline::algorithms::willis {
+
+enum class BoundaryShape { oval, ball };
+
+struct PairRules {
+  BoundaryShape shape = BoundaryShape::ball;
+  // The paper's third condition of property 6, that normals be within 90 degrees (90 included). It is wrong:
+  // real occlusions break it, and then pixels are.
+  bool rule90 = false;
+};
+
+// Property 6: whether s, turned to the eye, can hide any of t, turned to the eye, from anywhere: t has a
+// point behind the plane of s, and s one before the plane of t. False for two faces of one convex solid and
+// for two in one plane.
+[[nodiscard]] bool can_obscure(const Surface& s, const Surface& t, bool rule90 = false);
+
+// p is in the boundary of s, or on it.
+[[nodiscard]] bool in_boundary(const Surface& s, const Point& p, BoundaryShape shape);
+
+[[nodiscard]] bool clustered(const Surface& s, const Surface& t, const PairRules& rules);
+
+// Areas of the boundaries of a wall of length 1 in plan.
+[[nodiscard]] double oval_area();           // pi + 2
+[[nodiscard]] double two_circles_area();    // 4 pi / 3 + sqrt(3) / 2
+[[nodiscard]] double halves_ovals_area();   // of the union of the ovals of its two halves: 1 + pi / 4
+
+}  // namespace sightline::algorithms::willis

@@ -1,0 +1,287 @@
+// See distance.hpp. One set of formulas, for double and for fractions of any length.
+#include "host/algorithms/willis/distance.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace sightline::algorithms::willis {
+
+namespace {
+
+using Exact = mpq_class;
+
+template <class Number>
+using Vector = std::array<Number, 3>;
+
+template <class Number>
+Number number(std::int64_t n) {
+  return Number(static_cast<long>(n));
+}
+template <>
+double number<double>(std::int64_t n) {
+  return static_cast<double>(n);
+}
+
+template <class Number>
+Vector<Number> vector(const Vector3& v) {
+  return {number<Number>(v[0]), number<Number>(v[1]), number<Number>(v[2])};
+}
+
+template <class Number>
+Number dot(const Vector<Number>& a, const Vector<Number>& b) {
+  return Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+template <class Number>
+Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return {Number(a[1] * b[2] - a[2] * b[1]), Number(a[2] * b[0] - a[0] * b[2]),
+          Number(a[0] * b[1] - a[1] * b[0])};
+}
+
+// Squared distance of p from the segment a, b. Where rounding takes an end for the foot of the perpendicular
+// or the other way round, the two hardly differ; so with polygons below.
+template <class Number>
+Number to_segment(const Point& p, const Point& a, const Point& b) {
+  const auto along = vector<Number>(between(b, a));
+  const auto away = vector<Number>(between(p, a));
+  const Number foot = dot(away, along);
+  const Number length = dot(along, along);
+  if (foot <= 0) return dot(away, away);
+  if (foot >= length) {
+    const auto beyond = vector<Number>(between(p, b));
+    return dot(beyond, beyond);
+  }
+  return Number(dot(away, away) - foot * foot / length);
+}
+
+template <class Number>
+Number to_polygon(const Point& p, const std::vector<Point>& polygon, const Vector3& plane_normal) {
+  if (polygon.size() == 2) return to_segment<Number>(p, polygon[0], polygon[1]);
+  const auto normal = vector<Number>(plane_normal);
+  bool inside = true;
+  for (std::size_t i = 0; inside && i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    inside = dot(cross(normal, vector<Number>(between(b, a))), vector<Number>(between(p, a))) >= 0;
+  }
+  if (inside) {
+    const Number height = dot(normal, vector<Number>(between(p, polygon[0])));
+    return Number(height * height / dot(normal, normal));
+  }
+  Number least = to_segment<Number>(p, polygon.back(), polygon.front());
+  for (std::size_t i = 1; i < polygon.size(); ++i)
+    least = std::min(least, to_segment<Number>(p, polygon[i - 1], polygon[i]));
+  return least;
+}
+
+// What can differ from the truth by rounding, as a part of the squared lengths that went in: the formulas take
+// some twenty roundings, each of which may be off by 2^-53.
+constexpr double rounding = 64 * 0x1p-53;
+// Between lines that are not too near to being parallel (flat_angle), the normal loses half of the digits.
+constexpr double crossing_rounding = 1e-8;
+constexpr double flat_angle = 1e-8;  // squared sine
+
+double reach(const Point& p, const std::vector<Point>& polygon) {
+  double most = 0;
+  for (const Point& q : polygon) most = std::max(most, static_cast<double>(squared_distance(p, q)));
+  // An edge is no longer than two of these.
+  return 4 * most;
+}
+
+// Yes, no, or too close to tell.
+std::optional<bool> settled(double distance, double uncertain, std::uint64_t limit) {
+  const auto bound = static_cast<double>(limit);
+  uncertain += bound * 0x1p-52;
+  if (distance + uncertain < bound) return true;
+  if (distance - uncertain > bound) return false;
+  return std::nullopt;
+}
+
+Exact exact_limit(std::uint64_t limit) {
+  const mpz_class high(static_cast<unsigned long>(limit));
+  return Exact(high);
+}
+
+// Nothing if the common perpendicular of the lines does not meet both segments; for double, `unsure` is set
+// if the lines are too nearly parallel to say.
+template <class Number>
+std::optional<Number> across(const Point& a, const Point& b, const Point& c, const Point& d, bool& unsure) {
+  const auto e = vector<Number>(between(b, a));
+  const auto f = vector<Number>(between(d, c));
+  const auto w = vector<Number>(between(c, a));
+  const auto n = cross(e, f);
+  const Number square = dot(n, n);
+  if (square == 0) return std::nullopt;
+  if constexpr (std::is_same_v<Number, double>) unsure = square < flat_angle * dot(e, e) * dot(f, f);
+  const Number s = dot(cross(w, f), n);
+  const Number t = dot(cross(w, e), n);
+  if (s < 0 || s > square || t < 0 || t > square) return std::nullopt;
+  const Number height = dot(w, n);
+  return Number(height * height / square);
+}
+
+bool edges_within_exactly(const Point& a, const Point& b, const Point& c, const Point& d,
+                          std::uint64_t limit) {
+  bool unsure = false;
+  const auto distance = across<Exact>(a, b, c, d, unsure);
+  return distance && *distance <= exact_limit(limit);
+}
+
+// Only along a common perpendicular: what is nearest at an end is found as the distance of a corner.
+bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d, std::uint64_t limit) {
+  bool unsure = false;
+  const auto distance = across<double>(a, b, c, d, unsure);
+  if (unsure) return edges_within_exactly(a, b, c, d, limit);
+  if (!distance) return false;
+  const double size = static_cast<double>(squared_distance(a, c)) + static_cast<double>(squared_distance(a, b)) +
+                      static_cast<double>(squared_distance(c, d));
+  const auto answer = settled(*distance, size * crossing_rounding, limit);
+  return answer ? *answer : edges_within_exactly(a, b, c, d, limit);
+}
+
+template <class PointTest, class EdgeTest>
+bool any_within(const Surface& s, const Surface& t, PointTest&& point_within, EdgeTest&& edge_within) {
+  for (const Point& p : s.points)
+    if (point_within(p, t)) return true;
+  for (const Point& p : t.points)
+    if (point_within(p, s)) return true;
+  for (std::size_t i = 0; i < s.points.size(); ++i) {
+    for (std::size_t j = 0; j < t.points.size(); ++j) {
+      if (edge_within(s.points[i], s.points[(i + 1) % s.points.size()], t.points[j],
+                      t.points[(j + 1) % t.points.size()]))
+        return true;
+    }
+  }
+  return false;
+}
+
+// Six times the volume of a, b, c, d: below 2^101.
+int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Vector3 u = between(b, a);
+  const Vector3 v = between(c, a);
+  const Vector3 w = between(d, a);
+  const auto minor = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+    return Int128{p} * s - Int128{q} * r;
+  };
+  return geometry::sign(minor(u[1], u[2], v[1], v[2]) * w[0] + minor(u[2], u[0], v[2], v[0]) * w[1] +
+                        minor(u[0], u[1], v[0], v[1]) * w[2]);
+}
+
+// Of points in one plane, seen from the normal's end.
+int turn(const Vector3& normal, const Point& a, const Point& b, const Point& c) {
+  const std::size_t axis = geometry::dominant_axis(normal);
+  const Vector3 u = between(b, a);
+  const Vector3 v = between(c, a);
+  const std::size_t x = (axis + 1) % 3;
+  const std::size_t y = (axis + 2) % 3;
+  const int sign = geometry::sign(Int128{u[x]} * v[y] - Int128{u[y]} * v[x]);
+  return normal[axis] < 0 ? -sign : sign;
+}
+
+// The segment p, q, in the plane of the polygon, has a point of it.
+bool flat_segment_meets(const Point& p, const Point& q, const Surface& t) {
+  // They do not meet iff a side of the polygon, or the segment's line, has them apart.
+  int left = 0;
+  int right = 0;
+  for (const Point& c : t.points) {
+    const int side = turn(t.plane.normal, p, q, c);
+    left += side > 0;
+    right += side < 0;
+  }
+  const auto count = static_cast<int>(t.points.size());
+  if (left == count || right == count) return false;
+  for (std::size_t i = 0; i < t.points.size(); ++i) {
+    const Point& a = t.points[i];
+    const Point& b = t.points[(i + 1) % t.points.size()];
+    if (turn(t.plane.normal, a, b, p) < 0 && turn(t.plane.normal, a, b, q) < 0) return false;
+  }
+  return true;
+}
+
+// In plan all points are in one level plane; segments in one line meet if their boxes do.
+bool segments_meet(const Surface& s, const Surface& t) {
+  const int a = t.plane.side(s.points[0]);
+  const int b = t.plane.side(s.points[1]);
+  const int c = s.plane.side(t.points[0]);
+  const int d = s.plane.side(t.points[1]);
+  if (a * b > 0 || c * d > 0) return false;
+  return true;
+}
+
+bool boxes_apart(const Surface& s, const Surface& t) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto lower = [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; };
+    const auto [s_low, s_high] = std::minmax_element(s.points.begin(), s.points.end(), lower);
+    const auto [t_low, t_high] = std::minmax_element(t.points.begin(), t.points.end(), lower);
+    if ((*s_high)[axis] < (*t_low)[axis] || (*t_high)[axis] < (*s_low)[axis]) return true;
+  }
+  return false;
+}
+
+bool edge_meets(const Point& p, const Point& q, const Surface& t) {
+  const int a = t.plane.side(p);
+  const int b = t.plane.side(q);
+  if (a * b > 0) return false;
+  if (a == 0 && b == 0) return flat_segment_meets(p, q, t);
+  int left = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < t.points.size(); ++i) {
+    const int side = orientation(p, q, t.points[i], t.points[(i + 1) % t.points.size()]);
+    left += side > 0;
+    right += side < 0;
+  }
+  return left == 0 || right == 0;
+}
+
+}  // namespace
+
+std::uint64_t squared_diameter(const std::vector<Point>& points) {
+  std::uint64_t most = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) most = std::max(most, squared_distance(points[i], points[j]));
+  return most;
+}
+
+bool within_exactly(const Point& p, const std::vector<Point>& polygon, const Vector3& normal,
+                    std::uint64_t limit) {
+  return to_polygon<Exact>(p, polygon, normal) <= exact_limit(limit);
+}
+
+bool within(const Point& p, const std::vector<Point>& polygon, const Vector3& normal, std::uint64_t limit) {
+  const auto answer = settled(to_polygon<double>(p, polygon, normal), reach(p, polygon) * rounding, limit);
+  return answer ? *answer : within_exactly(p, polygon, normal, limit);
+}
+
+bool within(const Surface& s, const Surface& t, std::uint64_t limit) {
+  return any_within(
+      s, t, [limit](const Point& p, const Surface& u) { return within(p, u.points, u.plane.normal, limit); },
+      [limit](const Point& a, const Point& b, const Point& c, const Point& d) {
+        return edges_within(a, b, c, d, limit);
+      });
+}
+
+bool within_exactly(const Surface& s, const Surface& t, std::uint64_t limit) {
+  return any_within(
+      s, t,
+      [limit](const Point& p, const Surface& u) { return within_exactly(p, u.points, u.plane.normal, limit); },
+      [limit](const Point& a, const Point& b, const Point& c, const Point& d) {
+        return edges_within_exactly(a, b, c, d, limit);
+      });
+}
+
+bool meet(const Surface& s, const Surface& t) {
+  if (boxes_apart(s, t)) return false;
+  if (s.points.size() == 2) return segments_meet(s, t);
+  for (std::size_t i = 0; i < s.points.size(); ++i)
+    if (edge_meets(s.points[i], s.points[(i + 1) % s.points.size()], t)) return true;
+  for (std::size_t i = 0; i < t.points.size(); ++i)
+    if (edge_meets(t.points[i], t.points[(i + 1) % t.points.size()], s)) return true;
+  return false;
+}
+
+}  // namespace sightline::algorithms::willis

@@ -1,0 +1,30 @@
+// Pairs of boxes that are near each other, by a uniform grid.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/willis/surface.hpp"
+
+namespace sightline::algorithms::willis {
+
+// A box and how far what is in it reaches out, squared; in lattice units.
+struct ReachingBox {
+  Point low{};
+  Point high{};
+  std::uint64_t squared_reach = 0;
+};
+
+[[nodiscard]] ReachingBox box_of(const Surface& s);
+
+// The boxes are as near as the reach of either.
+[[nodiscard]] bool near_each_other(const ReachingBox& a, const ReachingBox& b);
+
+using NumberPair = std::pair<std::uint32_t, std::uint32_t>;  // first < second
+
+// All pairs that are near each other, ascending.
+[[nodiscard]] std::vector<NumberPair> near_pairs(std::span<const ReachingBox> boxes);
+
+}  // namespace sightline::algorithms::willis

@@ -1,0 +1,234 @@
+// Boundary, pair test, distances and cuts: hard cases W1 to W5, W14 to W16 with their inputs, the paper's
+// figures for areas, and the filter against numbers of any length.
+#include "host/algorithms/willis/boundary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "host/algorithms/willis/cut.hpp"
+#include "host/algorithms/willis/distance.hpp"
+#include "tests/host/algorithms/willis/walls.hpp"
+
+namespace sightline::algorithms::willis {
+namespace {
+
+// Whether any of t is in the boundary of s, whichever way they are turned.
+bool reaches(const Surface& t, const Surface& s, BoundaryShape shape) {
+  if (shape == BoundaryShape::oval) return within(s, t, squared_diameter(s.points));
+  for (const Point& v : s.points)
+    if (within(v, t.points, t.plane.normal, squared_diameter(s.points))) return true;
+  return false;
+}
+
+TEST(WillisBoundary, W1ExactlyAtTheLengthIsACluster) {
+  const Surface s = turned(wall({0, 0}, {10, 0}));  // seen from above
+  const auto t = [](std::int32_t z) { return wall({0, z}, {5, z}, 1); };  // seen from below, nothing of it behind s
+  EXPECT_TRUE(reaches(t(10), s, BoundaryShape::oval));
+  EXPECT_TRUE(reaches(t(10), s, BoundaryShape::ball));
+  EXPECT_FALSE(reaches(t(11), s, BoundaryShape::oval));
+  EXPECT_FALSE(reaches(t(11), s, BoundaryShape::ball));
+  // Face to face, neither hides the other; turned the same way, the nearer hides the farther.
+  EXPECT_FALSE(clustered(s, t(10), {}));
+  EXPECT_TRUE(clustered(wall({0, 0}, {10, 0}), t(10), {}));
+  EXPECT_FALSE(clustered(wall({0, 0}, {10, 0}), t(11), {}));
+}
+
+TEST(WillisBoundary, W2NotSymmetricSoTestedBothWays) {
+  const Surface a = wall({0, 0}, {100, 0});
+  const Surface b = wall({50, 30}, {52, 30}, 1);
+  EXPECT_TRUE(reaches(b, a, BoundaryShape::oval));
+  EXPECT_FALSE(reaches(a, b, BoundaryShape::oval));
+  for (const BoundaryShape shape : {BoundaryShape::oval, BoundaryShape::ball}) {
+    EXPECT_TRUE(clustered(a, b, {shape, false}));
+    EXPECT_TRUE(clustered(b, a, {shape, false}));
+  }
+}
+
+TEST(WillisBoundary, W3ChainOfNeighbours) {
+  const auto at = [](std::int32_t z) { return wall({0, z}, {10, z}, static_cast<std::uint32_t>(z)); };
+  for (const BoundaryShape shape : {BoundaryShape::oval, BoundaryShape::ball}) {
+    EXPECT_TRUE(clustered(at(0), at(9), {shape, false}));
+    EXPECT_TRUE(clustered(at(9), at(18), {shape, false}));
+    EXPECT_FALSE(clustered(at(0), at(18), {shape, false}));
+  }
+}
+
+TEST(WillisBoundary, W4OvalAndTwoCircles) {
+  // Ten thousand to one: lengths 2 and 0.001, distance 1.9.
+  const Surface s = wall({0, 0}, {20000, 0});
+  const Surface t = wall({9995, 19000}, {10005, 19000}, 1);
+  EXPECT_TRUE(clustered(s, t, {BoundaryShape::oval, false}));
+  EXPECT_FALSE(clustered(s, t, {BoundaryShape::ball, false}));
+}
+
+TEST(WillisBoundary, W5AreasAsFormulas) {
+  EXPECT_NEAR(two_circles_area() / oval_area(), 0.98312, 5e-6);  // "about 2 %" less
+  EXPECT_NEAR(halves_ovals_area() / oval_area(), 0.34725, 5e-6);  // "about 65 %" less
+}
+
+TEST(WillisBoundary, AreasBySampling) {
+  constexpr std::int32_t length = 1000;
+  const Surface s = wall({0, 0}, {length, 0});
+  const Surface left = wall({0, 0}, {length / 2, 0});
+  const Surface right = wall({length / 2, 0}, {length, 0});
+  std::mt19937 random(7);
+  constexpr int samples = 200'000;
+  int oval = 0;
+  int circles = 0;
+  int halves = 0;
+  // A square of 3 L by 3 L around the wall.
+  for (int i = 0; i < samples; ++i) {
+    const auto place = [&](std::int32_t from) {
+      return from * lattice_unit + static_cast<std::int32_t>(random() % (3U * length * lattice_unit));
+    };
+    const Point p{place(-length), 0, place(-3 * length / 2)};
+    oval += in_boundary(s, p, BoundaryShape::oval);
+    circles += in_boundary(s, p, BoundaryShape::ball);
+    halves += in_boundary(left, p, BoundaryShape::oval) || in_boundary(right, p, BoundaryShape::oval);
+    EXPECT_TRUE(!in_boundary(s, p, BoundaryShape::ball) || in_boundary(s, p, BoundaryShape::oval));
+  }
+  // Five standard deviations of a count of this size.
+  const auto expect = [&](int count, double area) {
+    const double share = area / 9;
+    EXPECT_NEAR(count, share * samples, 5 * std::sqrt(share * (1 - share) * samples)) << area;
+  };
+  expect(oval, oval_area());
+  expect(circles, two_circles_area());
+  expect(halves, halves_ovals_area());
+}
+
+TEST(WillisBoundary, W14NormalsAtRightAnglesCountAsWithin90) {
+  const Surface s = wall({0, 0}, {10, 0});           // normal (0, -10)
+  const Surface t = wall({12, 5}, {12, 15}, 1);      // normal (10, 0)
+  const Surface u = turned(t);                       // normal (-10, 0)
+  const Surface oblique = wall({5, 5}, {15, 15}, 2);  // normal (10, -10)
+  EXPECT_EQ(geometry::dot(s.plane.normal, t.plane.normal), 0);
+  EXPECT_EQ(can_obscure(s, t, true), can_obscure(s, t, false));
+  EXPECT_EQ(can_obscure(s, u, true), can_obscure(s, u, false));
+  EXPECT_TRUE(can_obscure(s, u, true));
+  EXPECT_TRUE(can_obscure(s, oblique, true));
+}
+
+// Normals of (-0.98, -0.17) and (0.98, -0.17), looked at along +z: both are seen, one hides the other.
+TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
+  const Surface near = wall({17, 0}, {0, 98});
+  ASSERT_EQ(near.plane.normal, (Vector3{98, 0, 17}));
+  const Surface s = turned(near);                  // (-98, -17)
+  const Surface t = wall({0, 200}, {17, 298}, 1);  // (98, -17)
+  EXPECT_TRUE(can_obscure(s, t));
+  EXPECT_FALSE(can_obscure(s, t, true));
+}
+
+TEST(WillisBoundary, W15OnThePlaneIsNotBehindIt) {
+  const Surface s = wall({0, 0}, {10, 0});  // seen from z < 0
+  EXPECT_TRUE(can_obscure(s, turned(wall({20, 0}, {30, 5}, 1))));
+  EXPECT_FALSE(can_obscure(s, wall({20, 0}, {30, 0}, 1)));  // in one line
+  EXPECT_FALSE(can_obscure(s, turned(wall({20, 0}, {30, -5}, 1))));
+  EXPECT_FALSE(can_obscure(s, wall({20, 0}, {30, -5}, 1)));
+}
+
+TEST(WillisBoundary, W16HugeCoordinates) {
+  constexpr std::int32_t far = (1 << 18) - 1;
+  const Surface s = wall({-far, -far}, {far, -far});
+  const auto side = static_cast<std::uint64_t>(2 * far) * lattice_unit;
+  EXPECT_EQ(squared_diameter(s.points), side * side);
+  const Surface t = wall({-far, far}, {far, far}, 1);
+  EXPECT_TRUE(clustered(s, t, {}));  // exactly at its length
+  EXPECT_FALSE(within(s.points[0], t.points, t.plane.normal, side * side - 1));
+}
+
+// The same answers with and without the filter, mostly at and next to equality.
+TEST(WillisDistance, FilterAgainstLongNumbers) {
+  std::mt19937 random(3);
+  const auto coordinate = [&](std::int32_t size) {
+    return static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(2 * size)) - size;
+  };
+  int equal = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::int32_t size = i % 3 == 0 ? 4 : i % 3 == 1 ? 3000 : (1 << 29);
+    const auto triangle = [&] {
+      Surface s;
+      for (int k = 0; k < 3; ++k) s.points.push_back({coordinate(size), coordinate(size), coordinate(size)});
+      // Any vector square to the triangle does; a short one, as the planes of scenes have.
+      const Vector3 u = between(s.points[1], s.points[0]);
+      const Vector3 v = between(s.points[2], s.points[0]);
+      if (size < 4000) s.plane.normal = geometry::cross(u, v);
+      return s;
+    };
+    const Surface s = triangle();
+    const Surface t = triangle();
+    if (size > 4000 || geometry::is_zero(s.plane.normal) || geometry::is_zero(t.plane.normal)) continue;
+    const std::uint64_t limit = squared_distance(s.points[0], t.points[0]);
+    for (const std::uint64_t l : {limit, limit - (limit > 0), limit / 2, limit + 1}) {
+      EXPECT_EQ(within(s.points[0], t.points, t.plane.normal, l),
+                within_exactly(s.points[0], t.points, t.plane.normal, l));
+      EXPECT_EQ(within(s, t, l), within_exactly(s, t, l));
+    }
+    equal += within_exactly(s, t, limit) != within_exactly(s, t, limit - (limit > 0));
+  }
+  EXPECT_GT(equal, 10);  // equality is met
+}
+
+TEST(WillisCut, PiecesTileTheSurfaceAndItsDiameterFalls) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 200; ++i) {
+    // A parallelogram on the plane x + y + z = 0, by two integer edges.
+    const auto edge = [&] {
+      const auto a = static_cast<std::int32_t>(random() % 2000) - 1000;
+      const auto b = static_cast<std::int32_t>(random() % 2000) - 1000;
+      return std::array{a, b, -a - b};
+    };
+    const auto u = edge();
+    const auto v = edge();
+    Surface s;
+    s.plane.normal = {1, 1, 1};
+    const auto at = [&](std::int32_t m, std::int32_t n) {
+      return on_lattice({m * u[0] + n * v[0], m * u[1] + n * v[1], m * u[2] + n * v[2]});
+    };
+    s.points = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+    const auto area = [](const Surface& piece) {
+      std::int64_t sum = 0;
+      for (std::size_t k = 2; k < piece.points.size(); ++k) {
+        sum += geometry::cross(between(piece.points[k - 1], piece.points[0]),
+                               between(piece.points[k], piece.points[0]))[0];
+      }
+      return sum;
+    };
+    if (area(s) == 0) continue;
+    const auto halves = halved(s);
+    ASSERT_TRUE(halves);
+    EXPECT_EQ(area((*halves)[0]) + area((*halves)[1]), area(s));
+    for (const Surface& half : *halves) {
+      EXPECT_GT(area(half) * (area(s) > 0 ? 1 : -1), 0);
+      EXPECT_LE(squared_diameter(half.points), squared_diameter(s.points));
+      for (const Point& p : half.points) EXPECT_EQ(half.plane.side(p), 0);
+    }
+  }
+}
+
+TEST(WillisCut, TwelveHalvingsThenTheLattice) {
+  Surface s = wall({0, 0}, {1, 0});
+  for (int i = 0; i < lattice_bits; ++i) {
+    const auto halves = halved(s);
+    ASSERT_TRUE(halves) << i;
+    s = (*halves)[1];
+  }
+  EXPECT_EQ(squared_diameter(s.points), 1U);
+  EXPECT_FALSE(halved(s));
+}
+
+TEST(WillisCut, ByAPlaneOnlyAtLatticePoints) {
+  const Surface s = wall({0, 0}, {10, 5});
+  const auto upright = [](std::int64_t x) { return SurfacePlane{{1, 0, 0}, x}; };
+  const auto pieces = cut_by(s, upright(4));
+  ASSERT_TRUE(pieces);
+  EXPECT_EQ((*pieces)[0].points[0], on_lattice({4, 0, 2}));
+  EXPECT_FALSE(cut_by(s, SurfacePlane{{3, 0, 0}, 10}));
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::willis

@@ -1,0 +1,248 @@
+// Models: clusters cut until there are none, what is left over, order cells; hard cases W6 to W13 with their
+// inputs, and the specification's figures for what wrong order costs at each depth.
+#include "host/algorithms/willis/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "host/algorithms/willis/frame.hpp"
+#include "host/scene/generate_scene.hpp"
+#include "tests/host/algorithms/willis/sight_lines.hpp"
+#include "tests/host/algorithms/willis/walls.hpp"
+
+namespace sightline::algorithms::willis {
+namespace {
+
+Model plan_model(std::vector<Surface> walls, ModelOptions options = {}) {
+  options.plan = true;
+  return make_model(std::move(walls), options);
+}
+
+Model model_of(const scene::PolyScene& scene, const ModelOptions& options = {}) {
+  auto made = make_model(scene, options);
+  return std::get<Model>(std::move(made));
+}
+
+scene::PolyCamera eye_at(std::int32_t x, std::int32_t z) {
+  scene::PolyCamera camera;
+  camera.eye = {x, 0, z};
+  return camera;
+}
+
+TEST(WillisModel, W6TouchingWallsOfDifferentSolids) {
+  const Surface s = wall({0, 0}, {10, 0}, 0);
+  const Surface t = wall({10, 0}, {20, 5}, 1);
+  // As a corner, from its inside or outside, neither can obscure the other.
+  EXPECT_TRUE(plan_model({s, t}).residual.empty());
+  EXPECT_TRUE(plan_model({turned(s), turned(t)}).residual.empty());
+  // One seen from below, the other from above: one can hide the other, and no number of cuts helps.
+  ModelOptions cuts_only;
+  cuts_only.order_cells = false;
+  const Model cut = plan_model({turned(s), t}, cuts_only);
+  EXPECT_FALSE(cut.residual.empty());
+  for (const Residual& pair : cut.residual) EXPECT_EQ(pair.reason, ResidualReason::touching);
+  EXPECT_LE(cut.pieces.size(), 32U);
+  // An order cell does.
+  const Model ordered = plan_model({turned(s), t});
+  EXPECT_TRUE(ordered.residual.empty());
+  EXPECT_EQ(ordered.cells.nodes.size(), 1U);
+}
+
+TEST(WillisModel, W7CubesThatShareFaces) {
+  scene::PolyBuilder builder;
+  builder.add_box("left", {0, 0, 0}, {100, 100, 100});
+  builder.add_box("right", {100, 0, 0}, {200, 100, 100});
+  builder.add_box("on top of left", {0, 100, 0}, {100, 200, 100});
+  const scene::PolyScene scene = builder.take();
+  for (const bool rule90 : {false, true}) {
+    const Model model = model_of(scene, {.rules = {BoundaryShape::ball, rule90}});
+    EXPECT_TRUE(model.residual.empty());
+    EXPECT_EQ(count_lines(model, scene, 500, 1).wrong, 0U);
+  }
+}
+
+TEST(WillisModel, W8EyeOnThePlaneOfAWall) {
+  const Model model = plan_model({wall({0, 0}, {10, 0}, 0), wall({0, 40}, {10, 40}, 1)});
+  Frames frames(model);
+  const auto order = frames.order(eye_at(-5, 0));
+  ASSERT_EQ(order.size(), 1U);  // edge-on is not seen; the other one is as it was
+  EXPECT_EQ(model.pieces[order[0]].face, 1U);
+}
+
+TEST(WillisModel, W9EqualDistances) {
+  // Short walls with their first points at (3, 4), (4, 3), (5, 0), all 5 from the eye, all turned to it.
+  const std::vector<Surface> walls{wall({300, 400}, {298, 401}, 0), wall({400, 300}, {399, 302}, 1),
+                                   wall({500, 0}, {500, 2}, 2)};
+  std::vector<Surface> facing;
+  for (const Surface& w : walls) facing.push_back(w.plane.side({0, 0, 0}) > 0 ? w : turned(w));
+  const Model model = plan_model(facing);
+  Frames frames(model);
+  std::vector<std::uint32_t> firsts;
+  for (const Surface& s : model.pieces) firsts.push_back(squared_distance(s.points[0], {}) ==
+                                                                 squared_distance(on_lattice({500, 0, 0}), {})
+                                                             ? 0U
+                                                             : 1U);
+  const auto order = frames.order(eye_at(0, 0), firsts);
+  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.end()), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(WillisModel, W10LongBesideSmall) {
+  const Model model = plan_model({wall({0, 0}, {1000, 0}, 0), wall({500, 1}, {501, 1}, 1)});
+  EXPECT_TRUE(model.residual.empty());
+  std::size_t small = 0;
+  for (const Surface& s : model.pieces) small += s.face == 1;
+  EXPECT_GT(small, 1U);  // exactly at its own length, so it is cut, too
+  // Bisection: some two pieces for every halving on the way down, not a thousand.
+  EXPECT_GE(model.pieces.size() - small, 12U);
+  EXPECT_LE(model.pieces.size() - small, 40U);
+}
+
+TEST(WillisModel, W11CrossingWalls) {
+  const std::vector<Surface> walls{wall({-5, 0}, {5, 0}, 0), wall({0, -5}, {0, 5}, 1)};
+  const Model cut = plan_model(walls, {.order_cells = false});
+  EXPECT_FALSE(cut.residual.empty());
+  for (const Residual& pair : cut.residual) EXPECT_EQ(pair.reason, ResidualReason::touching);
+  const Model ordered = plan_model(walls);
+  EXPECT_TRUE(ordered.residual.empty());  // cut where they cross
+  EXPECT_EQ(ordered.pieces.size(), 3U);
+}
+
+TEST(WillisModel, W12AnyRepresentativeGivesTheOrder) {
+  const scene::PolyScene scene = prism_town(6, 4000, 30, 5);
+  const Model model = model_of(scene, {.plan = true});
+  ASSERT_TRUE(model.residual.empty());
+  // Eyes on circles of three radii around the middle, a degree apart.
+  for (const double radius : {300.0, 2500.0, 40000.0}) {
+    for (int degree = 0; degree < 360; ++degree) {
+      const double angle = degree * std::numbers::pi / 180;
+      const Point eye = on_lattice({static_cast<std::int32_t>(2000 + radius * std::cos(angle)), 0,
+                                    static_cast<std::int32_t>(2000 + radius * std::sin(angle))});
+      for (std::size_t i = 0; i < model.pieces.size(); i += 3) {
+        const Surface& s = model.pieces[i];
+        if (s.plane.side(eye) <= 0) continue;
+        for (const Surface& t : model.pieces) {
+          if (t.body == s.body || t.plane.side(eye) <= 0) continue;
+          // s hides a point of t: a corner of t on a line through the inside of s, and beyond its plane.
+          for (const Point& b : t.points) {
+            if (s.plane.at(b) >= 0) continue;
+            const auto side = [&](const Point& p) {
+              const Vector3 u = between(b, eye);
+              const Vector3 v = between(p, eye);
+              return geometry::sign(Int128{u[0]} * v[2] - Int128{u[2]} * v[0]);
+            };
+            if (side(s.points[0]) * side(s.points[1]) >= 0) continue;
+            for (const Point& p : s.points)
+              for (const Point& q : t.points) EXPECT_LT(squared_distance(eye, p), squared_distance(eye, q));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(WillisModel, W13EyeAtACorner) {
+  const Model model = plan_model({wall({0, 0}, {10, 0}, 0), wall({-50, 60}, {60, 60}, 1)});
+  Frames frames(model);
+  for (const std::uint32_t piece : frames.order(eye_at(0, 0))) EXPECT_EQ(model.pieces[piece].face, 1U);
+}
+
+// Willis's figures for the prism town (crosscheck, section 5): fewer wrong lines and fewer pairs left over at
+// each further depth, none wrong when none is left.
+TEST(WillisModel, ResidualAndErrorFallWithDepth) {
+  const scene::PolyScene scene = prism_town(35, 20000, 50, 1);
+  std::size_t last = ~std::size_t{0};
+  std::uint64_t wrong_uncut = 0;
+  for (const int depth : {0, 1, 2, 4, 6, 12}) {
+    const Model model = model_of(scene, {.plan = true, .limits = {.depth = depth}});
+    EXPECT_TRUE(model.residual.size() < last || model.residual.empty()) << depth;
+    last = model.residual.size();
+    const SightLines lines = count_lines(model, scene, 3000, 9);
+    if (depth == 0) wrong_uncut = lines.wrong;
+    if (depth >= 4) {
+      EXPECT_EQ(lines.wrong, 0U) << depth;
+    }
+    for (const Residual& pair : model.residual) EXPECT_EQ(pair.reason, ResidualReason::depth);
+    RecordProperty("depth_" + std::to_string(depth),
+                   std::to_string(model.pieces.size()) + " pieces, " + std::to_string(last) + " left, " +
+                       std::to_string(lines.wrong) + " of " + std::to_string(lines.with_two) + " wrong");
+  }
+  EXPECT_EQ(last, 0U);
+  EXPECT_GT(wrong_uncut, 0U);
+}
+
+TEST(WillisModel, Rule90LosesWhatItMustNot) {
+  // Two walls both turned to someone at z < 0, normals 160 degrees apart; the first hides the second.
+  const std::vector<Surface> walls{turned(wall({170, 0}, {0, 980}, 0)), wall({0, 1000}, {170, 1980}, 1)};
+  ASSERT_TRUE(can_obscure(walls[0], walls[1]));
+  EXPECT_GT(plan_model(walls).clusters, 0U);
+  const Model paper = plan_model(walls, {.rules = {BoundaryShape::ball, true}});
+  EXPECT_EQ(paper.clusters, 0U);
+  EXPECT_EQ(paper.pieces.size(), 2U);
+}
+
+TEST(WillisModel, LimitsAreNamed) {
+  const std::vector<Surface> walls{wall({0, 0}, {1000, 0}, 0), wall({500, 1}, {501, 1}, 1)};
+  const auto reasons = [&](Limits limits) {
+    const Model model = plan_model(walls, {.limits = limits});
+    EXPECT_FALSE(model.residual.empty());
+    return model.residual.empty() ? ResidualReason::touching : model.residual[0].reason;
+  };
+  EXPECT_EQ(reasons({.depth = 3}), ResidualReason::depth);
+  EXPECT_EQ(reasons({.smallest = 40}), ResidualReason::size);
+  EXPECT_EQ(reasons({.pieces = 6}), ResidualReason::pieces);
+}
+
+TEST(WillisModel, ResidualNamesTheFaces) {
+  scene::PolyBuilder builder;
+  builder.add_box("left", {0, 0, 0}, {100, 100, 100});
+  builder.add_box("right", {120, 0, 0}, {220, 100, 100});
+  const scene::PolyScene scene = builder.take();
+  const Model model = model_of(scene, {.limits = {.depth = 0}});
+  const auto lines = residual_lines(model, scene);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_NE(lines[0].find("body 0 (left) face "), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("and body 1 (right) face "), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("the limit of depth"), std::string::npos) << lines[0];
+}
+
+void expect_right(const scene::PolyScene& scene, const ModelOptions& options = {}) {
+  const Model model = model_of(scene, options);
+  EXPECT_TRUE(model.residual.empty()) << scene.name << ' ' << model.residual.size();
+  const SightLines lines = count_lines(model, scene, 1000, 4);
+  EXPECT_GE(lines.with_two, 1000U) << scene.name;
+  EXPECT_EQ(lines.wrong, 0U) << scene.name;
+}
+
+TEST(WillisModel, OrderCells) {
+  expect_right(scene::generate_touch(2));
+  expect_right(scene::generate_rooms(2));
+  for (const std::uint64_t seed : {1U, 2U, 3U}) expect_right(scene::generate_bricks(8, seed));
+  // A solid that is not convex: a U.
+  scene::PolyBuilder builder;
+  const std::vector<PlanPoint> u{{0, 0}, {300, 0}, {300, 300}, {200, 300}, {200, 100}, {100, 100}, {100, 300}, {0, 300}};
+  add_prism(builder, "U", u, 100);
+  expect_right(builder.take());
+}
+
+TEST(WillisModel, SmallSeparatedScenes) {
+  expect_right(scene::generate_boxes(4));
+  expect_right(scene::generate_triangles(6, 2));
+  expect_right(prism_town(5, 10000, 150, 1), {.rules = {BoundaryShape::oval, false}});
+}
+
+TEST(WillisModel, PlanRefusesWhatIsNoWall) {
+  EXPECT_TRUE(std::holds_alternative<scene::SceneError>(make_model(scene::generate_triangles(3), {.plan = true})));
+  const Model model = model_of(scene::generate_town(4), {.plan = true});
+  scene::PolyCamera camera = scene::generate_town(4).camera;
+  camera.eye[1] = 5000;
+  EXPECT_TRUE(plan_error(model, camera));
+  camera.eye[1] = 50;
+  EXPECT_FALSE(plan_error(model, camera));
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::willis

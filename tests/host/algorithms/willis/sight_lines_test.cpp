@@ -1,0 +1,35 @@
+// A hundred thousand random sight lines over each split model: no wrong order where nothing is left over.
+#include <gtest/gtest.h>
+
+#include "host/scene/generate_scene.hpp"
+#include "tests/host/algorithms/willis/sight_lines.hpp"
+#include "tests/host/algorithms/willis/walls.hpp"
+
+namespace sightline::algorithms::willis {
+namespace {
+
+void expect_right(const scene::PolyScene& scene, const ModelOptions& options = {}) {
+  const auto made = make_model(scene, options);
+  const auto* model = std::get_if<Model>(&made);
+  ASSERT_NE(model, nullptr) << scene.name;
+  EXPECT_TRUE(model->residual.empty()) << scene.name << ' ' << model->residual.size();
+  const SightLines lines = count_lines(*model, scene, 100'000, 1);
+  EXPECT_GE(lines.with_two, 100'000U) << scene.name;
+  EXPECT_EQ(lines.wrong, 0U) << scene.name;
+}
+
+TEST(WillisSightLines, PrismTownInPlan) {
+  expect_right(prism_town(35, 20000, 50, 1), {.plan = true});
+  expect_right(prism_town(35, 20000, 50, 2), {.rules = {BoundaryShape::oval, false}, .plan = true});
+}
+
+TEST(WillisSightLines, PrismTownInSpace) { expect_right(prism_town(12, 20000, 160, 3)); }
+
+TEST(WillisSightLines, Boxes) { expect_right(scene::generate_boxes(12)); }
+
+TEST(WillisSightLines, TouchingCubes) { expect_right(scene::generate_touch(3)); }
+
+TEST(WillisSightLines, Rooms) { expect_right(scene::generate_rooms(3)); }
+
+}  // namespace
+}  // namespace sightline::algorithms::willis
