@@ -22,7 +22,6 @@ set(RULES
   "host/algorithms/plantinga=host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/geometry,host/scene,host/picture"
   "host/algorithms/willis=host/geometry,host/scene,host/picture"
-  "host/algorithms/willis=host/geometry,host/scene,host/picture"
   "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
   "host/harness/report=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators"
   "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
