@@ -212,7 +212,9 @@ int sign_at(const Direction& direction, const LinearForm& form) {
 
 std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
   constexpr double margin = 4 * angle_error;
-  const double width = b.angle > a.angle ? b.angle - a.angle : b.angle - a.angle + 2 * pi;
+  const double apart = b.angle - a.angle;
+  if (std::abs(apart) <= 2 * margin) return std::nullopt;
+  const double width = apart > 0 ? apart : apart + 2 * pi;
   const double middle = a.angle + width / 2;
   Sight sight;
   if (width > 1e-4) {

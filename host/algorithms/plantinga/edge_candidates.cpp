@@ -1,0 +1,369 @@
+// See edge_candidates.hpp.
+#include "host/algorithms/plantinga/edge_candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sightline::algorithms::plantinga {
+namespace {
+
+constexpr double rounding = 1e-15;
+
+struct NearForm {
+  double x = 0;
+  double z = 0;
+
+  [[nodiscard]] double at(const NearDirection& v) const { return x * v.x + z * v.z; }
+};
+
+NearForm near(const LinearForm& form) {
+  return {static_cast<double>(form.x), static_cast<double>(form.z)};
+}
+
+double size_of(const NearForm& form) {
+  return std::abs(form.x) + std::abs(form.z);
+}
+
+// An edge that may cross the one in hand, and its forms against it.
+struct Line {
+  EdgeIndex edge = 0;
+  Crossing exact;
+  NearForm n, d, m;
+  double n_size = 0, d_size = 0, m_size = 0;
+  int order = 0;  // sign of (p1 - p2) . (a1 x a2): the line is nearer where D has the other sign
+  std::int64_t low = 0, high = 0;
+};
+
+// Where a line crosses the edge in one direction.
+struct Meeting {
+  double s = 0;         // on the edge
+  double error = 0;     // of s
+  bool within = false;  // both, as far as can be told
+};
+
+Meeting meeting_of(const Line& line, const NearDirection& v) {
+  const double d = std::abs(line.d.at(v));
+  const double off = v.error + rounding;
+  const double sign = line.d.at(v) < 0 ? -1 : 1;
+  Meeting meeting;
+  meeting.error = d > 0 ? off * (line.n_size + line.m_size + line.d_size) / d : 1;
+  if (!(meeting.error < 1e-2)) return {0.5, 1, true};  // nearly parallel: nothing is sure
+  meeting.s = sign * line.n.at(v) / d;
+  const double other = sign * line.m.at(v) / d;
+  const double slack = meeting.error + 1e-9;
+  meeting.within = meeting.s > -slack && meeting.s < 1 + slack && other > -slack && other < 1 + slack;
+  return meeting;
+}
+
+bool surely_farther(const Line& line, const NearDirection& v) {
+  const double d = line.d.at(v);
+  return std::abs(d) > (v.error + rounding) * line.d_size * 4 && line.order * d > 0;
+}
+
+NearDirection near(const Direction& direction) {
+  return {std::sin(direction.angle), std::cos(direction.angle), 4 * angle_error};
+}
+
+NearDirection turned_round(const NearDirection& v) {
+  return {-v.x, -v.z, v.error};
+}
+
+class Gatherer {
+ public:
+  Gatherer(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
+           const std::vector<Occluder>& occluders)
+      : model_(model),
+        occluders_(occluders),
+        filter_(model, parts, edge, occluders),
+        edge_(edge),
+        ends_(model.edges()[edge]),
+        segment_(model.segment(edge)),
+        level_(segment_.from[1] == segment_.to[1]) {
+    for (const Occluder& occluder : occluders) {
+      if (faces_.empty() || faces_.back() != occluder.face) faces_.push_back(occluder.face);
+    }
+  }
+
+  std::vector<Direction> gather() {
+    gather_lines();
+    own_faces();
+    for (const FaceIndex face : faces_) face_edge_on(face);
+    for (const scene::VertexIndex vertex : vertices_) vertex_on_edge(vertex);
+    for (const Line& line : lines_) {
+      end_behind(ends_.from, 0, line);
+      end_behind(ends_.to, 1, line);
+      // Of one that touches the edge, as solids that touch have, the common plane, as of one that meets it.
+      if (line.order == 0) add(roots_of(line.exact.d));
+    }
+    for (const Occluder& occluder : occluders_) {
+      if (passes_through(occluder)) passage_behind(occluder);
+    }
+    pairs_of_lines();
+    sort_and_group(found_);
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool touches(const picture::LineEdge& other) const {
+    return other.from == ends_.from || other.from == ends_.to || other.to == ends_.from ||
+           other.to == ends_.to;
+  }
+
+  void add(const std::vector<Direction>& directions) {
+    found_.insert(found_.end(), directions.begin(), directions.end());
+  }
+
+  void gather_lines() {
+    std::vector<EdgeIndex> edges;
+    for (const FaceIndex face : faces_) {
+      for (const Corner& corner : model_.corners(face)) {
+        edges.push_back(corner.side);
+        vertices_.push_back(corner.vertex);
+      }
+    }
+    const auto once = [](auto& list) {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    };
+    once(edges);
+    once(vertices_);
+    const auto [low, high] = std::minmax(segment_.from[1], segment_.to[1]);
+    for (const EdgeIndex other : edges) {
+      const Segment line = model_.segment(other);
+      const auto [other_low, other_high] = std::minmax(line.from[1], line.to[1]);
+      if (other == edge_ || other_low > high || other_high < low || touches(model_.edges()[other])) continue;
+      lines_.push_back(line_of(other, line));
+    }
+    std::sort(lines_.begin(), lines_.end(),
+              [](const Line& a, const Line& b) { return a.low != b.low ? a.low < b.low : a.edge < b.edge; });
+  }
+
+  [[nodiscard]] Line line_of(EdgeIndex other, const Segment& segment) const {
+    Line line;
+    line.edge = other;
+    line.exact = crossing_of(segment_, segment);
+    line.n = near(line.exact.n);
+    line.d = near(line.exact.d);
+    line.m = near(line.exact.m);
+    line.n_size = size_of(line.n);
+    line.d_size = size_of(line.d);
+    line.m_size = size_of(line.m);
+    line.order = geometry::sign(geometry::dot(geometry::cross(segment_.along(), segment.along()),
+                                              minus(segment_.from, segment.from)));
+    line.low = std::min(segment.from[1], segment.to[1]);
+    line.high = std::max(segment.from[1], segment.to[1]);
+    return line;
+  }
+
+  // The edge appears, disappears, or runs along one that meets it.
+  void own_faces() {
+    for (const Incidence& incidence : model_.faces_at(edge_)) {
+      add(face_edge_on_events(model_.faces()[incidence.face].normal));
+    }
+    for (const scene::VertexIndex end : {ends_.from, ends_.to}) {
+      for (const EdgeIndex other : model_.edges_at(end)) {
+        if (other == edge_) continue;
+        add(roots_of(form_of(geometry::cross(segment_.along(), model_.segment(other).along()))));
+      }
+    }
+  }
+
+  void face_edge_on(FaceIndex face) {
+    // The image of the face is then a line, on which its lowest and its highest corner lie.
+    Segment image;
+    bool first = true;
+    for (const Corner& corner : model_.corners(face)) {
+      const Vector3& p = model_.vertices()[corner.vertex];
+      if (first || p[1] < image.from[1]) image.from = p;
+      if (first || p[1] > image.to[1]) image.to = p;
+      first = false;
+    }
+    Line line = line_of(edge_, image);
+    for (const Direction& direction : face_edge_on_events(model_.faces()[face].normal)) {
+      const NearDirection v = near(direction);
+      const Meeting meeting = meeting_of(line, v);
+      if (meeting.within && !filter_.hidden(meeting.s, meeting.error, v)) found_.push_back(direction);
+    }
+  }
+
+  // EV, the vertex nearer.
+  void vertex_on_edge(scene::VertexIndex vertex) {
+    const Vector3& p = model_.vertices()[vertex];
+    const std::int64_t rise = segment_.to[1] - segment_.from[1];
+    const std::int64_t above = p[1] - segment_.from[1];
+    if (level_ || vertex == ends_.from || vertex == ends_.to) return;
+    if (rise > 0 ? above < 0 || above > rise : above > 0 || above < rise) return;
+    const Vector3 m = geometry::cross(minus(p, segment_.from), segment_.along());
+    if (m[0] == 0 && m[2] == 0) return;
+    const int sign = rise > 0 ? 1 : -1;
+    consider(static_cast<double>(above) / static_cast<double>(rise), sign * m[2], -sign * m[0]);
+  }
+
+  // EV, an end of the edge behind a line.
+  void end_behind(scene::VertexIndex end, double s, const Line& line) {
+    const Segment other = model_.segment(line.edge);
+    const Vector3& p = model_.vertices()[end];
+    if (line.low == line.high || p[1] < line.low || p[1] > line.high) return;
+    const Vector3 m = geometry::cross(minus(p, other.from), other.along());
+    if (m[0] == 0 && m[2] == 0) return;
+    const int sign = other.to[1] > other.from[1] ? 1 : -1;
+    const double length = std::hypot(static_cast<double>(m[0]), static_cast<double>(m[2]));
+    const NearDirection v{static_cast<double>(-sign * m[2]) / length,
+                          static_cast<double>(sign * m[0]) / length, rounding};
+    if (!filter_.no_contour(line.edge, v)) consider(s, -sign * m[2], sign * m[0]);
+  }
+
+  // The point where the edge passes through the plane of a face is in the face, or nearly.
+  [[nodiscard]] bool passes_through(const Occluder& occluder) const {
+    if (occluder.from == 0 || occluder.to == 0 || (occluder.from < 0) == (occluder.to < 0)) return false;
+    const double s = static_cast<double>(occluder.from) /
+                     (static_cast<double>(occluder.from) - static_cast<double>(occluder.to));
+    bool within = true;
+    for (std::size_t axis = 0; axis < 3 && within; ++axis) {
+      const double at = static_cast<double>(segment_.from[axis]) +
+                        s * static_cast<double>(segment_.to[axis] - segment_.from[axis]);
+      bool above = false;
+      bool below = false;
+      for (const Corner& corner : model_.corners(occluder.face)) {
+        const auto c = static_cast<double>(model_.vertices()[corner.vertex][axis]);
+        above = above || c > at - 1e-3;
+        below = below || c < at + 1e-3;
+      }
+      within = above && below;
+    }
+    return within;
+  }
+
+  // The point where the edge passes through the plane of a face is seen on a line. Only where solids touch
+  // does anything begin or end there.
+  void passage_behind(const Occluder& occluder) {
+    const Int128 whole = Int128{occluder.from} - occluder.to;
+    const Vector3 a = segment_.along();
+    for (const Line& line : lines_) {
+      const Segment other = model_.segment(line.edge);
+      const Vector3 b = other.along();
+      std::array<Int128, 3> q{};  // the point from the line's beginning, times `whole`
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        q[axis] = Int128{segment_.from[axis] - other.from[axis]} * whole + Int128{a[axis]} * occluder.from;
+      }
+      const Int128 x = q[1] * b[2] - q[2] * b[1];
+      const Int128 z = q[0] * b[1] - q[1] * b[0];
+      if (x == 0 && z == 0) continue;
+      const Direction direction = rational_direction(z, -x);
+      found_.push_back(direction);
+      found_.push_back(opposite(direction));
+    }
+  }
+
+  void consider(double s, std::int64_t x, std::int64_t z) {
+    const double length = std::hypot(static_cast<double>(x), static_cast<double>(z));
+    const NearDirection v{static_cast<double>(x) / length, static_cast<double>(z) / length, rounding};
+    if (!filter_.hidden(s, rounding, v)) found_.push_back(rational_direction(x, z));
+  }
+
+  void pairs_of_lines() {
+    const auto [low, high] = std::minmax(segment_.from[1], segment_.to[1]);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const Line& a = lines_[i];
+      for (std::size_t j = i + 1; j < lines_.size() && lines_[j].low <= a.high; ++j) {
+        const Line& b = lines_[j];
+        const std::int64_t bottom = std::max({low, a.low, b.low});
+        const std::int64_t top = std::min({high, a.high, b.high});
+        if (bottom > top) continue;
+        // At one height only: an end of one of them, unless one is level.
+        if (bottom == top && low != high && a.low != a.high && b.low != b.high) continue;
+        pair(a, b);
+      }
+    }
+  }
+
+  [[nodiscard]] bool share_face(const Line& a, const Line& b) const {
+    for (const Incidence& p : model_.faces_at(a.edge)) {
+      for (const Incidence& q : model_.faces_at(b.edge)) {
+        if (p.face == q.face) return true;
+      }
+    }
+    return false;
+  }
+
+  void pair(const Line& a, const Line& b) {
+    const picture::LineEdge& p = model_.edges()[a.edge];
+    const picture::LineEdge& q = model_.edges()[b.edge];
+    if (p.from == q.from || p.from == q.to || p.to == q.from || p.to == q.to) {
+      if (share_face(a, b)) return;  // FE
+      const Vector3 n = geometry::cross(model_.segment(a.edge).along(), model_.segment(b.edge).along());
+      for (const Direction& direction : roots_of(form_of(n))) {
+        if (possible(a, b, near(direction))) found_.push_back(direction);
+      }
+      return;
+    }
+    if (a.d_size == 0 || b.d_size == 0) return;  // parallel, or level at one height: never crossing
+    three_edges(a, b);
+  }
+
+  [[nodiscard]] bool possible(const Line& a, const Line& b, const NearDirection& v) {
+    const Meeting first = meeting_of(a, v);
+    if (!first.within) return false;
+    const Meeting second = meeting_of(b, v);
+    if (!second.within || surely_farther(a, v) || surely_farther(b, v)) return false;
+    if (filter_.no_contour(a.edge, v) || filter_.no_contour(b.edge, v)) return false;
+    const Meeting& best = first.error < second.error ? first : second;
+    return !filter_.hidden(best.s, best.error, v);
+  }
+
+  // EEE: the roots in doubles first, and exactly where doubles do not tell.
+  void three_edges(const Line& a, const Line& b) {
+    const double scale = a.n_size * b.d_size + b.n_size * a.d_size;
+    const double xx = a.n.x * b.d.x - b.n.x * a.d.x;
+    const double zz = a.n.z * b.d.z - b.n.z * a.d.z;
+    const double xz = a.n.x * b.d.z + a.n.z * b.d.x - b.n.x * a.d.z - b.n.z * a.d.x;
+    const double disc = xz * xz - 4 * xx * zz;
+    const double off = rounding * scale;
+    if (disc < -20 * off * scale) return;
+    const double root = disc > 0 ? std::sqrt(disc) : 0;
+    if (root * root < 1e-9 * scale * scale) return exactly(a, b);
+    const double q = -(xz + (xz < 0 ? -root : root)) / 2;
+    const double q_off = off + 10 * off * scale / root;
+    for (const auto& [x, z] : {std::array{q, xx}, std::array{zz, q}}) {
+      const double length = std::hypot(x, z);
+      if (!(q_off < 1e-9 * length)) return exactly(a, b);
+      const NearDirection v{x / length, z / length, 2 * q_off / length};
+      const bool here = possible(a, b, v);
+      const bool there = possible(a, b, turned_round(v));
+      if (!here && !there) continue;
+      for (const Direction& direction : roots_of(meeting_form(a.exact, b.exact))) {
+        const double along = std::sin(direction.angle) * v.x + std::cos(direction.angle) * v.z;
+        const double across = std::sin(direction.angle) * v.z - std::cos(direction.angle) * v.x;
+        if (std::abs(across) < 1e-7 && (along > 0 ? here : there)) found_.push_back(direction);
+      }
+    }
+  }
+
+  void exactly(const Line& a, const Line& b) {
+    for (const Direction& direction : roots_of(meeting_form(a.exact, b.exact))) {
+      if (possible(a, b, near(direction))) found_.push_back(direction);
+    }
+  }
+
+  const RotationModel& model_;
+  const std::vector<Occluder>& occluders_;
+  CandidateFilter filter_;
+  EdgeIndex edge_;
+  picture::LineEdge ends_;
+  Segment segment_;
+  bool level_;
+  std::vector<FaceIndex> faces_;
+  std::vector<scene::VertexIndex> vertices_;
+  std::vector<Line> lines_;
+  std::vector<Direction> found_;
+};
+
+}  // namespace
+
+std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
+                                     const std::vector<Occluder>& occluders) {
+  return Gatherer(model, parts, edge, occluders).gather();
+}
+
+}  // namespace sightline::algorithms::plantinga

@@ -1,0 +1,75 @@
+// The structure of one edge in one view: its visible pieces and what each ends in.
+//
+// A piece of the edge structure graph ends in a vertex of its edge, in a T-junction with the edge that hides
+// what follows, or, on an edge parallel to the plane of rotation, at a vertex of the same height, which stays
+// on the line of the edge as the scene turns (a permanent contact; the paper has no name for it). Where
+// solids touch an edge may also end where it passes through the plane of a face, at a point of the face's
+// boundary.
+//
+// Rule, as for all exact pictures here: a point of an edge is hidden iff it is hidden in the limit from both
+// sides of the image line of the edge by faces strictly nearer. Where several edges end a hidden part at the
+// same point, the least names it, so that equal views have equal structures.
+//
+// From scratch (the paper's "standard hidden-line removal"): every face that may hide some of the edge is
+// held against it; what the faces hide is united; the rest is seen. Exact: 64 and 128 bits for directions
+// below sight_limit, integers of any length beyond.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/algorithms/plantinga/direction.hpp"
+#include "host/algorithms/plantinga/rotation_model.hpp"
+
+namespace sightline::algorithms::plantinga {
+
+enum class EndKind : std::uint32_t { vertex = 0, junction = 1, contact = 2, passage = 3 };
+
+// Two bits of kind, thirty of the index of a vertex (vertex, contact), an edge (junction) or a face
+// (passage).
+struct End {
+  std::uint32_t bits = 0;
+
+  [[nodiscard]] static constexpr End of(EndKind kind, std::uint32_t index) {
+    return {(static_cast<std::uint32_t>(kind) << 30U) | index};
+  }
+  [[nodiscard]] constexpr EndKind kind() const { return static_cast<EndKind>(bits >> 30U); }
+  [[nodiscard]] constexpr std::uint32_t index() const { return bits & 0x3FFFFFFFU; }
+
+  friend constexpr bool operator==(const End&, const End&) = default;
+};
+
+struct Piece {
+  End low;  // towards the lower vertex of the edge
+  End high;
+
+  friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+// Visible pieces of one edge, in its direction.
+using EdgeStructure = std::vector<Piece>;
+
+// Where a piece lies: fractions of the edge, parts below 2^63, not in lowest terms.
+struct PieceRange {
+  std::int64_t low = 0;
+  std::int64_t low_of = 1;
+  std::int64_t high = 1;
+  std::int64_t high_of = 1;
+};
+
+// The sight's parts below sight_limit. `ranges`, if given, is filled beside the structure.
+[[nodiscard]] EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge,
+                                         const std::vector<Occluder>& occluders, const Sight& sight,
+                                         std::vector<PieceRange>* ranges = nullptr);
+
+// Between two different directions, the second after the first: in small integers where there are any.
+[[nodiscard]] EdgeStructure structure_between(const RotationModel& model, EdgeIndex edge,
+                                              const std::vector<Occluder>& occluders, const Direction& a,
+                                              const Direction& b);
+
+// The same always in long integers.
+[[nodiscard]] EdgeStructure wide_structure_between(const RotationModel& model, EdgeIndex edge,
+                                                   const std::vector<Occluder>& occluders, const Direction& a,
+                                                   const Direction& b);
+
+}  // namespace sightline::algorithms::plantinga

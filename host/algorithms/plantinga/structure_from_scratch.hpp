@@ -1,0 +1,252 @@
+// Hidden-line removal of one edge from scratch, over any integers: edge_structure.hpp says what it gives.
+//
+// With u = x Z - z X and v = y the image line of the edge AB parts the corners of a face; a side that crosses
+// the line does so at a / (a - b), a and b being A and B against the line of the side. The crossings, in
+// order, are the ends of what the face covers, whatever its shape and its holes. A corner on the line counts
+// as to its right for the left side of the edge, and as to its left for the right side.
+//
+// Sizes, coordinates below 2^18 and sights below 2^21: u 41 bits, a corner against a line 62 bits, fractions
+// of 62 bits compared in 126.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/plantinga/edge_structure.hpp"
+
+namespace sightline::algorithms::plantinga {
+
+// Number holds corners against lines, Product a product of two of them.
+template <class Number, class Product>
+class FromScratch {
+ public:
+  struct Fraction {
+    Number part;
+    Number whole;  // positive
+  };
+  struct SeenPiece {
+    Piece piece;
+    Fraction low;
+    Fraction high;
+  };
+
+  FromScratch(const RotationModel& model, Number x, Number z)
+      : model_(model), x_(std::move(x)), z_(std::move(z)) {}
+
+  std::vector<SeenPiece> pieces_of(EdgeIndex edge, const std::vector<Occluder>& occluders) {
+    edge_ = edge;
+    const picture::LineEdge& ends = model_.edges()[edge];
+    a_ = &model_.vertices()[ends.from];
+    b_ = &model_.vertices()[ends.to];
+    au_ = u_of(*a_);
+    bu_ = u_of(*b_);
+    du_ = bu_ - au_;
+    dy_ = (*b_)[1] - (*a_)[1];
+    if ((du_ == 0 && dy_ == 0) || !faces_viewer()) return {};
+    level_ = dy_ == 0;
+    left_.clear();
+    right_.clear();
+    for (const Occluder& occluder : occluders) cast(occluder);
+    unite(left_);
+    unite(right_);
+    return rest_of(hidden_from_both_sides());
+  }
+
+ private:
+  // Hidden: the open interval between two ends.
+  struct Hidden {
+    Fraction low;
+    Fraction high;
+    End low_end;
+    End high_end;
+  };
+  struct Cut {
+    Fraction at;
+    End end;
+  };
+
+  static int sign(const Number& n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); }
+  static int compare(const Fraction& a, const Fraction& b) {
+    const Product left = Product(a.part) * b.whole;
+    const Product right = Product(b.part) * a.whole;
+    return left < right ? -1 : (right < left ? 1 : 0);
+  }
+  static Fraction start() { return {0, 1}; }
+  static Fraction finish() { return {1, 1}; }
+
+  [[nodiscard]] Number u_of(const Vector3& p) const { return z_ * p[0] - x_ * p[2]; }
+  [[nodiscard]] int facing(const RotatedFace& face) const {
+    return sign(x_ * face.normal[0] + z_ * face.normal[2]);
+  }
+
+  // Not an edge between faces of solids that all look away.
+  [[nodiscard]] bool faces_viewer() const {
+    for (const Incidence& incidence : model_.faces_at(edge_)) {
+      const RotatedFace& face = model_.faces()[incidence.face];
+      if (face.sheet || facing(face) >= 0) return true;
+    }
+    return false;
+  }
+
+  void cast(const Occluder& occluder) {
+    const RotatedFace& face = model_.faces()[occluder.face];
+    if (facing(face) != occluder.side) return;
+    const auto corners = model_.corners(occluder.face);
+    us_.resize(corners.size());
+    sides_.resize(corners.size());
+    bool above = false;
+    bool below = false;
+    bool on = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector3& p = model_.vertices()[corners[i].vertex];
+      us_[i] = u_of(p);
+      sides_[i] = sign(Number(du_ * (p[1] - (*a_)[1]) - (us_[i] - au_) * dy_));
+      above = above || sides_[i] > 0;
+      below = below || sides_[i] < 0;
+      on = on || sides_[i] == 0;
+    }
+    // For the left side a corner on the line is to the right of it, for the right side to the left.
+    const bool left = above && (below || on);
+    const bool right = below && (above || on);
+    if (left) cover(occluder, 0, left_);
+    if (right && on) cover(occluder, -1, right_);
+    if (right && !on && !cuts_.empty()) append_hidden(occluder, right_);
+  }
+
+  // The cuts of the face with the line, corners at most `threshold` being to its right; then what is hidden.
+  void cover(const Occluder& occluder, int threshold, std::vector<Hidden>& hidden) {
+    const auto corners = model_.corners(occluder.face);
+    cuts_.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t j = corners[i].next;
+      if ((sides_[i] > threshold) == (sides_[j] > threshold)) continue;
+      cuts_.push_back({cut_of(corners, i, j), end_of(corners, i, j)});
+    }
+    std::sort(cuts_.begin(), cuts_.end(), [](const Cut& p, const Cut& q) {
+      const int order = compare(p.at, q.at);
+      return order != 0 ? order < 0 : p.end.bits < q.end.bits;
+    });
+    append_hidden(occluder, hidden);
+  }
+
+  Fraction cut_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
+    const Vector3& p = model_.vertices()[corners[i].vertex];
+    const Vector3& q = model_.vertices()[corners[j].vertex];
+    const Number u = us_[j] - us_[i];
+    const std::int64_t y = q[1] - p[1];
+    const Number a = u * ((*a_)[1] - p[1]) - (au_ - us_[i]) * y;
+    const Number b = u * ((*b_)[1] - p[1]) - (bu_ - us_[i]) * y;
+    const Number whole = a - b;
+    if (whole < 0) return {-a, -whole};
+    return {a, whole};
+  }
+
+  // A corner on the line of a level edge stays there: that end is a contact.
+  End end_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
+    if (level_ && sides_[i] == 0) return End::of(EndKind::contact, corners[i].vertex);
+    if (level_ && sides_[j] == 0) return End::of(EndKind::contact, corners[j].vertex);
+    return End::of(EndKind::junction, corners[i].side);
+  }
+
+  // Every second interval between cuts, as far as the edge goes and is behind the face.
+  void append_hidden(const Occluder& occluder, std::vector<Hidden>& hidden) {
+    const End passage = End::of(EndKind::passage, occluder.face);
+    Fraction first = start();
+    Fraction last = finish();
+    if (occluder.from >= 0) first = {occluder.from, Number(occluder.from) - occluder.to};
+    if (occluder.to >= 0) last = {-Number(occluder.from), Number(occluder.to) - occluder.from};
+    for (std::size_t i = 0; i + 1 < cuts_.size(); i += 2) {
+      Hidden part{cuts_[i].at, cuts_[i + 1].at, cuts_[i].end, cuts_[i + 1].end};
+      if (compare(part.low, first) < 0) {
+        part.low = first;
+        part.low_end = passage;
+      }
+      if (compare(part.high, last) > 0) {
+        part.high = last;
+        part.high_end = passage;
+      }
+      if (compare(part.low, part.high) < 0) hidden.push_back(std::move(part));
+    }
+  }
+
+  // Ascending and apart; intervals that touch are joined, for a point draws nothing.
+  static void unite(std::vector<Hidden>& hidden) {
+    std::sort(hidden.begin(), hidden.end(), [](const Hidden& p, const Hidden& q) {
+      const int order = compare(p.low, q.low);
+      return order != 0 ? order < 0 : p.low_end.bits < q.low_end.bits;
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+      if (kept == 0 || compare(hidden[kept - 1].high, hidden[i].low) < 0) {
+        if (kept != i) hidden[kept] = std::move(hidden[i]);
+        ++kept;
+        continue;
+      }
+      const int order = compare(hidden[kept - 1].high, hidden[i].high);
+      if (order < 0) {
+        hidden[kept - 1].high = hidden[i].high;
+        hidden[kept - 1].high_end = hidden[i].high_end;
+      } else if (order == 0) {
+        hidden[kept - 1].high_end.bits = std::min(hidden[kept - 1].high_end.bits, hidden[i].high_end.bits);
+      }
+    }
+    hidden.resize(kept, Hidden{start(), start(), {}, {}});
+  }
+
+  std::vector<Hidden> hidden_from_both_sides() const {
+    std::vector<Hidden> both;
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < left_.size() && j < right_.size()) {
+      const Hidden& l = left_[i];
+      const Hidden& r = right_[j];
+      Hidden part = l;
+      const int low = compare(l.low, r.low);
+      const int high = compare(l.high, r.high);
+      if (low < 0 || (low == 0 && r.low_end.bits < l.low_end.bits)) part.low_end = r.low_end;
+      if (low < 0) part.low = r.low;
+      if (high > 0 || (high == 0 && r.high_end.bits < l.high_end.bits)) part.high_end = r.high_end;
+      if (high > 0) part.high = r.high;
+      if (compare(part.low, part.high) < 0) both.push_back(std::move(part));
+      if (high <= 0) ++i;
+      if (high >= 0) ++j;
+    }
+    return both;
+  }
+
+  std::vector<SeenPiece> rest_of(const std::vector<Hidden>& hidden) const {
+    const picture::LineEdge& ends = model_.edges()[edge_];
+    std::vector<SeenPiece> seen;
+    Fraction at = start();
+    End end = End::of(EndKind::vertex, ends.from);
+    for (const Hidden& part : hidden) {
+      if (compare(at, part.low) < 0) seen.push_back({{end, part.low_end}, at, part.low});
+      at = part.high;
+      end = part.high_end;
+    }
+    if (compare(at, finish()) < 0) {
+      seen.push_back({{end, End::of(EndKind::vertex, ends.to)}, at, finish()});
+    }
+    return seen;
+  }
+
+  const RotationModel& model_;
+  Number x_;
+  Number z_;
+  EdgeIndex edge_ = 0;
+  const Vector3* a_ = nullptr;
+  const Vector3* b_ = nullptr;
+  Number au_{}, bu_{}, du_{};
+  std::int64_t dy_ = 0;
+  bool level_ = false;
+  std::vector<Number> us_;
+  std::vector<int> sides_;
+  std::vector<Cut> cuts_;
+  std::vector<Hidden> left_;
+  std::vector<Hidden> right_;
+};
+
+}  // namespace sightline::algorithms::plantinga
