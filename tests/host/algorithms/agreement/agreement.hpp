@@ -1,0 +1,76 @@
+// All that give exact visible edges, on one scene: the oracle, `exact`, and native Jones by BSP and, where it
+// can be, by grid. Pictures are equal by ==, or it is a defect.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/jones/visible_edges.hpp"
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/scene/compartment_bsp.hpp"
+#include "host/scene/compartment_grid.hpp"
+
+namespace sightline::algorithms {
+
+class Agreement {
+ public:
+  // The scene is a checked one and outlives this.
+  explicit Agreement(const scene::PolyScene& scene) : scene_(scene), mesh_(exact::make_edge_mesh(scene)) {
+    add("jones by bsp", scene::compartment_bsp(scene));
+    if (!scene::why_no_grid(scene)) add("jones by grid", scene::compartment_grid(scene));
+  }
+
+  // Empty if all agree; else a line for each that does not. The eye is in free space.
+  std::string differences(const scene::PolyCamera& camera) {
+    const picture::LinePicture truth = oracle::visible_edges(scene_, camera);
+    std::string text = no_complex_;
+    const auto hold = [&](const std::string& name, const picture::LinePicture& drawn) {
+      if (drawn == truth) return;
+      text += name + ": " + std::to_string(drawn.pieces.size()) + " pieces, the oracle " +
+              std::to_string(truth.pieces.size()) + "\n";
+    };
+    hold("exact", exact::visible_edges(mesh_, camera));
+    for (Cells& cells : cells_) {
+      const auto result = cells.walker.visible_edges(camera);
+      if (const auto* error = std::get_if<jones::Error>(&result)) {
+        text += cells.name + ": " + std::string(jones::message(*error)) + "\n";
+      } else {
+        hold(cells.name, std::get<jones::View>(result).picture);
+      }
+    }
+    return text;
+  }
+
+ private:
+  struct Cells {
+    Cells(std::string cut, scene::CellComplex of_cells)
+        : name(std::move(cut)),
+          complex(std::make_unique<scene::CellComplex>(std::move(of_cells))),
+          prepared(std::make_unique<jones::PreparedComplex>(*complex)),
+          walker(*prepared) {}
+
+    std::string name;
+    std::unique_ptr<scene::CellComplex> complex;  // at a place that stays
+    std::unique_ptr<jones::PreparedComplex> prepared;
+    jones::Walker walker;
+  };
+
+  void add(const std::string& name, std::variant<scene::CellComplex, scene::SceneError> made) {
+    if (const auto* error = std::get_if<scene::SceneError>(&made)) {
+      no_complex_ += name + ": " + error->message() + "\n";
+    } else {
+      cells_.emplace_back(name, std::get<scene::CellComplex>(std::move(made)));
+    }
+  }
+
+  const scene::PolyScene& scene_;
+  exact::EdgeMesh mesh_;
+  std::vector<Cells> cells_;
+  std::string no_complex_;
+};
+
+}  // namespace sightline::algorithms
