@@ -6,6 +6,7 @@
 
 #include "host/harness/report/report.hpp"
 #include "host/harness/report/scene_needs.hpp"
+#include "host/harness/report/speed_error.hpp"
 #include "host/harness/report/timing_papers.hpp"
 
 namespace sightline::harness::report {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array parts{
     Part{1, "Timing against the papers", &timing_against_papers},
+    Part{2, "Speed against error", &speed_against_error},
     Part{4, "What the scene needed", &scene_needs},
 };
 
