@@ -1,0 +1,34 @@
+// Table 1 of Plantinga, Seales and Dyer (1990), and the same figures of a list of ours.
+//
+// "Avg. events per edge" times the edges gives the printed events in five of six rows, so their events are
+// changes of single edges; in the row Grid 16.3 x 105 = 1711, not 1383 (hard case P22).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "host/algorithms/plantinga/event_list.hpp"
+
+namespace sightline::algorithms::plantinga {
+
+struct Table1Row {
+  std::string_view model;
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t events = 0;  // changes of single edges
+  double kilobytes = 0;    // of 1024 bytes, of the event file
+  double events_per_edge = 0;
+  std::size_t most_events_per_edge = 0;
+  double seconds = 0;          // of preprocessing, theirs on an IBM RS6000 model 320
+  std::size_t directions = 0;  // different ones; 0: the paper does not say
+};
+
+[[nodiscard]] std::array<Table1Row, 6> printed_table_1();
+
+// seconds: whoever built the list measured them.
+[[nodiscard]] Table1Row table_1_row(std::string_view name, const RotationModel& model, const EventList& list,
+                                    double seconds);
+
+}  // namespace sightline::algorithms::plantinga
