@@ -33,6 +33,9 @@ th small { display: block; font-weight: 400; color: var(--quiet); }
 td { min-width: 3.2rem; max-width: 26rem; }
 .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 650; }
+details { margin: .3rem 0; } summary { cursor: pointer; font-family: ui-monospace, "DejaVu Sans Mono", monospace;
+  font-size: .9rem; }
+pre { overflow: auto; max-height: 24rem; padding: .6rem .8rem; background: var(--band); font-size: .78rem; }
 .files, .note, figcaption { color: var(--quiet); font-size: .86rem; }
 .files a { margin-right: .8rem; }
 figure { margin: 1rem 0; }

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "host/harness/report/hard_cases.hpp"
 #include "host/harness/report/report.hpp"
 #include "host/harness/report/scene_needs.hpp"
 #include "host/harness/report/speed_error.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr std::array parts{
     Part{1, "Timing against the papers", &timing_against_papers},
     Part{2, "Speed against error", &speed_against_error},
+    Part{3, "Hard cases", &hard_cases},
     Part{4, "What the scene needed", &scene_needs},
 };
 

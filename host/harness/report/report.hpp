@@ -74,6 +74,13 @@ struct Heading {
   std::string text;
 };
 
+// A file the report is about, such as an input: folded up in the page, to be opened there or saved.
+struct Listing {
+  std::string id;    // as a table's
+  std::string file;  // the name it is saved by
+  std::string text;  // UTF-8
+};
+
 // Small pictures side by side.
 struct Gallery {
   std::string id;
@@ -81,7 +88,7 @@ struct Gallery {
   std::vector<Figure> figures;
 };
 
-using Block = std::variant<Paragraph, Heading, Table, Figure, Gallery>;
+using Block = std::variant<Paragraph, Heading, Table, Figure, Gallery, Listing>;
 
 struct Section {
   std::string id;

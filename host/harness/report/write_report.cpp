@@ -69,6 +69,7 @@ class Checker {
       for (const Block& block : section.blocks) {
         if (const auto* const table = std::get_if<Table>(&block)) check(*table);
         if (const auto* const figure = std::get_if<Figure>(&block)) id(figure->id);
+        if (const auto* const listing = std::get_if<Listing>(&block)) id(listing->id);
         if (const auto* const gallery = std::get_if<Gallery>(&block)) {
           id(gallery->id);
           for (const Figure& figure : gallery->figures) id(figure.id);
