@@ -82,8 +82,8 @@ void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, c
     if (!run.pieces.clipped[i].drawn) continue;
     const jones::ScreenSegment& shown = run.pieces.on_display.at(i);
     const auto point = [](std::int32_t place) { return static_cast<double>(place); };
-    displayed.push_back(views.piece(
-        view, *line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}));
+    displayed.push_back(
+        views.piece(view, *line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}));
   }
   views.add(build.clipped, view, run.pieces.status, clipped);
   views.add(build.displayed, view, run.pieces.status, displayed);
@@ -194,8 +194,8 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
   context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_on_machine; ++f) {
-      auto build = measure_build(
-          views, {jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate});
+      auto build =
+          measure_build(views, {jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate});
       if (auto* const error = std::get_if<ReportError>(&build)) return std::move(*error);
       measured.machine.push_back(std::get<MachineBuild>(std::move(build)));
     }

@@ -47,14 +47,14 @@ std::string_view rounding(const jones::Precision& precision) {
 void add_columns(Table& table, std::string_view of, std::string_view title) {
   const auto key = [&](std::string_view name) { return fmt::format("{}{}", of, name); };
   const auto head = [&](std::string_view name) { return fmt::format("{}{}", name, title); };
-  for (Column column : {Column{key("l_sym_per_cent"), head("L_sym"), "%", false},
-                        Column{key("l_miss_px"), head("L_miss"), "pixels", false},
-                        Column{key("l_extra_px"), head("L_extra"), "pixels", false},
-                        Column{key("l_extra_far_px"), head("L_extra(>1 px)"), "pixels", false},
-                        Column{key("h_px"), head("H"), "pixels", false},
-                        Column{key("wvr"), head("WVR"), "", false},
-                        Column{key("wvr_low"), head("WVR"), "95 % from", false},
-                        Column{key("wvr_high"), head("WVR"), "95 % to", false}})
+  for (Column column :
+       {Column{key("l_sym_per_cent"), head("L_sym"), "%", false},
+        Column{key("l_miss_px"), head("L_miss"), "pixels", false},
+        Column{key("l_extra_px"), head("L_extra"), "pixels", false},
+        Column{key("l_extra_far_px"), head("L_extra(>1 px)"), "pixels", false},
+        Column{key("h_px"), head("H"), "pixels", false}, Column{key("wvr"), head("WVR"), "", false},
+        Column{key("wvr_low"), head("WVR"), "95 % from", false},
+        Column{key("wvr_high"), head("WVR"), "95 % to", false}})
     table.columns.push_back(std::move(column));
 }
 
@@ -164,17 +164,16 @@ Curve twin_curve(const JonesMeasured& scene, const Measure& measure, const std::
         word_lengths ? fmt::format("{}", twin.precision.word_bits) : bits(twin.precision);
     add(told(measure, twin.error), twin.view_ns, first || last ? label : "");
   }
-  for (const Twin& twin : scene.floating)
-    add(told(measure, twin.error), twin.view_ns, name(twin.precision));
+  for (const Twin& twin : scene.floating) add(told(measure, twin.error), twin.view_ns, name(twin.precision));
   add(0, scene.exact.front().view_ns, "exact");
   return curve;
 }
 
 Plot numbers_plot(const Scenes& scenes, const Measure& measure, bool word_lengths) {
-  Plot plot = word_lengths
-                  ? plot_of(measure, "words", "Jones in C++: words of 12 to 36 bits, float, double, exact", true)
-                  : plot_of(measure, "fractions",
-                            "Jones in C++: 0 to 8 fraction bits in 36, float, double, exact", true);
+  Plot plot = word_lengths ? plot_of(measure, "words",
+                                     "Jones in C++: words of 12 to 36 bits, float, double, exact", true)
+                           : plot_of(measure, "fractions",
+                                     "Jones in C++: 0 to 8 fraction bits in 36, float, double, exact", true);
   plot.caption =
       word_lengths
           ? "Each word with the most fraction bits, up to 8, with which it holds every view: 2 bits more a "
@@ -232,12 +231,10 @@ Table twin_error_table(const Scenes& scenes) {
   Table table;
   table.id = "jones-speed-error-numbers";
   table.title = "Jones in C++: speed and error of every kind of number";
-  table.columns = {{"scene", "Scene", "", false},
-                   {"arithmetic", "Arithmetic", "", false},
-                   {"word_bits", "Word", "bits", false},
-                   {"fraction_bits", "Fraction", "bits", false},
-                   {"rounding", "Points", "", false},
-                   {"incomplete_views", "Views not completed", "of 6", false}};
+  table.columns = {
+      {"scene", "Scene", "", false},        {"arithmetic", "Arithmetic", "", false},
+      {"word_bits", "Word", "bits", false}, {"fraction_bits", "Fraction", "bits", false},
+      {"rounding", "Points", "", false},    {"incomplete_views", "Views not completed", "of 6", false}};
   add_columns(table, "", "");
   table.columns.push_back({"view_us", "View", "us, mean", true});
   for (const JonesMeasured& scene : scenes) {

@@ -13,9 +13,9 @@ using picture::PixelPoint;
 using picture::PixelSegment;
 
 constexpr int board = 256;
-constexpr double middle = 127.5;   // of the picture's units
-constexpr double units = 256;      // that the raster spans
-constexpr double pixels = 1024;    // in which distances are told
+constexpr double middle = 127.5;  // of the picture's units
+constexpr double units = 256;     // that the raster spans
+constexpr double pixels = 1024;   // in which distances are told
 
 PixelPoint on_raster(const picture::DrawingPoint& point, double n) {
   const auto place = [n](double c) { return (n - 1) / 2 + (c - middle) * n / units; };

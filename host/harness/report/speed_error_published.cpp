@@ -28,10 +28,10 @@ Table error_table(const jones::ErrorTable& measured) {
   table.title = "Jones: wrong length in per cent of the visible, six views a scene";
   table.columns = {{"scene", "Scene", "", false}, {"measured", "Measured", "", false}};
   for (const jones::Precision& column : measured.columns)
-    table.columns.push_back({fmt::format("{}_f{}", column.truncate ? "cut" : "round", column.fraction_bits),
-                             fmt::format("{} f={}", column.truncate ? "cut off," : "rounded,",
-                                         column.fraction_bits),
-                             "%", false});
+    table.columns.push_back(
+        {fmt::format("{}_f{}", column.truncate ? "cut" : "round", column.fraction_bits),
+         fmt::format("{} f={}", column.truncate ? "cut off," : "rounded,", column.fraction_bits), "%",
+         false});
   for (const jones::ErrorTableRow& row : measured.rows) {
     for (const Published& before : published) {
       if (before.scene != row.scene) continue;
@@ -64,9 +64,12 @@ Table named_table(const jones::ErrorTable& measured) {
   Table table;
   table.id = "jones-named-pieces";
   table.title = fmt::format("Jones: every piece wrong by more than {} pixels", jones::named_from_points);
-  table.columns = {{"scene", "Scene", "", false},     {"arithmetic", "Arithmetic", "", false},
-                   {"eye", "Eye", "", false},         {"wrong", "Wrong", "", false},
-                   {"length_px", "Length", "pixels", false}, {"from", "On the line from", "", false},
+  table.columns = {{"scene", "Scene", "", false},
+                   {"arithmetic", "Arithmetic", "", false},
+                   {"eye", "Eye", "", false},
+                   {"wrong", "Wrong", "", false},
+                   {"length_px", "Length", "pixels", false},
+                   {"from", "On the line from", "", false},
                    {"to", "to", "", false}};
   std::size_t pieces = 0;
   for (const jones::ErrorTableRow& row : measured.rows) {

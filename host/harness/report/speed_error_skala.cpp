@@ -117,8 +117,7 @@ class Bench {
   void add_native_dots(std::vector<SkalaPoint>& points, const scene::HeightGrid& grid, const Order& order,
                        const FinePicture& fine) {
     const native::View view = native_view(order, order.raster);
-    points.push_back(
-        {order.raster, fine.error_of(dots_of(native::draw(grid, view), order.raster)), {}, {}});
+    points.push_back({order.raster, fine.error_of(dots_of(native::draw(grid, view), order.raster)), {}, {}});
     later(points, [grid, view] { (void)native::draw(grid, view); });
   }
   // As vectors.
@@ -132,7 +131,8 @@ class Bench {
   // All at once, interleaved. The vectors given to add_... are where they were.
   void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
-    for (std::size_t i = 0; i < times.size(); ++i) (*results_[i].first)[results_[i].second].host_ns = times[i];
+    for (std::size_t i = 0; i < times.size(); ++i)
+      (*results_[i].first)[results_[i].second].host_ns = times[i];
   }
 
  private:

@@ -34,7 +34,7 @@ struct Knob {
   bool trades = true;  // error for time; else distances say nothing
 };
 constexpr std::array<Knob, 3> knobs{
-    {{"raster", "rasters of 64 to 1024 dots a side", "Dots a side", &SkalaMeasured::rasters,
+    {{"raster", "rasters of more and more dots a side", "Dots a side", &SkalaMeasured::rasters,
       "33 slices of 17 points. The program on the 8080 has 256 dots and is made to use fewer by zooming out. "
       "An error is a dot or two of the raster at hand."},
      {"grid", "8 to 256 points in each of 33 slices", "Points a slice", &SkalaMeasured::grids,
@@ -62,9 +62,10 @@ Plot plot_of(const SkalaMeasured& measured, const Knob& knob, const Measure& mea
   plot.caption = knob.caption;
   plot.caption += host_time ? " Times are medians of interleaved repetitions, of this computer."
                             : " Drawing on the EF9365 board, 8080 at 3 MHz.";
-  plot.alternative = fmt::format("Log-log plot of the time of a drawing against its error, {}, one curve a "
-                                 "function{}.",
-                                 knob.title, host_time ? " and program" : "");
+  plot.alternative = fmt::format(
+      "Log-log plot of the time of a drawing against its error, {}, one curve a "
+      "function{}.",
+      knob.title, host_time ? " and program" : "");
   plot.host_time = host_time;
   plot.x = {std::string(measure.title), std::string(measure.unit), true, {}};
   plot.y = host_time ? Axis{fmt::format("a drawing, {}", host_title), "ms", true, {}}
@@ -76,8 +77,8 @@ Plot plot_of(const SkalaMeasured& measured, const Knob& knob, const Measure& mea
       curve.name = !host_time ? of.function : fmt::format("{}, {}", of.function, native ? "native" : "twin");
       for (const SkalaPoint& point : native ? of.native : of.program) {
         const double time = host_time ? point.host_ns.value_or(0) / 1e6 : seconds(*point.drawing);
-        curve.points.push_back({point.error.*measure.value, time,
-                                is_lowest(knob, of) ? fmt::format("{}", point.setting) : ""});
+        curve.points.push_back(
+            {point.error.*measure.value, time, is_lowest(knob, of) ? fmt::format("{}", point.setting) : ""});
       }
       plot.curves.push_back(std::move(curve));
     }
