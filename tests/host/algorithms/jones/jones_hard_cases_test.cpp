@@ -1,4 +1,5 @@
-// The hard cases of native Jones: what is seen is what `exact` says, and no more is visited than that takes.
+// Hard cases of native Jones beyond the report's (host/harness/report/data/hard_cases): other ways to look,
+// other ways to say the same opening, and what cannot be looked at.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -24,18 +25,6 @@ jones::View view_of(const scene::CellComplex& complex, const scene::PolyCamera& 
     return {};
   }
   return std::move(std::get<jones::View>(result));
-}
-
-TEST(JonesHardCases, ArePicturesOfExact) {
-  for (const HardCase& hard : hard_cases()) {
-    const jones::View view = view_of(hard.complex(), hard.camera);
-    EXPECT_TRUE(view.picture == exact::visible_edges(hard.scene, hard.camera)) << hard.id << ' ' << hard.what;
-    EXPECT_FALSE(view.picture.pieces.empty()) << hard.id;
-    EXPECT_EQ(view.counts.cells, hard.cells_seen) << hard.id << ' ' << hard.what;
-    if (hard.most_sides != 0) {
-      EXPECT_EQ(view.counts.mask_sides, hard.most_sides) << hard.id << ' ' << hard.what;
-    }
-  }
 }
 
 // J3: of two rooms the one on the side looked into is seen, all of it that is before the eye.
@@ -88,7 +77,7 @@ TEST(JonesHardCases, EyeInACornerSeesNineEdges) {
 
 // J6: on a wall behind a portal, a line that only touches the mask's corner is not drawn, one inside is.
 TEST(JonesHardCases, ALineThatTouchesACornerOfTheMaskIsNotDrawn) {
-  HardCase hard = corridor("J6", "", {portal(100, {-10, 10}, {-10, 10}), portal(200, {-4, 4}, {-4, 4})}, 300);
+  HardCase hard = corridor({portal(100, {-10, 10}, {-10, 10}), portal(200, {-4, 4}, {-4, 4})}, 300);
   const auto first = static_cast<scene::VertexIndex>(hard.scene.vertices.size());
   for (const scene::PolyPoint& corner : {scene::PolyPoint{20, 20, 200}, {20, 45, 200}, {5, 5, 200}})
     hard.scene.vertices.push_back(corner);
@@ -140,7 +129,7 @@ TEST(JonesHardCases, EyeInLineWithWalls) {
 
 // J17: a side given twice, by two planes through the same line.
 TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
-  const HardCase hard = corridor("J17", "", {portal(100, {0, 40}, {0, 20})}, 200);
+  const HardCase hard = corridor({portal(100, {0, 40}, {0, 20})}, 200);
   scene::CellComplex complex = hard.complex();
   scene::ComplexOpening& opening = complex.openings.back();
   ASSERT_EQ(opening.side_count, 4U);
