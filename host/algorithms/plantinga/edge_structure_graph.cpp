@@ -82,12 +82,15 @@ bool EdgeStructureGraph::step_backward() {
 }
 
 bool EdgeStructureGraph::turn_to(double angle) {
+  const double in_range = std::remainder(angle, 2 * std::numbers::pi);
+  return turn_to_place(
+      static_cast<std::size_t>(std::upper_bound(angles_.begin(), angles_.end(), in_range) - angles_.begin()));
+}
+
+bool EdgeStructureGraph::turn_to_place(std::size_t passed) {
   const std::size_t count = angles_.size();
   if (count == 0) return true;
-  const double in_range = std::remainder(angle, 2 * std::numbers::pi);
-  const auto wanted =
-      static_cast<std::size_t>(std::upper_bound(angles_.begin(), angles_.end(), in_range) - angles_.begin());
-  const std::size_t ahead = (wanted + count - passed_) % count;
+  const std::size_t ahead = (passed + count - passed_) % count;
   const bool forward = ahead <= count - ahead;
   for (std::size_t i = 0; i < (forward ? ahead : count - ahead); ++i) {
     if (!(forward ? step_forward() : step_backward())) return false;

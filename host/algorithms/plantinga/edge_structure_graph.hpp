@@ -38,6 +38,8 @@ class EdgeStructureGraph {
   bool step_backward();
   // The shorter way to an angle in radians, events at or before it being passed. False as above.
   bool turn_to(double angle);
+  // The shorter way to where `passed` events are passed, at most list.events.size(). False as above.
+  bool turn_to_place(std::size_t passed);
 
  private:
   bool apply(const Event& event, bool forward);

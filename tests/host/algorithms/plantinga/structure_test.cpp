@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/algorithms/exact/visible_edges.hpp"
-#include "host/algorithms/plantinga/visible_edges.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "tests/host/algorithms/plantinga/turning_scenes.hpp"
 
@@ -86,6 +86,25 @@ TEST(EdgeStructure, BetweenDirectionsTooNearForSmallIntegers) {
     // No event of two boxes is so near the golden section.
     EXPECT_EQ(structure_between(model, edge, occluders, a, b),
               structure_at(model, edge, occluders, {10946, 17711}));
+  }
+}
+
+// Pictures through the list of events, among them views exactly at events.
+TEST(TurningScene, EqualsExact) {
+  std::vector<scene::PolyScene> scenes{two_boxes(), boxes_on_the_ground(), model_scene("grid")};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) scenes.push_back(scene::generate_bricks(6, seed));
+  for (const scene::PolyScene& scene : scenes) {
+    TurningScene turning(scene);
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> part(-32767, 32767);
+    for (int i = 0; i < 25; ++i) {
+      const Sight sight = i < 8 ? Sight{i % 3 - 1, 1 - i / 4 * 2} : Sight{part(random), part(random)};
+      EXPECT_TRUE(turning.view(sight) == exact::visible_edges(scene, camera_of(sight)))
+          << scene.name << ' ' << sight.x << ' ' << sight.z;
+    }
+    EXPECT_TRUE(why_not_view(scene, scene::PolyCamera{}));
+    EXPECT_FALSE(why_not_view(scene, camera_of({3, 4})));
+    EXPECT_FALSE(why_not(scene));
   }
 }
 
