@@ -1,0 +1,74 @@
+// Plots: what gnuplot is told, and that it draws it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "host/harness/report/plot.hpp"
+
+namespace sightline::harness::report {
+namespace {
+
+Plot sample_plot() {
+  Plot plot;
+  plot.id = "plot";
+  plot.title = "Time against error, `touch here`";
+  plot.x = {"error", "px", true, {}};
+  plot.y = {"time", "s", true, {}};
+  plot.curves = {{"the \"house\" & <co>'s", {{0, 0.5, "exact"}, {0.02, 0.1, "24 bits"}, {3, 0.05}}},
+                 {"lost", {{-1, 1}, {std::numeric_limits<double>::quiet_NaN(), 1}}}};
+  return plot;
+}
+
+TEST(ReportPlot, PutsZeroADecadeBelowTheLeastError) {
+  const std::string script = gnuplot_script(sample_plot());
+  EXPECT_NE(script.find("set xtics add (\"0\" 0.001"), std::string::npos) << script;
+  EXPECT_EQ(script.find("set ytics add"), std::string::npos);
+  EXPECT_NE(script.find("set xlabel 'error [px]'"), std::string::npos);
+}
+
+TEST(ReportPlot, LeavesOutWhatALogarithmicAxisCannotShow) {
+  const std::string script = gnuplot_script(sample_plot());
+  EXPECT_NE(script.find("$curve1 << END_OF_CURVE\nEND_OF_CURVE\n"), std::string::npos) << script;
+  EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
+}
+
+TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
+  const auto first = draw_plot(sample_plot());
+  const auto second = draw_plot(sample_plot());
+  ASSERT_TRUE(std::holds_alternative<Figure>(first)) << std::get<ReportError>(first).message;
+  const auto& figure = std::get<Figure>(first);
+  EXPECT_EQ(figure.media_type, "image/svg+xml");
+  EXPECT_EQ(figure.bytes, std::get<Figure>(second).bytes);
+  const std::string svg(figure.bytes.begin(), figure.bytes.end());
+  EXPECT_NE(svg.find("`touch here`"), std::string::npos);
+  EXPECT_NE(svg.find("the &quot;house&quot; &amp; &lt;co&gt;&#39;s"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("24 bits"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
+TEST(ReportPlot, WithoutAPointIsAnError) {
+  Plot plot = sample_plot();
+  plot.curves.erase(plot.curves.begin());
+  const auto drawn = draw_plot(plot);
+  ASSERT_TRUE(std::holds_alternative<ReportError>(drawn));
+  EXPECT_EQ(std::get<ReportError>(drawn).message.substr(0, 26), "plot: gnuplot drew nothing");
+}
+
+TEST(ReportPlot, AMissingGnuplotIsSaid) {
+  const char* const path = std::getenv("PATH");
+  const std::string kept = path == nullptr ? "" : path;
+  ASSERT_EQ(setenv("PATH", "/nonexistent", 1), 0);
+  const auto missing = gnuplot_missing();
+  const auto drawn = draw_plot(sample_plot());
+  ASSERT_EQ(setenv("PATH", kept.c_str(), 1), 0);
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->kind, ErrorKind::missing_tool);
+  EXPECT_EQ(std::get<ReportError>(drawn).kind, ErrorKind::missing_tool);
+  EXPECT_NE(missing->message.find("gnuplot-nox"), std::string::npos);
+  EXPECT_FALSE(gnuplot_missing());
+}
+
+}  // namespace
+}  // namespace sightline::harness::report
