@@ -54,6 +54,12 @@ Table jones_table(const Context& context) {
                           std::move(result.twin), std::move(result.native), std::move(result.exact),
                           std::move(result.oracle)});
   }
+  table.notes = {
+      "Program and twin are held against the oracle of cells on the screen: farther than a point from what "
+      "is seen "
+      "is wrong. Native Jones has the cells of the file and must give the oracle's picture, piece for piece; "
+      "where "
+      "the eye is not in free space there is none (J3), and the lines named must be seen or hidden whole."};
   return table;
 }
 
