@@ -8,7 +8,9 @@
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
+#include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/picture/line_picture_image.hpp"
 #include "host/scene/compartment.hpp"
 
 namespace sightline::harness {
@@ -96,11 +98,31 @@ std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolySc
   return prepared;
 }
 
+std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::PolyScene& scene) {
+  PreparedScene prepared;
+  prepared.view = [&scene](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    auto result = algorithms::montani_re::visible_edges(scene, camera);
+    if (auto* error = std::get_if<scene::SceneError>(&result)) return std::move(*error);
+    auto& seen = std::get<algorithms::montani_re::LineView>(result);
+    const algorithms::montani_re::RegionCounts& c = seen.counts;
+    return LineView{std::move(seen.picture),
+                    {{"relations", c.relations},
+                     {"spurious_relations", c.spurious},
+                     {"cycles_cut", c.cuts},
+                     {"mutual_parts", c.mutual_parts},
+                     {"subtractions", c.subtractions},
+                     {"sides", c.sides}}};
+  };
+  return prepared;
+}
+
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
                   prepare_exact},
     LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
                   applies, prepare_jones},
+    LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
+                  applies, prepare_montani_re, true, algorithms::montani_re::why_not_view},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
 };
@@ -109,6 +131,13 @@ constexpr std::array table{
 
 std::span<const LineAlgorithm> line_algorithms() {
   return table;
+}
+
+bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,
+            const picture::LinePicture& exact, const scene::PolyScene& scene,
+            const scene::PolyCamera& camera) {
+  return drawn == exact ||
+         (algorithm.same_by_image && image_set(drawn, scene, camera) == image_set(exact, scene, camera));
 }
 
 const LineAlgorithm* find_line_algorithm(std::string_view name) {

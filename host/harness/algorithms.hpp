@@ -51,10 +51,25 @@ struct LineAlgorithm {
   // What all views of a scene share. The scene is a checked one, to which the algorithm applies
   // (preconditions), and outlives what is prepared.
   std::variant<PreparedScene, scene::SceneError> (*prepare)(const scene::PolyScene& scene);
+  // Of edges that lie on each other in the image it draws the nearest only: its picture is held against
+  // others as the set of points it draws (picture::image_set), not piece by piece.
+  bool same_by_image = false;
+  // Why it does not apply to a view of a scene to which it applies; null if it applies to all.
+  std::optional<std::string> (*why_not_view)(const scene::PolyScene& scene,
+                                             const scene::PolyCamera& camera) = nullptr;
+
+  [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,
+                                                        const scene::PolyCamera& camera) const {
+    return why_not_view == nullptr ? std::nullopt : why_not_view(scene, camera);
+  }
 };
 
 // Every one, `exact` first: what the others are held against.
 [[nodiscard]] std::span<const LineAlgorithm> line_algorithms();
+// Whether a picture of an algorithm is the right one, given that of `exact`.
+[[nodiscard]] bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,
+                          const picture::LinePicture& exact, const scene::PolyScene& scene,
+                          const scene::PolyCamera& camera);
 // Null if there is none of that name.
 [[nodiscard]] const LineAlgorithm* find_line_algorithm(std::string_view name);
 

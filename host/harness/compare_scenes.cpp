@@ -52,6 +52,10 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
       comparison.not_applicable.emplace_back(name, *reason);
       continue;
     }
+    if (const auto reason = algorithm.why_not_seen(scene, camera)) {
+      comparison.not_applicable.emplace_back(name, *reason);
+      continue;
+    }
     const auto prepared = algorithm.prepare(scene);
     if (const auto* error = std::get_if<SceneError>(&prepared)) return *error;
     const auto view = std::get<PreparedScene>(prepared).view(camera);
@@ -59,7 +63,7 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
     const picture::LinePicture& drawn = std::get<LineView>(view).picture;
     auto row = compared(name, "exact pieces of the scene's edges", lines,
                         drawn_pieces(drawn, scene, camera, comparison.frame));
-    row.identical = drawn == truth;
+    row.identical = agrees(algorithm, drawn, truth, scene, camera);
     comparison.pictures.push_back(std::move(row));
   }
   return std::nullopt;

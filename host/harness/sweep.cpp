@@ -119,10 +119,8 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
       algorithms.push_back(algorithm);
   for (const LineAlgorithm* algorithm : algorithms) {
     auto prepared = algorithm->prepare(scene);
-    if (auto* error = std::get_if<scene::SceneError>(&prepared)) {
-      error->source = source;
-      return std::move(*error);
-    }
+    if (const auto* error = std::get_if<scene::SceneError>(&prepared))
+      return scene::SceneError{source, error->place, error->cause};
     sweep.entries_.push_back({algorithm, std::get<PreparedScene>(std::move(prepared))});
   }
   if (options.guest && cells != nullptr) {
@@ -156,10 +154,14 @@ std::string Sweep::line(std::uint64_t number) const {
   ordered_json results;
   picture::LinePicture exact;
   for (const Entry& entry : entries_) {
+    ordered_json& result = results[std::string(entry.algorithm->name)];
+    if (const auto reason = entry.algorithm->why_not_seen(*scene_, camera)) {
+      result["not_applicable"] = *reason;
+      continue;
+    }
     const auto start = std::chrono::steady_clock::now();
     auto seen = entry.prepared.view(camera);
     const auto time = std::chrono::steady_clock::now() - start;
-    ordered_json& result = results[std::string(entry.algorithm->name)];
     if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
       result["error"] = error->message();
       continue;
@@ -168,8 +170,9 @@ std::string Sweep::line(std::uint64_t number) const {
     result["pieces"] = view.picture.pieces.size();
     result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
     if (&entry != &entries_.front()) {
-      result["agrees"] = view.picture == exact;
-      if (view.picture != exact) result["difference"] = difference_of(exact, view.picture);
+      const bool same = harness::agrees(*entry.algorithm, view.picture, exact, *scene_, camera);
+      result["agrees"] = same;
+      if (!same) result["difference"] = difference_of(exact, view.picture);
     }
     if (!view.counts.empty()) result["counts"] = json_of(view.counts);
     if (options_.time) result["ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();

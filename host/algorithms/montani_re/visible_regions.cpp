@@ -83,31 +83,38 @@ void hide_by_silhouette(const FaceSet& set, VisibleRegions& result) {
 
 }  // namespace
 
-VisibleRegions visible_regions(const FaceSet& set, Silhouette silhouette) {
-  VisibleRegions result;
+ListedFaces listed_faces(const FaceSet& set) {
+  ListedFaces result;
   DepthRelations depth = depth_relations(set);
   result.counts.decided_by = depth.decided_by;
   result.counts.relations = depth.relations.size();
-  if (depth.interpenetrating) {
-    result.interpenetrating = depth.interpenetrating;
-    return result;
-  }
-  CycleCutter cutter(set, depth.relations, result.counts);
+  result.interpenetrating = depth.interpenetrating;
+  if (result.interpenetrating) return result;
+  result.relations = std::move(depth.relations);
+  CycleCutter cutter(set, result.relations, result.counts);
   result.list =
-      priority_list(static_cast<std::uint32_t>(set.faces.size()), depth.relations,
+      priority_list(static_cast<std::uint32_t>(set.faces.size()), result.relations,
                     [&cutter](std::span<const std::uint32_t> on_cycles) { return cutter(on_cycles); });
-  for (const Face& face : set.faces) result.regions.push_back(face.pcs);
+  for (const Face& face : set.faces) result.faces.push_back(face.pcs);
   for (const std::uint32_t r : cutter.cut) {
-    const Relation& relation = depth.relations[r];
-    subtract(set, result.regions[relation.far], set.faces[relation.near].pcs, result.counts);
+    const Relation& relation = result.relations[r];
+    subtract(set, result.faces[relation.far], set.faces[relation.near].pcs, result.counts);
   }
   result.counts.mutual_parts = depth.hidden.size();
   for (const HiddenPart& part : depth.hidden)
-    subtract(set, result.regions[part.face], part.part, result.counts);
+    subtract(set, result.faces[part.face], part.part, result.counts);
+  return result;
+}
+
+VisibleRegions visible_regions(const FaceSet& set, Silhouette silhouette) {
+  ListedFaces listed = listed_faces(set);
+  VisibleRegions result{std::move(listed.faces), std::move(listed.list), listed.counts,
+                        listed.interpenetrating};
+  if (result.interpenetrating) return result;
   if (silhouette == Silhouette::whole) {
     hide_by_silhouette(set, result);
   } else {
-    hide_by_neighbours(set, depth.relations, result);
+    hide_by_neighbours(set, listed.relations, result);
   }
   for (const TrapezoidPcs& region : result.regions) result.counts.sides += region.sides.size();
   return result;

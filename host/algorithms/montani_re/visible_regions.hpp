@@ -34,12 +34,22 @@ struct RegionCounts {
 
 enum class Silhouette { neighbours, whole };
 
+// The priority list, and what it is a list of: what is in front to the back.
+struct ListedFaces {
+  PriorityList list;
+  std::vector<TrapezoidPcs> faces;  // by face: whole but for the cuts of cycles
+  std::vector<Relation> relations;
+  RegionCounts counts;
+  // Faces that pass through each other; list and faces are then empty.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> interpenetrating;
+};
+[[nodiscard]] ListedFaces listed_faces(const FaceSet& set);
+
 struct VisibleRegions {
   std::vector<TrapezoidPcs> regions;  // by face
   PriorityList list;
   RegionCounts counts;
-  // Faces that pass through each other; everything else is then empty.
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> interpenetrating;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> interpenetrating;  // regions are then empty
 };
 
 [[nodiscard]] VisibleRegions visible_regions(const FaceSet& set,

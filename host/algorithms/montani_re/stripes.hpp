@@ -1,0 +1,79 @@
+// Montani and Re's algorithm in image space: stripes of one thickness over the whole picture, one silhouette,
+// pixels from the substripes. Source: Montani and Re (1985), sections 3 and 4.
+//
+// The thickness h is the knob: corners are moved to the nearest line between stripes (their abscissa is kept,
+// to 1/65536 pixel), edges are straight between them. Heights inside a stripe are counted in sixteenths of
+// it; where sides cross in a stripe, it is split at the next sixteenth above, so that what is said at whole
+// sixteenths is right, and pixel centres lie at such. The error is of the order of h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/algorithms/montani_re/priority.hpp"
+#include "host/algorithms/montani_re/trapezoid_pcs.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+// Pixel coordinates are centre + scale * image coordinates, x from the left, y from below. A pixel belongs to
+// what covers its centre.
+struct StripeFrame {
+  double scale = 1;
+  std::array<double, 2> centre{};
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+};
+
+struct StripeSide {
+  std::int64_t bottom = 0;  // abscissas in 1/65536 pixel at the lower and the upper end of the stripe
+  std::int64_t top = 0;
+
+  // In 1/(16 * 65536) pixel.
+  [[nodiscard]] std::int64_t at(std::int32_t sixteenths) const {
+    return 16 * bottom + (top - bottom) * sixteenths;
+  }
+  friend bool operator==(const StripeSide&, const StripeSide&) = default;
+};
+
+// Part of a stripe, [low, high) in sixteenths, with its sides from west to east.
+struct StripeBand {
+  std::int32_t low = 0;
+  std::int32_t high = 16;
+  std::vector<StripeSide> sides;
+};
+
+// By the number of the stripe from the bottom of the frame; stripes outside the frame are left out.
+struct StripePcs {
+  std::int32_t first = 0;
+  std::vector<std::vector<StripeBand>> stripes;
+
+  [[nodiscard]] std::uint64_t side_count() const;
+};
+
+// `units` a pixel, each a sixteenth of a stripe: 2, 4, ... 64 for stripes of 8, 4, ... 1/4 pixels.
+[[nodiscard]] StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const StripeFrame& frame,
+                                   std::int32_t units);
+[[nodiscard]] StripePcs combine(const StripePcs& a, const StripePcs& b, Operation operation);
+
+struct StripeRaster {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  std::vector<std::uint32_t> faces;  // rows from the bottom; `none` where there is no face
+  std::uint64_t sides = 0;           // of what is seen; 0 when overwritten
+  std::uint64_t silhouette_sides = 0;
+
+  friend bool operator==(const StripeRaster& a, const StripeRaster& b) { return a.faces == b.faces; }
+};
+
+// Front to back: every face less the silhouette, which then grows by it.
+[[nodiscard]] StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
+                                                std::span<const TrapezoidPcs> listed,
+                                                const StripeFrame& frame, std::int32_t units);
+// Back to front, each over those before: no difference is needed. Gives the same raster.
+[[nodiscard]] StripeRaster raster_by_overwriting(const Image& image, const PriorityList& list,
+                                                 std::span<const TrapezoidPcs> listed,
+                                                 const StripeFrame& frame, std::int32_t units);
+
+}  // namespace sightline::algorithms::montani_re

@@ -1,0 +1,140 @@
+// Stripes of one thickness: the two ways to a raster are the same, and both come nearer to the truth as
+// stripes become thinner.
+#include "host/algorithms/montani_re/stripes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "host/scene/generate_scene.hpp"
+#include "tests/host/algorithms/montani_re/plane_faces.hpp"
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+constexpr std::array<std::int32_t, 6> thicknesses{2, 4, 8, 16, 32, 64};  // 8 to 1/4 pixels
+
+FaceSet set_of(const scene::PolyScene& scene) {
+  return std::get<FaceSet>(faces_of(scene, scene.camera));
+}
+
+StripeFrame frame_of(const FaceSet& set, std::int32_t size) {
+  std::array<double, 2> low{1e300, 1e300};
+  std::array<double, 2> high{-1e300, -1e300};
+  for (const Face& face : set.faces) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      low[axis] = std::min(low[axis], face.low[axis].approximate);
+      high[axis] = std::max(high[axis], face.high[axis].approximate);
+    }
+  }
+  StripeFrame frame;
+  frame.width = frame.height = size;
+  frame.scale = (size - 8) / std::max(high[0] - low[0], high[1] - low[1]);
+  for (std::size_t axis = 0; axis < 2; ++axis) frame.centre[axis] = 4 - low[axis] * frame.scale + 0.137;
+  return frame;
+}
+
+// The nearest face at a point of the image, by its polygons and planes in floating point.
+std::uint32_t nearest_at(const FaceSet& set, double x, double y) {
+  std::uint32_t nearest = none;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t f = 0; f < set.faces.size(); ++f) {
+    const Face& face = set.faces[f];
+    bool inside = false;
+    for (const std::uint32_t line : face.lines) {
+      const ImageLine& l = set.image.lines()[line];
+      const double from = set.image.ordinate_of(l.from).middle();
+      const double to = set.image.ordinate_of(l.to).middle();
+      if ((from > y) != (to > y) && set.image.abscissa(line, y) <= x) inside = !inside;
+    }
+    if (!inside) continue;
+    const auto part = [&face](std::size_t k) { return static_cast<double>(face.normal[k]); };
+    const double offset = static_cast<double>(face.offset);
+    const double nearness = set.image.perspective() ? (part(0) * x + part(1) * y + part(2)) / offset
+                                                    : (part(0) * x + part(1) * y - offset) / part(2);
+    if (nearness > best) {
+      best = nearness;
+      nearest = f;
+    }
+  }
+  return nearest;
+}
+
+double mismatch(const FaceSet& set, const StripeRaster& raster, const StripeFrame& frame) {
+  int wrong = 0;
+  for (std::int32_t row = 0; row < raster.height; ++row) {
+    for (std::int32_t column = 0; column < raster.width; ++column) {
+      const std::uint32_t truth = nearest_at(set, (column + 0.5 - frame.centre[0]) / frame.scale,
+                                             (row + 0.5 - frame.centre[1]) / frame.scale);
+      if (raster.faces[static_cast<std::size_t>(row * raster.width + column)] != truth) ++wrong;
+    }
+  }
+  return wrong / double(raster.width * raster.height);
+}
+
+TEST(MontaniReStripes, DifferenceAndOverwritingAreTheSame) {
+  for (const scene::PolyScene& scene : {scene::generate_boxes(20), scene::generate_town(9),
+                                        scene::generate_triangles(40), scene::generate_bricks(10)}) {
+    const FaceSet set = set_of(scene);
+    const ListedFaces seen = listed_faces(set);
+    const StripeFrame frame = frame_of(set, 150);
+    for (const std::int32_t units : thicknesses) {
+      const StripeRaster one = raster_by_difference(set.image, seen.list, seen.faces, frame, units);
+      EXPECT_TRUE(one == raster_by_overwriting(set.image, seen.list, seen.faces, frame, units))
+          << scene.name << ' ' << units;
+    }
+  }
+}
+
+TEST(MontaniReStripes, ThinnerStripesAreNearerToTheTruth) {
+  const FaceSet set = set_of(scene::generate_boxes(12));
+  const ListedFaces seen = listed_faces(set);
+  const StripeFrame frame = frame_of(set, 128);
+  double before = 1;
+  for (const std::int32_t units : thicknesses) {
+    const double wrong =
+        mismatch(set, raster_by_difference(set.image, seen.list, seen.faces, frame, units), frame);
+    EXPECT_LT(wrong, before) << units;
+    before = wrong;
+  }
+  EXPECT_LT(before, 0.002);
+}
+
+// M10: where all corners lie on lines between stripes, thick stripes are exact.
+TEST(MontaniReStripes, CornersOnLinesBetweenStripesAreExact) {
+  const FaceSet set = face_set({{{{0, 0, 0}, {24, 16, 0}, {8, 32, 0}}},
+                                rectangle(4, 8, 30, 24, 5),
+                                {{{2, 0, 9}, {20, 0, 9}, {31, 32, 9}, {0, 32, 9}}}});
+  const ListedFaces seen = listed_faces(set);
+  const StripeFrame frame{1, {0, 0}, 32, 32};
+  for (const std::int32_t units : thicknesses) {
+    EXPECT_EQ(mismatch(set, raster_by_difference(set.image, seen.list, seen.faces, frame, units), frame), 0)
+        << units;
+  }
+}
+
+// A cycle and faces that hide each other come right in stripes, too.
+TEST(MontaniReStripes, CyclesAreCutInStripes) {
+  const PlaneFace portal{
+      {{0, 0, 0}, {8, 0, 0}, {8, 32, 0}, {24, 32, 0}, {24, 0, 0}, {32, 0, 0}, {32, 40, 0}, {0, 40, 0}}};
+  const PlaneFace bar{{{-4, 8, -20}, {36, 8, 20}, {36, 24, 20}, {-4, 24, -20}}};
+  const FaceSet set = face_set({portal, bar});
+  const ListedFaces seen = listed_faces(set);
+  const StripeFrame frame{1, {8, 0}, 48, 48};
+  EXPECT_EQ(mismatch(set, raster_by_difference(set.image, seen.list, seen.faces, frame, 16), frame), 0);
+}
+
+TEST(MontaniReStripes, SidesGrowAsStripesBecomeThinner) {
+  const FaceSet set = set_of(scene::generate_boxes(20));
+  const ListedFaces seen = listed_faces(set);
+  const StripeFrame frame = frame_of(set, 256);
+  const auto sides = [&](std::int32_t units) {
+    return static_cast<double>(raster_by_difference(set.image, seen.list, seen.faces, frame, units).sides);
+  };
+  EXPECT_NEAR(sides(32) / sides(16), 2, 0.25);
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::montani_re
