@@ -18,6 +18,7 @@
 #include "host/app/run_command.hpp"
 #include "host/app/scene_command.hpp"
 #include "host/app/skala_command.hpp"
+#include "host/app/spin_command.hpp"
 #include "host/app/sweep_command.hpp"
 
 namespace {
@@ -122,6 +123,7 @@ int main(int argc, char** argv) {
     sightline::app::add_skala_command(app, exit_code);
     sightline::app::add_draw_command(app, exit_code);
     sightline::app::add_compare_command(app, exit_code);
+    sightline::app::add_spin_command(app, exit_code);
     sightline::app::add_sweep_command(app, exit_code);
     sightline::app::add_asm_command(app, exit_code);
     sightline::app::add_disasm_command(app, exit_code);

@@ -25,7 +25,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "sweep", "demo", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "sweep", "demo", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
