@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "host/app/draw_faces.hpp"
 #include "host/app/draw_lines.hpp"
 #include "host/app/draw_skala.hpp"
 #include "host/harness/algorithms.hpp"
+#include "host/harness/face_algorithms.hpp"
 
 namespace sightline::app {
 
@@ -31,6 +33,10 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
   // One more line algorithm is a line in the table, none here.
   for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
     add_draw_lines(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
+                   algorithm, exit_code);
+  }
+  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
+    add_draw_faces(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
                    algorithm, exit_code);
   }
   add_draw_skala(*command->add_subcommand(
