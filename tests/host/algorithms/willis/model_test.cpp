@@ -174,14 +174,38 @@ TEST(WillisModel, ResidualAndErrorFallWithDepth) {
   EXPECT_GT(wrong_uncut, 0U);
 }
 
-TEST(WillisModel, Rule90LosesWhatItMustNot) {
-  // Two walls both turned to someone at z < 0, normals 160 degrees apart; the first hides the second.
-  const std::vector<Surface> walls{turned(wall({170, 0}, {0, 980}, 0)), wall({0, 1000}, {170, 1980}, 1)};
+// From (150, -300) the first wall hides the beginning of the second; their normals are 160 degrees apart.
+TEST(WillisModel, Rule90GivesTheWrongOrder) {
+  const std::vector<Surface> walls{turned(wall({170, 0}, {0, 980}, 0)), wall({100, 500}, {270, 1480}, 1)};
   ASSERT_TRUE(can_obscure(walls[0], walls[1]));
-  EXPECT_GT(plan_model(walls).clusters, 0U);
+  const scene::PolyCamera eye = eye_at(150, -300);
   const Model paper = plan_model(walls, {.rules = {BoundaryShape::ball, true}});
   EXPECT_EQ(paper.clusters, 0U);
-  EXPECT_EQ(paper.pieces.size(), 2U);
+  ASSERT_EQ(paper.pieces.size(), 2U);
+  // The hidden wall's beginning is nearer than the far end of the one before it.
+  Frames wrong(paper);
+  const std::vector<std::uint32_t> ends{0, 0};
+  EXPECT_EQ(paper.pieces[wrong.order(eye, ends).back()].face, 1U);
+  // Without the rule they are cut until whichever points stand for them the pieces on that sight line are
+  // in order.
+  const Model model = plan_model(walls);
+  EXPECT_GT(model.clusters, 0U);
+  EXPECT_TRUE(model.residual.empty());
+  const Point at = on_lattice(eye.eye);
+  for (const Surface& s : model.pieces) {
+    for (const Surface& t : model.pieces) {
+      if (s.face != 0 || t.face != 1) continue;
+      const Vector3 d = between(on_lattice({100, 0, 500}), at);
+      const auto side = [&](const Point& p) {
+        const Vector3 v = between(p, at);
+        return geometry::sign(Int128{d[0]} * v[2] - Int128{d[2]} * v[0]);
+      };
+      const bool s_hit = side(s.points[0]) * side(s.points[1]) <= 0;
+      if (!s_hit || t.points[0] != on_lattice({100, 0, 500})) continue;
+      for (const Point& p : s.points)
+        for (const Point& q : t.points) EXPECT_LT(squared_distance(at, p), squared_distance(at, q));
+    }
+  }
 }
 
 TEST(WillisModel, LimitsAreNamed) {
