@@ -93,8 +93,8 @@ class Gatherer {
     for (const Line& line : lines_) {
       end_behind(ends_.from, 0, line);
       end_behind(ends_.to, 1, line);
-      // Of one that touches the edge, as solids that touch have, the common plane, as of one that meets it.
-      if (line.order == 0) add(roots_of(line.exact.d));
+      // In one plane with the edge: edge-on, the two are in line, and far more than the ends may be seen.
+      if (line.order == 0) add(roots_of(line.d_size != 0 ? line.exact.d : line.exact.n));
     }
     for (const Occluder& occluder : occluders_) {
       if (passes_through(occluder)) passage_behind(occluder);
