@@ -2,6 +2,7 @@
 //
 // Exit codes are this program's own (command.hpp), not those of the command-line library.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
@@ -111,6 +112,8 @@ ExitCode run_sightline(CLI::App& app, int argc, char** argv, const ExitCode& exi
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows beyond what the shell allows is an error of writing like others, not the end.
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
   try {
     CLI::App app("Sightline: hidden-line programs of 1971-1990 on the machines they were written for",

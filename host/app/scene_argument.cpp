@@ -26,10 +26,8 @@ void require_scene_exists(const std::string& name_or_file) {
 
 scene::CellScene load_scene(const std::string& name_or_file) {
   require_scene_exists(name_or_file);
-  auto loaded = scene::load_cell_scene(name_or_file);
-  if (const auto* error = std::get_if<scene::SceneError>(&loaded))
-    throw Failure(ExitCode::bad_input, error->message());
-  return std::get<scene::CellScene>(std::move(loaded));
+  if (const auto builtin = scene::builtin_scene_text(name_or_file)) return load_scene(*builtin, name_or_file);
+  return load_scene(read_input_text(name_or_file), name_or_file);
 }
 
 scene::CellScene load_scene(std::string_view text, const std::string& name_or_file) {

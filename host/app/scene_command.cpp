@@ -101,7 +101,8 @@ constexpr const char* check_examples =
     "cell; the\n"
     "default view is in a cell. Of polyhedra: faces are planar and simple, holes inside them, solids closed "
     "and facing\n"
-    "outwards, no vertex twice or for nothing. A scene with errors ends with exit code 4.\n";
+    "outwards, no vertex twice or for nothing, the camera's eye in free space.\n"
+    "A scene with errors ends with exit code 4.\n";
 
 std::vector<scene::SceneError> errors_of(const SceneText& file) {
   const auto read = scene::read_cell_scene(file.text, file.name);

@@ -9,11 +9,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "host/app/scene_argument.hpp"
 #include "host/scene/builtin.hpp"
+#include "host/scene/eye_place.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/poly_file.hpp"
@@ -196,7 +198,12 @@ ExitCode check_poly_file(const SceneText& file, bool json) {
   if (const auto* error = std::get_if<scene::SceneError>(&read)) {
     errors.push_back(*error);
   } else {
-    errors = scene::check_poly_scene(std::get<scene::PolyImport>(read).scene);
+    const scene::PolyScene& scene = std::get<scene::PolyImport>(read).scene;
+    errors = scene::check_poly_scene(scene);
+    // Where the eye is, is known only among bodies that are in order.
+    if (errors.empty()) {
+      if (auto eye = scene::eye_error(scene, scene.camera)) errors.push_back(std::move(*eye));
+    }
   }
   for (scene::SceneError& error : errors) error.source = file.name;
   if (json) {

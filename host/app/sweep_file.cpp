@@ -17,8 +17,8 @@ namespace sightline::app {
 
 namespace {
 
-[[noreturn]] void fail_with_errno(const std::string& path) {
-  throw Failure(ExitCode::io, path + ": " + std::strerror(errno));
+[[noreturn]] void fail_with_errno(const std::string& path, const char* doing = "cannot write") {
+  throw Failure(ExitCode::io, path + ": " + doing + ": " + std::strerror(errno));
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::int64_t SweepFile::keep_lines(const std::function<bool(std::string_view)>& 
   while (true) {
     const ssize_t count = read(file_, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_with_errno(path_);
+    if (count < 0) fail_with_errno(path_, "cannot read");
     if (count == 0) break;
     held.append(block.data(), static_cast<std::size_t>(count));
     std::size_t from = 0;
@@ -75,10 +75,18 @@ std::int64_t SweepFile::keep_lines(const std::function<bool(std::string_view)>& 
 }
 
 void SweepFile::append(std::string_view line) {
+  const off_t start = regular_ ? lseek(file_, 0, SEEK_CUR) : 0;
   while (!line.empty()) {
     const ssize_t count = write(file_, line.data(), line.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_with_errno(path_);
+    if (count < 0) {
+      const int why = errno;
+      // A full disk leaves whole lines. What is left of this one if even that fails, the next sweep takes
+      // off.
+      if (regular_) static_cast<void>(ftruncate(file_, start) == 0);
+      errno = why;
+      fail_with_errno(path_);
+    }
     line.remove_prefix(static_cast<std::size_t>(count));
   }
 }

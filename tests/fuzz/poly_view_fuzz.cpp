@@ -1,0 +1,45 @@
+// Any bytes as a scene with its camera: what is possible, and not too big for the oracle, is seen alike by
+// all that give exact visible edges.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "host/scene/eye_place.hpp"
+#include "host/scene/poly_check.hpp"
+#include "host/scene/read_poly_json.hpp"
+#include "tests/host/algorithms/agreement/agreement.hpp"
+
+namespace {
+
+constexpr std::size_t most_corners = 150;
+
+std::size_t corners_of(const sightline::scene::PolyScene& scene) {
+  std::size_t corners = 0;
+  for (const auto& body : scene.bodies) {
+    for (const auto& face : body.faces) {
+      corners += face.outline.size();
+      for (const auto& hole : face.holes) corners += hole.size();
+    }
+  }
+  return corners;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sightline;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto result = scene::read_poly_json(text, "fuzz");
+  const auto* scene = std::get_if<scene::PolyScene>(&result);
+  if (scene == nullptr || corners_of(*scene) > most_corners || !scene::check_poly_scene(*scene).empty() ||
+      scene::eye_error(*scene, scene->camera))
+    return 0;
+  const std::string differences = algorithms::Agreement(*scene).differences(scene->camera);
+  if (differences.empty()) return 0;
+  std::fputs(differences.c_str(), stderr);
+  std::abort();
+}
