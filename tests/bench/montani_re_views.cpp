@@ -31,7 +31,7 @@ void exact_view(benchmark::State& state) {
 }
 
 // All of the image of the scene on 1024 pixels.
-native::StripeFrame frame_of(const native::FaceSet& set) {
+native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera& camera) {
   std::array<double, 2> low{};
   std::array<double, 2> high{};
   for (const native::Face& face : set.faces) {
@@ -40,9 +40,11 @@ native::StripeFrame frame_of(const native::FaceSet& set) {
       high[axis] = std::max(high[axis], face.high[axis].approximate);
     }
   }
-  native::StripeFrame frame{1, {}, 1024, 1024};
-  frame.scale = 1024 / std::max(high[0] - low[0], high[1] - low[1]);
-  for (std::size_t axis = 0; axis < 2; ++axis) frame.centre[axis] = -low[axis] * frame.scale;
+  native::StripeFrame frame{{}, {}, 1024, 1024};
+  const auto unit = native::pixels_a_unit(camera, 1);
+  const double size = std::max((high[0] - low[0]) * unit[0], (high[1] - low[1]) * unit[1]);
+  frame.scale = native::pixels_a_unit(camera, 1024 / size);
+  for (std::size_t axis = 0; axis < 2; ++axis) frame.centre[axis] = -low[axis] * frame.scale[axis];
   return frame;
 }
 
@@ -54,7 +56,8 @@ void stripes_view(benchmark::State& state) {
     const auto faces = native::faces_of(scene, scene.camera);
     const auto& set = std::get<native::FaceSet>(faces);
     const native::ListedFaces listed = native::listed_faces(set);
-    raster = native::raster_by_difference(set.image, listed.list, listed.faces, frame_of(set), 16);
+    raster =
+        native::raster_by_difference(set.image, listed.list, listed.faces, frame_of(set, scene.camera), 16);
   }
   state.counters["sides"] = static_cast<double>(raster.sides);
 }

@@ -79,9 +79,9 @@ class StripeCombination {
     row_.clear();
     for (const StripeSide& side : a) row_.push_back({side, true});
     for (const StripeSide& side : b) row_.push_back({side, false});
-    std::inplace_merge(
-        row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(a.size()), row_.end(),
-        [low, high](const Member& p, const Member& q) { return west_of(p.side, q.side, low, high); });
+    std::stable_sort(row_.begin(), row_.end(), [low, high](const Member& p, const Member& q) {
+      return west_of(p.side, q.side, low, high);
+    });
   }
 
   // The lowest sixteenth above a crossing, or the end: sides are straight, so that what is in order at both
@@ -175,6 +175,17 @@ StripeRaster blank(const StripeFrame& frame) {
 
 }  // namespace
 
+std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size) {
+  const auto length = [](const scene::PolyPoint& v) {
+    const double x = v[0];
+    const double y = v[1];
+    const double z = v[2];
+    return std::sqrt(x * x + y * y + z * z);
+  };
+  const double focal = camera.perspective ? length(camera.forward) : 1;
+  return {size * focal / length(camera.right), size * focal / length(camera.up)};
+}
+
 std::uint64_t StripePcs::side_count() const {
   std::uint64_t count = 0;
   for (const auto& stripe : stripes) {
@@ -189,11 +200,11 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
   const double stripes_a_pixel = units / 16.0;
   // Lines beyond the frame are one above and one below: nothing between them is kept.
   const auto line_at = [&](double y) {
-    const double at = std::floor((frame.centre[1] + frame.scale * y) * stripes_a_pixel + 0.5);
+    const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_a_pixel + 0.5);
     return std::clamp(at, -0x1p30, 0x1p30);
   };
   const auto abscissa = [&](std::uint32_t line, double y) {
-    return std::clamp((frame.centre[0] + frame.scale * image.abscissa(line, y)) * fraction, -farthest,
+    return std::clamp((frame.centre[0] + frame.scale[0] * image.abscissa(line, y)) * fraction, -farthest,
                       farthest);
   };
   StripePcs pcs;
@@ -208,15 +219,26 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     const double low = line_at(band.low.middle());
     const double high = line_at(band.high.middle());
     for (const Side& side : region.sides_of(band)) {
-      const double from = abscissa(side.line, band.low.middle());
-      const double slope = (abscissa(side.line, band.high.middle()) - from) / (high - low);
+      // The whole edge between its moved corners, so that faces on both sides of it agree.
+      const ImageLine& line = image.lines()[side.line];
+      const double y = image.ordinate_of(line.from).middle();
+      const double end = image.ordinate_of(line.to).middle();
+      const double from = abscissa(side.line, y);
+      const double start = line_at(y);
+      const double slope = (abscissa(side.line, end) - from) / (line_at(end) - start);
       for (std::int32_t k = within(low); k < within(high); ++k) {
         auto& stripe = pcs.stripes[static_cast<std::size_t>(k - pcs.first)];
         if (stripe.empty()) stripe.emplace_back();
         stripe[0].sides.push_back(
-            {std::llround(from + slope * (k - low)), std::llround(from + slope * (k + 1 - low))});
+            {std::llround(from + slope * (k - start)), std::llround(from + slope * (k + 1 - start))});
       }
     }
+  }
+  // Sides of moved corners may cross.
+  for (auto& stripe : pcs.stripes) {
+    std::vector<StripeBand> ordered;
+    StripeCombination(Operation::subtract, ordered).run(stripe, {});
+    stripe = std::move(ordered);
   }
   return pcs;
 }

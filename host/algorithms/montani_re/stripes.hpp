@@ -14,17 +14,22 @@
 
 #include "host/algorithms/montani_re/priority.hpp"
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
+#include "host/scene/poly_scene.hpp"
 
 namespace sightline::algorithms::montani_re {
 
-// Pixel coordinates are centre + scale * image coordinates, x from the left, y from below. A pixel belongs to
-// what covers its centre.
+// Pixel coordinates are centre + scale * image coordinates, x from the left, y from below. The image's own
+// units differ in x and y where the camera's right and up differ in length (pixels_a_unit). A pixel belongs
+// to what covers its centre.
 struct StripeFrame {
-  double scale = 1;
+  std::array<double, 2> scale{1, 1};
   std::array<double, 2> centre{};
   std::int32_t width = 0;
   std::int32_t height = 0;
 };
+
+// The scale of both axes for `size` pixels a unit of the image as PolyCamera defines it.
+[[nodiscard]] std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size);
 
 struct StripeSide {
   std::int64_t bottom = 0;  // abscissas in 1/65536 pixel at the lower and the upper end of the stripe
