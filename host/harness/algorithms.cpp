@@ -10,6 +10,7 @@
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/compartment.hpp"
 
@@ -116,6 +117,18 @@ std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::P
   return prepared;
 }
 
+std::variant<PreparedScene, scene::SceneError> prepare_plantinga(const scene::PolyScene& scene) {
+  const auto turning = std::make_shared<algorithms::plantinga::TurningScene>(scene);
+  PreparedScene prepared;
+  prepared.counts = {{"edges", turning->model().edges().size()}, {"faces", turning->model().faces().size()}};
+  prepared.view = [turning](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    const auto sight = algorithms::plantinga::sight_of(camera);
+    if (!sight) return scene::SceneError{"", "camera", "its line of sight is not parallel to y = 0"};
+    return LineView{turning->view(*sight), {}};
+  };
+  return prepared;
+}
+
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
                   prepare_exact},
@@ -125,6 +138,9 @@ constexpr std::array table{
                   applies, prepare_montani_re, true, algorithms::montani_re::why_not_view},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
+    LineAlgorithm{"plantinga", "Visual events of a turn, after Plantinga, Seales and Dyer (1990), exact",
+                  algorithms::plantinga::why_not, prepare_plantinga, false,
+                  algorithms::plantinga::why_not_view},
 };
 
 }  // namespace
