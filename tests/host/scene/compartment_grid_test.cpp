@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "host/scene/box_tree.hpp"
+#include "host/geometry/box_tree.hpp"
 #include "host/scene/cell_complex_of_cells.hpp"
 #include "host/scene/check_complex.hpp"
 #include "host/scene/compartment.hpp"
