@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "host/algorithms/montani_re/edges_behind_sheets.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/poly_triangulate.hpp"
 
@@ -150,7 +151,7 @@ std::optional<std::string> why_not_view(const scene::PolyScene& scene, const sce
       if (place_of(scene, camera, body.faces[f]) == Place::across) return reaches_behind(b, f);
     }
   }
-  return std::nullopt;
+  return edge_behind_sheet(scene, camera);
 }
 
 std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,

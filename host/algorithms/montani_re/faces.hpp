@@ -83,7 +83,8 @@ class FaceSetBuilder {
 };
 
 // Why this algorithm does not draw what "exact" draws of a view; nothing if it does: a face from before the
-// eye to behind it, or a face of a sheet seen edge-on, which is a line to others and nothing to stripes.
+// eye to behind it, a face of a sheet seen edge-on, which is a line to others and nothing to stripes, or one
+// that is touched from behind (edges_behind_sheets.hpp).
 [[nodiscard]] std::optional<std::string> why_not_view(const scene::PolyScene& scene,
                                                       const scene::PolyCamera& camera);
 

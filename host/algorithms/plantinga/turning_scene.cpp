@@ -5,6 +5,17 @@
 #include <utility>
 
 namespace sightline::algorithms::plantinga {
+namespace {
+
+// The image of the edge is a point: what is seen of it changes neither before nor after, so that no event
+// tells.
+bool seen_end_on(const Segment& edge, const Sight& sight) {
+  const Vector3& a = edge.from;
+  const Vector3& b = edge.to;
+  return a[1] == b[1] && (b[0] - a[0]) * sight.z == (b[2] - a[2]) * sight.x;
+}
+
+}  // namespace
 
 std::optional<std::string> why_not(const scene::PolyScene& scene) {
   const std::size_t count = picture::edges_of(scene).size();
@@ -45,6 +56,7 @@ std::optional<picture::LinePicture> TurningScene::turned_view(const Sight& sight
   if (!graph_->turn_to_place(static_cast<std::size_t>(after - list_.events.begin()))) return std::nullopt;
   picture::LinePicture picture;
   for (EdgeIndex edge = 0; edge < model_.edges().size(); ++edge) {
+    if (seen_end_on(model_.segment(edge), sight)) continue;
     append_pieces(model_, edge, graph_->structure_of(edge), sight, picture.pieces);
   }
   return picture;

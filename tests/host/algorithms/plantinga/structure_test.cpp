@@ -90,6 +90,16 @@ TEST(EdgeStructure, BetweenDirectionsTooNearForSmallIntegers) {
 }
 
 // Pictures through the list of events, among them views exactly at events.
+TEST(TurningScene, DrawsNothingOfAnEdgeSeenEndOn) {
+  scene::PolyScene scene;
+  scene.vertices = {{1, 0, 0}, {0, 0, 1}, {0, 0, 0}};
+  scene.bodies = {{"", true, {{{0, 1, 2}, {}}}}};
+  TurningScene turning(scene);
+  const picture::LinePicture expected = exact::visible_edges(scene, camera_of({1, 0}));
+  EXPECT_TRUE(turning.view({1, 0}) == expected) << "from scratch";
+  EXPECT_TRUE(turning.view({1, 0}) == expected) << "through the events";
+}
+
 TEST(TurningScene, EqualsExact) {
   std::vector<scene::PolyScene> scenes{two_boxes(), boxes_on_the_ground(), model_scene("grid")};
   for (std::uint64_t seed = 1; seed <= 6; ++seed) scenes.push_back(scene::generate_bricks(6, seed));
