@@ -145,13 +145,13 @@ std::string compare_table(const SceneComparison& comparison) {
   if (!comparison.pictures.empty())
     text += fmt::format(", {:.1f} px of lines are seen", comparison.pictures.front().metrics.true_length);
   text +=
-      fmt::format("\n  {:<8}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
+      fmt::format("\n  {:<12}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
                   "miss >1", "extra >1", "H px", "99.9 %", "wrong points, 95 % interval", "pieces");
   for (const ComparedPicture& compared : comparison.pictures) {
     const LineMetrics& m = compared.metrics;
     const picture::Rate& rate = m.wrong_visibility;
     text += fmt::format(
-        "  {:<8}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", compared.name,
+        "  {:<12}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", compared.name,
         pixels_and_share(m, m.missing), pixels_and_share(m, m.extra), m.missing_far, m.extra_far,
         distance_text(m.hausdorff.greatest), distance_text(m.hausdorff.usual),
         fmt::format("{:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
@@ -173,12 +173,12 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
     const PixelMetrics& any = comparison.rasters.front().metrics;
     text += fmt::format(", {} of {} points are lit, {} at edges", any.lit, any.pixels, any.boundary_pixels);
   }
-  text += fmt::format("\n  {:<8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
+  text += fmt::format("\n  {:<12}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
                       "elsewhere", "missing", "extra", "miss >1", "extra >1");
   for (const ComparedRaster& compared : comparison.rasters) {
     const PixelMetrics& m = compared.metrics;
     text +=
-        fmt::format("  {:<8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", compared.name,
+        fmt::format("  {:<12}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", compared.name,
                     fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()), m.different_on_boundary,
                     m.different_inside, m.missing, m.extra, m.missing_far, m.extra_far);
   }
