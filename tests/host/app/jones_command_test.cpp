@@ -1,6 +1,5 @@
 // `sightline jones` and `sightline demo`: views, pictures, figures, and what is said when something is wrong.
 #include <nlohmann/json.hpp>
-
 #include <sstream>
 
 #include "tests/host/app/command_line.hpp"
@@ -25,14 +24,17 @@ class JonesCommand : public sightline::test::CommandLine {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     return ran.exit_code == 0 ? json::parse(ran.out) : json{};
   }
-  [[nodiscard]] bool is_png(const std::string& name) const { return read(name).starts_with("\x89PNG\r\n\x1a\n"); }
+  [[nodiscard]] bool is_png(const std::string& name) const {
+    return read(name).starts_with("\x89PNG\r\n\x1a\n");
+  }
 };
 
 TEST_F(JonesCommand, WritesPicturesAndSaysWhatItCost) {
   const Ran ran = sightline({"jones", "house", "-o", "pictures"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* line : {"view 1", "view 2", "status           complete", "instructions", "cells read       3 of 3, 4 visits",
-                           "openings tested", "lines clipped", "segments", "display words", "of 8192 words", "refresh"}) {
+  for (const char* line :
+       {"view 1", "view 2", "status           complete", "instructions", "cells read       3 of 3, 4 visits",
+        "openings tested", "lines clipped", "segments", "display words", "of 8192 words", "refresh"}) {
     EXPECT_TRUE(has(ran.out, line)) << line << '\n' << ran.out;
   }
   EXPECT_TRUE(is_png("pictures/house.png"));
@@ -54,8 +56,8 @@ TEST_F(JonesCommand, JsonFields) {
   ASSERT_EQ(r.at("views").size(), 2U);
   for (const json& view : r.at("views")) {
     EXPECT_EQ(view.at("status"), "complete");
-    for (const char* field : {"emulated_ns", "instructions", "cells_read", "visits", "openings_tested", "lines_clipped",
-                              "segments", "display_words"}) {
+    for (const char* field : {"emulated_ns", "instructions", "cells_read", "visits", "openings_tested",
+                              "lines_clipped", "segments", "display_words"}) {
       EXPECT_GT(view.at(field).get<std::int64_t>(), 0) << field;
     }
   }
@@ -84,13 +86,15 @@ TEST_F(JonesCommand, AnotherPlaceScaleAndMode) {
   const json scene = scene_of("corridor8");
   const json& box = scene.at("cells").at(1);
   const json& low = box.contains("box") ? box.at("box").at(0) : box.at(0);
-  const std::string at = std::to_string(low[0].get<int>() + 100) + "," + std::to_string(low[1].get<int>() + 100) + "," +
+  const std::string at = std::to_string(low[0].get<int>() + 100) + "," +
+                         std::to_string(low[1].get<int>() + 100) + "," +
                          std::to_string(low[2].get<int>() + 100);
   const json there = report({"corridor8", "--at", at});
   EXPECT_EQ(there.at("eye")[2], low[2].get<int>() + 100);
   const json wide = report({"corridor8", "--scale", "256"}), near = report({"corridor8", "--scale", "2048"});
   EXPECT_NE(wide.at("views")[1], near.at("views")[1]);
-  const json mono = report({"house"}), pair = report({"house", "--stereo"}), at_once = report({"house", "--immediate"});
+  const json mono = report({"house"}), pair = report({"house", "--stereo"}),
+             at_once = report({"house", "--immediate"});
   EXPECT_GT(pair.at("views")[1].at("visits"), mono.at("views")[1].at("visits"));
   EXPECT_EQ(at_once.at("views")[1].at("segments"), mono.at("views")[1].at("segments"));
   EXPECT_EQ(report({"house", "--views", "4"}).at("views").size(), 4U);
@@ -113,7 +117,8 @@ TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
   const json solid = scene_of("roberts").at("solids").at(0);
   std::string inside;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    inside += (axis == 0 ? "" : ",") + std::to_string((solid[0][axis].get<int>() + solid[1][axis].get<int>()) / 2);
+    inside +=
+        (axis == 0 ? "" : ",") + std::to_string((solid[0][axis].get<int>() + solid[1][axis].get<int>()) / 2);
   }
   for (const std::string& at : {inside, std::string("16000,16000,16000")}) {
     const Ran ran = sightline({"jones", "roberts", "--at", at});
@@ -125,9 +130,10 @@ TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
 }
 
 TEST_F(JonesCommand, WrongArguments) {
-  for (const Arguments& wrong : {Arguments{"house", "--scale", "63"}, Arguments{"house", "--scale", "4097"},
-                                 Arguments{"house", "--scale", "big"}, Arguments{"house", "--at", "1,2"},
-                                 Arguments{"house", "--views", "0"}, Arguments{"house", "--nonsense"}, Arguments{}}) {
+  for (const Arguments& wrong :
+       {Arguments{"house", "--scale", "63"}, Arguments{"house", "--scale", "4097"},
+        Arguments{"house", "--scale", "big"}, Arguments{"house", "--at", "1,2"},
+        Arguments{"house", "--views", "0"}, Arguments{"house", "--nonsense"}, Arguments{}}) {
     Arguments arguments{"jones"};
     arguments.insert(arguments.end(), wrong.begin(), wrong.end());
     const Ran ran = sightline(arguments);
@@ -166,10 +172,12 @@ TEST_F(JonesCommand, DemoPrintsTheTableAndWritesThePictures) {
   std::istringstream lines(ran.out);
   int rows = 0;
   for (std::string line; std::getline(lines, line);) {
-    for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "}) rows += line.starts_with(scene);
+    for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "})
+      rows += line.starts_with(scene);
   }
-  EXPECT_EQ(rows, 10) << ran.out;
+  EXPECT_EQ(rows, 10 + 5) << "computed with and without the EAE, and compared\n" << ran.out;
   EXPECT_TRUE(has(ran.out, "a few seconds"));
+  EXPECT_FALSE(has(ran.out, "DIFFERS")) << ran.out;
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
     ++pictures;
@@ -185,6 +193,8 @@ TEST_F(JonesCommand, DemoPrintsTheTableAndWritesThePictures) {
     EXPECT_EQ(view.at("status"), "complete");
     EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
   }
+  EXPECT_EQ(r.at("compared").at("agrees"), true);
+  EXPECT_EQ(r.at("compared").at("scenes").size(), 5U + 8U);
 }
 
 }  // namespace
