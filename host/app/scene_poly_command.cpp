@@ -137,7 +137,7 @@ void add_generate(CLI::App& parent, ExitCode& exit_code) {
   std::string families;
   for (const std::string_view name : scene::generator_names()) families += fmt::format(" {}", name);
   command->add_option("FAMILY", arguments->family, "One of" + families)->required();
-  command->add_option("SIZE", arguments->size, "How many; touch, aligned, rooms and big_rooms: on a side")->required();
+  command->add_option("SIZE", arguments->size, "How many; touch, aligned, rooms and big_rooms: on a side; corridors: rooms")->required();
   command->add_option("--seed", arguments->seed, "Another seed, another scene")->capture_default_str();
   command
       ->add_option("-o,--output", arguments->output,

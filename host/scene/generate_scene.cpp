@@ -11,11 +11,12 @@ struct Family {
   std::string_view name;
   std::size_t largest;
   PolyScene (*generate)(std::size_t n, std::uint64_t seed);
+  std::size_t smallest = 1;
 };
 
 // The eye of boxes is at 2200 K < 2^18, so K <= 119; of touch and aligned at 1500 n; a town ends at 1000 G,
-// rooms at 1000 n; K, G to the power that n has.
-constexpr std::array<Family, 9> families{{
+// rooms at 1000 n, corridors at 400 n; K, G to the power that n has.
+constexpr std::array<Family, 10> families{{
     {"boxes", 119 * 119 * 119, generate_boxes},
     {"edgeon", 119 * 119 * 119, generate_edgeon},
     {"touch", 174, [](std::size_t n, std::uint64_t) { return generate_touch(n); }},
@@ -25,6 +26,7 @@ constexpr std::array<Family, 9> families{{
     {"bricks", 1000, generate_bricks},
     {"rooms", 262, generate_rooms},
     {"big_rooms", 1310, generate_big_rooms},
+    {"corridors", 655, [](std::size_t n, std::uint64_t) { return generate_corridors(n); }, 2},
 }};
 
 const Family* find_family(std::string_view name) {
@@ -63,9 +65,10 @@ std::variant<PolyScene, SceneError> generate_scene(std::string_view family, std:
     for (const Family& known : families) names += (names.empty() ? "" : ", ") + std::string(known.name);
     return SceneError{std::string(family), "", "no such family of scenes; there are " + names};
   }
-  if (size == 0 || size > found->largest) {
+  if (size < found->smallest || size > found->largest) {
     return SceneError{std::string(family), "size",
-                      "found " + std::to_string(size) + ", expected 1.." + std::to_string(found->largest)};
+                      "found " + std::to_string(size) + ", expected " + std::to_string(found->smallest) +
+                          ".." + std::to_string(found->largest)};
   }
   return found->generate(size, seed);
 }

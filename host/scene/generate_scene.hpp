@@ -12,6 +12,8 @@
 // rooms: n x n rooms of 1000 x 1000 x 600 with walls without thickness, one sheet; edges of neighbours in one
 // plane
 //   are edges all the same.    big_rooms: the same, all lengths divided by 5 (and rounded down).
+// corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
+// are the built-in scenes of that name.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +27,8 @@
 
 namespace sightline::scene {
 
-// Sizes are at least 1 and such that every coordinate and the eye stay below poly_coordinate_limit
-// (largest_generated_size); bricks, which have no such limit, at most 1000.
+// Sizes are at least 1 (corridors: 2) and such that every coordinate and the eye stay below
+// poly_coordinate_limit (largest_generated_size); bricks, which have no such limit, at most 1000.
 [[nodiscard]] PolyScene generate_boxes(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_edgeon(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_touch(std::size_t n);
@@ -36,6 +38,7 @@ namespace sightline::scene {
 [[nodiscard]] PolyScene generate_bricks(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_rooms(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_big_rooms(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_corridors(std::size_t n);
 
 // Every family by name, in the order above.
 [[nodiscard]] std::vector<std::string_view> generator_names();

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/poly_from_cells.hpp"
+#include "tests/host/scene/scene_support.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -130,6 +132,11 @@ TEST(GenerateScene, BigRoomsAreRoomsDividedByFive) {
   EXPECT_EQ(small.bodies, rooms.bodies);
 }
 
+TEST(GenerateScene, CorridorsAreTheBuiltInOnes) {
+  EXPECT_EQ(generate_corridors(8), poly_scene_of(builtin_scene("corridor8")));
+  EXPECT_EQ(generate_corridors(32), poly_scene_of(builtin_scene("corridor32")));
+}
+
 TEST(GenerateScene, BricksDoNotOverlapAndAreLeftOutWithoutRoom) {
   const PolyScene scene = generate_bricks(200, 3);
   EXPECT_LT(scene.bodies.size(), 200U);
@@ -158,11 +165,13 @@ TEST(GenerateScene, TheGeneratedSetHas500DifferentScenes) {
 TEST(GenerateScene, WhatCannotBeGeneratedIsNamed) {
   EXPECT_EQ(std::get<SceneError>(generate_scene("castles", 1)).message(),
             "castles: no such family of scenes; there are boxes, edgeon, touch, aligned, town, triangles, "
-            "bricks, rooms, big_rooms");
+            "bricks, rooms, big_rooms, corridors");
   EXPECT_EQ(std::get<SceneError>(generate_scene("rooms", 0)).message(),
             "rooms: size: found 0, expected 1..262");
   EXPECT_EQ(std::get<SceneError>(generate_scene("rooms", 263)).message(),
             "rooms: size: found 263, expected 1..262");
+  EXPECT_EQ(std::get<SceneError>(generate_scene("corridors", 1)).message(),
+            "corridors: size: found 1, expected 2..655");
 }
 
 }  // namespace

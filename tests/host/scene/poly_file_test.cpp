@@ -120,7 +120,8 @@ TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
     PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
     EXPECT_EQ(obj.vertices, scene.vertices) << family;
     EXPECT_EQ(obj.bodies, scene.bodies) << family;
-    if (family == "touch" || family == "bricks") continue;  // OFF has no bodies: what touches hangs together
+    // OFF has no bodies: what touches hangs together, what does not is apart.
+    if (family == "touch" || family == "bricks" || family == "corridors") continue;
     PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
     EXPECT_EQ(off.vertices, scene.vertices) << family;
     ASSERT_EQ(off.bodies.size(), scene.bodies.size()) << family;
