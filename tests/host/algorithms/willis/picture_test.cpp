@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "host/algorithms/oracle/sight_oracle.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "tests/host/algorithms/willis/sight_lines.hpp"
@@ -26,39 +27,21 @@ Setting setting_at(const scene::PolyPoint& eye, int size) {
   return setting;
 }
 
-// Faces of bodies as they are, without what this algorithm makes of them. Convex faces only.
+// Faces of bodies as they are, without what this algorithm makes of them, numbered from 1.
 picture::PixelGrid nearest_faces(const scene::PolyScene& scene, const Setting& setting) {
   picture::PixelGrid grid(setting.window.width, setting.window.height);
+  std::vector<std::uint32_t> faces_before;
+  std::uint32_t count = 1;
+  for (const scene::PolyBody& body : scene.bodies) {
+    faces_before.push_back(count);
+    count += static_cast<std::uint32_t>(body.faces.size());
+  }
   const int size = setting.window.width;
-  const Point eye = on_lattice(setting.camera.eye);
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
-      const Vector3 d{2 * column + 1 - size, 2 * row + 1 - size, size};
-      std::uint32_t number = 0;
-      bool any = false;
-      Int128 num = 0;
-      Int128 den = 1;
-      for (const scene::PolyBody& body : scene.bodies) {
-        for (const scene::PolyFace& face : body.faces) {
-          ++number;
-          const auto at = [&](std::size_t i) -> const scene::PolyPoint& { return scene.vertices[face.outline[i]]; };
-          const auto plane = geometry::plane_through(at(0), at(1), at(2));
-          Int128 n = Int128{plane.offset} - geometry::wide_dot(plane.normal, geometry::vector_of(setting.camera.eye));
-          Int128 m = geometry::wide_dot(plane.normal, d);
-          if (m < 0) {
-            n = -n;
-            m = -m;
-          }
-          if (m == 0 || n <= 0 || (any && n * den >= num * m)) continue;
-          std::vector<Point> corners;
-          for (const scene::VertexIndex v : face.outline) corners.push_back(on_lattice(scene.vertices[v]));
-          if (!passes(corners, eye, d)) continue;
-          any = true;
-          num = n;
-          den = m;
-          grid.set(column, row, number);
-        }
-      }
+      const auto met =
+          oracle::nearest_face(scene, setting.camera.eye, {2 * column + 1 - size, 2 * row + 1 - size, size});
+      if (met) grid.set(column, row, faces_before[met->body] + static_cast<std::uint32_t>(met->face));
     }
   }
   return grid;
@@ -71,7 +54,8 @@ int wrong_inside(const picture::PixelGrid& truth, const picture::PixelGrid& draw
     for (int column = 1; column + 1 < truth.width; ++column) {
       bool inside = true;
       for (int y = row - 1; y <= row + 1; ++y)
-        for (int x = column - 1; x <= column + 1; ++x) inside = inside && truth.at(x, y) == truth.at(column, row);
+        for (int x = column - 1; x <= column + 1; ++x)
+          inside = inside && truth.at(x, y) == truth.at(column, row);
       wrong += inside && truth.at(column, row) != drawn.at(column, row);
     }
   }

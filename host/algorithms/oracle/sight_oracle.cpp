@@ -1,0 +1,101 @@
+#include "host/algorithms/oracle/sight_oracle.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/integer.hpp"
+#include "host/scene/poly_triangulate.hpp"
+
+namespace sightline::algorithms::oracle {
+namespace {
+
+using geometry::Int128;
+using geometry::Vector3;
+
+// Where on the line a face's plane is crossed: numerator / denominator times the direction.
+struct Distance {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;  // positive
+
+  [[nodiscard]] bool less(const Distance& other) const {
+    return Int128{numerator} * other.denominator < Int128{other.numerator} * denominator;
+  }
+};
+
+class SightLine {
+ public:
+  SightLine(const scene::PolyScene& scene, const scene::PolyPoint& eye, const Vector3& direction)
+      : scene_(scene), eye_(eye), direction_(direction) {
+    Vector3 aside{};
+    aside[(geometry::dominant_axis(direction) + 1) % 3] = 1;
+    across_ = geometry::cross(direction, aside);
+  }
+
+  [[nodiscard]] std::optional<Distance> meets(const scene::PolyFace& face) const {
+    const Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
+    std::int64_t along = geometry::dot(normal, direction_);
+    std::int64_t ahead = geometry::dot(normal, geometry::difference(scene_.vertices[face.outline[0]], eye_));
+    if (along < 0) {
+      along = -along;
+      ahead = -ahead;
+    }
+    if (along == 0 || ahead <= 0) return std::nullopt;
+    bool inside = passes(face.outline);
+    for (const auto& hole : face.holes) inside = inside && !passes(hole);
+    if (!inside) return std::nullopt;
+    return Distance{ahead, along};
+  }
+
+ private:
+  // The line runs inside the ring, as seen along it: an odd number of sides crosses the half-plane on one
+  // side of the line.
+  [[nodiscard]] bool passes(const std::vector<scene::VertexIndex>& ring) const {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector3 p = geometry::difference(scene_.vertices[ring[i]], eye_);
+      const Vector3 q = geometry::difference(scene_.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]], eye_);
+      const bool p_above = geometry::dot(across_, p) > 0;
+      const bool q_above = geometry::dot(across_, q) > 0;
+      if (p_above == q_above) continue;
+      const std::int64_t turn = geometry::dot(geometry::cross(p, q), direction_);
+      if (q_above ? turn > 0 : turn < 0) inside = !inside;
+    }
+    return inside;
+  }
+
+  const scene::PolyScene& scene_;
+  const scene::PolyPoint& eye_;
+  Vector3 direction_;
+  Vector3 across_;  // normal of a plane that holds the line
+};
+
+}  // namespace
+
+std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const scene::PolyPoint& eye,
+                                    const Vector3& direction) {
+  const SightLine line(scene, eye, direction);
+  std::optional<MetFace> nearest;
+  Distance least;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
+      const auto distance = line.meets(scene.bodies[b].faces[f]);
+      if (!distance || (nearest && !distance->less(least))) continue;
+      nearest = MetFace{b, f};
+      least = *distance;
+    }
+  }
+  return nearest;
+}
+
+bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye, const scene::PolyPoint& point) {
+  const SightLine line(scene, eye, geometry::difference(point, eye));
+  for (const scene::PolyBody& body : scene.bodies) {
+    for (const scene::PolyFace& face : body.faces) {
+      const auto distance = line.meets(face);
+      if (distance && distance->numerator < distance->denominator) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace sightline::algorithms::oracle

@@ -1,0 +1,36 @@
+// What a single sight line meets first, exactly: the reference for pictures of faces, pixel by pixel, and for
+// the visibility of a point.
+//
+// A sight line meets a face where it crosses its plane strictly ahead of the eye, in the inside of its
+// outline and of none of its holes; a face along the line is not met. A line that runs through a side of a
+// face exactly counts as on one side of it, always the same, so that of two faces with a common side one is
+// met. Slow and simple: all faces for every line.
+//
+// Sizes, coordinates below 2^18, directions below 2^20: sides of the line 62 bits, distances 61 over 61 bits.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "host/geometry/predicates.hpp"
+#include "host/scene/poly_scene.hpp"
+
+namespace sightline::algorithms::oracle {
+
+struct MetFace {
+  std::size_t body = 0;
+  std::size_t face = 0;
+
+  friend bool operator==(const MetFace&, const MetFace&) = default;
+};
+
+// The face met first by the line from `eye` along `direction`; of faces met at the same point, the first in
+// the scene's order. The scene is a checked one, the direction not zero (preconditions).
+[[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const scene::PolyPoint& eye,
+                                                  const geometry::Vector3& direction);
+
+// No face is met strictly between the eye and the point.
+[[nodiscard]] bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye,
+                        const scene::PolyPoint& point);
+
+}  // namespace sightline::algorithms::oracle
