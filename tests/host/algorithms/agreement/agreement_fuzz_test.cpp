@@ -33,7 +33,7 @@ std::string saved(const scene::PolyScene& scene, std::uint32_t seed) {
 TEST(AgreementFuzz, RandomScenesAreSeenAlikeByAll) {
   constexpr int views = 8;
   const std::uint32_t first = number_from("SIGHTLINE_FUZZ_SEED", 1);
-  const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", 200);
+  const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", 60);
   std::uint32_t looked = 0;
   for (std::uint32_t seed = first; seed - first < scenes; ++seed) {
     RandomScene random(seed);
