@@ -11,15 +11,6 @@ namespace {
 constexpr double fraction = 65536;
 constexpr double farthest = 0x1p40;  // abscissas beyond are cut off there
 
-bool kept(Operation operation, bool in_a, bool in_b) {
-  switch (operation) {
-    case Operation::unite: return in_a || in_b;
-    case Operation::intersect: return in_a && in_b;
-    case Operation::subtract: return in_a && !in_b;
-  }
-  return false;
-}
-
 // Of two sides from `low` up to `high`: which is to the west.
 bool west_of(const StripeSide& a, const StripeSide& b, std::int32_t low, std::int32_t high) {
   return a.at(low) != b.at(low) ? a.at(low) < b.at(low) : a.at(high) < b.at(high);

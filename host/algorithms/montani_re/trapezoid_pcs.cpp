@@ -8,15 +8,6 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-bool kept(Operation operation, bool in_a, bool in_b) {
-  switch (operation) {
-    case Operation::unite: return in_a || in_b;
-    case Operation::intersect: return in_a && in_b;
-    case Operation::subtract: return in_a && !in_b;
-  }
-  return false;
-}
-
 // A band that goes on where the one below ended, with the same sides, is the same band.
 void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
                  std::span<const Side> sides) {

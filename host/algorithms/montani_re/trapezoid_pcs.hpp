@@ -45,6 +45,16 @@ struct TrapezoidPcs {
 [[nodiscard]] TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines);
 
 enum class Operation { unite, intersect, subtract };
+
+// Whether a point that is in a or not, in b or not, is in the result.
+[[nodiscard]] constexpr bool kept(Operation operation, bool in_a, bool in_b) {
+  switch (operation) {
+    case Operation::unite: return in_a || in_b;
+    case Operation::intersect: return in_a && in_b;
+    case Operation::subtract: return in_a && !in_b;
+  }
+  return false;
+}
 // A side is own in the result if it is one of a's.
 [[nodiscard]] TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b,
                                    Operation operation);
