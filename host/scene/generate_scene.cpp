@@ -15,8 +15,8 @@ struct Family {
 };
 
 // The eye of boxes is at 2200 K < 2^18, so K <= 119; of touch and aligned at 1500 n; a town ends at 1000 G,
-// rooms at 1000 n, corridors at 400 n; K, G to the power that n has.
-constexpr std::array<Family, 10> families{{
+// rooms at 1000 n, corridors at 400 n, prisms at 22000 sqrt(n / 35); K, G to the power that n has.
+constexpr std::array<Family, 11> families{{
     {"boxes", 119 * 119 * 119, generate_boxes},
     {"edgeon", 119 * 119 * 119, generate_edgeon},
     {"touch", 174, [](std::size_t n, std::uint64_t) { return generate_touch(n); }},
@@ -27,6 +27,8 @@ constexpr std::array<Family, 10> families{{
     {"rooms", 262, generate_rooms},
     {"big_rooms", 1310, generate_big_rooms},
     {"corridors", 655, [](std::size_t n, std::uint64_t) { return generate_corridors(n); }, 2},
+    {"prisms", 12 * 12 * prisms_in_block,
+     [](std::size_t n, std::uint64_t seed) { return generate_prisms(n, seed); }},
 }};
 
 const Family* find_family(std::string_view name) {

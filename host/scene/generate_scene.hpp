@@ -14,6 +14,9 @@
 //   are edges all the same.    big_rooms: the same, all lengths divided by 5 (and rounded down).
 // corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
 // are the built-in scenes of that name.
+// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35, of
+// as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
+// splitting is measured. Looked at from its edge, below the tops of the walls.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +42,11 @@ namespace sightline::scene {
 [[nodiscard]] PolyScene generate_rooms(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_big_rooms(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_corridors(std::size_t n);
+inline constexpr std::int32_t prism_block = 20000;
+inline constexpr std::size_t prisms_in_block = 35;
+// The gap at most 1/100 of a block, so that there is room for 35 (25 with a gap of 160 are the other published
+// town).
+[[nodiscard]] PolyScene generate_prisms(std::size_t n, std::uint64_t seed = 1, std::int32_t gap = 50);
 
 // Every family by name, in the order above.
 [[nodiscard]] std::vector<std::string_view> generator_names();

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/poly_check.hpp"
 #include "host/scene/poly_from_cells.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
@@ -113,7 +117,7 @@ TEST(GenerateScene, CamerasAreOrthogonal) {
 
 // The largest size keeps within the coordinate limit; tried where that is cheap.
 TEST(GenerateScene, TheLargestSizeFits) {
-  for (const std::string_view family : {"rooms", "town"}) {
+  for (const std::string_view family : {"rooms", "town", "prisms"}) {
     const auto result = generate_scene(family, largest_generated_size(family));
     const PolyScene& scene = std::get<PolyScene>(result);
     for (const PolyPoint& p : scene.vertices)
@@ -135,6 +139,39 @@ TEST(GenerateScene, BigRoomsAreRoomsDividedByFive) {
 TEST(GenerateScene, CorridorsAreTheBuiltInOnes) {
   EXPECT_EQ(generate_corridors(8), poly_scene_of(builtin_scene("corridor8")));
   EXPECT_EQ(generate_corridors(32), poly_scene_of(builtin_scene("corridor32")));
+}
+
+// A footprint is a rectangle, and no corner of one is within the gap of a wall of another.
+TEST(GenerateScene, PrismsAreRectanglesApart) {
+  const PolyScene scene = generate_prisms(40);
+  EXPECT_EQ(counts_of(scene), (Counts{40 * 8, 40 * 12, 40 * 6}));
+  EXPECT_TRUE(check_poly_scene(scene).empty());
+  const auto footprint = [&](const PolyBody& body) {
+    std::vector<PolyPoint> corners;
+    for (const VertexIndex v : body.faces[4].outline) corners.push_back(scene.vertices[v]);
+    return corners;
+  };
+  const auto minus = [](const PolyPoint& a, const PolyPoint& b) {
+    return std::array{static_cast<double>(a[0] - b[0]), static_cast<double>(a[2] - b[2])};
+  };
+  for (const PolyBody& body : scene.bodies) {
+    const auto ring = footprint(body);
+    ASSERT_EQ(ring.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(ring[i][1], 0);
+      const auto a = minus(ring[i], ring[(i + 1) % 4]);
+      const auto b = minus(ring[(i + 2) % 4], ring[(i + 1) % 4]);
+      EXPECT_EQ(a[0] * b[0] + a[1] * b[1], 0);
+      for (const PolyBody& other : scene.bodies) {
+        if (&other == &body) continue;
+        for (const PolyPoint& p : footprint(other)) {
+          const auto d = minus(p, ring[(i + 1) % 4]);
+          const double s = std::clamp((d[0] * a[0] + d[1] * a[1]) / (a[0] * a[0] + a[1] * a[1]), 0.0, 1.0);
+          EXPECT_GT(std::hypot(d[0] - s * a[0], d[1] - s * a[1]), 50) << body.name << ", " << other.name;
+        }
+      }
+    }
+  }
 }
 
 TEST(GenerateScene, BricksDoNotOverlapAndAreLeftOutWithoutRoom) {
@@ -165,7 +202,7 @@ TEST(GenerateScene, TheGeneratedSetHas500DifferentScenes) {
 TEST(GenerateScene, WhatCannotBeGeneratedIsNamed) {
   EXPECT_EQ(std::get<SceneError>(generate_scene("castles", 1)).message(),
             "castles: no such family of scenes; there are boxes, edgeon, touch, aligned, town, triangles, "
-            "bricks, rooms, big_rooms, corridors");
+            "bricks, rooms, big_rooms, corridors, prisms");
   EXPECT_EQ(std::get<SceneError>(generate_scene("rooms", 0)).message(),
             "rooms: size: found 0, expected 1..262");
   EXPECT_EQ(std::get<SceneError>(generate_scene("rooms", 263)).message(),
