@@ -1,4 +1,6 @@
-# sightline_test(NAME name SOURCES a.cpp ... LIBRARIES target ... [LABEL slow])
+# sightline_test(NAME name SOURCES a.cpp ... LIBRARIES target ... [LABEL slow] [AS_ONE])
+#   LABEL release_only   only where code is optimised
+#   AS_ONE               its tests are run by one process, for they share what takes long to make
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
 #   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
 # What is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
@@ -7,7 +9,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2"
 endif()
 
 function(sightline_test)
-  cmake_parse_arguments(ARG "" "NAME;LABEL" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "AS_ONE" "NAME;LABEL" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL fast)
   endif()
@@ -15,5 +17,10 @@ function(sightline_test)
   target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
   target_precompile_headers(${ARG_NAME} REUSE_FROM sightline_test_headers)
   target_compile_options(${ARG_NAME} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
-  gtest_discover_tests(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
+  if(ARG_AS_ONE)
+    add_test(NAME ${ARG_NAME} COMMAND ${ARG_NAME})
+    set_tests_properties(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900)
+  else()
+    gtest_discover_tests(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
+  endif()
 endfunction()

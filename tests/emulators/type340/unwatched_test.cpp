@@ -10,6 +10,7 @@
 #include <random>
 
 #include "emulators/type340/display.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::type340 {
 namespace {
@@ -152,11 +153,11 @@ void run_side_by_side(Random& random, std::uint64_t& flashes) {
 TEST(UnwatchedDisplay, AgreesWithTheWatchedOneAtEveryTouch) {
   Random random(340);
   std::uint64_t flashes = 0;
-  for (int file = 0; file < 200; ++file) {
+  for (int file = 0; file < tests::effort(200, 30); ++file) {
     run_side_by_side(random, flashes);
     ASSERT_FALSE(HasFailure()) << "file " << file;
   }
-  EXPECT_GT(flashes, 10'000U);
+  EXPECT_GT(flashes, tests::effort(10'000U, 1500U));
 }
 
 // Any words, started anew twenty times a file.

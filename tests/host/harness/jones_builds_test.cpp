@@ -9,15 +9,12 @@
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/host/harness/dice.hpp"
 #include "tools/asm/pdp7.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::harness::jones {
 namespace {
 
-#ifdef NDEBUG
-constexpr int views = 4;
-#else
-constexpr int views = 2;
-#endif
+constexpr int views = tests::effort(4, 2);
 
 struct Build {
   std::string scene;

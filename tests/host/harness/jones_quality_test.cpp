@@ -20,17 +20,14 @@
 #include "tests/host/harness/jones_core.hpp"
 #include "tests/host/harness/jones_drawing.hpp"
 #include "tests/host/scene/scene_support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::harness::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
 
-#ifdef NDEBUG
-constexpr int views = 1000;
-#else
-constexpr int views = 20;
-#endif
+constexpr int views = tests::effort(1000, 10);
 constexpr double a_point = 1.0;
 constexpr double allowed_share = 0.01;
 

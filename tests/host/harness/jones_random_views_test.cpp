@@ -12,15 +12,12 @@
 #include "host/harness/jones_guest.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/host/harness/dice.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::harness::jones {
 namespace {
 
-#ifdef NDEBUG
-constexpr int views = 1000;
-#else
-constexpr int views = 20;
-#endif
+constexpr int views = tests::effort(1000, 10);
 constexpr int one_with_display_in = 25;
 constexpr std::int32_t room_before_far_side = 8;
 

@@ -11,21 +11,17 @@
 #include <vector>
 
 #include "tests/host/harness/skala_guest_support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::harness {
 namespace {
 
-#ifdef NDEBUG
-constexpr int rotations = 24;
-const std::vector<double> hard_rotations{0, 90, 180, 270, 44.999, 45.001, 130, 215, 340};
-const std::vector<double> hard_elevations{-90, -20, 0, 35, 90};
-constexpr scene::GridSize plotted_size{33, 33};
-#else
-constexpr int rotations = 3;  // 0, 120, 240 degrees
-const std::vector<double> hard_rotations{0, 45.001, 250};
-const std::vector<double> hard_elevations{-20, 35};
-constexpr scene::GridSize plotted_size{9, 9};
-#endif
+constexpr int rotations = tests::effort(24, 3);
+const std::vector<double> hard_rotations =
+    tests::effort<std::vector<double>>({0, 90, 180, 270, 44.999, 45.001, 130, 215, 340}, {0, 45.001, 250});
+const std::vector<double> hard_elevations =
+    tests::effort<std::vector<double>>({-90, -20, 0, 35, 90}, {-20, 35});
+constexpr scene::GridSize plotted_size = tests::effort(scene::GridSize{33, 33}, scene::GridSize{9, 9});
 constexpr std::array<double, 3> elevations{-20, 0, 35};
 
 scene::GridSize usual_size(SkalaPicture what) {

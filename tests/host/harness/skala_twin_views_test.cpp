@@ -6,6 +6,7 @@
 
 #include "host/scene/height_function.hpp"
 #include "tests/host/harness/skala_view_oracle.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::harness {
 namespace {
@@ -17,7 +18,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
 // Every angle at which the order changes or a family is end-on, and angles beside them.
 TEST(SkalaTwinViews, AnglesWhereTheOrderTurns) {
   const auto grid = grid_of("peaks", {19, 16});
-  for (int eighth = 0; eighth < 8; ++eighth) {
+  for (int eighth = 0; eighth < 8; eighth += tests::effort(1, 3)) {
     for (const double beside : {-0.001, 0.0, 0.001}) {
       for (const double elevation : {-90.0, -30.0, 0.0, 90.0}) {
         SkalaView view;

@@ -11,6 +11,7 @@
 
 #include "host/picture/line_metrics_near.hpp"
 #include "host/picture/line_metrics_parts.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -165,7 +166,7 @@ RandomPicture random_picture(std::uint32_t seed, double shift = 0, bool turned =
 }
 
 TEST(LineMetricsLaws, Hold) {
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint32_t seed = 1; seed <= tests::effort(5U, 1U); ++seed) {
     SCOPED_TRACE(seed);
     const RandomPicture p = random_picture(seed);
     const LineMetrics m = line_metrics(p.truth, p.drawn, {2000, 1});

@@ -10,6 +10,7 @@
 
 #include "host/scene/check.hpp"
 #include "tests/host/scene/scene_support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -150,7 +151,7 @@ TEST(LoadCellScene, ChecksWhatAFileSays) {
 // Bytes changed, removed and doubled at random: an error or a scene that can be checked, nothing else.
 TEST(ReadCellScene, SurvivesRandomDamage) {
   std::mt19937 random(1971);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < tests::effort(3000, 300); ++round) {
     std::string text(builtin_scene_text(round % 2 ? "house" : "roberts").value());
     for (unsigned edits = random() % 4 + 1; edits > 0; --edits) {
       const std::size_t at = random() % text.size();

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tools/image/octal.hpp"
+#include "tests/support/effort.hpp"
 #include "tools/image/tape.hpp"
 
 namespace sightline::image {
@@ -82,7 +83,7 @@ TEST(RoundTrip, Hri) {
 // without data: it becomes blank feed, and the words after it are shifted.)
 TEST(RoundTrip, ALostHole8IsNoticed) {
   Images images(4);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < tests::effort(20, 3); ++i) {
     const Tape tape = write_rim(images.sparse(017762), "t").value();
     std::size_t first = 0;
     while (tape[first] == 0) ++first;

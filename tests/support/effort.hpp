@@ -1,0 +1,18 @@
+// How much of a long loop a test runs: all of it where code is optimised, a part where checks in every
+// instruction make it ten to fifty times slower. What a case is tested for is the same in both.
+#pragma once
+
+namespace sightline::tests {
+
+#ifdef NDEBUG
+inline constexpr bool optimised = true;
+#else
+inline constexpr bool optimised = false;
+#endif
+
+template <class Value>
+[[nodiscard]] constexpr Value effort(Value whole, Value part) {
+  return optimised ? whole : part;
+}
+
+}  // namespace sightline::tests
