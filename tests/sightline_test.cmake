@@ -1,8 +1,7 @@
 # sightline_test(NAME name SOURCES a.cpp ... LIBRARIES target ... [LABEL slow] [AS_ONE])
-#   LABEL release_only   only where code is optimised
-#   AS_ONE               its tests are run by one process, for they share what takes long to make
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
 #   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
+#   LABEL release_only: only where code is optimised; AS_ONE: run by one process, sharing what takes long to make
 # What is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
   set(SIGHTLINE_TEST_OPTIONS -O1)
