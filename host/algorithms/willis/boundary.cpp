@@ -18,13 +18,6 @@ std::uint64_t squared_radius(const Surface& s, const Point& v) {
   return most;
 }
 
-// t reaches into a ball of s.
-bool reaches_into_balls(const Surface& t, const Surface& s) {
-  return std::any_of(s.points.begin(), s.points.end(), [&](const Point& v) {
-    return within(v, t.points, t.plane.normal, squared_radius(s, v));
-  });
-}
-
 bool normals_within_90(const Surface& s, const Surface& t) {
   return geometry::wide_dot(s.plane.normal, t.plane.normal) >= 0;
 }
@@ -45,11 +38,22 @@ bool in_boundary(const Surface& s, const Point& p, BoundaryShape shape) {
   });
 }
 
-bool clustered(const Surface& s, const Surface& t, const PairRules& rules) {
-  if (!can_obscure(s, t, rules.rule90) && !can_obscure(t, s, rules.rule90)) return false;
-  if (rules.shape == BoundaryShape::oval)
+bool reaches(const Surface& t, const Surface& s, BoundaryShape shape) {
+  if (shape == BoundaryShape::oval) return within(s, t, squared_diameter(s.points));
+  return std::any_of(s.points.begin(), s.points.end(), [&](const Point& v) {
+    return within(v, t.points, t.plane.normal, squared_radius(s, v));
+  });
+}
+
+bool reach_each_other(const Surface& s, const Surface& t, BoundaryShape shape) {
+  if (shape == BoundaryShape::oval)
     return within(s, t, std::max(squared_diameter(s.points), squared_diameter(t.points)));
-  return reaches_into_balls(t, s) || reaches_into_balls(s, t);
+  return reaches(t, s, shape) || reaches(s, t, shape);
+}
+
+bool clustered(const Surface& s, const Surface& t, const PairRules& rules) {
+  return (can_obscure(s, t, rules.rule90) || can_obscure(t, s, rules.rule90)) &&
+         reach_each_other(s, t, rules.shape);
 }
 
 double oval_area() {

@@ -30,6 +30,11 @@ struct PairRules {
 // p is in the boundary of s, or on it.
 [[nodiscard]] bool in_boundary(const Surface& s, const Point& p, BoundaryShape shape);
 
+// t has a point in the boundary of s, or on it; the two do not cross. Not symmetric.
+[[nodiscard]] bool reaches(const Surface& t, const Surface& s, BoundaryShape shape);
+// Either has one in that of the other.
+[[nodiscard]] bool reach_each_other(const Surface& s, const Surface& t, BoundaryShape shape);
+
 [[nodiscard]] bool clustered(const Surface& s, const Surface& t, const PairRules& rules);
 
 // Areas of the boundaries of a wall of length 1 in plan.

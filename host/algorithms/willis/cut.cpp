@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -11,13 +12,13 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
+// The middle, or the point of the lattice between a and b that is nearest to it; nothing if there is none.
 std::optional<Point> middle(const Point& a, const Point& b) {
+  const Vector3 d = between(b, a);
+  const std::int64_t steps = std::gcd(std::gcd(d[0], d[1]), d[2]);
+  if (steps < 2) return std::nullopt;
   Point m{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int64_t sum = std::int64_t{a[i]} + b[i];
-    if (sum % 2 != 0) return std::nullopt;
-    m[i] = static_cast<std::int32_t>(sum / 2);
-  }
+  for (std::size_t i = 0; i < 3; ++i) m[i] = static_cast<std::int32_t>(a[i] + d[i] / steps * (steps / 2));
   return m;
 }
 

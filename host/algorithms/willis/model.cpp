@@ -42,10 +42,14 @@ class Unclustering {
       if (is_cluster(a, b)) pairs_.emplace_back(a, b);
   }
 
-  [[nodiscard]] bool is_cluster(std::uint32_t a, std::uint32_t b) const {
+  [[nodiscard]] bool is_cluster(std::uint32_t a, std::uint32_t b) {
     const Surface& s = model_.pieces[a];
     const Surface& t = model_.pieces[b];
-    return s.cell == t.cell && s.face != t.face && clustered(s, t, options_.rules);
+    if (s.cell != t.cell || s.face == t.face) return false;
+    const PairRules& rules = options_.rules;
+    if (!can_obscure(s, t, rules.rule90) && !can_obscure(t, s, rules.rule90)) return false;
+    ++model_.tests;
+    return reach_each_other(s, t, rules.shape);
   }
 
   [[nodiscard]] std::uint32_t larger(std::uint32_t a, std::uint32_t b) const {

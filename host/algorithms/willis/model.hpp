@@ -60,6 +60,7 @@ struct Model {
   std::vector<Residual> residual;
   std::size_t surfaces = 0;  // before anything was cut
   std::size_t clusters = 0;  // pairs, before anything was cut for them
+  std::size_t tests = 0;     // pairs of which one can obscure the other and whose boundaries were looked at
   bool plan = false;
   std::size_t vertical = 1;
 };

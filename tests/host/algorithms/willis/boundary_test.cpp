@@ -16,14 +16,6 @@
 namespace sightline::algorithms::willis {
 namespace {
 
-// Whether any of t is in the boundary of s, whichever way they are turned.
-bool reaches(const Surface& t, const Surface& s, BoundaryShape shape) {
-  if (shape == BoundaryShape::oval) return within(s, t, squared_diameter(s.points));
-  for (const Point& v : s.points)
-    if (within(v, t.points, t.plane.normal, squared_diameter(s.points))) return true;
-  return false;
-}
-
 TEST(WillisBoundary, W1ExactlyAtTheLengthIsACluster) {
   const Surface s = turned(wall({0, 0}, {10, 0}));  // seen from above
   const auto t = [](std::int32_t z) { return wall({0, z}, {5, z}, 1); };  // seen from below, nothing of it behind s
@@ -219,6 +211,17 @@ TEST(WillisCut, TwelveHalvingsThenTheLattice) {
   }
   EXPECT_EQ(squared_diameter(s.points), 1U);
   EXPECT_FALSE(halved(s));
+}
+
+TEST(WillisCut, AMiddleBesideTheLatticeIsMovedAlongTheEdge) {
+  Surface s = wall({0, 0}, {3, 6}, 0);
+  for (int i = 0; i < lattice_bits + 1; ++i) {
+    const auto halves = halved(s);
+    ASSERT_TRUE(halves) << i;
+    s = (*halves)[squared_diameter((*halves)[1].points) > squared_diameter((*halves)[0].points) ? 1 : 0];
+    for (const Point& p : s.points) EXPECT_EQ(s.plane.side(p), 0);
+  }
+  EXPECT_LE(squared_diameter(s.points), 4U * 5U);
 }
 
 TEST(WillisCut, ByAPlaneOnlyAtLatticePoints) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host/algorithms/willis/frame.hpp"
+#include "host/algorithms/willis/sight_lines.hpp"
 #include "host/scene/generate_scene.hpp"
-#include "tests/host/algorithms/willis/sight_lines.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
 
 namespace sightline::algorithms::willis {

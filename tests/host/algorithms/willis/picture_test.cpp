@@ -8,7 +8,6 @@
 #include "host/algorithms/oracle/sight_oracle.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/scene/generate_scene.hpp"
-#include "tests/host/algorithms/willis/sight_lines.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
 
 namespace sightline::algorithms::willis {

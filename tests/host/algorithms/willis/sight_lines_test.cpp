@@ -1,8 +1,8 @@
 // A hundred thousand random sight lines over each split model: no wrong order where nothing is left over.
 #include <gtest/gtest.h>
 
+#include "host/algorithms/willis/sight_lines.hpp"
 #include "host/scene/generate_scene.hpp"
-#include "tests/host/algorithms/willis/sight_lines.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
 
 namespace sightline::algorithms::willis {

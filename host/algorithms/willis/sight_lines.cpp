@@ -1,0 +1,126 @@
+// See sight_lines.hpp.
+#include "host/algorithms/willis/sight_lines.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "host/algorithms/willis/frame.hpp"
+#include "host/geometry/predicates.hpp"
+#include "host/scene/eye_place.hpp"
+#include "host/scene/poly_bounds.hpp"
+
+namespace sightline::algorithms::willis {
+
+namespace {
+
+// The corners of a piece in space; of a wall in plan the rectangle that stands on it.
+std::vector<Point> corners_of(const Model& model, const Surface& s) {
+  if (!model.plan) return s.points;
+  std::vector<Point> corners{s.points[0], s.points[1], s.points[1], s.points[0]};
+  for (std::size_t i = 0; i < 4; ++i) corners[i][model.vertical] = (i < 2 ? s.low : s.high) * lattice_unit;
+  return corners;
+}
+
+// The line from the eye along d (components below 2^12) passes the inside of the polygon.
+bool passes(const std::vector<Point>& corners, const Point& eye, const Vector3& d) {
+  bool left = false;
+  bool right = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector3 a = between(corners[i], eye);
+    const Vector3 b = between(corners[(i + 1) % corners.size()], eye);
+    const Int128 volume = (Int128{a[1]} * b[2] - Int128{a[2]} * b[1]) * d[0] +
+                          (Int128{a[2]} * b[0] - Int128{a[0]} * b[2]) * d[1] +
+                          (Int128{a[0]} * b[1] - Int128{a[1]} * b[0]) * d[2];
+    if (volume == 0) return false;
+    (volume > 0 ? left : right) = true;
+  }
+  return left != right;
+}
+
+// One line: how many pieces it hits, and which of them, as places in the order, is nearest and highest.
+struct Hits {
+  int count = 0;
+  std::size_t nearest = 0;
+  std::size_t highest = 0;
+};
+
+Hits hits_of(const Model& model, const scene::PolyPoint& eye, std::span<const std::uint32_t> order,
+             const std::vector<std::vector<Point>>& corners, const Vector3& d) {
+  Hits hits;
+  Int128 nearest_num = 0;
+  Int128 nearest_den = 1;
+  const Point from = on_lattice(eye);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const SurfacePlane& plane = model.pieces[order[k]].plane;
+    const Int128 den = -geometry::wide_dot(plane.normal, d);
+    if (den <= 0 || !passes(corners[k], from, d)) continue;
+    const Int128 num = geometry::wide_dot(plane.normal, geometry::vector_of(eye)) - plane.offset;
+    hits.highest = k;
+    if (hits.count++ > 0 && num * nearest_den >= nearest_num * den) continue;
+    hits.nearest = k;
+    nearest_num = num;
+    nearest_den = den;
+  }
+  return hits;
+}
+
+std::optional<scene::PolyPoint> random_eye(const Model& model, const scene::PolyScene& scene,
+                                           const scene::PolyBounds& bounds, std::mt19937& random) {
+  scene::PolyPoint eye{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto size = static_cast<std::int32_t>(bounds.high[a] - bounds.low[a]);
+    const bool level = model.plan && a == model.vertical;
+    const std::int32_t margin = level ? 0 : size / 4 + 2;
+    eye[a] = bounds.low[a] - margin +
+             static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(size + 2 * margin + 1));
+  }
+  if (scene::eye_place(scene, eye).kind != scene::EyePlace::Kind::free) return std::nullopt;
+  return eye;
+}
+
+}  // namespace
+
+void count_lines(const Model& model, const scene::PolyPoint& eye, std::span<const std::uint32_t> order,
+                 int lines, std::mt19937& random, SightLines& count) {
+  if (order.empty()) return;
+  std::vector<std::vector<Point>> corners;
+  for (const std::uint32_t piece : order) corners.push_back(corners_of(model, model.pieces[piece]));
+  const Point from = on_lattice(eye);
+  for (int i = 0; i < lines; ++i) {
+    const std::size_t target = random() % order.size();
+    const std::size_t corner = random() % model.pieces[order[target]].points.size();
+    const Vector3 to = between(corners[target][corner], from);
+    const std::int64_t size = std::max({std::abs(to[0]), std::abs(to[1]), std::abs(to[2])}) / 1000 + 1;
+    Vector3 d{};
+    for (std::size_t a = 0; a < 3; ++a) d[a] = to[a] / size + static_cast<std::int64_t>(random() % 41) - 20;
+    const Hits hits = hits_of(model, eye, order, corners, d);
+    if (hits.count < 2) continue;
+    ++count.with_two;
+    count.wrong += model.pieces[order[hits.nearest]].face != model.pieces[order[hits.highest]].face;
+  }
+}
+
+SightLines count_lines(const Model& model, const scene::PolyScene& scene, std::uint64_t wanted,
+                       std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const scene::PolyBounds bounds = scene::bounds_of(scene);
+  Frames frames(model);
+  SightLines count;
+  for (int views = 0; count.with_two < wanted && views < 100'000; ++views) {
+    const auto eye = random_eye(model, scene, bounds, random);
+    if (!eye) continue;
+    scene::PolyCamera camera = scene.camera;
+    camera.perspective = true;
+    camera.eye = *eye;
+    std::vector<std::uint32_t> representatives;
+    for (const Surface& s : model.pieces)
+      representatives.push_back(static_cast<std::uint32_t>(random() % s.points.size()));
+    count_lines(model, camera.eye, frames.order(camera, representatives), 60, random, count);
+  }
+  return count;
+}
+
+}  // namespace sightline::algorithms::willis
