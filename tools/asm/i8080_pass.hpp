@@ -94,11 +94,16 @@ class I8080Pass {
     Position opened;
   };
 
-  // Statements (i8080_pass.cpp)
+  // Lines, symbols and bytes (i8080_pass.cpp)
   bool next_line();
   void end_of_frame();
   void count_lines(std::size_t more);
   void begin_row();
+  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value);
+  void emit(std::uint8_t byte);
+  void end_statement(I8080Frame& frame);
+
+  // Statements (i8080_statement.cpp)
   void statement();
   void control_line();
   [[nodiscard]] std::optional<Head> head();
@@ -107,9 +112,6 @@ class I8080Pass {
   [[nodiscard]] bool is_label_before(const Word* first, const std::string& second) const;
   void execute(const Head& head);
   void define_label(const Head& head);
-  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value);
-  void emit(std::uint8_t byte);
-  void end_statement(I8080Frame& frame);
   [[nodiscard]] bool active() const { return conditionals_.empty() || conditionals_.back().active; }
 
   // Directives (i8080_directives.cpp)
@@ -160,7 +162,7 @@ class I8080Pass {
   [[nodiscard]] std::optional<std::uint16_t> settled(std::string_view what);
   [[nodiscard]] std::optional<std::uint8_t> byte_of(const I8080Value& value, std::size_t at);
 
-  // Tokens and messages
+  // Tokens and messages (i8080_pass.cpp)
   void read_operands(std::size_t at);
   void advance() { token_ = lexer_.next(); }
   [[nodiscard]] bool at_end() const { return token_.kind == TokenKind::end; }
