@@ -1,47 +1,19 @@
-// OFF, OBJ and JSON: what they say is what is read; every kind of damage is named by line or place; what is
-// written reads as the same scene; files with fractions are rounded once and told so.
+// OFF, OBJ and JSON: what they say is what is read; every kind of damage is named by line or place.
 #include "host/scene/poly_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "host/scene/generate_scene.hpp"
-#include "host/scene/poly_builder.hpp"
-#include "host/scene/poly_check.hpp"
 #include "host/scene/read_poly_json.hpp"
+#include "tests/host/scene/poly_support.hpp"
 
 namespace sightline::scene {
 namespace {
-
-PolyImport read(std::string_view text, PolyFormat format, bool mend = false) {
-  auto result = read_poly(text, "test", format, {mend});
-  if (const auto* error = std::get_if<SceneError>(&result)) {
-    ADD_FAILURE() << error->message();
-    return {};
-  }
-  return std::get<PolyImport>(result);
-}
-
-std::string written(const PolyScene& scene, PolyFormat format) {
-  const auto text = write_poly(scene, format);
-  if (const auto* error = std::get_if<SceneError>(&text)) {
-    ADD_FAILURE() << error->message();
-    return {};
-  }
-  return std::get<std::string>(text);
-}
-
-std::string problems(const PolyScene& scene) {
-  std::string text;
-  for (const SceneError& error : check_poly_scene(scene)) text += error.message() + "\n";
-  return text;
-}
 
 constexpr std::string_view tetrahedron_off =
     "OFF # a comment\n\n4 4 6\n0 0 0\n10 0 0 # another\r\n0 10 0\n0 0 10\n"
@@ -110,190 +82,6 @@ TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
     EXPECT_FALSE(import.report.quantised) << model.name;
     EXPECT_EQ(problems(import.scene), "") << model.name;
   }
-}
-
-TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
-  for (const std::string_view family : generator_names()) {
-    const auto scene = std::get<PolyScene>(generate_scene(family, 3, 5));
-    EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
-    if (family == "rooms" || family == "big_rooms") continue;  // holes
-    PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
-    EXPECT_EQ(obj.vertices, scene.vertices) << family;
-    EXPECT_EQ(obj.bodies, scene.bodies) << family;
-    // OFF has no bodies: what touches hangs together, what does not is apart.
-    if (family == "touch" || family == "bricks" || family == "corridors") continue;
-    PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
-    EXPECT_EQ(off.vertices, scene.vertices) << family;
-    ASSERT_EQ(off.bodies.size(), scene.bodies.size()) << family;
-    for (std::size_t b = 0; b < off.bodies.size(); ++b) EXPECT_EQ(off.bodies[b].faces, scene.bodies[b].faces);
-  }
-}
-
-// A wall with a hatch as triangles: its area, and no edge that its outline and hole do not have is left
-// alone.
-TEST(WritePoly, FacesWithHolesBecomeTriangles) {
-  const PolyScene scene = generate_rooms(3);
-  const PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
-  EXPECT_EQ(problems(off), "");
-  EXPECT_EQ(off.vertices, scene.vertices);
-  const auto area = [](const PolyScene& s) {
-    double sum = 0;
-    const auto ring_area = [&](const std::vector<VertexIndex>& ring) {
-      double n[3]{};
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const PolyPoint& p = s.vertices[ring[i]];
-        const PolyPoint& q = s.vertices[ring[(i + 1) % ring.size()]];
-        for (std::size_t a = 0; a < 3; ++a)
-          n[a] += 0.5 * (1.0 * p[(a + 1) % 3] * q[(a + 2) % 3] - 1.0 * p[(a + 2) % 3] * q[(a + 1) % 3]);
-      }
-      return std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    };
-    for (const PolyBody& body : s.bodies) {
-      for (const PolyFace& face : body.faces) {
-        sum += ring_area(face.outline);
-        for (const auto& hole : face.holes) sum -= ring_area(hole);
-      }
-    }
-    return sum;
-  };
-  EXPECT_DOUBLE_EQ(area(off), area(scene));
-}
-
-TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
-  PolyScene scene;
-  PolyFace face;
-  const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {
-    ring.push_back(static_cast<VertexIndex>(scene.vertices.size()));
-    scene.vertices.push_back({x, y, 0});
-  };
-  for (std::int32_t i = 0; i <= 600; ++i) add(face.outline, i, i * i);
-  for (std::int32_t i = 600; i-- > 0;) add(face.outline, i, 600 * i + (600 - i) * i);
-  face.holes.emplace_back();
-  for (const auto& [x, y] : {std::array{300, 100000}, std::array{300, 100001}, std::array{301, 100001}})
-    add(face.holes[0], x, y);
-  scene.bodies = {{"", true, {face}}};
-  const auto result = write_poly(scene, PolyFormat::off);
-  const auto* error = std::get_if<SceneError>(&result);
-  ASSERT_NE(error, nullptr);
-  EXPECT_EQ(error->place, "body 0, face 0");
-}
-
-// Names that are the same, look like a comment or a line that goes on, or are those of unnamed bodies.
-TEST(WritePoly, ObjKeepsBodiesApart) {
-  PolyScene scene = generate_boxes(6);
-  const char* names[] = {"", "a  b", " a b ", "#1", "ends in \\", "body 0"};
-  for (std::size_t b = 0; b < 6; ++b) scene.bodies[b].name = names[b];
-  const PolyScene again = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
-  ASSERT_EQ(again.bodies.size(), 6U);
-  const char* written_names[] = {"body 0", "a b", "body 2", "_1", "ends in _", "body 5"};
-  for (std::size_t b = 0; b < 6; ++b) {
-    EXPECT_EQ(again.bodies[b].name, written_names[b]);
-    EXPECT_EQ(again.bodies[b].faces, scene.bodies[b].faces);
-  }
-}
-
-// A hollow cube: OFF does not say that its two surfaces are one body.
-TEST(WritePoly, ACavitySurvivesOff) {
-  PolyBuilder builder;
-  builder.add_box("outer", {0, 0, 0}, {10, 10, 10});
-  builder.add_box("inner", {2, 2, 2}, {8, 8, 8});
-  PolyScene scene = builder.take();
-  for (PolyFace face : scene.bodies[1].faces) {
-    std::reverse(face.outline.begin(), face.outline.end());
-    scene.bodies[0].faces.push_back(face);
-  }
-  scene.bodies.pop_back();
-  for (const bool mend : {false, true}) {
-    const PolyImport again = read(written(scene, PolyFormat::off), PolyFormat::off, mend);
-    EXPECT_EQ(problems(again.scene), "");
-    ASSERT_EQ(again.scene.bodies.size(), 1U);
-    EXPECT_EQ(again.scene.bodies[0].faces, scene.bodies[0].faces);
-    EXPECT_EQ(again.report.turned_bodies, 0U);
-  }
-}
-
-TEST(Quantise, DecimalFractionsLoseNothing) {
-  const PolyImport import =
-      read("OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n", PolyFormat::off);
-  EXPECT_TRUE(import.report.quantised);
-  EXPECT_EQ(import.report.step, 0.001);
-  EXPECT_EQ(import.report.largest_shift, 0.0);
-  EXPECT_EQ(import.report.split_faces, 0U);
-  EXPECT_EQ(import.scene.vertices[0], (PolyPoint{250, 0, 0}));
-  EXPECT_EQ(import.scene.vertices[3], (PolyPoint{-300, 1000, 0}));
-  EXPECT_EQ(written(import.scene, PolyFormat::off),
-            "OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n");
-}
-
-// Only of some steps below 1 does a whole number make 1.
-TEST(Quantise, AStepOfAnySizeIsMultiplied) {
-  const std::string end = ",\"vertices\":[[0,0,0],[10,0,0],[0,-3,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}";
-  const auto after_origin = [&](const std::string& step) {
-    const std::string text =
-        written(read("{\"step\":" + step + end, PolyFormat::json).scene, PolyFormat::off);
-    return text.substr(16, text.find("3 0 1 2") - 16);
-  };
-  EXPECT_EQ(after_origin("0.75"), "7.5 0 0\n0 -2.25 0\n");
-  EXPECT_EQ(after_origin("0.7"), "7 0 0\n0 -2.0999999999999996 0\n");
-  EXPECT_EQ(after_origin("0.1"), "1 0 0\n0 -0.3 0\n");
-}
-
-TEST(Quantise, OtherFilesAreRoundedToAPowerOfTwo) {
-  const PolyImport import = read("OFF\n3 1 0\n0 0 0\n3.14159265 0 0\n0 1e-9 2\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(import.report.step, std::ldexp(1.0, -14));
-  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, 0}));  // 3.14159265 * 16384 = 51471.85
-  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -15));
-  EXPECT_GT(import.report.largest_shift, 0.0);
-  const PolyImport large = read("OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(problems(large.scene), "");
-  const PolyImport integers = read("OFF\n3 1 0\n0 0 0\n262144 0 0\n0 262144 0\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(integers.report.step, 4.0);
-  EXPECT_EQ(integers.report.largest_shift, 0.0);
-}
-
-TEST(Quantise, ASceneFarAwayIsMovedFirst) {
-  const PolyImport import =
-      read("OFF\n3 1 0\n1000000.125 5000000 0\n1000001.125 5000000 0\n1000000.125 5000001.5 0.1\n3 0 1 2\n",
-           PolyFormat::off);
-  EXPECT_EQ(problems(import.scene), "");
-  EXPECT_LT(import.report.step, 0.01);
-  EXPECT_LE(import.report.largest_shift, import.report.step / 2);
-  EXPECT_NE(import.scene.origin, (PolyPoint{0, 0, 0}));
-}
-
-TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
-  const PolyImport import =
-      read("OFF\n4 1 0\n0 0 0\n1.23456789 0 0\n1.23456789 1 0.1\n0 1 0\n4 0 1 2 3\n", PolyFormat::off);
-  EXPECT_EQ(import.report.split_faces, 1U);
-  EXPECT_GT(import.report.largest_deviation, 0.01);
-  EXPECT_LT(import.report.largest_deviation, 0.1);
-  EXPECT_EQ(import.scene.bodies[0].faces.size(), 2U);
-  EXPECT_EQ(problems(import.scene), "");
-}
-
-TEST(Quantise, PointsThatFallTogetherBecomeOne) {
-  const PolyImport import =
-      read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
-           PolyFormat::off);
-  EXPECT_EQ(import.report.merged_vertices, 1U);
-  EXPECT_EQ(import.report.dropped_faces, 1U);
-  // What was wrong with the file itself is not hidden.
-  EXPECT_EQ(problems(import.scene), "vertex 3: is not used by any face\n");
-}
-
-TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
-  const std::string text =
-      "OFF\n6 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n10 0 0\n99 99 99\n"
-      "3 1 2 0\n3 3 4 0\n3 3 2 1\n3 3 0 2\n";
-  const PolyImport as_it_is = read(text, PolyFormat::off);
-  EXPECT_EQ(problems(as_it_is.scene),
-            "vertex 5: is not used by any face\nvertex 4: is the same point (10, 0, 0) as vertex 1\n");
-  const PolyImport mended = read(text, PolyFormat::off, true);
-  EXPECT_EQ(problems(mended.scene), "");
-  EXPECT_EQ(mended.report.merged_vertices, 1U);
-  EXPECT_EQ(mended.report.dropped_vertices, 1U);
-  EXPECT_EQ(mended.report.turned_bodies, 1U);
-  EXPECT_FALSE(mended.scene.bodies[0].sheet);
 }
 
 struct Damage {
