@@ -135,7 +135,7 @@ constexpr std::array table{
     LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
                   applies, prepare_jones},
     LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
-                  applies, prepare_montani_re, true, algorithms::montani_re::why_not_view},
+                  applies, prepare_montani_re, true},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
     LineAlgorithm{"plantinga", "Visual events of a turn, after Plantinga, Seales and Dyer (1990), exact",

@@ -23,18 +23,7 @@ mpz_class big(const Image::Number& n) {
   return negative ? mpz_class(-value) : value;
 }
 
-// p / (p - q): where a quantity vanishes that is p at the start and q at the end.
-Rational zero_between(Int128 p, Int128 q) {
-  Int128 numerator = p;
-  Int128 denominator = p - q;
-  Int128 a = numerator < 0 ? -numerator : numerator;
-  Int128 b = denominator < 0 ? -denominator : denominator;
-  while (b != 0) a = std::exchange(b, a % b);
-  if (a == 0) return {0};
-  return {static_cast<std::int64_t>(numerator / a), static_cast<std::int64_t>(denominator / a)};
-}
-
-Rational zero_between(const mpz_class& p, const mpz_class& q) {
+Rational wide_zero_between(const mpz_class& p, const mpz_class& q) {
   mpz_class numerator = p;
   mpz_class denominator = p - q;
   const mpz_class divisor = gcd(numerator, denominator);
@@ -49,11 +38,69 @@ Int128 at_vertex(const Image& image, std::uint32_t line, std::uint32_t vertex) {
   return l.a * v.x + l.b * v.y + l.c * image.weight(vertex);
 }
 
-}  // namespace
-
 Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t other) {
   const ImageLine& line = image.lines()[edge];
   return zero_between(at_vertex(image, other, line.from), at_vertex(image, other, line.to));
+}
+
+// What is left of an edge after conditions that are linear along it.
+class Part {
+ public:
+  // A quantity must not be negative that is p at the start of the edge and q at its end.
+  void keep(Int128 p, Int128 q) {
+    if (p >= 0 && q >= 0) return;
+    if (p < 0 && q < 0) {
+      high_ = low_;
+      return;
+    }
+    const Rational zero = zero_between(p, q);
+    if (p < 0 && low_ < zero) low_ = zero;
+    if (q < 0 && zero < high_) high_ = zero;
+  }
+  void keep_between(const Image& image, const ImageLine& edge, std::uint32_t west, std::uint32_t east) {
+    if (image.perspective()) keep(image.weight(edge.from), image.weight(edge.to));
+    keep(at_vertex(image, west, edge.from), at_vertex(image, west, edge.to));
+    keep(-at_vertex(image, east, edge.from), -at_vertex(image, east, edge.to));
+  }
+  [[nodiscard]] std::optional<geometry::Interval> interval() const {
+    if (!(low_ < high_)) return std::nullopt;
+    return geometry::Interval{low_, high_};
+  }
+
+ private:
+  Rational low_{0};
+  Rational high_{1};
+};
+
+}  // namespace
+
+Rational zero_between(Int128 p, Int128 q) {
+  Int128 numerator = p;
+  Int128 denominator = p - q;
+  Int128 a = numerator < 0 ? -numerator : numerator;
+  Int128 b = denominator < 0 ? -denominator : denominator;
+  while (b != 0) a = std::exchange(b, a % b);
+  if (a == 0) return {0};
+  return {static_cast<std::int64_t>(numerator / a), static_cast<std::int64_t>(denominator / a)};
+}
+
+std::optional<geometry::Interval> part_between(const Image& image, std::uint32_t edge, std::uint32_t west,
+                                               std::uint32_t east) {
+  Part part;
+  part.keep_between(image, image.lines()[edge], west, east);
+  return part.interval();
+}
+
+std::optional<geometry::Interval> part_within(const Image& image, std::uint32_t edge, const Window& window) {
+  const ImageLine& line = image.lines()[edge];
+  Part part;
+  part.keep_between(image, line, window.west, window.east);
+  const auto above = [&](std::int64_t bound, std::uint32_t v) {
+    return Int128{image.vertices()[v].y} * window.bounds.unit - Int128{bound} * image.weight(v);
+  };
+  part.keep(above(window.bounds.low[1], line.from), above(window.bounds.low[1], line.to));
+  part.keep(-above(window.bounds.high[1], line.from), -above(window.bounds.high[1], line.to));
+  return part.interval();
 }
 
 Rational parameter_at(const Image& image, std::uint32_t edge, const Ordinate& y) {
@@ -77,7 +124,7 @@ Rational parameter_at(const Image& image, std::uint32_t edge, const Ordinate& y)
     return mpz_class(mpz_class(static_cast<long>(v.y)) * denominator -
                      numerator * mpz_class(static_cast<long>(weight)));
   };
-  return zero_between(value(p, image.weight(line.from)), value(q, image.weight(line.to)));
+  return wide_zero_between(value(p, image.weight(line.from)), value(q, image.weight(line.to)));
 }
 
 }  // namespace sightline::algorithms::montani_re

@@ -5,9 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "host/algorithms/montani_re/edges_behind_sheets.hpp"
-#include "host/geometry/predicates.hpp"
-#include "host/scene/poly_triangulate.hpp"
+#include "host/algorithms/montani_re/pyramids.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {
@@ -34,37 +32,6 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
   return normal;
 }
 
-// Positive if the outer side of a face is turned from the eye, 0 if the face is edge-on.
-std::int64_t turned_away(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                         const scene::PolyFace& face) {
-  const geometry::Vector3 normal = scene::ring_normal(scene.vertices, face.outline);
-  const geometry::Vector3 sight = camera.perspective
-                                      ? geometry::difference(scene.vertices[face.outline[0]], camera.eye)
-                                      : geometry::vector_of(camera.forward);
-  return geometry::dot(normal, sight);
-}
-
-enum class Place { before, behind, across };
-
-Place place_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, const scene::PolyFace& face) {
-  if (!camera.perspective) return Place::before;
-  std::size_t behind = 0;
-  for (const scene::VertexIndex v : face.outline) {
-    const geometry::Vector3 d = geometry::difference(scene.vertices[v], camera.eye);
-    if (geometry::dot(geometry::vector_of(camera.forward), d) <= 0) ++behind;
-  }
-  return behind == 0 ? Place::before : behind == face.outline.size() ? Place::behind : Place::across;
-}
-
-std::string name_of(std::size_t body, std::size_t face) {
-  return "face " + std::to_string(face) + " of body " + std::to_string(body);
-}
-
-std::string reaches_behind(std::size_t body, std::size_t face) {
-  return name_of(body, face) +
-         " reaches from before the eye to behind it: its image has no end, which stripes cannot hold";
-}
-
 }  // namespace
 
 int compare(const ImageNumber& a, const ImageNumber& b) {
@@ -76,6 +43,7 @@ int compare(const ImageNumber& a, const ImageNumber& b) {
 
 std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
   if (!set_.image.distinct_images(v, w)) return none;
+  if (set_.image.weight(v) <= 0 && set_.image.weight(w) <= 0) return none;
   const std::uint32_t from = std::min(v, w);
   const std::uint32_t to = std::max(v, w);
   if (lines_at_.size() <= from) lines_at_.resize(from + std::size_t{1});
@@ -88,18 +56,38 @@ std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
   return line;
 }
 
+void FaceSetBuilder::clip_to(const WindowBounds& bounds) {
+  set_.window = add_window(set_.image, bounds);
+  for (const std::uint32_t line : {set_.window->west, set_.window->east})
+    set_.edges.push_back({set_.image.lines()[line].from, set_.image.lines()[line].to});
+}
+
 void FaceSetBuilder::measure(Face& face) const {
   bool first = true;
+  bool past_eye = false;
   for (const std::uint32_t v : face.vertices) {
     const Vertex& p = set_.image.vertices()[v];
-    const std::array<ImageNumber, 2> at{number(p.x, set_.image.weight(v)), number(p.y, set_.image.weight(v))};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (first || compare(at[axis], face.low[axis]) < 0) face.low[axis] = at[axis];
-      if (first || compare(at[axis], face.high[axis]) > 0) face.high[axis] = at[axis];
-    }
     face.nearest = first ? p.z : std::min(face.nearest, p.z);
     face.farthest = first ? p.z : std::max(face.farthest, p.z);
+    if (set_.image.weight(v) <= 0) {
+      past_eye = true;
+    } else {
+      const std::array<ImageNumber, 2> at{number(p.x, set_.image.weight(v)),
+                                          number(p.y, set_.image.weight(v))};
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (first || compare(at[axis], face.low[axis]) < 0) face.low[axis] = at[axis];
+        if (first || compare(at[axis], face.high[axis]) > 0) face.high[axis] = at[axis];
+      }
+    }
     first = false;
+  }
+  if (!set_.window) return;
+  const WindowBounds& window = set_.window->bounds;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const ImageNumber low = number(window.low[axis], window.unit);
+    const ImageNumber high = number(window.high[axis], window.unit);
+    if (past_eye || compare(face.low[axis], low) < 0) face.low[axis] = low;
+    if (past_eye || compare(face.high[axis], high) > 0) face.high[axis] = high;
   }
 }
 
@@ -130,53 +118,35 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
     }
   }
   measure(face);
-  face.pcs = trapezoid_pcs(set_.image, face.lines);
+  if (set_.window) {
+    // Where the plane comes near the eye beside it, normal . direction is greatest.
+    const int far_side = (face.normal[0] > 0 ? 1 : 0) - (face.normal[0] < 0 ? 1 : 0);
+    face.pcs = clipped_pcs(set_.image, face.lines, *set_.window, far_side);
+    if (face.pcs.empty()) return false;
+  } else {
+    face.pcs = trapezoid_pcs(set_.image, face.lines);
+  }
   set_.faces.push_back(std::move(face));
   return true;
+}
+
+void FaceSetBuilder::add_lone_edge(std::uint32_t v, std::uint32_t w) {
+  const std::uint32_t line = line_between(v, w);
+  if (line != none) set_.lone.push_back(line);
 }
 
 FaceSet FaceSetBuilder::take() {
   return std::move(set_);
 }
 
-std::optional<std::string> why_not_view(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const scene::PolyBody& body = scene.bodies[b];
-    for (std::size_t f = 0; f < body.faces.size(); ++f) {
-      const std::int64_t turned = turned_away(scene, camera, body.faces[f]);
-      if (body.sheet ? turned == 0 : turned >= 0) {
-        if (body.sheet) return name_of(b, f) + ", of a sheet, is seen edge-on: stripes do not hold a line";
-        continue;
-      }
-      if (place_of(scene, camera, body.faces[f]) == Place::across) return reaches_behind(b, f);
-    }
-  }
-  return edge_behind_sheet(scene, camera);
-}
-
 std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,
                                                   const scene::PolyCamera& camera) {
-  FaceSetBuilder builder(camera.perspective);
-  const geometry::Vector3 forward = geometry::vector_of(camera.forward);
-  for (const scene::PolyPoint& point : scene.vertices) {
-    const geometry::Vector3 d = geometry::difference(point, camera.eye);
-    builder.add_vertex({geometry::dot(geometry::vector_of(camera.right), d),
-                        geometry::dot(geometry::vector_of(camera.up), d), geometry::dot(forward, d)});
+  if (const auto past = face_past_eye(scene, camera)) {
+    return scene::SceneError{"", "montani-re",
+                             "face " + std::to_string((*past)[1]) + " of body " + std::to_string((*past)[0]) +
+                                 " reaches from before the eye to behind it: its image has no end"};
   }
-  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
-    const scene::PolyBody& body = scene.bodies[b];
-    for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
-      const scene::PolyFace& face = body.faces[f];
-      if (!body.sheet && turned_away(scene, camera, face) >= 0) continue;
-      const Place place = place_of(scene, camera, face);
-      if (place == Place::behind) continue;
-      if (place == Place::across) return scene::SceneError{"", "montani-re", reaches_behind(b, f)};
-      Rings rings{face.outline};
-      rings.insert(rings.end(), face.holes.begin(), face.holes.end());
-      builder.add_face(rings, b, f);
-    }
-  }
-  return builder.take();
+  return faces_seen(scene, camera);
 }
 
 }  // namespace sightline::algorithms::montani_re

@@ -3,7 +3,8 @@
 //
 // Left out: faces seen edge-on (no area, so no part in any relation), faces of solids that look away, and
 // faces behind the eye. In perspective, a face that is neither wholly before nor wholly behind the eye has an
-// image that runs to infinity, which stripes cannot hold: such a scene is refused by name.
+// image that runs to infinity: then the space before the eye is taken in pyramids, each with a window of its
+// own (pyramids.hpp).
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 
 #include "host/algorithms/montani_re/image.hpp"
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
+#include "host/algorithms/montani_re/window.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/cell_scene.hpp"
 #include "host/scene/poly_scene.hpp"
@@ -56,6 +58,8 @@ struct FaceSet {
   std::vector<Face> faces;
   std::vector<picture::LineEdge> edges;  // of each line of the image: vertices of the image
   std::uint64_t edge_on = 0;             // faces left out
+  std::vector<std::uint32_t> lone;       // lines of edges to be held against the faces by themselves
+  std::optional<Window> window;          // what the regions are clipped to
 };
 
 // Rings of vertices of the image, each ring a closed polygon in the plane of all.
@@ -66,8 +70,13 @@ class FaceSetBuilder {
   explicit FaceSetBuilder(bool perspective) { set_.image = Image(perspective); }
 
   std::uint32_t add_vertex(const Vertex& v) { return set_.image.add_vertex(v); }
-  // False, and nothing added, if the face is seen edge-on. All vertices before the eye (precondition).
+  // From here on faces are clipped to a window, and may reach behind the eye. All vertices are added by then.
+  void clip_to(const WindowBounds& bounds);
+  // False, and nothing added, if the face is seen edge-on or nothing of it is in the window. Without a window
+  // all vertices are before the eye (precondition).
   bool add_face(const Rings& rings, std::uint32_t body, std::uint32_t index);
+  // Held against the faces by itself (lone_edges.hpp).
+  void add_lone_edge(std::uint32_t v, std::uint32_t w);
   [[nodiscard]] FaceSet take();
 
  private:
@@ -75,6 +84,7 @@ class FaceSetBuilder {
     std::uint32_t to = 0;
     std::uint32_t line = 0;
   };
+  // `none` if the image of the edge is a point, or it is not before the eye.
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
 
@@ -82,13 +92,8 @@ class FaceSetBuilder {
   std::vector<std::vector<KnownLine>> lines_at_;  // by the lower vertex
 };
 
-// Why this algorithm does not draw what "exact" draws of a view; nothing if it does: a face from before the
-// eye to behind it, a face of a sheet seen edge-on, which is a line to others and nothing to stripes, or one
-// that is touched from behind (edges_behind_sheets.hpp).
-[[nodiscard]] std::optional<std::string> why_not_view(const scene::PolyScene& scene,
-                                                      const scene::PolyCamera& camera);
-
-// Vertices keep the scene's numbers. The scene is a checked one (precondition).
+// Vertices keep the scene's numbers. The scene is a checked one (precondition). An error names a face that
+// reaches from before the eye to behind it.
 [[nodiscard]] std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,
                                                                 const scene::PolyCamera& camera);
 

@@ -3,7 +3,8 @@
 // of two lines is farther west at an ordinate.
 //
 // A vertex is (x, y, z) in the camera's frame: x to the right, y up, z away. Its image is (x / z, y / z) in
-// perspective (z > 0), else (x, y). Sizes, |x|, |y|, |z| < 2^37: a line's coefficients 75 bits, an ordinate
+// perspective, else (x, y). A vertex that is not before the eye (z <= 0 in perspective) has no image, but the
+// lines through it have: window.hpp. Sizes, |x|, |y|, |z| < 2^37: a line's coefficients 75 bits, an ordinate
 // 151 over 151 bits, both questions 303 bits. They are answered in floating point where its error bound
 // allows, else by integers of 320 bits.
 #pragma once
@@ -65,6 +66,15 @@ class Image {
   [[nodiscard]] const std::vector<ImageLine>& lines() const { return lines_; }
   [[nodiscard]] std::int64_t weight(std::uint32_t v) const { return perspective_ ? vertices_[v].z : 1; }
 
+  // Whether an end of the line is before the eye, and which: the first that is.
+  [[nodiscard]] bool before_eye(std::uint32_t line) const {
+    return weight(lines_[line].from) > 0 || weight(lines_[line].to) > 0;
+  }
+  [[nodiscard]] std::uint32_t end_before_eye(std::uint32_t line) const {
+    return weight(lines_[line].from) > 0 ? lines_[line].from : lines_[line].to;
+  }
+
+  // Of a vertex before the eye.
   [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const;
   // Of two lines that are neither parallel nor horizontal.
   [[nodiscard]] Ordinate crossing(std::uint32_t line, std::uint32_t other) const;

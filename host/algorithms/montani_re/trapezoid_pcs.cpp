@@ -8,24 +8,6 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// A band that goes on where the one below ended, with the same sides, is the same band.
-void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
-                 std::span<const Side> sides) {
-  if (sides.empty()) return;
-  if (!pcs.bands.empty()) {
-    Band& last = pcs.bands.back();
-    const auto before = pcs.sides_of(last);
-    if (std::equal(before.begin(), before.end(), sides.begin(), sides.end()) &&
-        image.compare(last.high, low) == 0) {
-      last.high = high;
-      return;
-    }
-  }
-  pcs.bands.push_back(
-      {low, high, static_cast<std::uint32_t>(pcs.sides.size()), static_cast<std::uint32_t>(sides.size())});
-  pcs.sides.insert(pcs.sides.end(), sides.begin(), sides.end());
-}
-
 class Combination {
  public:
   Combination(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b, Operation operation)
@@ -154,6 +136,23 @@ class Combination {
 };
 
 }  // namespace
+
+void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
+                 std::span<const Side> sides) {
+  if (sides.empty()) return;
+  if (!pcs.bands.empty()) {
+    Band& last = pcs.bands.back();
+    const auto before = pcs.sides_of(last);
+    if (std::equal(before.begin(), before.end(), sides.begin(), sides.end()) &&
+        image.compare(last.high, low) == 0) {
+      last.high = high;
+      return;
+    }
+  }
+  pcs.bands.push_back(
+      {low, high, static_cast<std::uint32_t>(pcs.sides.size()), static_cast<std::uint32_t>(sides.size())});
+  pcs.sides.insert(pcs.sides.end(), sides.begin(), sides.end());
+}
 
 TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines) {
   struct Span {

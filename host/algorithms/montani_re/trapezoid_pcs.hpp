@@ -41,6 +41,11 @@ struct TrapezoidPcs {
   [[nodiscard]] bool empty() const { return bands.empty(); }
 };
 
+// A band above all others; one that goes on where the last one ends, with the same sides, is joined to it.
+// Nothing without sides.
+void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
+                 std::span<const Side> sides);
+
 // The region of rings of lines, those that are horizontal left out, by the even-odd rule. All sides are own.
 [[nodiscard]] TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines);
 

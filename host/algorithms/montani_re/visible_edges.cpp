@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "host/algorithms/montani_re/edge_parameter.hpp"
+#include "host/algorithms/montani_re/lone_edge_sight.hpp"
+#include "host/algorithms/montani_re/pyramids.hpp"
 #include "host/geometry/interval_set.hpp"
 
 namespace sightline::algorithms::montani_re {
@@ -16,7 +18,9 @@ using geometry::Rational;
 // Collects pieces of edges; those of one edge are joined in the end.
 class EdgePieces {
  public:
-  explicit EdgePieces(const FaceSet& set) : set_(set), seen_(set.edges.size()) {}
+  explicit EdgePieces(const FaceSet& set) : set_(set), seen_(set.edges.size()) {
+    for (const std::uint32_t line : set.lone) seen_[line] = seen_of_lone_edge(set, line);
+  }
 
   void add(const Face& face, const TrapezoidPcs& region) {
     add_sides(region);
@@ -62,30 +66,24 @@ class EdgePieces {
       }
     }
     for (const Run& run : runs_) {
-      add(run.line, parameter_at(set_.image, run.line, *run.low),
-          parameter_at(set_.image, run.line, *run.high));
+      const Rational low = parameter_at(set_.image, run.line, *run.low);
+      const Rational high = parameter_at(set_.image, run.line, *run.high);
+      seen_[run.line].unite(std::min(low, high), std::max(low, high));
     }
   }
 
   // Seen where the region has breadth just above or just below.
   void add_horizontal(std::uint32_t line, const TrapezoidPcs& region) {
-    const Ordinate y = set_.image.ordinate_of(set_.image.lines()[line].from);
+    const Ordinate y = set_.image.ordinate_of(set_.image.end_before_eye(line));
     for (const Band& band : region.bands) {
       if (set_.image.compare(band.low, y) != 0 && set_.image.compare(band.high, y) != 0) continue;
       const auto sides = region.sides_of(band);
       for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
         if (set_.image.order_at(sides[k].line, sides[k + 1].line, y) >= 0) continue;
-        add(line, parameter_at_line(set_.image, line, sides[k].line),
-            parameter_at_line(set_.image, line, sides[k + 1].line));
+        const auto part = part_between(set_.image, line, sides[k].line, sides[k + 1].line);
+        if (part) seen_[line].unite(part->low, part->high);
       }
     }
-  }
-
-  void add(std::uint32_t line, Rational from, Rational to) {
-    if (to < from) std::swap(from, to);
-    if (from < Rational{0}) from = Rational{0};
-    if (Rational{1} < to) to = Rational{1};
-    seen_[line].unite(from, to);
   }
 
   const FaceSet& set_;
@@ -100,6 +98,25 @@ scene::SceneError passing_through(const Face& f, const Face& g) {
   return {"", "montani-re", name(f) + " and " + name(g) + " pass through each other: neither has priority"};
 }
 
+// The pieces of several windows: those of an edge are one where they touch on a border. An edge that is not
+// before the eye has no image, even on a border.
+void join(picture::LinePicture& picture, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  std::vector<picture::LinePiece> pieces = std::move(picture.pieces);
+  picture.pieces.clear();
+  std::sort(pieces.begin(), pieces.end(), [](const picture::LinePiece& a, const picture::LinePiece& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.low < b.low;
+  });
+  for (const picture::LinePiece& piece : pieces) {
+    if (!before_eye(scene, camera, piece.edge.from) && !before_eye(scene, camera, piece.edge.to)) continue;
+    if (!picture.pieces.empty() && picture.pieces.back().edge == piece.edge &&
+        piece.low <= picture.pieces.back().high) {
+      picture.pieces.back().high = std::max(picture.pieces.back().high, piece.high);
+    } else {
+      picture.pieces.push_back(piece);
+    }
+  }
+}
+
 }  // namespace
 
 picture::LinePicture edges_of_regions(const FaceSet& set, const std::vector<TrapezoidPcs>& regions) {
@@ -110,14 +127,19 @@ picture::LinePicture edges_of_regions(const FaceSet& set, const std::vector<Trap
 
 std::variant<LineView, scene::SceneError> visible_edges(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) {
-  auto faces = faces_of(scene, camera);
-  if (auto* error = std::get_if<scene::SceneError>(&faces)) return std::move(*error);
-  const FaceSet& set = std::get<FaceSet>(faces);
-  const VisibleRegions seen = visible_regions(set);
-  if (seen.interpenetrating) {
-    return passing_through(set.faces[seen.interpenetrating->first], set.faces[seen.interpenetrating->second]);
+  LineView view;
+  for (const FaceSet& set : faces_before_eye(scene, camera)) {
+    const VisibleRegions seen = visible_regions(set);
+    if (seen.interpenetrating) {
+      return passing_through(set.faces[seen.interpenetrating->first],
+                             set.faces[seen.interpenetrating->second]);
+    }
+    const picture::LinePicture part = edges_of_regions(set, seen.regions);
+    view.picture.pieces.insert(view.picture.pieces.end(), part.pieces.begin(), part.pieces.end());
+    view.counts += seen.counts;
   }
-  return LineView{edges_of_regions(set, seen.regions), seen.counts};
+  join(view.picture, scene, camera);
+  return view;
 }
 
 }  // namespace sightline::algorithms::montani_re

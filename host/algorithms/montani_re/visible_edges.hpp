@@ -2,8 +2,9 @@
 //
 // An edge is drawn where it bounds what is seen of one of its faces. Where an edge lies exactly behind the
 // outline of a nearer face, only that outline is drawn: the pictures of `exact` and of this algorithm are
-// then equal as sets of points (picture::image_set), else by ==. Edges of faces seen edge-on alone are not
-// drawn.
+// then equal as sets of points (picture::image_set), else by ==. Lines that bound no region are added to those
+// of the regions (lone_edges.hpp). Where a face reaches from before the eye to behind it, the pyramids of
+// pyramids.hpp are drawn one by one and their pieces joined.
 #pragma once
 
 #include <variant>
@@ -21,12 +22,12 @@ struct LineView {
   RegionCounts counts;
 };
 
-// The scene is a checked one (precondition). An error names faces that pass through each other, or in
-// perspective one that reaches behind the eye.
+// The scene is a checked one (precondition). An error names faces that pass through each other.
 [[nodiscard]] std::variant<LineView, scene::SceneError> visible_edges(const scene::PolyScene& scene,
                                                                       const scene::PolyCamera& camera);
 
-// The own sides and horizontal edges of the regions, as pieces of the edges of the set.
+// The own sides and horizontal edges of the regions and what is seen of lone edges, as pieces of the edges of
+// the set.
 [[nodiscard]] picture::LinePicture edges_of_regions(const FaceSet& set,
                                                     const std::vector<TrapezoidPcs>& regions);
 

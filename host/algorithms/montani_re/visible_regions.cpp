@@ -83,6 +83,17 @@ void hide_by_silhouette(const FaceSet& set, VisibleRegions& result) {
 
 }  // namespace
 
+RegionCounts& RegionCounts::operator+=(const RegionCounts& other) {
+  for (std::size_t i = 0; i < decided_by.size(); ++i) decided_by[i] += other.decided_by[i];
+  relations += other.relations;
+  spurious += other.spurious;
+  cuts += other.cuts;
+  mutual_parts += other.mutual_parts;
+  subtractions += other.subtractions;
+  sides += other.sides;
+  return *this;
+}
+
 ListedFaces listed_faces(const FaceSet& set) {
   ListedFaces result;
   DepthRelations depth = depth_relations(set);

@@ -30,6 +30,8 @@ struct RegionCounts {
   std::uint64_t mutual_parts = 0;  // parts cut off faces that hide each other
   std::uint64_t subtractions = 0;
   std::uint64_t sides = 0;  // of all that is seen
+
+  RegionCounts& operator+=(const RegionCounts& other);
 };
 
 enum class Silhouette { neighbours, whole };

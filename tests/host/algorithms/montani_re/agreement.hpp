@@ -15,7 +15,6 @@ namespace sightline::algorithms::montani_re {
 
 struct Agreement {
   int views = 0;
-  int refused = 0;     // a face from before the eye to behind it
   int equal = 0;       // by ==
   int same_image = 0;  // the same points, of other edges
   std::string first_wrong;
@@ -24,10 +23,6 @@ struct Agreement {
 inline void compare_view(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                          Agreement& agreement) {
   ++agreement.views;
-  if (why_not_view(scene, camera)) {
-    ++agreement.refused;
-    return;
-  }
   const auto drawn = visible_edges(scene, camera);
   if (const auto* error = std::get_if<scene::SceneError>(&drawn)) {
     if (agreement.first_wrong.empty()) agreement.first_wrong = scene.name + ": " + error->message();

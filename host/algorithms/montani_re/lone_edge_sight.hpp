@@ -1,0 +1,15 @@
+// What is seen of an edge that is held against the faces by itself: the edge less the parts that lie behind
+// the inside of a face.
+#pragma once
+
+#include <cstdint>
+
+#include "host/algorithms/montani_re/faces.hpp"
+#include "host/geometry/interval_set.hpp"
+
+namespace sightline::algorithms::montani_re {
+
+// In the set's window, if it has one; nothing on its borders. A face through the edge does not hide it.
+[[nodiscard]] geometry::IntervalSet seen_of_lone_edge(const FaceSet& set, std::uint32_t line);
+
+}  // namespace sightline::algorithms::montani_re

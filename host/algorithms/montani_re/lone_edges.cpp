@@ -1,0 +1,176 @@
+#include "host/algorithms/montani_re/lone_edges.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/box_tree.hpp"
+#include "host/geometry/predicates.hpp"
+#include "host/scene/poly_triangulate.hpp"
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+using geometry::Box;
+using geometry::Point2;
+
+using Rings = std::vector<std::vector<Point2>>;
+
+// A face that can hide, in its own plane; coordinates doubled, so that middles of edges are integers.
+struct Hider {
+  std::size_t body = 0;
+  geometry::Plane plane;
+  int eye_side = 0;  // 0: edge-on
+  std::size_t dropped = 0;  // axis
+  Rings rings;
+};
+
+Point2 doubled(const scene::PolyPoint& p, std::size_t dropped) {
+  const Point2 flat = geometry::flattened(p, dropped);
+  return {2 * flat[0], 2 * flat[1]};
+}
+
+int eye_side_of(const geometry::Plane& plane, const scene::PolyCamera& camera) {
+  return camera.perspective
+             ? plane.side(camera.eye)
+             : -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));
+}
+
+Box box_of(const scene::PolyScene& scene, const std::vector<scene::VertexIndex>& corners) {
+  Box box{scene.vertices[corners[0]], scene.vertices[corners[0]]};
+  for (const scene::VertexIndex v : corners) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], scene.vertices[v][a]);
+      box.high[a] = std::max(box.high[a], scene.vertices[v][a]);
+    }
+  }
+  return box;
+}
+
+Hider hider_of(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                     const scene::PolyFace& face) {
+  Hider flat;
+  flat.plane.normal = scene::ring_normal(scene.vertices, face.outline);
+  flat.plane.offset = geometry::dot(flat.plane.normal, geometry::vector_of(scene.vertices[face.outline[0]]));
+  flat.eye_side = eye_side_of(flat.plane, camera);
+  flat.dropped = geometry::dominant_axis(flat.plane.normal);
+  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+    auto& points = flat.rings.emplace_back();
+    for (const scene::VertexIndex v : ring) points.push_back(doubled(scene.vertices[v], flat.dropped));
+  };
+  add(face.outline);
+  for (const auto& hole : face.holes) add(hole);
+  return flat;
+}
+
+bool inside(const Rings& rings, const Point2& p) {
+  if (geometry::locate_in_ring(rings[0], p) <= 0) return false;
+  return std::all_of(rings.begin() + 1, rings.end(),
+                     [&p](const auto& hole) { return geometry::locate_in_ring(hole, p) < 0; });
+}
+
+bool crosses(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  return geometry::sign(geometry::turn(a, b, c)) * geometry::sign(geometry::turn(a, b, d)) < 0 &&
+         geometry::sign(geometry::turn(c, d, a)) * geometry::sign(geometry::turn(c, d, b)) < 0;
+}
+
+// Some of the segment may be in the inside of the face: an end or the middle, or it crosses the outline, or
+// passes a corner of it.
+bool may_run_inside(const Hider& face, const scene::PolyPoint& from, const scene::PolyPoint& to) {
+  const Point2 a = doubled(from, face.dropped);
+  const Point2 b = doubled(to, face.dropped);
+  const Point2 middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2};
+  if (inside(face.rings, a) || inside(face.rings, b) || inside(face.rings, middle)) return true;
+  for (const auto& ring : face.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2& c = ring[i];
+      const bool passes = c != a && c != b && geometry::on_segment(a, b, c);
+      if (passes || crosses(a, b, c, ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
+    }
+  }
+  return false;
+}
+
+class LoneEdges {
+ public:
+  LoneEdges(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      const scene::PolyBody& body = scene.bodies[b];
+      for (const scene::PolyFace& face : body.faces) {
+        Hider hider = hider_of(scene, camera, face);
+        hider.body = b;
+        if (body.sheet && hider.eye_side == 0)
+          for_each_edge(face, [this](VertexIndex from, VertexIndex to) { add(from, to); });
+        if (hider.eye_side == 0 || (!body.sheet && hider.eye_side < 0)) continue;
+        hiders_.push_back(std::move(hider));
+        boxes_.push_back(box_of(scene, face.outline));
+      }
+    }
+  }
+
+  void add_behind_faces() {
+    const geometry::BoxTree tree(boxes_);
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      for (const scene::PolyFace& face : scene_.bodies[b].faces) {
+        const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
+        tree.for_each_touching(box_of(scene_, face.outline), [&](std::uint32_t number) {
+          const Hider& hider = hiders_[number];
+          if (hider.body == b && !scene_.bodies[b].sheet) return;
+          for_each_edge(face, [&](VertexIndex from, VertexIndex to) {
+            if (touches_back(hider, normal, from, to)) add(from, to);
+          });
+        });
+      }
+    }
+  }
+
+  std::vector<picture::LineEdge> take() {
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    return std::move(edges_);
+  }
+
+ private:
+  using VertexIndex = scene::VertexIndex;
+
+  template <class Visit>
+  static void for_each_edge(const scene::PolyFace& face, const Visit& visit) {
+    const auto walk = [&visit](const std::vector<VertexIndex>& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+    };
+    walk(face.outline);
+    for (const auto& hole : face.holes) walk(hole);
+  }
+
+  // The edge lies in the plane, and the face to the left of it is beyond it there.
+  [[nodiscard]] bool touches_back(const Hider& hider, const geometry::Vector3& normal, VertexIndex from,
+                                  VertexIndex to) const {
+    const scene::PolyPoint& a = scene_.vertices[from];
+    const scene::PolyPoint& b = scene_.vertices[to];
+    if (hider.plane.side(a) != 0 || hider.plane.side(b) != 0) return false;
+    const geometry::Vector3 inward = geometry::cross(normal, geometry::difference(b, a));
+    geometry::Int128 beyond = 0;  // 40 and 60 bits
+    for (std::size_t k = 0; k < 3; ++k) beyond += geometry::Int128{inward[k]} * hider.plane.normal[k];
+    return (beyond > 0 ? 1 : beyond < 0 ? -1 : 0) * hider.eye_side < 0 && may_run_inside(hider, a, b);
+  }
+
+  void add(VertexIndex from, VertexIndex to) {
+    if (from != to) edges_.push_back({std::min(from, to), std::max(from, to)});
+  }
+
+  const scene::PolyScene& scene_;
+  std::vector<Hider> hiders_;
+  std::vector<Box> boxes_;  // of the hiders
+  std::vector<picture::LineEdge> edges_;
+};
+
+}  // namespace
+
+std::vector<picture::LineEdge> lone_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  LoneEdges edges(scene, camera);
+  edges.add_behind_faces();
+  return edges.take();
+}
+
+}  // namespace sightline::algorithms::montani_re

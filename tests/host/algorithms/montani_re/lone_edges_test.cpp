@@ -1,0 +1,128 @@
+// Lines that bound no region: walls that end on the back of other walls, sheets seen edge-on. `exact` and the
+// oracle draw them.
+#include "host/algorithms/montani_re/lone_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/host/algorithms/montani_re/agreement.hpp"
+
+namespace sightline::algorithms::montani_re {
+namespace {
+
+using picture::LineEdge;
+
+// A triangle in z = 0 and a second that ends in the midst of it, on the side of `tip`.
+scene::PolyScene touching(std::int32_t tip) {
+  scene::PolyScene scene;
+  scene.name = "touching";
+  scene.vertices = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {1, 1, 0}, {4, 2, 0}, {1, 1, tip}};
+  scene.bodies = {{"wall", true, {{{0, 1, 2}, {}}}}, {"partition", true, {{{3, 4, 5}, {}}}}};
+  return scene;
+}
+
+scene::PolyCamera along_z() {
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  camera.forward = {1, 1, 8};
+  camera.right = {8, 0, -1};
+  camera.up = {-1, 65, -8};
+  return camera;
+}
+
+picture::LinePicture drawn(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  return std::get<LineView>(visible_edges(scene, camera)).picture;
+}
+
+void expect_agreement(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  Agreement agreement;
+  compare_view(scene, camera, agreement);
+  EXPECT_EQ(agreement.first_wrong, "");
+}
+
+TEST(LoneEdges, OnTheFarSideOfASheetAreSeenThroughIt) {
+  const auto edges = lone_edges(touching(5), along_z());
+  EXPECT_EQ(edges, (std::vector<LineEdge>{{3, 4}}));
+  EXPECT_EQ(seen_of(drawn(touching(5), along_z()), 3, 4),
+            (std::vector<geometry::Interval>{{geometry::Rational{0}, geometry::Rational{1}}}));
+  expect_agreement(touching(5), along_z());
+}
+
+TEST(LoneEdges, AreNoneOnTheNearSide) {
+  EXPECT_TRUE(lone_edges(touching(-5), along_z()).empty());
+  expect_agreement(touching(-5), along_z());
+}
+
+TEST(LoneEdges, AreNoneWhereOnlyOutlinesTouch) {
+  scene::PolyScene scene = touching(5);
+  scene.bodies[1].faces[0].outline = {0, 1, 5};
+  EXPECT_TRUE(lone_edges(scene, along_z()).empty());
+  expect_agreement(scene, along_z());
+}
+
+TEST(LoneEdges, MayCrossTheWholeSheet) {
+  scene::PolyScene scene = touching(5);
+  scene.vertices[3] = {-4, 2, 0};
+  scene.vertices[4] = {40, 2, 0};
+  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  expect_agreement(scene, along_z());
+}
+
+TEST(LoneEdges, MayRunFromCornerToCornerOfTheSheet) {
+  scene::PolyScene scene = touching(5);
+  const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), {{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}});
+  scene.bodies[0].faces[0] = {{first, first + 1, first + 2, first + 3}, {}};
+  scene.vertices[3] = {-1, -1, 0};
+  scene.vertices[4] = {9, 9, 0};
+  scene.vertices[5] = {4, 2, 5};
+  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  expect_agreement(scene, along_z());
+}
+
+TEST(LoneEdges, LeaveHolesAlone) {
+  scene::PolyScene scene = touching(5);
+  const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), {{-9, -9, 0}, {-9, 30, 0}, {30, 30, 0}, {30, -9, 0}});
+  scene.bodies[0].faces[0] = {{first, first + 3, first + 2, first + 1}, {{0, 2, 1}}};
+  EXPECT_TRUE(lone_edges(scene, along_z()).empty());
+  expect_agreement(scene, along_z());
+}
+
+// A face that is behind the sheet at its edge and reaches round it to the front elsewhere.
+TEST(LoneEdges, AreJudgedByTheFaceBesideThem) {
+  scene::PolyScene scene = touching(5);
+  scene.vertices[3] = {1, 2, 0};
+  scene.vertices[4] = {3, 2, 0};
+  const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), {{3, 2, 4}, {20, 2, 4}, {20, 2, -4}, {24, 2, -4}, {24, 2, 8}, {1, 2, 8}});
+  scene.bodies[1].faces[0] = {{3, 4, first, first + 1, first + 2, first + 3, first + 4, first + 5}, {}};
+  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  expect_agreement(scene, along_z());
+}
+
+// A box standing on the back, too, and something before all of it.
+TEST(LoneEdges, AreHiddenByWhatIsNearer) {
+  scene::PolyScene scene = touching(5);
+  add_sheet(scene, {{2, 0, -3}, {3, 0, -3}, {3, 9, -2}, {2, 9, -2}});
+  expect_agreement(scene, along_z());
+  EXPECT_EQ(seen_of(drawn(scene, along_z()), 3, 4).size(), 2U);
+}
+
+TEST(LoneEdges, OfASheetSeenEdgeOn) {
+  scene::PolyScene scene;
+  scene.name = "edge-on";
+  add_sheet(scene, {{-8, 1, 10}, {8, 1, 10}, {8, 1, 30}, {-8, 1, 30}}, {{-4, 1, 12}, {-4, 1, 20}, {4, 1, 20}, {4, 1, 12}});
+  add_sheet(scene, {{1, -8, 11}, {1, 8, 11}, {1, 8, 31}, {1, -8, 31}});
+  add_sheet(scene, square(3, 5));
+  add_sheet(scene, {{-20, -20, 50}, {20, -20, 50}, {20, 25, 50}, {-20, 20, 50}});
+  for (const bool perspective : {false, true}) {
+    for (const scene::PolyPoint& eye : {scene::PolyPoint{0, 1, 0}, {1, 0, 0}, {-3, 1, 0}, {1, 1, 0}, {-9, 1, 15}}) {
+      expect_agreement(scene, {perspective, eye, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+      expect_agreement(scene, {perspective, eye, {0, 0, 1}, {1, 1, 0}, {-1, 1, 0}});
+      expect_agreement(scene, {perspective, eye, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::montani_re
