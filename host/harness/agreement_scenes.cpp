@@ -1,0 +1,256 @@
+// See agreement_scenes.hpp.
+#include "host/harness/agreement_scenes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "host/scene/generate_scene.hpp"
+#include "host/scene/poly_builder.hpp"
+#include "host/scene/poly_from_cells.hpp"
+#include "host/scene/read.hpp"
+
+namespace sightline::harness {
+namespace {
+
+using scene::PolyCamera;
+using scene::PolyPoint;
+using scene::PolyScene;
+
+std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
+  return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
+}
+
+// 38 times the rotation of the quaternion (6, 1, 0, 1): 13 degrees about x and y each.
+PolyPoint tilted(const PolyPoint& p) {
+  return {36 * p[0] - 12 * p[1] + 2 * p[2], 12 * p[0] + 34 * p[1] - 12 * p[2],
+          2 * p[0] + 12 * p[1] + 36 * p[2]};
+}
+
+void tilt(PolyScene& scene) {
+  for (PolyPoint& p : scene.vertices) p = tilted(p);
+  PolyCamera& camera = scene.camera;
+  camera = {camera.perspective, tilted(camera.eye), tilted(camera.forward), tilted(camera.right),
+            tilted(camera.up)};
+}
+
+void enlarge(PolyScene& scene, std::int32_t times) {
+  for (PolyPoint& p : scene.vertices)
+    for (std::int32_t& c : p) c *= times;
+}
+
+scene::CellScene built_in(std::string_view name) {
+  auto loaded = scene::load_cell_scene(std::string(name));
+  return std::get<scene::CellScene>(std::move(loaded));
+}
+
+// Walls of thickness 10, towards greater coordinates. The wall across x begins behind the one across z.
+PolyScene solid_house() {
+  constexpr std::int32_t thickness = 10;
+  scene::CellScene house = built_in("house");
+  for (const geometry::Rectangle& wall : house.walls) {
+    const auto [u, v] = geometry::other_axes(wall.axis);
+    geometry::Box box;
+    box.low[wall.axis] = wall.at;
+    box.high[wall.axis] = wall.at + thickness;
+    box.low[u] = wall.sides[0].low;
+    box.high[u] = wall.sides[0].high;
+    box.low[v] = wall.sides[1].low;
+    box.high[v] = wall.sides[1].high;
+    constexpr std::int32_t across_z = 400;
+    if (wall.axis == 0 && box.low[2] == across_z) box.low[2] += thickness;
+    house.solids.push_back(box);
+  }
+  house.walls.clear();
+  return poly_scene_of(house);
+}
+
+// A parallelepiped at o along three right-handed edges.
+void add_brick(scene::PolyBuilder& builder, const std::string& name, const PolyPoint& o,
+               const std::array<PolyPoint, 3>& along) {
+  std::array<scene::VertexIndex, 8> corners{};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    PolyPoint p = o;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += ((corner >> k) & 1U) != 0 ? along[k][axis] : 0;
+    corners[corner] = builder.vertex(p);
+  }
+  scene::PolyBody body{name, false, {}};
+  for (const auto& ring : std::array<std::array<unsigned, 4>, 6>{
+           {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}}) {
+    scene::PolyFace face;
+    for (const unsigned corner : ring) face.outline.push_back(corners[corner]);
+    body.faces.push_back(std::move(face));
+  }
+  builder.scene().bodies.push_back(std::move(body));
+}
+
+PolyScene tilted_boxes() {
+  scene::PolyBuilder builder;
+  add_brick(builder, "left", {-60, -31, -17}, {{{50, 7, 11}, {-6, 61, 9}, {-13, -5, 47}}});
+  add_brick(builder, "right", {25, -40, 3}, {{{37, 5, -9}, {4, 83, 7}, {11, -3, 41}}});
+  add_brick(builder, "behind", {-20, -10, 60}, {{{45, -8, 5}, {7, 39, -6}, {-4, 9, 33}}});
+  return builder.take();
+}
+
+// Three bars, each before the next, and beside them two U that reach into each other: each is before the other
+// in one place (after Montani and Re, Figure 10).
+PolyScene cycles() {
+  scene::PolyBuilder builder;
+  add_brick(builder, "bar 0", {-4, -2, 0}, {{{38, 0, 10}, {0, 4, 0}, {0, 0, 2}}});
+  add_brick(builder, "bar 1", {31, -4, 0}, {{{-18, 33, 10}, {-4, -2, 0}, {0, 0, 2}}});
+  add_brick(builder, "bar 2", {12, 30, 0}, {{{-17, -34, 10}, {4, -2, 0}, {0, 0, 2}}});
+  const auto sheet = [&builder](const char* name, std::vector<PolyPoint> outline) {
+    for (PolyPoint& p : outline) p[0] += 70;
+    builder.add_sheet(name, outline);
+  };
+  sheet("upright U", {{0, 0, 10}, {30, 0, 10}, {30, 30, 10}, {20, 30, 10},
+                      {20, 10, 10}, {10, 10, 10}, {10, 30, 10}, {0, 30, 10}});
+  sheet("leaning U", {{-5, 13, -10}, {35, 13, 30}, {35, 16, 30}, {5, 16, 0},
+                      {5, 22, 0}, {35, 22, 30}, {35, 25, 30}, {-5, 25, -10}});
+  return builder.take();
+}
+
+// Through the hole of a leaning plate the hole of another one, and through that a box.
+PolyScene holes() {
+  scene::PolyBuilder builder;
+  const auto plate = [&builder](const char* name, const PolyPoint& o, const PolyPoint& u, const PolyPoint& v,
+                                std::int32_t from, std::int32_t to) {
+    const auto at = [&](std::int32_t a, std::int32_t b) {
+      return builder.vertex({o[0] + a * u[0] + b * v[0], o[1] + a * u[1] + b * v[1],
+                             o[2] + a * u[2] + b * v[2]});
+    };
+    scene::PolyFace face{{at(0, 0), at(10, 0), at(10, 10), at(0, 10)},
+                         {{at(from, from), at(from, to), at(to, to), at(to, from)}}};
+    builder.scene().bodies.push_back({name, true, {std::move(face)}});
+  };
+  plate("front", {-52, -47, 0}, {10, 1, 2}, {-1, 10, 1}, 2, 8);
+  plate("middle", {-50, -51, 70}, {10, -1, -3}, {1, 10, 2}, 3, 7);
+  add_brick(builder, "back", {-30, -23, 150}, {{{61, 7, 9}, {-8, 49, 5}, {3, -4, 27}}});
+  return builder.take();
+}
+
+// The scene's own camera, which is in perspective and has vectors of one length, over a right angle.
+AgreementView own_view(const PolyScene& scene) {
+  AgreementView view;
+  view.camera = scene.camera;
+  view.unit = view.size;
+  return view;
+}
+
+CommonScene tilted_scene(std::string_view name, std::string_view title, PolyScene scene) {
+  CommonScene common{name, title, std::move(scene), {}, false, {}, {}};
+  tilt(common.scene);
+  common.views = {parallel_view(common.scene, 3, 4, 5), parallel_view(common.scene, -5, 12, 13),
+                  own_view(common.scene)};
+  return common;
+}
+
+CommonScene parallel_scene(std::string_view name, std::string_view title, PolyScene scene,
+                           std::int32_t times) {
+  CommonScene common{name, title, std::move(scene), {}, false, {}, {}};
+  enlarge(common.scene, times);
+  common.views = {parallel_view(common.scene, 0, 1, 1), parallel_view(common.scene, 3, 4, 5),
+                  parallel_view(common.scene, -5, 12, 13)};
+  common.scene.camera = common.views[0].camera;
+  return common;
+}
+
+CommonScene corridor() {
+  CommonScene common{"C4", "corridor of 8 rooms", scene::generate_corridors(8), {}, false, {}, {}};
+  common.views = {own_view(common.scene)};
+  return common;
+}
+
+CommonScene prism_town() {
+  CommonScene common{"C9", "35 turned houses, in plan", scene::generate_prisms(35), {}, true, {}, {}};
+  common.views = {parallel_view(common.scene, 3, 4, 5), own_view(common.scene)};
+  return common;
+}
+
+constexpr std::array<std::string_view, 11> names{"C1", "C2", "C3", "C4", "C5", "C6",
+                                                 "C7", "C8", "C9", "H1", "H2"};
+
+}  // namespace
+
+FaceWindow AgreementView::window() const {
+  const double half = size / 2.0;
+  const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
+  return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
+}
+
+SightLine AgreementView::sight(int column, int row) const {
+  const std::int32_t x = 2 * column + 1 - size;
+  const std::int32_t y = 2 * row + 1 - size;
+  SightLine line{camera.eye, geometry::vector_of(camera.forward)};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int32_t aside = x * camera.right[a] + y * camera.up[a];
+    if (camera.perspective) {
+      line.along[a] = std::int64_t{unit} * camera.forward[a] + aside;
+    } else {
+      line.from[a] += unit * aside;
+    }
+  }
+  return line;
+}
+
+picture::PixelPoint AgreementView::place(const PolyPoint& point) const {
+  const auto d = geometry::difference(point, camera.eye);
+  const auto along = [&d](const PolyPoint& vector) {
+    return static_cast<double>(geometry::dot(geometry::vector_of(vector), d)) /
+           std::sqrt(static_cast<double>(dot(vector, vector)));
+  };
+  const double depth = camera.perspective ? along(camera.forward) : 1;
+  const double scale = window().scale / depth;
+  const double middle = size / 2.0 - 0.5;
+  return {middle + scale * along(camera.right), middle + scale * along(camera.up)};
+}
+
+AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t q, std::int32_t h, int size) {
+  AgreementView view;
+  view.size = size;
+  view.camera = {false, {}, {p, 0, q}, {q, 0, -p}, {0, h, 0}};
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  std::array<std::int64_t, 3> low{most, most, most};
+  std::array<std::int64_t, 3> high{-most, -most, -most};
+  const std::array<PolyPoint, 3> axes{view.camera.right, view.camera.up, view.camera.forward};
+  for (const PolyPoint& v : scene.vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], dot(axes[a], v));
+      high[a] = std::max(high[a], dot(axes[a], v));
+    }
+  }
+  // Before everything in the middle of it, in lengths of the vectors.
+  const std::int64_t square = std::int64_t{h} * h;
+  const std::array<std::int64_t, 3> eye{(low[0] + high[0]) / 2 / square, (low[1] + high[1]) / 2 / square,
+                                        low[2] / square - 2};
+  for (std::size_t a = 0; a < 3; ++a)
+    view.camera.eye[a] = static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] +
+                                                   eye[2] * axes[2][a]);
+  const std::int64_t extent = std::max(high[0] - low[0], high[1] - low[1]) / square;
+  constexpr std::int64_t border = 4;  // pixels, on both sides
+  view.unit = static_cast<std::int32_t>(extent / (2 * (size - 2 * border)) + 1);
+  return view;
+}
+
+std::span<const std::string_view> common_scene_names() {
+  return names;
+}
+
+CommonScene common_scene(std::string_view name) {
+  if (name == "C1") return tilted_scene(name, "house of solid walls that touch", solid_house());
+  if (name == "C2") return tilted_scene(name, "roberts", poly_scene_of(built_in("roberts")));
+  if (name == "C3") return tilted_scene(name, "street of 8 houses", poly_scene_of(built_in("street4")));
+  if (name == "C4") return corridor();
+  if (name == "C5") return parallel_scene(name, "three tilted boxes", tilted_boxes(), 64);
+  if (name == "C6") return parallel_scene(name, "16 random triangles", scene::generate_triangles(16), 8);
+  if (name == "C7") return parallel_scene(name, "cycles: three bars, two U", cycles(), 64);
+  if (name == "C8") return parallel_scene(name, "a hole seen through a hole", holes(), 64);
+  if (name == "C9") return prism_town();
+  if (name == "H1") return height_scene(name, "sin(r)/r, 32 x 32", "sinc", 3, 4);
+  return height_scene(name, "terrain with cliffs, 32 x 32", "terrain", 4, 3);
+}
+
+}  // namespace sightline::harness
