@@ -6,6 +6,7 @@
 #include <array>
 
 #include "host/harness/report/hard_cases_jones.hpp"
+#include "host/harness/report/hard_cases_montani_re.hpp"
 #include "host/harness/report/hard_cases_skala.hpp"
 #include "host/scene/builtin.hpp"
 
@@ -108,6 +109,7 @@ void add_inputs(Section& section) {
   std::vector<std::string_view> files;
   for (const JonesHardCase& hard : jones_hard_cases()) files.push_back(hard.file);
   for (const SkalaHardCase& hard : skala_hard_cases()) files.push_back(hard.file);
+  for (const MontaniReHardCase& hard : montani_re_hard_cases()) files.push_back(hard.file);
   std::vector<std::string_view> listed;
   for (const std::string_view file : files) {
     if (file.empty() || std::find(listed.begin(), listed.end(), file) != listed.end()) continue;
@@ -143,6 +145,8 @@ Outcome<Section> hard_cases(const Context& context) {
   auto skala = skala_families(context);
   if (auto* const error = std::get_if<ReportError>(&skala)) return std::move(*error);
   section.blocks.emplace_back(std::get<Table>(std::move(skala)));
+  section.blocks.emplace_back(montani_re_cases(context));
+  section.blocks.emplace_back(montani_re_families(context));
   add_inputs(section);
   return section;
 }
