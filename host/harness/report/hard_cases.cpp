@@ -8,6 +8,7 @@
 #include "host/harness/report/hard_cases_jones.hpp"
 #include "host/harness/report/hard_cases_montani_re.hpp"
 #include "host/harness/report/hard_cases_skala.hpp"
+#include "host/harness/report/hard_cases_willis.hpp"
 #include "host/scene/builtin.hpp"
 
 namespace sightline::harness::report {
@@ -109,6 +110,7 @@ void add_inputs(Section& section) {
   std::vector<std::string_view> files;
   for (const JonesHardCase& hard : jones_hard_cases()) files.push_back(hard.file);
   for (const SkalaHardCase& hard : skala_hard_cases()) files.push_back(hard.file);
+  for (const WillisHardCase& hard : willis_hard_cases()) files.push_back(hard.file);
   for (const MontaniReHardCase& hard : montani_re_hard_cases()) files.push_back(hard.file);
   std::vector<std::string_view> listed;
   for (const std::string_view file : files) {
@@ -145,6 +147,8 @@ Outcome<Section> hard_cases(const Context& context) {
   auto skala = skala_families(context);
   if (auto* const error = std::get_if<ReportError>(&skala)) return std::move(*error);
   section.blocks.emplace_back(std::get<Table>(std::move(skala)));
+  section.blocks.emplace_back(willis_table(context));
+  section.blocks.emplace_back(willis_lengths(context));
   section.blocks.emplace_back(montani_re_cases(context));
   section.blocks.emplace_back(montani_re_families(context));
   add_inputs(section);
