@@ -238,6 +238,8 @@ class RandomScene {
     camera.eye = some_eye();
     do {
       camera.forward = dice_.one_in(4) ? difference(some_vertex(), camera.eye) : dice_.point(-3, 3);
+      // Level directions are the ones a turn about y has.
+      if (!camera.perspective && dice_.one_in(2)) camera.forward[1] = 0;
       camera.forward = short_vector(camera.forward);
       // The other vectors must stay below 2^15: of a long one the direction is kept as well as can be.
       while (std::any_of(camera.forward.begin(), camera.forward.end(),
