@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/harness/report/timing_jones.hpp"
+#include "host/harness/report/timing_montani_re.hpp"
 #include "host/harness/report/timing_skala.hpp"
 
 namespace sightline::harness::report {
@@ -15,7 +16,7 @@ Outcome<Section> timing_against_papers(const Context& context) {
       "Times are of the emulated machines: they follow from cycle counts, depend on no clock of this "
       "computer, and come out the same in every run. Where a number cannot be compared, the table says "
       "why."});
-  for (const auto papers : {&timing_of_jones, &timing_of_skala}) {
+  for (const auto papers : {&timing_of_jones, &timing_of_skala, &timing_of_montani_re}) {
     auto blocks = papers(context);
     if (auto* const error = std::get_if<ReportError>(&blocks)) return std::move(*error);
     auto& made = std::get<std::vector<Block>>(blocks);
