@@ -46,7 +46,8 @@ class Line {
 Horizon::Horizon(int columns)
     : top_(static_cast<std::size_t>(columns), -untouched),
       bottom_(static_cast<std::size_t>(columns), untouched),
-      heights_(static_cast<std::size_t>(columns)) {}
+      heights_(static_cast<std::size_t>(columns) + block),
+      seen_before_(static_cast<std::size_t>(columns) + 1) {}
 
 void Horizon::add(Vertex from, Vertex to) {
   if (pieces_.size() > first_own_ && pieces_.back().to == from) {
@@ -177,18 +178,6 @@ bool Horizon::draw(Vertex from, Vertex to, Wake& wake) {
 bool Horizon::test(Vertex from, Vertex to, float slack, Wake wake) {
   pieces_.clear();
   look(from, to, slack, wake);
-  return !pieces_.empty();
-}
-
-// No two of the chain's segments have a column in common, so that raising can wait until the end; what a
-// segment between two columns is held against is then what was there before the chain.
-bool Horizon::draw_chain(std::span<const Vertex> chain, Wake& wake) {
-  pieces_.clear();
-  if (chain.size() < 2) return false;
-  for (std::size_t i = 1; i < chain.size(); ++i) look(chain[i - 1], chain[i], usual_slack, wake);
-  const bool leftwards = chain.back().x < chain.front().x;
-  raise(leftwards ? columns_of(chain.back(), chain.front()) : columns_of(chain.front(), chain.back()),
-        leftwards, wake);
   return !pieces_.empty();
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -60,9 +61,23 @@ class Horizon {
   void add(Vertex from, Vertex to);
   void raise(Columns columns, bool leftwards, Wake& wake);
 
+  void measure_chain(std::span<const Vertex> chain);
+  void trace_chain(std::span<const Vertex> chain, bool leftwards);
+  void compare_chain(Columns columns);
+  void ink_chain(std::span<const Vertex> chain, bool leftwards, const Wake& wake);
+  void raise_chain(Columns columns, bool leftwards, Wake& wake);
+
+  // Columns are worked on in blocks of this many, the last of which may reach beyond the masks.
+  static constexpr std::size_t block = 4;
+
   std::vector<float> top_;
   std::vector<float> bottom_;
   std::vector<float> heights_;  // by column, of what was looked at last
+  // Of a chain: the last column not right of a vertex, -1 if none, and the slope of the segment after it.
+  std::vector<std::int32_t> vertex_columns_;
+  std::vector<float> slopes_;
+  // By column, of all before it: how many are above the top, and 2^16 times how many are below the bottom.
+  std::vector<std::uint32_t> seen_before_;
   std::vector<Piece> pieces_;
   std::size_t first_own_ = 0;  // of the segment at hand, in pieces_
 };
