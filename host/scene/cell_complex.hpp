@@ -23,7 +23,7 @@
 
 #include "host/geometry/box.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/geometry/rational.hpp"
+#include "host/scene/complex_lines.hpp"
 #include "host/scene/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -56,13 +56,6 @@ struct ComplexEdge {
   friend bool operator==(const ComplexEdge&, const ComplexEdge&) = default;
 };
 
-// The part of an edge that lies on a cell's closure: from + s (to - from), low <= s <= high, low < high.
-struct ComplexLine {
-  std::uint32_t edge = 0;  // index into edges
-  geometry::Rational low;
-  geometry::Rational high;
-};
-
 struct ComplexCell {
   std::uint32_t first_bound = 0;  // its half-spaces; the cell is all that is in every one of them
   std::uint32_t bound_count = 0;
@@ -79,7 +72,7 @@ struct CellComplex {
   std::vector<geometry::Plane> planes;
   std::vector<ComplexCell> cells;
   std::vector<HalfSpace> bounds;
-  std::vector<ComplexLine> lines;
+  ComplexLines lines;
   std::vector<ComplexOpening> openings;
   std::vector<HalfSpace> sides;
   std::vector<std::uint32_t> opening_numbers;  // by cell
@@ -87,8 +80,8 @@ struct CellComplex {
   [[nodiscard]] std::span<const HalfSpace> bounds_of(const ComplexCell& cell) const {
     return std::span(bounds).subspan(cell.first_bound, cell.bound_count);
   }
-  [[nodiscard]] std::span<const ComplexLine> lines_of(const ComplexCell& cell) const {
-    return std::span(lines).subspan(cell.first_line, cell.line_count);
+  [[nodiscard]] ComplexLines::Rows lines_of(const ComplexCell& cell) const {
+    return lines.rows(cell.first_line, cell.line_count);
   }
   [[nodiscard]] std::span<const std::uint32_t> openings_of(const ComplexCell& cell) const {
     return std::span(opening_numbers).subspan(cell.first_opening, cell.opening_count);

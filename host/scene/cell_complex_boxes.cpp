@@ -40,7 +40,9 @@ void add_axis_line(CellComplexBuilder& builder, std::uint32_t edge, std::size_t 
                    std::int32_t low, std::int32_t high) {
   const CellComplex& complex = builder.complex();
   const std::int64_t from = complex.vertices[complex.edges[edge].from][axis];
-  const std::int64_t length = complex.vertices[complex.edges[edge].to][axis] - from;
+  const std::int64_t to = complex.vertices[complex.edges[edge].to][axis];
+  if (std::min(from, to) == low && std::max(from, to) == high) return builder.add_line(cell, edge, 0, 1);
+  const std::int64_t length = to - from;
   const geometry::Rational a{low - from, length};
   const geometry::Rational b{high - from, length};
   builder.add_line(cell, edge, std::min(a, b), std::max(a, b));

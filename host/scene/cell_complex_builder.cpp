@@ -155,19 +155,42 @@ void CellComplexBuilder::add_opening(const HalfSpace& near, CellNumber within, C
 void CellComplexBuilder::add_line(CellNumber cell, std::uint32_t edge, const geometry::Rational& low,
                                   const geometry::Rational& high) {
   assert(low < high);
-  complex_.lines.push_back({edge, low, high});
-  line_cells_.push_back(cell);
+  if (next_lines_.empty()) {
+    complex_.lines.push_back({edge, low, high});
+    line_cells_.push_back(cell);
+  } else {
+    complex_.lines.set(next_lines_[cell]++, {edge, low, high});
+  }
 }
 
-void CellComplexBuilder::reserve(std::size_t cells, std::size_t openings, std::size_t lines) {
+void CellComplexBuilder::expect_lines(const std::vector<std::uint32_t>& count_by_cell) {
+  assert(complex_.lines.empty());
+  next_lines_.reserve(count_by_cell.size());
+  std::uint32_t first = 0;
+  for (const std::uint32_t count : count_by_cell) {
+    next_lines_.push_back(first);
+    first += count;
+  }
+  complex_.lines.resize(first);
+}
+
+void CellComplexBuilder::reserve(std::size_t cells, std::size_t bounds) {
   complex_.cells.reserve(cells);
-  complex_.openings.reserve(openings);
-  complex_.lines.reserve(lines);
-  line_cells_.reserve(lines);
+  complex_.bounds.reserve(bounds);
 }
 
-// In place, along the cycles of the permutation: a second array of lines would be the largest thing in
-// memory.
+// Every expected line has come, so that a cell's lines end where the next one goes.
+void CellComplexBuilder::find_expected_lines() {
+  assert(next_lines_.size() == complex_.cells.size());
+  std::uint32_t first = 0;
+  for (std::size_t c = 0; c < complex_.cells.size(); ++c) {
+    complex_.cells[c].first_line = first;
+    complex_.cells[c].line_count = next_lines_[c] - first;
+    first = next_lines_[c];
+  }
+}
+
+// In place, along the cycles of the permutation.
 void CellComplexBuilder::sort_lines() {
   for (const CellNumber cell : line_cells_) ++complex_.cells[cell].line_count;
   std::uint32_t first = 0;
@@ -182,7 +205,7 @@ void CellComplexBuilder::sort_lines() {
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     while (target[i] != i) {
       const std::uint32_t to = target[i];
-      std::swap(complex_.lines[i], complex_.lines[to]);
+      complex_.lines.swap(i, to);
       std::swap(target[i], target[to]);
     }
   }
@@ -210,7 +233,7 @@ void CellComplexBuilder::list_openings() {
 }
 
 CellComplex CellComplexBuilder::take() {
-  sort_lines();
+  next_lines_.empty() ? sort_lines() : find_expected_lines();
   list_openings();
   return std::move(complex_);
 }

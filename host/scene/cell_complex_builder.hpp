@@ -54,8 +54,11 @@ class CellComplexBuilder {
   void add_line(CellNumber cell, std::uint32_t edge, const geometry::Rational& low,
                 const geometry::Rational& high);
 
+  // How many lines each cell will have, told before any is added: they are then put in their places at once,
+  // and none need be sorted.
+  void expect_lines(const std::vector<std::uint32_t>& count_by_cell);
   // Room for this many, so that nothing is moved while a large complex grows.
-  void reserve(std::size_t cells, std::size_t openings, std::size_t lines);
+  void reserve(std::size_t cells, std::size_t bounds);
 
   // So far: for what needs the planes, the edges or the cells while it adds.
   [[nodiscard]] const CellComplex& complex() const { return complex_; }
@@ -69,11 +72,13 @@ class CellComplexBuilder {
 
   std::uint32_t axis_plane(std::size_t axis, std::int32_t at);
   std::uint32_t new_plane(const geometry::Plane& plane);
+  void find_expected_lines();
   void sort_lines();
   void list_openings();
 
   CellComplex complex_;
-  std::vector<CellNumber> line_cells_;
+  std::vector<CellNumber> line_cells_;     // of lines that wait to be sorted
+  std::vector<std::uint32_t> next_lines_;  // if they were expected: by cell, where its next one goes
   std::unordered_map<geometry::Plane, std::uint32_t, PlaneHash> slanted_planes_;
   std::array<std::vector<std::uint32_t>, 3> axis_planes_;  // by coordinate from outer.low
 };

@@ -74,7 +74,7 @@ void check_complex_numbers(const CellComplex& complex, const PolyScene& scene, P
   for (const std::uint32_t number : complex.opening_numbers)
     if (number >= complex.openings.size())
       problems.add("opening_numbers", "found " + std::to_string(number) + ", which is not there");
-  for (const ComplexLine& line : complex.lines)
+  for (const ComplexLine line : complex.lines)
     if (line.edge >= complex.edges.size())
       problems.add("lines", "found edge " + std::to_string(line.edge) + ", which is not there");
   check_rows(complex, problems);
@@ -94,7 +94,7 @@ void check_complex_lines(const CellComplex& complex, Problems& problems) {
     return half.turned ? at < 0 : at > 0;
   };
   for (std::size_t c = 0; c < complex.cells.size() && !problems.full(); ++c) {
-    for (const ComplexLine& line : complex.lines_of(complex.cells[c])) {
+    for (const ComplexLine line : complex.lines_of(complex.cells[c])) {
       const std::string name = "its line on edge " + std::to_string(line.edge);
       if (!(geometry::Rational(0) <= line.low && line.low < line.high &&
             line.high <= geometry::Rational(1))) {

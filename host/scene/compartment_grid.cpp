@@ -128,10 +128,11 @@ void for_each_line(const CellComplex& complex, const GridPlanes& planes, const G
 }
 
 void add_lines(CellComplexBuilder& builder, const GridPlanes& planes, const GridCells& cells) {
-  std::size_t count = 0;
-  for_each_line(builder.complex(), planes, cells, [&](auto...) { ++count; });
-  builder.reserve(cells.cells().size(), 0, count);
   const CellComplex& complex = builder.complex();
+  std::vector<std::uint32_t> counts(cells.cells().size(), 0);
+  for_each_line(complex, planes, cells,
+                [&](std::uint32_t, std::size_t, CellNumber cell, auto...) { ++counts[cell]; });
+  builder.expect_lines(counts);
   for_each_line(complex, planes, cells,
                 [&](std::uint32_t e, std::size_t axis, CellNumber cell, std::int32_t low, std::int32_t high) {
                   add_axis_line(builder, e, axis, cell, low, high);
@@ -154,6 +155,7 @@ std::variant<CellComplex, SceneError> compartment_grid(const PolyScene& scene, c
   const GridCells cells(space);
   CellComplexBuilder builder(scene, outer);
   add_lines(builder, space.planes(), cells);
+  builder.reserve(cells.cells().size(), 6 * cells.cells().size());
   for (const GridCell& cell : cells.cells()) add_box_cell(builder, box_of(space.planes(), cell));
   if (auto fault = add_openings(builder, space, cells, options)) return *fault;
   return builder.take();

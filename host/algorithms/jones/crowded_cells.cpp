@@ -27,7 +27,7 @@ Box box_of_edge(const scene::CellComplex& complex, const scene::ComplexEdge& edg
 
 std::vector<Box> boxes_of_lines(const scene::CellComplex& complex, const scene::ComplexCell& cell) {
   std::vector<Box> boxes;
-  for (const scene::ComplexLine& line : complex.lines_of(cell))
+  for (const scene::ComplexLine line : complex.lines_of(cell))
     boxes.push_back(box_of_edge(complex, complex.edges[line.edge]));
   return boxes;
 }

@@ -174,7 +174,7 @@ void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
   const auto openings = complex.openings_of(cell);
   const CrowdedCell* const crowded = prepared.crowded(waiting.cell);
   if (crowded == nullptr) {
-    for (const scene::ComplexLine& line : lines) draw_line(line, search.mask_);
+    for (const scene::ComplexLine line : lines) draw_line(line, search.mask_);
     for (std::size_t i = openings.size(); i-- > 0;) look_out(waiting, openings[i]);
     return;
   }

@@ -57,7 +57,7 @@ TEST_F(CheckComplex, Numbers) {
   expect("cell 2", "beyond the end", [](CellComplex& c) { c.cells[2].first_line = 0xFFFFFFFF; });
   expect("bounds", "not there", [](CellComplex& c) { c.bounds[0].plane = 9999; });
   expect("sides", "not there", [](CellComplex& c) { c.sides[0].plane = 9999; });
-  expect("lines", "not there", [](CellComplex& c) { c.lines[0].edge = 9999; });
+  expect("lines", "not there", [](CellComplex& c) { c.lines.set(0, {9999, 0, 1}); });
   expect("opening_numbers", "not there", [](CellComplex& c) { c.opening_numbers[0] = 9999; });
   expect("plane 0", "no normal", [](CellComplex& c) { c.planes[0].normal = {}; });
   expect("vertices", "not those", [](CellComplex& c) { ++c.vertices[0][0]; });
@@ -119,10 +119,10 @@ TEST_F(CheckComplex, CellsAndLines) {
                                good_.cells.begin());
   const std::string cell = "cell " + std::to_string(with_lines);
   const std::uint32_t line = good_.cells[with_lines].first_line;
-  expect(cell, "no part of the edge", [&](CellComplex& c) { c.lines[line].high = c.lines[line].low; });
-  expect(cell, "no part of the edge", [&](CellComplex& c) { c.lines[line].low = -1; });
+  expect(cell, "no part of the edge", [&](CellComplex& c) { c.lines.set(line, {0, 1, 1}); });
+  expect(cell, "no part of the edge", [&](CellComplex& c) { c.lines.set(line, {0, -1, 1}); });
   expect("cell", "leaves the cell", [](CellComplex& c) {
-    for (ComplexLine& each : c.lines) each.edge = 0;
+    for (std::size_t i = 0; i < c.lines.size(); ++i) c.lines.set(i, {0, c.lines[i].low, c.lines[i].high});
   });
 }
 
