@@ -9,6 +9,7 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/spans.hpp"
+#include "host/harness/montani_re_faces.hpp"
 #include "host/harness/willis_display.hpp"
 
 namespace sightline::harness {
@@ -74,6 +75,8 @@ std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyS
 }
 
 constexpr std::array table{
+    FaceAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985); filled",
+                  prepare_montani_re_faces},
     FaceAlgorithm{"willis", "Surfaces by distance as their priority, after Willis (1977); filled, or a flight",
                   prepare_willis},
 };

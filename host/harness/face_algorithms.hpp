@@ -2,6 +2,7 @@
 // draw lines have a table of their own (algorithms.hpp).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -36,22 +37,44 @@ struct FaceView {
   std::vector<FaceCount> counts;
 };
 
+// What is seen of one face, as closed lines: outlines counterclockwise, holes clockwise. From the bottom left
+// of the window, in its pixels, y upwards.
+struct FaceRegion {
+  std::uint32_t face = 0;  // as in FaceView
+  std::vector<std::vector<picture::PixelPoint>> loops;
+};
+
+struct FaceRegions {
+  std::vector<FaceRegion> regions;  // they do not overlap
+  std::vector<FaceCount> counts;
+};
+
 // One view of a prepared scene. The eye of a camera in perspective is in free space (precondition). One view
 // at a time.
 using FaceViews =
     std::function<std::variant<FaceView, scene::SceneError>(const scene::PolyCamera&, const FaceWindow&)>;
+using FaceRegionViews =
+    std::function<std::variant<FaceRegions, scene::SceneError>(const scene::PolyCamera&, const FaceWindow&)>;
 
 struct PreparedFaces {
   FaceViews view;
+  FaceRegionViews regions;             // empty if the algorithm has pixels only
   std::vector<FaceCount> counts;       // of what was made of the scene
   std::vector<std::string> not_solved;  // what may be drawn wrongly, by name; empty: nothing
 };
 
+// Stripes of Montani and Re's, in pixels.
+inline constexpr std::array<double, 6> stripe_thicknesses{8, 4, 2, 1, 0.5, 0.25};
+
+// Every algorithm reads its own.
 struct FaceOptions {
-  std::optional<int> depth;  // the algorithm's own knob: cuts of one surface
+  // Willis
+  std::optional<int> depth;  // cuts of one surface
   bool plan = false;         // walls only, seen from among them
   std::size_t vertical = 1;  // axis, for plan
   bool rule90 = false;       // the paper's rule that normals be within 90 degrees
+  // Montani and Re
+  double stripe = 1;  // thickness, one of those above; regions have none
 };
 
 struct FaceAlgorithm {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace sightline::algorithms::montani_re {
@@ -164,6 +165,13 @@ StripeRaster blank(const StripeFrame& frame) {
   return raster;
 }
 
+// Ordinates of an edge's ends; one that is not before the eye has none, and the edge goes on as it is.
+std::pair<double, std::optional<double>> ends_of(const Image& image, const ImageLine& line) {
+  const bool whole = image.weight(line.from) > 0 && image.weight(line.to) > 0;
+  if (whole) return {image.ordinate_of(line.from).middle(), image.ordinate_of(line.to).middle()};
+  return {image.ordinate_of(image.weight(line.from) > 0 ? line.from : line.to).middle(), std::nullopt};
+}
+
 }  // namespace
 
 std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size) {
@@ -198,6 +206,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     return std::clamp((frame.centre[0] + frame.scale[0] * image.abscissa(line, y)) * fraction, -farthest,
                       farthest);
   };
+  const double a_stripe = 1 / (frame.scale[1] * stripes_a_pixel);  // of the image
   StripePcs pcs;
   if (region.empty()) return pcs;
   const auto within = [&](double line) {
@@ -211,12 +220,11 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     const double high = line_at(band.high.middle());
     for (const Side& side : region.sides_of(band)) {
       // The whole edge between its moved corners, so that faces on both sides of it agree.
-      const ImageLine& line = image.lines()[side.line];
-      const double y = image.ordinate_of(line.from).middle();
-      const double end = image.ordinate_of(line.to).middle();
+      const auto [y, end] = ends_of(image, image.lines()[side.line]);
       const double from = abscissa(side.line, y);
       const double start = line_at(y);
-      const double slope = (abscissa(side.line, end) - from) / (line_at(end) - start);
+      const double slope = end ? (abscissa(side.line, *end) - from) / (line_at(*end) - start)
+                               : (abscissa(side.line, y + 1) - from) * a_stripe;
       for (std::int32_t k = within(low); k < within(high); ++k) {
         auto& stripe = pcs.stripes[static_cast<std::size_t>(k - pcs.first)];
         if (stripe.empty()) stripe.emplace_back();

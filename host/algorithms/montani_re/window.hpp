@@ -18,7 +18,7 @@
 
 namespace sightline::algorithms::montani_re {
 
-// From low / unit to high / unit, X and Y; unit positive, all below 2^37.
+// From low / unit to high / unit, X and Y; unit positive (1 without perspective), all below 2^37.
 struct WindowBounds {
   std::array<std::int64_t, 2> low{-1, -1};
   std::array<std::int64_t, 2> high{1, 1};
