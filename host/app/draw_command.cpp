@@ -36,6 +36,7 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
                    algorithm, exit_code);
   }
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
+    if (harness::find_line_algorithm(algorithm.name) != nullptr) continue;
     add_draw_faces(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
                    algorithm, exit_code);
   }
