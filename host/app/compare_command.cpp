@@ -20,7 +20,7 @@
 #include "host/app/draw_camera.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/app/skala_source.hpp"
+#include "host/app/skala_options.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/height_function.hpp"
 
@@ -28,7 +28,6 @@ namespace sightline::app {
 
 namespace {
 
-using harness::SkalaFamily;
 using harness::SkalaPicture;
 using nlohmann::ordered_json;
 
@@ -40,11 +39,14 @@ constexpr const char* compare_examples =
     "      Jones's program on the PDP-7, its twin and the native algorithms from one place\n"
     "  sightline compare sinc heights.csv --rotate 120 --elevate 45\n"
     "      Skala's program on the 8080, its twin and the native algorithm\n"
+    "  sightline compare --function \"sin(x)*cos(z)\" --picture contours --levels 12\n"
+    "      contours of a function of your own: by points, and the native ones by lines\n"
     "  sightline compare part.off boxes-100 --json\n"
-    "      polyhedra: the exact algorithms only\n\n"
+    "      polyhedra: the exact algorithms by lines, Willis's faces by points\n\n"
     "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
     "name, or a\n"
-    "grid file. Every picture is held against an oracle that shares no visibility code with anything:\n"
+    "grid file. --function and the options after it, up to --levels, are those of `sightline skala`. Every "
+    "picture is held against an oracle that shares no visibility code with anything:\n"
     "  missing, extra   length of lines that are seen but not drawn, and drawn but not seen, along the true "
     "lines\n"
     "  miss >1, extra >1   the part of it that is farther than a pixel from anything drawn, or seen\n"
@@ -63,10 +65,10 @@ struct CompareArguments {
   std::string view;
   std::optional<int> scale;
   bool no_eae = false;
-  double rotation = 30;
-  double elevation = 30;
-  SkalaPicture picture = SkalaPicture::lines;
-  bool both = false;
+  SkalaSource function;  // without a name: names are among the scenes
+  harness::SkalaView function_view;
+  SkalaSlices slices;
+  std::optional<int> levels;
   std::string directory = "out";
   bool json = false;
 };
@@ -126,20 +128,17 @@ struct ComparedScene {
   std::vector<std::string> overlays;
 };
 
-ComparedScene compare_function(const CompareArguments& arguments, const std::string& name,
+// `source` is by name, from a file or an expression.
+ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source,
                                const harness::CompareProgress& progress) {
+  const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
   refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
-  harness::SkalaView view;
-  view.picture = arguments.picture;
-  view.rotation = arguments.rotation;
-  view.elevation = arguments.elevation;
-  if (arguments.both && view.picture == SkalaPicture::lines) view.family = SkalaFamily::both;
-  SkalaSource source;
-  source.name_or_file = name;
-  const SkalaFunction function = load_skala_function(
-      source, view.picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+  harness::SkalaView view = arguments.function_view;
+  view.family = family_of(arguments.slices);
+  if (arguments.levels) view.levels = *arguments.levels;
+  const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = harness::why_not_comparable(function.grid, view))
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
   const auto comparison = harness::compare_heights(function.grid, view, progress);
@@ -148,8 +147,19 @@ ComparedScene compare_function(const CompareArguments& arguments, const std::str
           write_overlays(arguments.directory, function.stem, comparison)};
 }
 
+// Of the functions among the scenes: only what is sampled has a size to choose.
+SkalaSource source_of(const CompareArguments& arguments, const std::string& name) {
+  SkalaSource source;
+  source.name_or_file = name;
+  source.points = arguments.function.points;
+  source.slices = arguments.function.slices;
+  return source;
+}
+
 ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name,
                             const harness::CompareProgress& progress) {
+  refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
+         "a function, which is sampled");
   const SceneSource source = load_scene_source(name);
   const auto compared = [&] {
     if (source.cells) {
@@ -176,19 +186,32 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
           write_overlays(arguments.directory, comparison)};
 }
 
+// One scene or function; the last is --function's if there is no name left.
+ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names,
+                           std::size_t n, const harness::CompareProgress& progress) {
+  if (n == names.size()) return compare_function(arguments, arguments.function, progress);
+  if (is_height_function(names[n]))
+    return compare_function(arguments, source_of(arguments, names[n]), progress);
+  return compare_scene(arguments, names[n], progress);
+}
+
 ExitCode run_compare(const CompareArguments& arguments) {
-  require_finite("--rotate", arguments.rotation);
-  require_finite("--elevate", arguments.elevation);
-  const auto names = arguments.scenes.empty() ? every_builtin() : arguments.scenes;
+  require_angles(arguments.function_view.rotation, arguments.function_view.elevation);
+  if (arguments.levels && arguments.function_view.picture != SkalaPicture::contours)
+    throw Failure(ExitCode::usage, "--levels: found without --picture contours");
+  const bool expression = !arguments.function.expression.empty();
+  if (!expression && !arguments.function.domain.empty())
+    throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
+  const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
   ordered_json document{
       {"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", ordered_json::array()}};
   bool agrees = true;
   CompareProgressLine line;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    const std::string& name = names[n];
-    const auto progress = [&](std::string_view step) { line.show(n + 1, names.size(), name, step); };
-    ComparedScene compared = is_height_function(name) ? compare_function(arguments, name, progress)
-                                                      : compare_scene(arguments, name, progress);
+  const std::size_t count = names.size() + (expression ? 1 : 0);
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::string& name = n < names.size() ? names[n] : arguments.function.expression;
+    const auto progress = [&](std::string_view step) { line.show(n + 1, count, name, step); };
+    ComparedScene compared = compare_next(arguments, names, n, progress);
     line.clear();
     agrees = agrees && compared.agrees;
     if (arguments.json) {
@@ -216,22 +239,21 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       ->check(CLI::Range(64, 4096));
   command.add_flag("--no-eae,!--eae", arguments.no_eae,
                    "The PDP-7 without (with) the extended arithmetic element");
-  command.add_option("--rotate", arguments.rotation, "A function: degrees about the vertical")
-      ->capture_default_str()
-      ->type_name("A");
-  command.add_option("--elevate", arguments.elevation, "A function: degrees of the eye above the horizon")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0))
-      ->type_name("E");
-  command
-      .add_option("--picture", arguments.picture,
-                  "A function: lines, surface or contours; lines unless given")
+  harness::SkalaView& view = arguments.function_view;
+  constexpr scene::GridSize usual = usual_grid_size(SkalaPicture::lines);
+  constexpr scene::GridSize of_contours = usual_grid_size(SkalaPicture::contours);
+  add_function_options(command, arguments.function,
+                       fmt::format("{}, of contours {},", usual.slices, of_contours.slices),
+                       std::to_string(usual.points));
+  add_angle_options(command, view.rotation, view.elevation);
+  command.add_option("--picture", view.picture, "A function: lines, surface or contours; lines unless given")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, SkalaPicture>{{"lines", SkalaPicture::lines},
                                                                       {"surface", SkalaPicture::surface},
                                                                       {"contours", SkalaPicture::contours}}))
       ->type_name("NAME");
-  command.add_flag("--both", arguments.both, "A function's lines: slices along x and along z");
+  add_slices_options(command, arguments.slices);
+  add_levels_option(command, arguments.levels);
   command.add_option("-o,--output", arguments.directory, "Folder for the overlays")
       ->capture_default_str()
       ->type_name("DIR");
@@ -244,6 +266,7 @@ void add_compare_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
       app.add_subcommand("compare", "Hold guest, twin and native algorithms against the oracle on one view");
   const auto arguments = std::make_shared<CompareArguments>();
+  arguments->function_view.rotation = 30;
   add_compare_options(*command, *arguments);
   command->footer(compare_examples);
   command->callback([arguments, &exit_code] { exit_code = run_compare(*arguments); });

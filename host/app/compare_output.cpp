@@ -52,6 +52,50 @@ std::string view_text(const SceneComparison& comparison) {
                             : "along " + point_text(camera.forward) + ", orthographic";
 }
 
+std::string lines_heading() {
+  return fmt::format("  {:<13}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
+                     "miss >1", "extra >1", "H px", "99.9 %", "wrong points, 95 % interval", "pieces");
+}
+
+std::string lines_row(std::string_view name, const LineMetrics& m, std::string_view exactness) {
+  const picture::Rate& rate = m.wrong_visibility;
+  std::string text = fmt::format(
+      "  {:<13}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", name, pixels_and_share(m, m.missing),
+      pixels_and_share(m, m.extra), m.missing_far, m.extra_far, distance_text(m.hausdorff.greatest),
+      distance_text(m.hausdorff.usual),
+      fmt::format("{:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
+      m.pieces_different, exactness);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + '\n';
+}
+
+std::string points_heading() {
+  return fmt::format("  {:<13}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
+                     "elsewhere", "missing", "extra", "miss >1", "extra >1");
+}
+
+std::string points_row(std::string_view name, const PixelMetrics& m) {
+  return fmt::format("  {:<13}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", name,
+                     fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()), m.different_on_boundary,
+                     m.different_inside, m.missing, m.extra, m.missing_far, m.extra_far);
+}
+
+std::string faces_text(const SceneComparison& comparison) {
+  if (comparison.faces.empty()) return "";
+  const PixelMetrics& any = comparison.faces.front().metrics;
+  std::string text =
+      fmt::format("faces, by points: {}, {} of them at edges\n", any.pixels, any.boundary_pixels) +
+      points_heading();
+  for (const harness::ComparedFaces& compared : comparison.faces) {
+    text += points_row(compared.name, compared.metrics);
+    if (compared.not_solved > 0)
+      text += fmt::format("{}: {} pairs of faces it says itself it cannot separate\n", compared.name,
+                          compared.not_solved);
+    if (!compared.agrees()) text += compared.name + ": NOT THE ORACLE'S\n";
+  }
+  return text;
+}
+
 std::string exactness_text(const ComparedPicture& compared) {
   if (!compared.identical) return "";
   return *compared.identical ? "equal to the oracle's" : "NOT THE ORACLE'S";
@@ -75,33 +119,35 @@ ordered_json reasons_json(const std::vector<std::pair<std::string, std::string>>
   return list;
 }
 
+ordered_json metrics_json(const LineMetrics& m) {
+  return {{"true_length", m.true_length},
+          {"drawn_length", m.drawn_length},
+          {"missing", m.missing},
+          {"extra", m.extra},
+          {"missing_share", m.share(m.missing)},
+          {"extra_share", m.share(m.extra)},
+          {"missing_far", m.missing_far},
+          {"extra_far", m.extra_far},
+          {"hausdorff", m.hausdorff.greatest},
+          {"hausdorff_99_9", m.hausdorff.usual},
+          {"wrong_visibility",
+           {{"points", m.wrong_visibility.points},
+            {"wrong", m.wrong_visibility.wrong},
+            {"rate", m.wrong_visibility.rate},
+            {"low", m.wrong_visibility.low},
+            {"high", m.wrong_visibility.high}}},
+          {"pieces_different", m.pieces_different}};
+}
+
 ordered_json line_json(const ComparedPicture& compared) {
-  const LineMetrics& m = compared.metrics;
   ordered_json row{{"name", compared.name}, {"measured", compared.what}};
   if (compared.identical) row["equal_to_oracle"] = *compared.identical;
-  row.update({{"true_length", m.true_length},
-              {"drawn_length", m.drawn_length},
-              {"missing", m.missing},
-              {"extra", m.extra},
-              {"missing_share", m.share(m.missing)},
-              {"extra_share", m.share(m.extra)},
-              {"missing_far", m.missing_far},
-              {"extra_far", m.extra_far},
-              {"hausdorff", m.hausdorff.greatest},
-              {"hausdorff_99_9", m.hausdorff.usual},
-              {"wrong_visibility",
-               {{"points", m.wrong_visibility.points},
-                {"wrong", m.wrong_visibility.wrong},
-                {"rate", m.wrong_visibility.rate},
-                {"low", m.wrong_visibility.low},
-                {"high", m.wrong_visibility.high}}},
-              {"pieces_different", m.pieces_different}});
+  row.update(metrics_json(compared.metrics));
   return row;
 }
 
-ordered_json raster_json(const ComparedRaster& compared) {
-  const PixelMetrics& m = compared.metrics;
-  return {{"name", compared.name},
+ordered_json points_json(const std::string& name, const PixelMetrics& m) {
+  return {{"name", name},
           {"pixels", m.pixels},
           {"boundary_pixels", m.boundary_pixels},
           {"different_on_boundary", m.different_on_boundary},
@@ -131,6 +177,17 @@ void write_overlay(const std::string& base, const picture::Overlay& overlay, con
   paths.push_back(base + ".svg");
 }
 
+picture::OverlayCaption lines_caption(const std::string& title, const LineMetrics& m) {
+  return {title, fmt::format("agreed {:.1f} px", m.true_length - m.missing),
+          fmt::format("missing {:.2f} px", m.missing), fmt::format("extra {:.2f} px", m.extra)};
+}
+
+// Points that are lit in both but differ count as extra: overlay_of.
+picture::OverlayCaption points_caption(const std::string& title, const PixelMetrics& m) {
+  return {title, fmt::format("agreed {} points", m.lit - m.missing - (m.different() - m.missing - m.extra)),
+          fmt::format("missing {}", m.missing), fmt::format("extra {}", m.different() - m.missing)};
+}
+
 std::string overlay_base(const std::string& directory, const std::string& scene, const std::string& name) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -144,21 +201,10 @@ std::string compare_table(const SceneComparison& comparison) {
   std::string text = fmt::format("{} {}", comparison.scene, view_text(comparison));
   if (!comparison.pictures.empty())
     text += fmt::format(", {:.1f} px of lines are seen", comparison.pictures.front().metrics.true_length);
-  text +=
-      fmt::format("\n  {:<12}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
-                  "miss >1", "extra >1", "H px", "99.9 %", "wrong points, 95 % interval", "pieces");
-  for (const ComparedPicture& compared : comparison.pictures) {
-    const LineMetrics& m = compared.metrics;
-    const picture::Rate& rate = m.wrong_visibility;
-    text += fmt::format(
-        "  {:<12}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", compared.name,
-        pixels_and_share(m, m.missing), pixels_and_share(m, m.extra), m.missing_far, m.extra_far,
-        distance_text(m.hausdorff.greatest), distance_text(m.hausdorff.usual),
-        fmt::format("{:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
-        m.pieces_different, exactness_text(compared));
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += '\n';
-  }
+  text += "\n" + lines_heading();
+  for (const ComparedPicture& compared : comparison.pictures)
+    text += lines_row(compared.name, compared.metrics, exactness_text(compared));
+  text += faces_text(comparison);
   if (comparison.guest) text += guest_text(*comparison.guest);
   return text + reasons_text(comparison.not_applicable);
 }
@@ -173,21 +219,21 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
     const PixelMetrics& any = comparison.rasters.front().metrics;
     text += fmt::format(", {} of {} points are lit, {} at edges", any.lit, any.pixels, any.boundary_pixels);
   }
-  text += fmt::format("\n  {:<12}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
-                      "elsewhere", "missing", "extra", "miss >1", "extra >1");
-  for (const ComparedRaster& compared : comparison.rasters) {
-    const PixelMetrics& m = compared.metrics;
-    text +=
-        fmt::format("  {:<12}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", compared.name,
-                    fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()), m.different_on_boundary,
-                    m.different_inside, m.missing, m.extra, m.missing_far, m.extra_far);
+  if (view.picture == harness::SkalaPicture::contours) text += fmt::format(", {} levels", view.levels);
+  text += "\n" + points_heading();
+  for (const ComparedRaster& compared : comparison.rasters)
+    text += points_row(compared.name, compared.metrics);
+  if (comparison.vectors) {
+    const LineMetrics& m = comparison.vectors->metrics;
+    text += fmt::format("as lines, of which {:.1f} px are seen\n", m.true_length) + lines_heading() +
+            lines_row(comparison.vectors->name, m, "");
   }
   text += comparison.agrees()
               ? fmt::format("guest and twin: identical in every dot and mask; drawn in {:.3f} s\n",
                             static_cast<double>(comparison.guest_time.count()) /
                                 static_cast<double>(core::ClockRate{}.hertz))
               : "guest and twin differ: " + comparison.guest_difference + "\n";
-  return text + reasons_text(comparison.not_applicable);
+  return text;
 }
 
 ordered_json compare_json(const SceneComparison& comparison) {
@@ -200,6 +246,11 @@ ordered_json compare_json(const SceneComparison& comparison) {
                         {"pictures", ordered_json::array()}};
   for (const ComparedPicture& compared : comparison.pictures)
     document["pictures"].push_back(line_json(compared));
+  document["faces"] = ordered_json::array();
+  for (const harness::ComparedFaces& compared : comparison.faces) {
+    document["faces"].push_back(points_json(compared.name, compared.metrics));
+    document["faces"].back()["not_separated"] = compared.not_solved;
+  }
   if (comparison.guest) {
     document["guest"] = {{"identical_to_twin", comparison.guest->difference.empty()},
                          {"difference", comparison.guest->difference},
@@ -220,11 +271,14 @@ ordered_json compare_json(const std::string& name, const HeightComparison& compa
       {"agrees", comparison.agrees()},
       {"pictures", ordered_json::array()}};
   for (const ComparedRaster& compared : comparison.rasters)
-    document["pictures"].push_back(raster_json(compared));
+    document["pictures"].push_back(points_json(compared.name, compared.metrics));
+  if (comparison.vectors) {
+    document["vectors"] = {{"name", comparison.vectors->name}};
+    document["vectors"].update(metrics_json(comparison.vectors->metrics));
+  }
   document["guest"] = {{"identical_to_twin", comparison.agrees()},
                        {"difference", comparison.guest_difference},
                        {"t_states", comparison.guest_time.count()}};
-  document["not_compared"] = reasons_json(comparison.not_applicable);
   return document;
 }
 
@@ -235,13 +289,18 @@ std::vector<std::string> write_overlays(const std::string& directory, const Scen
     const LineMetrics& m = compared.metrics;
     const std::string title =
         fmt::format("{}: {} against the oracle, {}", comparison.scene, compared.name, view_text(comparison));
-    const picture::OverlayCaption caption{title, fmt::format("agreed {:.1f} px", m.true_length - m.missing),
-                                          fmt::format("missing {:.2f} px", m.missing),
-                                          fmt::format("extra {:.2f} px", m.extra)};
+    const picture::OverlayCaption caption = lines_caption(title, m);
     write_overlay(
         overlay_base(directory, comparison.scene, compared.name),
         picture::overlay_of(compared.difference, {frame.low, frame.low}, {frame.high, frame.high}, caption),
         title, paths);
+  }
+  for (const harness::ComparedFaces& compared : comparison.faces) {
+    const std::string title = fmt::format("{}: faces by {} against the nearest ones, {}", comparison.scene,
+                                          compared.name, view_text(comparison));
+    write_overlay(overlay_base(directory, comparison.scene, compared.name),
+                  picture::overlay_of(compared.truth, compared.grid, points_caption(title, compared.metrics)),
+                  title, paths);
   }
   return paths;
 }
@@ -254,11 +313,21 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     const std::string title = fmt::format(
         "{}, {}: {} against the column oracle", name,
         compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)], compared.name);
-    const picture::OverlayCaption caption{title, fmt::format("agreed {} points", m.lit - m.missing),
-                                          fmt::format("missing {}", m.missing),
-                                          fmt::format("extra {}", m.extra)};
+    const picture::OverlayCaption caption = points_caption(title, m);
     write_overlay(overlay_base(directory, name, compared.name),
-                  picture::overlay_of(comparison.truth, compared.grid, caption), title, paths);
+                  picture::overlay_of(compared.truth.value_or(comparison.truth), compared.grid, caption),
+                  title, paths);
+  }
+  if (comparison.vectors) {
+    const LineMetrics& m = comparison.vectors->metrics;
+    const std::string title =
+        fmt::format("{}, {}: {} against what is truly seen of them", name,
+                    compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)],
+                    comparison.vectors->name);
+    write_overlay(
+        overlay_base(directory, name, comparison.vectors->name),
+        picture::overlay_of(comparison.vectors->difference, {0, 0}, {255, 255}, lines_caption(title, m)),
+        title, paths);
   }
   return paths;
 }

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "host/app/draw_camera.hpp"
+#include "host/app/draw_filled.hpp"
 #include "host/app/draw_output.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/picture/line_drawing.hpp"
@@ -32,6 +33,7 @@ struct DrawLinesArguments {
   bool hidden = false;
   bool json = false;
   DrawOutput output;
+  FillArguments filled;
 };
 
 std::string draw_lines_footer(std::string_view algorithm) {
@@ -73,7 +75,9 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const SceneSo
     }
     return std::get<0>(std::move(result));
   };
-  const harness::PreparedScene prepared = checked(algorithm.prepare(source.scene));
+  const harness::PreparedScene prepared = source.complex && algorithm.prepare_cells != nullptr
+                                              ? algorithm.prepare_cells(*source.complex)
+                                              : checked(algorithm.prepare(source.scene));
   return checked(prepared.view(camera));
 }
 
@@ -120,6 +124,10 @@ ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArgume
   const SceneSource source = load_scene_source(arguments.scene);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments, camera);
+  if (arguments.filled.fill) {
+    return draw_filled(*harness::find_face_algorithm(algorithm.name), arguments.filled,
+                       {source, camera, arguments.field, arguments.output, arguments.json}, format);
+  }
   const harness::LineView view = view_of(algorithm, source, camera);
   picture::LinePicture drawn = view.picture;
   picture::LinePicture edges = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
@@ -146,8 +154,14 @@ void add_draw_lines(CLI::App& command, const harness::LineAlgorithm& algorithm, 
                   "--orthographic; unless given, everything")
       ->type_name("ANGLE")
       ->group("View");
-  command.add_flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
-  command.add_flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
+  CLI::Option* const all_edges =
+      command.add_flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
+  CLI::Option* const hidden =
+      command.add_flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
+  if (harness::find_face_algorithm(algorithm.name) != nullptr) {
+    add_fill_options(command, arguments->filled);
+    command.get_option("--fill")->excludes(all_edges)->excludes(hidden);
+  }
   add_draw_output_options(command, arguments->output);
   command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(draw_lines_footer(algorithm.name));

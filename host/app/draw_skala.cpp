@@ -9,6 +9,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/app/draw_output.hpp"
+#include "host/app/skala_options.hpp"
 #include "host/app/skala_source.hpp"
 
 namespace sightline::app {
@@ -46,8 +47,7 @@ struct DrawSkalaArguments {
 
 ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   algorithms::skala::View& view = arguments.view;
-  require_finite("--rotate", view.rotation);
-  require_finite("--elevate", view.elevation);
+  require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
   const DrawingFormat format = settled(arguments.output);
@@ -56,22 +56,6 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
   write_drawing(algorithms::skala::draw(function.grid, view), arguments.output, format, function.name);
   return ExitCode::ok;
-}
-
-void add_function_options(CLI::App& command, SkalaSource& source) {
-  command.add_option("GRID", source.name_or_file, "A function by name, or a file of heights");
-  command.add_option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
-      ->type_name("EXPR");
-  command.add_option("--domain", source.domain, "Of x and z in --function; -10:10 unless given")
-      ->type_name("A:B");
-  const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
-                         static_cast<int>(scene::largest_grid.points));
-  command
-      .add_option("--slices", source.slices,
-                  "Of a function: how many slices, from front to back; 65 unless given")
-      ->check(range);
-  command.add_option("--points", source.points, "Of a function: how many points in a slice; 65 unless given")
-      ->check(range);
 }
 
 void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
@@ -86,16 +70,8 @@ void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Family>{
           {"x", Family::along_x}, {"z", Family::along_z}, {"both", Family::both}}))
       ->type_name("NAME");
-  command.add_option("--rotate", view.rotation, "Degrees about the vertical")
-      ->capture_default_str()
-      ->type_name("A");
-  command.add_option("--elevate", view.elevation, "Degrees of the eye above the horizon; below 0 from below")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0))
-      ->type_name("E");
-  command.add_option("--levels", view.levels, "How many contour levels")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 255));
+  add_angle_options(command, view.rotation, view.elevation);
+  add_levels_option(command, view.levels);
   command.add_flag("--net", view.net, "Contours: draw the net of all cells, too");
   command.add_flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
   command.add_flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
@@ -110,7 +86,8 @@ void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
 void add_draw_skala(CLI::App& command, ExitCode& exit_code) {
   const auto arguments = std::make_shared<DrawSkalaArguments>();
   arguments->view.rotation = 30;
-  add_function_options(command, arguments->source);
+  command.add_option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
+  add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
   command.footer(draw_skala_examples);

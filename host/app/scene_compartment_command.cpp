@@ -1,26 +1,19 @@
-// See scene_compartment_command.hpp.
-//
-// The file it writes, "sightline/cell-complex/1", is a CellComplex (host/scene/cell_complex.hpp) as JSON. A
-// plane is [x, y, z, offset] of its normal and offset. A half-space is a number: n >= 0 where plane n is not
-// positive, -1 - n where plane n is not negative. A line is [edge, a, b, c, d]: from a/b to c/d of the edge.
-// The cell outside is null.
+// See scene_compartment_command.hpp. The file it writes is that of host/scene/cell_complex_file.hpp.
 #include "host/app/scene_compartment_command.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "host/app/scene_source.hpp"
+#include "host/scene/cell_complex_file.hpp"
 #include "host/scene/check_complex.hpp"
 #include "host/scene/compartment.hpp"
 
@@ -38,8 +31,9 @@ constexpr const char* compartment_examples =
     "Examples:\n"
     "  sightline scene compartment boxes-100\n"
     "      how many cells, openings and lines there are\n"
-    "  sightline scene compartment part.off -o cells.json\n"
-    "      the cells themselves: planes, half-spaces, openings, parts of edges\n\n"
+    "  sightline scene compartment part.off -o part.cells.json\n"
+    "      the cells themselves: planes, half-spaces, openings, parts of edges; and the scene, so that\n"
+    "      `sightline draw jones part.cells.json -o part.svg` draws it without cutting it again\n\n"
     "grid grows boxes between faces parallel to the axes, up to ten million units of the grid; bsp cuts "
     "space "
     "by the\n"
@@ -56,84 +50,6 @@ const std::map<std::string, scene::CompartmentMethod> method_names{
 const char* method_name(scene::CompartmentMethod method) {
   return method == scene::CompartmentMethod::bsp ? "bsp" : "grid";
 }
-
-// Writes a document piece by piece: that of a large scene is longer than the scene itself.
-class ComplexWriter {
- public:
-  ComplexWriter(Output& output, const scene::CellComplex& complex) : output_(output), complex_(complex) {}
-
-  void write(std::string_view scene, std::string_view method) {
-    add("{{\n\"schema\": \"sightline/cell-complex/1\",\n\"scene\": {},\n\"method\": \"{}\",\n\"outer\": ",
-        nlohmann::json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), method);
-    add("[[{}], [{}]],\n", fmt::join(complex_.outer.low, ", "), fmt::join(complex_.outer.high, ", "));
-    list("vertices", complex_.vertices, [&](const auto& v) { add("[{}]", fmt::join(v, ", ")); });
-    add(",\n");
-    list("edges", complex_.edges, [&](const auto& edge) { add("[{}, {}]", edge.from, edge.to); });
-    add(",\n");
-    list("planes", complex_.planes,
-         [&](const auto& plane) { add("[{}, {}]", fmt::join(plane.normal, ", "), plane.offset); });
-    add(",\n");
-    list("cells", complex_.cells, [&](const auto& cell) { write_cell(cell); });
-    add(",\n");
-    list("openings", complex_.openings, [&](const auto& opening) { write_opening(opening); });
-    add("\n}}\n");
-    flush();
-  }
-
- private:
-  template <class... Parts>
-  void add(fmt::format_string<Parts...> format, Parts&&... parts) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Parts>(parts)...);
-    if (text_.size() > std::size_t{1} << 20) flush();
-  }
-  void flush() {
-    output_.write(text_);
-    text_.clear();
-  }
-  template <class Rows, class Write>
-  void list(std::string_view name, const Rows& rows, Write write) {
-    add("\"{}\": [", name);
-    bool first = true;
-    for (const auto& row : rows) {
-      add("{}", first ? "\n" : ",\n");
-      first = false;
-      write(row);
-    }
-    add("]");
-  }
-  void halves(std::string_view name, std::span<const scene::HalfSpace> halves) {
-    add("\"{}\": [", name);
-    for (const scene::HalfSpace& half : halves) {
-      const std::int64_t plane = half.plane;
-      add("{}{}", &half == halves.data() ? "" : ", ", half.turned ? -1 - plane : plane);
-    }
-    add("]");
-  }
-  void write_cell(const scene::ComplexCell& cell) {
-    add("{{");
-    halves("bounds", complex_.bounds_of(cell));
-    add(", \"lines\": [");
-    const auto lines = complex_.lines_of(cell);
-    for (const scene::ComplexLine& line : lines) {
-      add("{}[{}, {}, {}, {}, {}]", &line == lines.data() ? "" : ", ", line.edge, line.low.numerator(),
-          line.low.denominator(), line.high.numerator(), line.high.denominator());
-    }
-    add("], \"openings\": [{}]}}", fmt::join(complex_.openings_of(cell), ", "));
-  }
-  void write_opening(const scene::ComplexOpening& opening) {
-    const auto cell = [](scene::CellNumber number) {
-      return number == scene::outside ? std::string("null") : std::to_string(number);
-    };
-    add("{{\"cells\": [{}, {}], \"plane\": {}, ", cell(opening.cells[0]), cell(opening.cells[1]),
-        opening.plane);
-    halves("sides", complex_.sides_of(opening));
-    add("}}");
-  }
-
-  Output& output_;
-  const scene::CellComplex& complex_;
-  std::string text_;
-};
 
 void describe(const CompartmentArguments& arguments, const scene::Compartments& result) {
   const scene::CellComplex& complex = result.complex;
@@ -174,7 +90,8 @@ ExitCode run_compartment(const CompartmentArguments& arguments) {
   for (const scene::SceneError& error : errors) complain(error.message());
   if (!errors.empty()) return ExitCode::differs;
   if (output) {
-    ComplexWriter(*output, compartments.complex).write(arguments.scene, method_name(compartments.method));
+    scene::write_cell_complex(source.scene, compartments,
+                              [&](std::string_view text) { output->write(text); });
     output->commit();
   }
   if (!output || !output->is_stdout()) describe(arguments, compartments);

@@ -14,6 +14,7 @@
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_poly_command.hpp"
 #include "host/scene/builtin.hpp"
+#include "host/scene/cell_complex_file.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_from_cells.hpp"
 
@@ -57,17 +58,24 @@ SceneSource load_scene_source(const std::string& name) {
     auto scene = scene::generate_scene(generated->family, generated->size, generated->seed);
     if (const auto* error = std::get_if<scene::SceneError>(&scene))
       throw Failure(ExitCode::usage, error->message());
-    return {name, std::nullopt, std::get<scene::PolyScene>(std::move(scene))};
+    return {name, std::nullopt, std::get<scene::PolyScene>(std::move(scene)), std::nullopt};
   }
   const SceneText file = read_scene_text(name);
+  if (scene::is_cell_complex(file.text)) {
+    auto cells = scene::read_cell_complex(file.text, file.name);
+    if (const auto* error = std::get_if<scene::SceneError>(&cells))
+      throw Failure(ExitCode::bad_input, error->message());
+    auto& [scene, compartments] = std::get<scene::CellComplexFile>(cells);
+    return {name, std::nullopt, std::move(scene), std::move(compartments.complex)};
+  }
   if (file.polyhedra) {
     scene::PolyImport import = load_poly_file(file, false);
     tell(import.report);
-    return {name, std::nullopt, std::move(import.scene)};
+    return {name, std::nullopt, std::move(import.scene), std::nullopt};
   }
   scene::CellScene cells = load_scene(file.text, file.name);
   scene::PolyScene scene = scene::poly_scene_of(cells);
-  return {name, std::move(cells), std::move(scene)};
+  return {name, std::move(cells), std::move(scene), std::nullopt};
 }
 
 }  // namespace sightline::app

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "host/scene/cell_complex.hpp"
 #include "host/scene/cell_scene.hpp"
 #include "host/scene/poly_scene.hpp"
 
@@ -16,9 +17,10 @@ inline constexpr std::string_view scene_source_help =
     "of a generated one, such as boxes-100";
 
 struct SceneSource {
-  std::string name;                       // as it was asked for
-  std::optional<scene::CellScene> cells;  // of a scene made of cells
-  scene::PolyScene scene;                 // checked
+  std::string name;                           // as it was asked for
+  std::optional<scene::CellScene> cells;      // of a scene made of cells
+  scene::PolyScene scene;                     // checked
+  std::optional<scene::CellComplex> complex;  // of a file `scene compartment` has written; checked
 };
 
 // Failure io: no such scene or file; usage: a generated one of an impossible size; bad_input: what is wrong

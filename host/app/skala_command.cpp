@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "host/app/skala_options.hpp"
 #include "host/app/skala_report.hpp"
 #include "host/app/skala_session.hpp"
 #include "host/app/skala_source.hpp"
@@ -16,7 +17,6 @@ namespace sightline::app {
 namespace {
 
 using harness::SkalaDevice;
-using harness::SkalaFamily;
 using harness::SkalaLink;
 using harness::SkalaPicture;
 using picture::RasterPalette;
@@ -51,17 +51,12 @@ struct SkalaArguments {
   std::string link = "parallel";
   std::string palette;  // empty: the usual one
   bool no_visibility = false;
-  bool both = false;
-  std::string along;
+  SkalaSlices slices;
   std::int64_t clock = core::ClockRate{}.hertz;
   int scale = 3;
   std::string directory = "out";
   bool json = false;
 };
-
-constexpr scene::GridSize usual_size(SkalaPicture picture) {
-  return picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
-}
 
 // By the names the option takes.
 SkalaDevice device_named(const std::string& name) {
@@ -72,17 +67,14 @@ SkalaDevice device_named(const std::string& name) {
 
 ExitCode run_skala(SkalaArguments arguments) {
   SkalaOrder& order = arguments.order;
-  require_finite("--rotate", order.view.rotation);
-  require_finite("--elevate", order.view.elevation);
+  require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
-  SkalaFunction function = load_skala_function(arguments.source, usual_size(order.view.picture));
+  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.picture));
   order.name = function.name;
   order.grid = std::move(function.grid);
   order.clock.hertz = arguments.clock;
   order.view.visibility = !arguments.no_visibility;
-  if (arguments.both) order.view.family = SkalaFamily::both;
-  if (!arguments.along.empty())
-    order.view.family = arguments.along == "x" ? SkalaFamily::along_x : SkalaFamily::along_z;
+  order.view.family = family_of(arguments.slices);
   order.view.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = SkalaLink::serial;
   const SkalaOutcome outcome = run_skala_order(harness::assemble_skala_program(), order);
@@ -95,51 +87,24 @@ ExitCode run_skala(SkalaArguments arguments) {
   return ExitCode::ok;
 }
 
-void add_function_options(CLI::App& command, SkalaArguments& arguments) {
-  SkalaSource& source = arguments.source;
-  command.add_option("FUNCTION", source.name_or_file, "A function by name, or a grid file");
-  command.add_option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
-      ->type_name("EXPR");
-  command.add_option("--domain", source.domain, "Of x and z in --function; -10:10 unless given")
-      ->type_name("A:B");
-  const scene::GridSize usual = usual_size(arguments.order.view.picture);
-  const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
-                         static_cast<int>(scene::largest_grid.points));
-  command
-      .add_option("--slices", source.slices,
-                  fmt::format("Samples along z: slices, unless those along z are drawn; {} unless given",
-                              usual.slices))
-      ->check(range);
-  command
-      .add_option("--points", source.points, fmt::format("Samples along x; {} unless given", usual.points))
-      ->check(range);
+void add_skala_source_options(CLI::App& command, SkalaArguments& arguments) {
+  command.add_option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
+  const scene::GridSize usual = usual_grid_size(arguments.order.view.picture);
+  add_function_options(command, arguments.source, std::to_string(usual.slices), std::to_string(usual.points));
 }
 
 void add_view_options(CLI::App& command, SkalaArguments& arguments) {
   harness::SkalaView& view = arguments.order.view;
-  command.add_option("--rotate", view.rotation, "Degrees about the vertical")
-      ->capture_default_str()
-      ->type_name("A");
-  command.add_option("--elevate", view.elevation, "Degrees of the eye above the horizon; below 0 from below")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0))
-      ->type_name("E");
+  add_angle_options(command, view.rotation, view.elevation);
   command.add_option("--zoom", view.zoom, "Enlarge about the middle")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("F");
-  CLI::Option* const both = command.add_flag("--both", arguments.both,
-                                             "Slices along x and along z; makes a difference to lines only");
-  if (view.picture == SkalaPicture::contours) {
-    command.add_option("--levels", view.levels, "How many contour levels")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 255));
-    command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
-    return;
-  }
-  command.add_option("--along", arguments.along, "Slices along x or along z; unless given the less end-on")
-      ->check(CLI::IsMember({"x", "z"}))
-      ->excludes(both);
+  if (view.picture != SkalaPicture::contours) return add_slices_options(command, arguments.slices);
+  command.add_flag("--both", arguments.slices.both,
+                   "Slices along x and along z; makes a difference to lines only");
+  add_levels_option(command, view.levels);
+  command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
 }
 
 void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
@@ -180,7 +145,7 @@ void add_picture(CLI::App& parent, const char* name, const char* description, Sk
   const auto arguments = std::make_shared<SkalaArguments>();
   arguments->order.view.picture = picture;
   arguments->order.view.rotation = 30;
-  add_function_options(*command, *arguments);
+  add_skala_source_options(*command, *arguments);
   add_view_options(*command, *arguments);
   add_machine_options(*command, *arguments);
   add_output_options(*command, *arguments);

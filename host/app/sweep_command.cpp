@@ -28,6 +28,8 @@ constexpr const char* sweep_examples =
     "      a thousand random views; the same command again goes on where an interruption stopped it\n"
     "  sightline sweep street4 --views 200 --guest\n"
     "      Jones's program on the emulated PDP-7, too: against its twin word for word, and how wrong it is\n"
+    "  sightline sweep house --turn --views 500\n"
+    "      the native algorithms on a scene of cells, in all directions\n"
     "  sightline sweep part.off --views 5000 --seed 7 --algorithm jones,oracle --shard 2/10 -o part-2.jsonl\n"
     "      the second tenth of five thousand views, for one machine of ten\n\n"
     "One line of JSON a view, in order: the camera, and for each algorithm the pieces of edges it sees, "
@@ -56,6 +58,7 @@ struct SweepArguments {
   bool guest = false;
   bool no_eae = false;
   bool time = false;
+  bool turn = false;
   unsigned jobs = 0;
   std::string output = "-";
 };
@@ -111,12 +114,17 @@ harness::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
                                                "program can be given",
                                                source.name));
   }
+  if (arguments.turn && !source.cells)
+    throw Failure(ExitCode::usage, fmt::format("--turn: found {}, expected a scene of cells; all others are "
+                                               "looked at in all directions anyhow",
+                                               source.name));
   harness::SweepOptions options;
   options.seed = arguments.seed;
   options.algorithms = algorithms_of(arguments, source);
   options.guest = arguments.guest;
   options.eae = !arguments.no_eae;
   options.time = arguments.time;
+  options.turned = arguments.turn;
   auto sweep =
       harness::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
   if (const auto* error = std::get_if<scene::SceneError>(&sweep))
@@ -204,6 +212,9 @@ void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
   command->add_flag("--guest", arguments->guest,
                     "Of a scene of cells: Jones's program on the emulated PDP-7 and its twin, too");
   command->add_flag("--no-eae", arguments->no_eae, "The PDP-7 has no extended arithmetic element");
+  command->add_flag("--turn", arguments->turn,
+                    "A scene of cells in all directions; unless given along +z, as Jones's program looks, "
+                    "which has other views not applicable");
   command->add_flag("--time", arguments->time, "Say how many host nanoseconds each view took");
   command->add_option("--jobs", arguments->jobs, "Threads; unless given as many as there are cores")
       ->check(CLI::Range(1U, 1024U));

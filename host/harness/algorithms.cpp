@@ -88,15 +88,19 @@ class JonesScene {
   std::vector<native::Walker> idle_;
 };
 
-std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolyScene& scene) {
-  auto complex = scene::compartment(scene);
-  if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
-  const auto cells = std::make_shared<JonesScene>(std::get<scene::CellComplex>(std::move(complex)));
+PreparedScene prepare_jones_cells(scene::CellComplex complex) {
+  const auto cells = std::make_shared<JonesScene>(std::move(complex));
   PreparedScene prepared;
   prepared.counts = {{"cells", cells->complex().cells.size()},
                      {"openings", cells->complex().openings.size()}};
   prepared.view = [cells](const scene::PolyCamera& camera) { return cells->view(camera); };
   return prepared;
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolyScene& scene) {
+  auto complex = scene::compartment(scene);
+  if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
+  return prepare_jones_cells(std::get<scene::CellComplex>(std::move(complex)));
 }
 
 std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::PolyScene& scene) {
@@ -133,7 +137,7 @@ constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
                   prepare_exact},
     LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
-                  applies, prepare_jones},
+                  applies, prepare_jones, false, nullptr, prepare_jones_cells},
     LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
                   applies, prepare_montani_re, true},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "host/picture/line_picture.hpp"
+#include "host/scene/cell_complex.hpp"
 #include "host/scene/cell_scene.hpp"
 #include "host/scene/poly_scene.hpp"
 
@@ -57,6 +58,9 @@ struct LineAlgorithm {
   // Why it does not apply to a view of a scene to which it applies; null if it applies to all.
   std::optional<std::string> (*why_not_view)(const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera) = nullptr;
+  // `prepare` of a scene whose cells are there already; null if it has no use for them. The complex is a
+  // checked one (precondition).
+  PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
 
   [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) const {

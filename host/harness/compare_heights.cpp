@@ -2,10 +2,13 @@
 #include "host/harness/compare_heights.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "host/algorithms/skala/draw.hpp"
+#include "host/harness/compare_height_cells.hpp"
+#include "host/harness/compare_height_lines.hpp"
 #include "host/harness/compare_view_chains.hpp"
 #include "host/harness/skala_guest.hpp"
 #include "host/harness/skala_program.hpp"
@@ -29,7 +32,8 @@ std::vector<Chain> chains_of(const scene::HeightGrid& grid, const SkalaView& vie
   return chains.slices(SegmentRole::draw, SegmentRole::draw);
 }
 
-PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view) {
+// With the polygon around all that hides, which Skala's contour pictures have, or without.
+PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view, bool outline) {
   const SkalaProjection projection(grid, view);
   const ViewChains chains(projection);
   const bool contours = view.picture == SkalaPicture::contours;
@@ -39,7 +43,7 @@ PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view) {
   PixelGrid raster(side, side);
   for (int x = 0; x < side; ++x) {
     auto lit = seen.lit[static_cast<std::size_t>(x)];
-    if (contours) lit |= seen.outline[static_cast<std::size_t>(x)];
+    if (outline) lit |= seen.outline[static_cast<std::size_t>(x)];
     for (int y = 0; y < side; ++y) raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
   }
   return raster;
@@ -67,15 +71,22 @@ void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint
   }
 }
 
-PixelGrid native_raster(const scene::HeightGrid& heights, const SkalaView& view) {
+picture::VectorDrawing native_drawing(const scene::HeightGrid& heights, const SkalaView& view) {
   algorithms::skala::View native;
+  constexpr std::array subjects{algorithms::skala::Subject::lines, algorithms::skala::Subject::surface,
+                                algorithms::skala::Subject::contours};
+  native.subject = subjects[static_cast<std::size_t>(view.picture)];
   native.rotation = view.rotation;
   native.elevation = view.elevation;
   native.visibility = view.visibility;
+  native.levels = view.levels;
   constexpr std::array families{algorithms::skala::Family::along_x, algorithms::skala::Family::along_z,
                                 algorithms::skala::Family::both, algorithms::skala::Family::automatic};
   native.family = families[static_cast<std::size_t>(view.family)];
-  const picture::VectorDrawing drawing = algorithms::skala::draw(heights, native);
+  return algorithms::skala::draw(heights, native);
+}
+
+PixelGrid raster_of_lines(const picture::VectorDrawing& drawing) {
   PixelGrid grid(side, side);
   for (const picture::DrawingLine& line : drawing.lines) {
     for (std::uint32_t i = 0; i + 1 < std::max(line.count, 2U); ++i)
@@ -83,6 +94,11 @@ PixelGrid native_raster(const scene::HeightGrid& heights, const SkalaView& view)
                drawing.points[line.first + std::min(i + 1, line.count - 1)]);
   }
   return grid;
+}
+
+PixelGrid lit_where_painted(PixelGrid cells) {
+  for (std::uint32_t& value : cells.values) value = value != 0 ? 1 : 0;
+  return cells;
 }
 
 // All sides of all cells, hidden or not.
@@ -131,11 +147,11 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
   HeightComparison comparison;
   const SkalaView view = comparison.view = comparable(asked);
   progress("column oracle");
-  comparison.truth = oracle_raster(grid, view);
+  comparison.truth = oracle_raster(grid, view, view.picture == SkalaPicture::contours);
   const auto edges = projected_edges(grid, view);
   const auto add = [&](const char* name, PixelGrid raster) {
     const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
-    comparison.rasters.push_back({name, metrics, std::move(raster)});
+    comparison.rasters.push_back({name, metrics, std::move(raster), std::nullopt});
   };
   const auto stream = stream_of(grid, view);
   progress("guest");
@@ -147,13 +163,27 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
   comparison.guest_difference = difference_from_twin(guest, twin, view.device);
   add("twin", lit_points(twin.raster(view.device)));
   progress("native");
-  if (view.picture == SkalaPicture::lines)
-    add("native", native_raster(grid, view));
-  else
-    comparison.not_applicable.emplace_back(
-        "native", view.picture == SkalaPicture::surface
-                      ? "draws a surface as facets, not as points"
-                      : "draws contours on the surface itself, not on two triangles a cell");
+  const picture::VectorDrawing native = native_drawing(grid, view);
+  if (view.picture == SkalaPicture::surface) {
+    PixelGrid cells = painted_cells(grid, view, native);
+    add("native", lit_where_painted(cells));
+    PixelGrid truth = nearest_cells(grid, view);
+    const auto metrics = picture::pixel_metrics(truth, cells, edges);
+    comparison.rasters.push_back({"native cells", metrics, std::move(cells), std::move(truth)});
+    return comparison;
+  }
+  PixelGrid raster = raster_of_lines(native);
+  if (view.picture == SkalaPicture::contours) {
+    PixelGrid truth = oracle_raster(grid, view, false);
+    const auto metrics = picture::pixel_metrics(truth, raster, edges);
+    comparison.rasters.push_back({"native", metrics, std::move(raster), std::move(truth)});
+  } else {
+    add("native", std::move(raster));
+  }
+  const HeightLines lines(grid, view);
+  const auto pieces = lines.pieces_of(native);
+  comparison.vectors = {"native lines", picture::line_metrics(lines.lines(), pieces),
+                        picture::line_difference(lines.lines(), pieces, 1)};
   return comparison;
 }
 

@@ -2,10 +2,13 @@
 // Skala's raster board, each held against the column oracle: Skala's program on its 8080, its native twin,
 // and the native algorithm, whose vectors are put on the same points.
 //
-// A point counts as lit or not; colours and greys are not compared. Left out: silhouettes of contour
-// pictures, whose reach depends on more than depth; grids with undefined heights and zoomed views, for which
-// the oracle has no answer; the native picture of a surface, which is facets, not points, and of contours,
-// which are drawn on the surface itself and not on two triangles a cell.
+// A point counts as lit or not; colours and greys are not compared. The native algorithm's picture is
+// vectors: its lines and contours are also measured as such, against what is truly seen of the surface's own
+// lines (compare_height_lines.hpp), and its surface by which cell is seen at each point
+// (compare_height_cells.hpp).
+//
+// Left out: silhouettes of contour pictures, whose reach depends on more than depth; grids with undefined
+// heights and zoomed views, for which the oracle has no answer.
 #pragma once
 
 #include <functional>
@@ -18,22 +21,30 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/harness/skala_view.hpp"
+#include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/height_grid.hpp"
 
 namespace sightline::harness {
 
 struct ComparedRaster {
-  std::string name;  // "guest", "twin", "native"
+  std::string name;  // "guest", "twin", "native", "native cells"
   picture::PixelMetrics metrics;
   picture::PixelGrid grid;
+  std::optional<picture::PixelGrid> truth;  // where it is not the column oracle's
+};
+
+struct ComparedVectors {
+  std::string name;  // "native lines"
+  picture::LineMetrics metrics;
+  picture::LineDifference difference;  // without stretches of up to a point of the screen
 };
 
 struct HeightComparison {
   SkalaView view;
   picture::PixelGrid truth;
   std::vector<ComparedRaster> rasters;
-  std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
+  std::optional<ComparedVectors> vectors;
   std::string guest_difference;  // from its twin; empty: identical in every dot, mask and status
   core::TStates guest_time{};
 

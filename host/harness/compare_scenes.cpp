@@ -69,6 +69,26 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
   return std::nullopt;
 }
 
+// Adds the algorithms that say which face is seen at each point.
+void compare_faces(const scene::PolyScene& scene, const CompareProgress& progress,
+                   SceneComparison& comparison) {
+  progress("oracle of sight lines");
+  const auto truth = FaceTruth::of(scene, comparison.camera);
+  for (const FaceAlgorithm& algorithm : face_algorithms()) {
+    const std::string name(algorithm.name);
+    if (const auto* reason = std::get_if<std::string>(&truth)) {
+      comparison.not_applicable.emplace_back(name, *reason);
+      continue;
+    }
+    progress(name);
+    auto compared = std::get<FaceTruth>(truth).compared(algorithm);
+    if (const auto* error = std::get_if<SceneError>(&compared))
+      comparison.not_applicable.emplace_back(name, error->message());
+    else
+      comparison.faces.push_back(std::get<ComparedFaces>(std::move(compared)));
+  }
+}
+
 // --- guest and twin
 
 std::vector<core::Word18> core_image(const jones::Program& program) {
@@ -179,6 +199,7 @@ std::optional<SceneError> compare_programs(const scene::CellScene& scene, const 
 bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
+         std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
          (!guest || guest->difference.empty());
 }
 
@@ -195,6 +216,7 @@ std::variant<SceneComparison, SceneError> compare_cell_scene(const scene::CellSc
   frame.scale = options.scale;
   frame.near = jones::near_z;
   if (auto error = compare_algorithms(polyhedra, progress, frame, comparison)) return *error;
+  compare_faces(polyhedra, progress, comparison);
   return comparison;
 }
 
@@ -205,6 +227,7 @@ std::variant<SceneComparison, SceneError> compare_poly_scene(const scene::PolySc
   comparison.scene = scene.name;
   comparison.camera = camera;
   if (auto error = compare_algorithms(scene, progress, std::nullopt, comparison)) return *error;
+  compare_faces(scene, progress, comparison);
   return comparison;
 }
 

@@ -1,5 +1,5 @@
 // One view of a scene by everything that can draw it, each held against the oracle: Jones's program on its
-// machine, its native twin, and every line algorithm of the table.
+// machine, its native twin, every line algorithm of the table, and every algorithm of faces by points.
 //
 // Guest and twin draw the lines of a cell scene (the outer box's too) on the screen of the Type 340; their
 // truth is the cell oracle's. Exact algorithms draw edges of polyhedra; theirs is the edge oracle's. Both
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "emulators/core/time.hpp"
+#include "host/harness/compare_faces.hpp"
 #include "host/harness/compare_lines.hpp"
 #include "host/harness/jones_twin.hpp"
 #include "host/picture/line_metrics.hpp"
@@ -44,6 +45,7 @@ struct SceneComparison {
   scene::PolyCamera camera;
   ScreenFrame frame;
   std::vector<ComparedPicture> pictures;
+  std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
   std::optional<GuestAgreement> guest;                              // of cell scenes
 

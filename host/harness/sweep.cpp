@@ -139,6 +139,7 @@ std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) c
   ordered_json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
                         {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
   if (guest_) document["guest"] = options_.eae ? "with EAE" : "without EAE";
+  if (options_.turned) document["directions"] = "all";
   document["camera"] = {{"perspective", camera.perspective},
                         {"eye", camera.eye},
                         {"forward", camera.forward},
@@ -150,7 +151,7 @@ std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) c
 }
 
 std::string Sweep::line(std::uint64_t number) const {
-  const scene::PolyCamera camera = sweep_camera(*scene_, cells_, options_.seed, number);
+  const scene::PolyCamera camera = sweep_camera(*scene_, cells_, options_.turned, options_.seed, number);
   ordered_json results;
   picture::LinePicture exact;
   for (const Entry& entry : entries_) {
@@ -178,12 +179,15 @@ std::string Sweep::line(std::uint64_t number) const {
     if (options_.time) result["ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();
     if (&entry == &entries_.front()) exact = std::move(view.picture);
   }
-  if (guest_) results["guest"] = json_of(guest_->view(camera.eye));
+  if (guest_ && looks_along_z(camera)) results["guest"] = json_of(guest_->view(camera.eye));
+  if (guest_ && !looks_along_z(camera))
+    results["guest"]["not_applicable"] = "the program looks along +z only";
   return head(number, camera) + text_of(results) + "}\n";
 }
 
 bool Sweep::is_line(std::uint64_t number, std::string_view text) const {
-  return text.starts_with(head(number, sweep_camera(*scene_, cells_, options_.seed, number))) &&
+  return text.starts_with(
+             head(number, sweep_camera(*scene_, cells_, options_.turned, options_.seed, number))) &&
          text.ends_with("}}\n");
 }
 

@@ -25,6 +25,7 @@ struct SweepOptions {
   std::vector<const LineAlgorithm*> algorithms;  // that apply to the scene, beside `exact`
   bool guest = false;                            // of a scene of cells: Jones's program and its twin, too
   bool eae = true;                               // of the guest
+  bool turned = false;                           // a scene of cells is looked at in all directions
   bool time = false;                             // with host nanoseconds
 };
 

@@ -39,6 +39,7 @@ class ViewRandom {
 constexpr int most_tries = 1000;
 constexpr std::uint64_t one_orthographic_in = 8;
 constexpr std::uint64_t one_vertex_coordinate_in = 8;
+constexpr std::uint64_t one_along_axis_in = 4;
 
 scene::PolyPoint random_eye(const scene::PolyScene& scene, ViewRandom& random) {
   const scene::PolyBounds bounds = scene::bounds_of(scene);
@@ -93,12 +94,38 @@ scene::PolyCamera cell_camera(const scene::CellScene& cells, ViewRandom& random)
   return camera;
 }
 
+// The same eye, looking anywhere.
+scene::PolyCamera turned_camera(const scene::PolyScene& scene, const scene::CellScene& cells,
+                                const scene::PolyPoint& eye, ViewRandom& random) {
+  const bool perspective = random.below(one_orthographic_in) != 0;
+  scene::PolyPoint direction{};
+  if (random.below(one_along_axis_in) == 0) {
+    direction[random.below(3)] = random.below(2) == 0 ? 1 : -1;
+  } else {
+    for (std::size_t a = 0; a < 3; ++a)
+      direction[a] = random.between(cells.outer.low[a], cells.outer.high[a]) - eye[a];
+  }
+  if (direction == scene::PolyPoint{}) direction[2] = 1;
+  return scene::aimed_camera(scene::frame_of(scene.camera), eye, direction, perspective);
+}
+
 }  // namespace
 
-scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells,
+scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells, bool turned,
                                std::uint64_t seed, std::uint64_t number) {
   ViewRandom random(seed, number);
-  return cells != nullptr ? cell_camera(*cells, random) : poly_camera(scene, random);
+  if (cells == nullptr) return poly_camera(scene, random);
+  const scene::PolyCamera camera = cell_camera(*cells, random);
+  return turned ? turned_camera(scene, *cells, camera.eye, random) : camera;
+}
+
+bool looks_along_z(const scene::PolyCamera& camera) {
+  const auto along = [](const scene::PolyPoint& axis, std::size_t which) {
+    scene::PolyPoint other = axis;
+    other[which] = 0;
+    return axis[which] > 0 && other == scene::PolyPoint{};
+  };
+  return camera.perspective && along(camera.forward, 2) && along(camera.right, 0) && along(camera.up, 1);
 }
 
 }  // namespace sightline::harness

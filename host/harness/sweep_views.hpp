@@ -17,6 +17,9 @@ namespace sightline::harness {
 // `cells` may be null. The scene is a checked one with a vertex, and a cell if there are cells
 // (preconditions).
 [[nodiscard]] scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells,
-                                             std::uint64_t seed, std::uint64_t number);
+                                             bool turned, std::uint64_t seed, std::uint64_t number);
+
+// In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
+[[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
 
 }  // namespace sightline::harness

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -64,9 +65,9 @@ TEST(SweepViews, AreInFreeSpaceAndOftenInThePlaneOfAFace) {
   int orthographic = 0;
   int level_with_a_vertex = 0;
   for (std::uint64_t k = 0; k < 400; ++k) {
-    const scene::PolyCamera camera = sweep_camera(scene, nullptr, 3, k);
+    const scene::PolyCamera camera = sweep_camera(scene, nullptr, false, 3, k);
     EXPECT_FALSE(scene::eye_error(scene, camera));
-    EXPECT_EQ(camera, sweep_camera(scene, nullptr, 3, k));
+    EXPECT_EQ(camera, sweep_camera(scene, nullptr, false, 3, k));
     eyes.insert(camera.eye);
     orthographic += camera.perspective ? 0 : 1;
     bool level = false;
@@ -77,7 +78,54 @@ TEST(SweepViews, AreInFreeSpaceAndOftenInThePlaneOfAFace) {
   EXPECT_EQ(eyes.size(), 400U);
   EXPECT_TRUE(20 < orthographic && orthographic < 100) << orthographic;
   EXPECT_TRUE(60 < level_with_a_vertex && level_with_a_vertex < 300) << level_with_a_vertex;
-  EXPECT_NE(sweep_camera(scene, nullptr, 3, 0), sweep_camera(scene, nullptr, 4, 0));
+  EXPECT_NE(sweep_camera(scene, nullptr, false, 3, 0), sweep_camera(scene, nullptr, false, 4, 0));
+}
+
+TEST(SweepViews, OfCellsTurnInAllDirections) {
+  const scene::CellScene cells = scene::builtin_scene("house");
+  const scene::PolyScene scene = scene::poly_scene_of(cells);
+  int along_z = 0;
+  int orthographic = 0;
+  std::set<std::array<bool, 3>> octants;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    const scene::PolyCamera straight = sweep_camera(scene, &cells, false, 3, k);
+    EXPECT_TRUE(looks_along_z(straight));
+    const scene::PolyCamera turned = sweep_camera(scene, &cells, true, 3, k);
+    EXPECT_EQ(turned.eye, straight.eye) << "the same places";
+    EXPECT_EQ(turned, sweep_camera(scene, &cells, true, 3, k));
+    along_z += looks_along_z(turned) ? 1 : 0;
+    orthographic += turned.perspective ? 0 : 1;
+    octants.insert({turned.forward[0] > 0, turned.forward[1] > 0, turned.forward[2] > 0});
+  }
+  EXPECT_TRUE(3 < along_z && along_z < 60) << along_z;
+  EXPECT_TRUE(20 < orthographic && orthographic < 100) << orthographic;
+  EXPECT_EQ(octants.size(), 8U);
+}
+
+TEST(Sweep, TurnedViewsAgreeAndTheGuestSaysWhereItDoesNotApply) {
+  const scene::CellScene cells = scene::builtin_scene("house");
+  const scene::PolyScene scene = scene::poly_scene_of(cells);
+  SweepOptions options;
+  options.turned = true;
+  options.guest = true;
+  for (const char* name : {"jones", "montani-re", "oracle"})
+    options.algorithms.push_back(find_line_algorithm(name));
+  const Sweep sweep = sweep_of(scene, options, &cells);
+  int guests = 0;
+  for (std::uint64_t k = 0; k < 40; ++k) {
+    const std::string line = sweep.line(k);
+    EXPECT_TRUE(Sweep::agrees(line)) << line;
+    EXPECT_TRUE(sweep.is_line(k, line));
+    const bool straight = looks_along_z(sweep_camera(scene, &cells, true, options.seed, k));
+    EXPECT_EQ(
+        line.find("\"guest\":{\"not_applicable\":\"the program looks along +z only\"}") == std::string::npos,
+        straight);
+    EXPECT_EQ(line.find("\"same_as_twin\":true") != std::string::npos, straight);
+    guests += straight ? 1 : 0;
+  }
+  EXPECT_GT(guests, 0);
+  options.turned = false;
+  EXPECT_FALSE(sweep_of(scene, options, &cells).is_line(0, sweep.line(0)));
 }
 
 TEST(Sweep, ShardsAreTheWhole) {
