@@ -7,6 +7,7 @@
 #include "host/harness/report/plot.hpp"
 #include "host/harness/report/speed_error_jones.hpp"
 #include "host/harness/report/speed_error_jones_blocks.hpp"
+#include "host/harness/report/speed_error_montani_re.hpp"
 #include "host/harness/report/speed_error_published.hpp"
 #include "host/harness/report/speed_error_skala.hpp"
 #include "host/harness/report/speed_error_skala_blocks.hpp"
@@ -55,6 +56,11 @@ Outcome<Section> speed_against_error(const Context& context) {
   auto skala_blocks = skala_error_blocks(std::get<SkalaMeasured>(skala));
   if (auto* const error = std::get_if<ReportError>(&skala_blocks)) return std::move(*error);
   append(section, std::get<std::vector<Block>>(std::move(skala_blocks)));
+
+  section.blocks.emplace_back(Heading{"Montani and Re"});
+  auto montani_re = montani_re_error_part(context);
+  if (auto* const error = std::get_if<ReportError>(&montani_re)) return std::move(*error);
+  append(section, std::get<std::vector<Block>>(std::move(montani_re)));
   return section;
 }
 
