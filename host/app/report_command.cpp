@@ -28,6 +28,7 @@ constexpr const char* report_examples =
 
 struct ReportArguments {
   std::string directory = "report";
+  std::string cache;
   std::vector<int> parts;
   bool full = false;
   bool no_host_times = false;
@@ -111,6 +112,7 @@ ExitCode run_report(const ReportArguments& arguments) {
     report::Context context;
     context.full = arguments.full;
     context.host_times = !arguments.no_host_times;
+    context.cache = arguments.cache.empty() ? arguments.directory + "/cache" : arguments.cache;
     context.progress = [&line](std::string_view step) { line.show(step); };
     made.sections = value_or_fail(report::make_sections(parts, context));
   }
@@ -137,6 +139,12 @@ void add_report_command(CLI::App& app, ExitCode& exit_code) {
   command->add_option("--part", arguments->parts, "Only this part, may be repeated: " + parts)
       ->type_name("N")
       ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--cache", arguments->cache,
+          "Folder where events of turning scenes are kept for the next report; what is there and is of "
+          "no use is made anew [OUTPUT/cache]")
+      ->type_name("DIR");
   command->add_flag("--full", arguments->full, "Measure longer, where that makes figures better");
   command->add_flag("--no-host-times", arguments->no_host_times,
                     "Leave out times of this computer: the same bytes in every run");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sightline::algorithms::plantinga {
 
@@ -40,42 +41,105 @@ double FrameMaker::passage_of(EdgeIndex edge, FaceIndex face) const {
   return from / (from - to);
 }
 
-FrameMaker::Place FrameMaker::place_of(EdgeIndex edge, const End& end) const {
-  if (end.kind() == EndKind::vertex || end.kind() == EndKind::contact) return places_[end.index()];
+// Equation 5a.
+double FrameMaker::junction_of(EdgeIndex edge, EdgeIndex other) const {
   const Place& p = places_[edges_[edge].from];
   const Place& q = places_[edges_[edge].to];
-  if (end.kind() == EndKind::passage) {
-    const double at = passage_of(edge, end.index());
-    return {p.u + at * (q.u - p.u), p.v + at * (q.v - p.v)};
+  const Place& r = places_[edges_[other].from];
+  const Place& s = places_[edges_[other].to];
+  const double along = s.v - r.v;
+  const double across = s.u - r.u;
+  const double whole = (q.u - p.u) * along - (q.v - p.v) * across;
+  const double part = (r.u - p.u) * along - (r.v - p.v) * across;
+  const double at = whole != 0 ? part / whole : 0.5;
+  return std::min(std::max(at, 0.0), 1.0);
+}
+
+double FrameMaker::contact_of(EdgeIndex edge, std::uint32_t vertex) const {
+  const double from = places_[edges_[edge].from].u;
+  const double along = places_[edges_[edge].to].u - from;
+  return along != 0 ? std::clamp((places_[vertex].u - from) / along, 0.0, 1.0) : 0.5;
+}
+
+double FrameMaker::parameter_of(EdgeIndex edge, const End& end) const {
+  switch (end.kind()) {
+    case EndKind::vertex: return end.index() == edges_[edge].from ? 0 : 1;
+    case EndKind::junction: return junction_of(edge, end.index());
+    case EndKind::contact: return contact_of(edge, end.index());
+    case EndKind::passage: break;
   }
-  const Place& r = places_[edges_[end.index()].from];
-  const Place& s = places_[edges_[end.index()].to];
-  const double du = q.u - p.u;
-  const double dv = q.v - p.v;
-  const double whole = du * (s.v - r.v) - dv * (s.u - r.u);
-  const double part = (r.u - p.u) * (s.v - r.v) - (r.v - p.v) * (s.u - r.u);
-  const double at = whole != 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.5;
-  return {p.u + at * du, p.v + at * dv};
+  return passage_of(edge, end.index());
+}
+
+// Which ends are vertices is past guessing for a processor, so the loop asks nothing: what is no vertex gets
+// the first one for the time being, and is noted by a count that does or does not go on.
+template <class Lines, class Put>
+void FrameMaker::put_vertices(const EdgeStructureGraph& graph, Lines& lines, Put put) {
+  const std::span<const LivePiece> pieces = graph.pieces();
+  lines.resize(pieces.size() + 1);
+  inner_.resize(std::max(inner_.size(), 2 * pieces.size() + 2));
+  std::uint32_t line = 0;
+  std::size_t inner = 0;
+  for (const LivePiece& live : pieces) {
+    const bool there = live.edge != no_edge;
+    const auto vertex = [there](const End& end) {
+      return there && end.kind() == EndKind::vertex ? end.index() : 0U;
+    };
+    put(lines[line], vertex(live.piece.low), vertex(live.piece.high));
+    inner_[inner] = {line, 0, live.edge, live.piece.low};
+    inner += there && live.piece.low.kind() != EndKind::vertex ? 1U : 0U;
+    inner_[inner] = {line, 1, live.edge, live.piece.high};
+    inner += there && live.piece.high.kind() != EndKind::vertex ? 1U : 0U;
+    line += there ? 1U : 0U;
+  }
+  lines.resize(line);
+  inner_count_ = inner;
 }
 
 void FrameMaker::visible(const EdgeStructureGraph& graph, double angle, std::vector<ImageLine>& lines) {
   place(angle);
-  lines.clear();
-  for (const LivePiece& live : graph.pieces()) {
-    if (live.edge == no_edge) continue;
-    const Place low = place_of(live.edge, live.piece.low);
-    const Place high = place_of(live.edge, live.piece.high);
-    lines.push_back({low.u, low.v, high.u, high.v});
+  put_vertices(graph, lines, [this](ImageLine& line, std::uint32_t from, std::uint32_t to) {
+    const Place& low = places_[from];
+    const Place& high = places_[to];
+    line = {low.u, low.v, high.u, high.v};
+  });
+  for (std::size_t i = 0; i < inner_count_; ++i) {
+    const Inner& inner = inner_[i];
+    const double at = inner.end.kind() == EndKind::junction ? junction_of(inner.edge, inner.end.index())
+                                                            : parameter_of(inner.edge, inner.end);
+    const Place& p = places_[edges_[inner.edge].from];
+    const Place& q = places_[edges_[inner.edge].to];
+    ImageLine& line = lines[inner.line];
+    (inner.which == 0 ? line.u0 : line.u1) = p.u + at * (q.u - p.u);
+    (inner.which == 0 ? line.v0 : line.v1) = p.v + at * (q.v - p.v);
+  }
+}
+
+void FrameMaker::visible_in_space(const EdgeStructureGraph& graph, double angle,
+                                  std::vector<SpaceLine>& lines) {
+  place(angle);
+  put_vertices(graph, lines, [this](SpaceLine& line, std::uint32_t from, std::uint32_t to) {
+    const Point& low = points_[from];
+    const Point& high = points_[to];
+    line = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  });
+  for (std::size_t i = 0; i < inner_count_; ++i) {
+    const Inner& inner = inner_[i];
+    const double at = parameter_of(inner.edge, inner.end);
+    const Point& p = points_[edges_[inner.edge].from];
+    const Point& q = points_[edges_[inner.edge].to];
+    auto& end = inner.which == 0 ? lines[inner.line].from : lines[inner.line].to;
+    end = {p.x + at * (q.x - p.x), p.y + at * (q.y - p.y), p.z + at * (q.z - p.z)};
   }
 }
 
 void FrameMaker::wire(double angle, std::vector<ImageLine>& lines) {
   place(angle);
-  lines.clear();
-  for (const Ends& edge : edges_) {
-    const Place& low = places_[edge.from];
-    const Place& high = places_[edge.to];
-    lines.push_back({low.u, low.v, high.u, high.v});
+  lines.resize(edges_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Place& low = places_[edges_[i].from];
+    const Place& high = places_[edges_[i].to];
+    lines[i] = {low.u, low.v, high.u, high.v};
   }
 }
 

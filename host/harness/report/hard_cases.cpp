@@ -7,6 +7,7 @@
 
 #include "host/harness/report/hard_cases_jones.hpp"
 #include "host/harness/report/hard_cases_montani_re.hpp"
+#include "host/harness/report/hard_cases_plantinga.hpp"
 #include "host/harness/report/hard_cases_skala.hpp"
 #include "host/harness/report/hard_cases_willis.hpp"
 #include "host/scene/builtin.hpp"
@@ -106,12 +107,14 @@ void add_inputs(Section& section) {
                 "picture.svg` and "
                 "compared by `sightline compare FILE`, with the options that stand in the table. Commands "
                 "(.txt) are those of "
-                "the program on the 8080, by name, arguments in decimal."});
+                "the program on the 8080, by name, arguments in decimal; of P, edges and vertices, and its "
+                "scenes turn by `sightline spin FILE -o turn.apng`."});
   std::vector<std::string_view> files;
   for (const JonesHardCase& hard : jones_hard_cases()) files.push_back(hard.file);
   for (const SkalaHardCase& hard : skala_hard_cases()) files.push_back(hard.file);
   for (const WillisHardCase& hard : willis_hard_cases()) files.push_back(hard.file);
   for (const MontaniReHardCase& hard : montani_re_hard_cases()) files.push_back(hard.file);
+  for (const PlantingaHardCase& hard : plantinga_hard_cases()) files.push_back(hard.file);
   std::vector<std::string_view> listed;
   for (const std::string_view file : files) {
     if (file.empty() || std::find(listed.begin(), listed.end(), file) != listed.end()) continue;
@@ -151,6 +154,10 @@ Outcome<Section> hard_cases(const Context& context) {
   section.blocks.emplace_back(willis_lengths(context));
   section.blocks.emplace_back(montani_re_cases(context));
   section.blocks.emplace_back(montani_re_families(context));
+  auto plantinga = plantinga_cases(context);
+  if (auto* const error = std::get_if<ReportError>(&plantinga)) return std::move(*error);
+  section.blocks.emplace_back(std::get<Table>(std::move(plantinga)));
+  section.blocks.emplace_back(plantinga_families(context));
   add_inputs(section);
   return section;
 }

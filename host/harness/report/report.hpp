@@ -123,6 +123,7 @@ using Outcome = std::variant<Value, ReportError>;
 struct Context {
   bool full = false;       // take the time a thorough measurement needs; else the whole report takes minutes
   bool host_times = true;  // false: do not measure time on this computer
+  std::string cache = {};  // folder where what takes long to find is kept for the next report; empty: nowhere
   std::function<void(std::string_view)> progress = [](std::string_view) {
   };  // what is being done, in few words
 };

@@ -8,6 +8,7 @@
 #include "host/harness/report/speed_error_jones.hpp"
 #include "host/harness/report/speed_error_jones_blocks.hpp"
 #include "host/harness/report/speed_error_montani_re.hpp"
+#include "host/harness/report/speed_error_plantinga.hpp"
 #include "host/harness/report/speed_error_published.hpp"
 #include "host/harness/report/speed_error_skala.hpp"
 #include "host/harness/report/speed_error_skala_blocks.hpp"
@@ -61,6 +62,17 @@ Outcome<Section> speed_against_error(const Context& context) {
   auto montani_re = montani_re_error_part(context);
   if (auto* const error = std::get_if<ReportError>(&montani_re)) return std::move(*error);
   append(section, std::get<std::vector<Block>>(std::move(montani_re)));
+
+  section.blocks.emplace_back(Heading{"Plantinga, Seales and Dyer"});
+  section.blocks.emplace_back(Paragraph{
+      "Models that turn, held against hidden-line removal from scratch at random angles. TOPO is the share of "
+      "angles at which any edge has other pieces or other ends than it should, WVR the share of the length of "
+      "all edges in the image that is wrongly seen or hidden."});
+  const auto plantinga = measure_plantinga(context);
+  if (const auto* const error = std::get_if<ReportError>(&plantinga)) return *error;
+  auto plantinga_blocks = plantinga_error_blocks(std::get<std::vector<PlantingaCurve>>(plantinga));
+  if (auto* const error = std::get_if<ReportError>(&plantinga_blocks)) return std::move(*error);
+  append(section, std::get<std::vector<Block>>(std::move(plantinga_blocks)));
   return section;
 }
 
