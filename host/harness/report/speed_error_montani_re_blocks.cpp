@@ -86,14 +86,12 @@ Table points_table(const std::vector<MontaniReCurve>& curves, const MontaniReMea
     }
   }
   table.notes = {
-      fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are "
-                  "compared as sets of points "
-                  "with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not "
-                  "say whose edge they "
-                  "are. PMR on edges is of pixels within 0.75 pixels of any edge, seen or hidden. H may be "
-                  "large where a corner "
-                  "moved past another shows or hides a piece that should be hidden or seen.",
-                  order.raster)};
+      fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as sets of "
+      "points with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not say "
+      "whose edge they are. PMR on edges is of pixels within 0.75 pixels of any edge, seen or hidden. H is "
+      "large where a face lower than half a stripe is lost, or a corner that moved past another shows or "
+      "hides what it should not.",
+      order.raster)};
   return table;
 }
 
@@ -130,11 +128,9 @@ Table exponents_table(const std::vector<MontaniReCurve>& curves) {
   }
   table.notes = {
       "Expected: error as h (exponent 1), sides and time as 1/h (exponent -1). Least squares of logarithms "
-      "from 8 to "
-      "1/4 pixels; errors of 0 are left out. Where L_sym falls faster, that is its limit of a pixel: stripes "
-      "of two "
-      "pixels and less move corners by no more. Time has a part that does not depend on h, relations and "
-      "list."};
+      "from 8 to 1/4 pixels; errors of 0 are left out. Where L_sym falls faster, that is its limit of a "
+      "pixel: stripes of two pixels and less move corners by no more. Time has a part that does not depend "
+      "on h, relations and list."};
   return table;
 }
 
