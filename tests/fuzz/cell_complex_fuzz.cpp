@@ -1,0 +1,33 @@
+// Any bytes as a file of cells: what is accepted is written and read again, to the same bytes.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "host/scene/cell_complex_file.hpp"
+
+namespace {
+
+std::string written(const sightline::scene::CellComplexFile& file) {
+  std::string text;
+  sightline::scene::write_cell_complex(file.scene, file.compartments,
+                                       [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sightline;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  static_cast<void>(scene::is_cell_complex(text));
+  const auto read = scene::read_cell_complex(text, "fuzz");
+  const auto* file = std::get_if<scene::CellComplexFile>(&read);
+  if (file == nullptr) return 0;
+  const std::string once = written(*file);
+  const auto again = scene::read_cell_complex(once, "written");
+  const auto* same = std::get_if<scene::CellComplexFile>(&again);
+  if (same == nullptr || written(*same) != once) std::abort();
+  return 0;
+}
