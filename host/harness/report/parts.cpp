@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "host/harness/report/agreement_matrix.hpp"
 #include "host/harness/report/hard_cases.hpp"
 #include "host/harness/report/report.hpp"
 #include "host/harness/report/scene_needs.hpp"
@@ -19,6 +20,7 @@ constexpr std::array parts{
     Part{2, "Speed against error", &speed_against_error},
     Part{3, "Hard cases", &hard_cases},
     Part{4, "What the scene needed", &scene_needs},
+    Part{5, "All five against each other", &all_against_each_other},
 };
 
 void drop_host_times(Table& table) {
