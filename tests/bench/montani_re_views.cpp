@@ -1,75 +1,71 @@
-// Montani and Re's algorithm: a view in object space (exact), and in stripes of a pixel on a raster of 1024,
-// of boxes and of towns. MEASURED.md has the exponents fitted to these.
+// Montani and Re's algorithm: a view in object space (exact), in stripes of a pixel on a raster of 1024, and
+// by `exact`, of boxes and of towns of 100, 1000 and 10000, interleaved in one run; how each grows with the
+// number of faces, beside the paper's claim, N Y. Y is the number of faces that a face overlaps in X.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <variant>
 
-#include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
-#include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/harness/report/montani_re_growth.hpp"
 #include "host/scene/generate_scene.hpp"
 
 namespace sightline {
 namespace {
 
-namespace native = algorithms::montani_re;
+namespace report = harness::report;
 
-scene::PolyScene scene_of(const benchmark::State& state) {
-  const auto size = static_cast<std::size_t>(state.range(1));
-  return state.range(0) == 0 ? scene::generate_boxes(size) : scene::generate_town(size);
-}
-
+// One view after the other, of the exact build alone.
 void exact_view(benchmark::State& state) {
-  const scene::PolyScene scene = scene_of(state);
-  native::LineView view;
-  for (auto _ : state) view = std::get<native::LineView>(native::visible_edges(scene, scene.camera));
-  state.counters["segments"] = static_cast<double>(view.picture.pieces.size());
-  state.counters["relations"] = static_cast<double>(view.counts.relations);
-}
-
-// All of the image of the scene on 1024 pixels.
-native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera& camera) {
-  std::array<double, 2> low{};
-  std::array<double, 2> high{};
-  for (const native::Face& face : set.faces) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      low[axis] = std::min(low[axis], face.low[axis].approximate);
-      high[axis] = std::max(high[axis], face.high[axis].approximate);
-    }
-  }
-  native::StripeFrame frame{{}, {}, 1024, 1024};
-  const auto unit = native::pixels_a_unit(camera, 1);
-  const double size = std::max((high[0] - low[0]) * unit[0], (high[1] - low[1]) * unit[1]);
-  frame.scale = native::pixels_a_unit(camera, 1024 / size);
-  for (std::size_t axis = 0; axis < 2; ++axis) frame.centre[axis] = -low[axis] * frame.scale[axis];
-  return frame;
-}
-
-// Relations and list, then the raster: as a whole, since that is a view.
-void stripes_view(benchmark::State& state) {
-  const scene::PolyScene scene = scene_of(state);
-  native::StripeRaster raster;
+  const auto size = static_cast<std::size_t>(state.range(1));
+  const scene::PolyScene scene =
+      state.range(0) == 0 ? scene::generate_boxes(size) : scene::generate_town(size);
+  std::size_t segments = 0;
   for (auto _ : state) {
-    const auto faces = native::faces_of(scene, scene.camera);
-    const auto& set = std::get<native::FaceSet>(faces);
-    const native::ListedFaces listed = native::listed_faces(set);
-    raster =
-        native::raster_by_difference(set.image, listed.list, listed.faces, frame_of(set, scene.camera), 16);
+    const auto drawn = algorithms::montani_re::visible_edges(scene, scene.camera);
+    segments = std::get<algorithms::montani_re::LineView>(drawn).picture.pieces.size();
   }
-  state.counters["sides"] = static_cast<double>(raster.sides);
+  state.counters["segments"] = static_cast<double>(segments);
 }
 
-void sizes(benchmark::internal::Benchmark* bench) {
-  for (const std::int64_t size : {100, 1000, 10000}) bench->Args({0, size});
-  for (const std::int64_t size : {100, 1000, 10000}) bench->Args({1, size});
-  bench->ArgNames({"town", "n"})->Unit(benchmark::kMillisecond);
+void growth(benchmark::State& state, std::string_view family) {
+  constexpr std::array<std::size_t, 3> sizes{100, 1000, 10000};
+  constexpr int rounds = 3;
+  report::MontaniReGrowth measured;
+  for (auto _ : state) measured = report::montani_re_growth(family, sizes, rounds, [](std::string_view) {});
+  for (const report::MontaniReSize& size : measured.sizes) {
+    const auto show = [&](const char* what, double nanoseconds) {
+      state.counters[fmt::format("{}_{}_ms", what, size.size)] = nanoseconds / 1e6;
+    };
+    show("native", size.native_ns);
+    show("stripes", size.stripes_ns);
+    show("exact", size.exact_ns);
+  }
+  state.SetLabel(
+      fmt::format("growth with faces: exact build N^{:.2f}, stripes of a pixel N^{:.2f}, exact N^{:.2f}; "
+                  "the paper's N Y is N^{:.2f}",
+                  report::exponent_over_faces(measured, &report::MontaniReSize::native_ns),
+                  report::exponent_over_faces(measured, &report::MontaniReSize::stripes_ns),
+                  report::exponent_over_faces(measured, &report::MontaniReSize::exact_ns),
+                  report::exponent_over_faces(measured, &report::MontaniReSize::pairs)));
 }
 
-BENCHMARK(exact_view)->Name("montani_re/exact_view")->Apply(sizes);
-BENCHMARK(stripes_view)->Name("montani_re/view_in_stripes_of_a_pixel")->Apply(sizes);
+BENCHMARK(exact_view)
+    ->Name("montani_re/exact_view")
+    ->ArgsProduct({{0, 1}, {100, 1000}})
+    ->ArgNames({"town", "n"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(growth, boxes, "boxes")
+    ->Name("montani_re/growth/boxes")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(growth, town, "town")
+    ->Name("montani_re/growth/town")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace sightline
