@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/app/asm_files.hpp"
@@ -21,12 +20,9 @@ namespace sightline::app {
 namespace {
 
 struct AsmArguments {
-  std::vector<std::string> sources;
+  AsmFiles files;
   std::vector<std::string> defines;
-  std::string output;
   std::string format = "rim";
-  std::string listing;
-  std::string symbols;
   bool twos_complement = false;
   bool undefined_are_variables = false;
   bool first_line_is_title = false;
@@ -46,16 +42,9 @@ constexpr const char* asm_examples =
     "address, no\n"
     "start address. Errors name file:line:column; when there is one nothing is written.\n";
 
-// "found X, expected Y" from the reader of definitions becomes a Failure.
 assembler::Options options_from(const AsmArguments& arguments) {
   assembler::Options options;
-  for (const std::string& text : arguments.defines) {
-    auto define = assembler::parse_define(text);
-    if (const auto* message = std::get_if<std::string>(&define)) {
-      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
-    }
-    options.defines.push_back(std::get<assembler::Define>(std::move(define)));
-  }
+  options.defines = read_defines(arguments.defines, &assembler::parse_define);
   options.twos_complement = arguments.twos_complement;
   options.undefined_are_variables = arguments.undefined_are_variables;
   options.first_line_is_title = arguments.first_line_is_title;
@@ -67,7 +56,7 @@ picture::Bytes encoded(const image::CoreImage& core, const AsmArguments& argumen
     const std::string text = image::write_octal(core);
     return {text.begin(), text.end()};
   }
-  const std::string file = arguments.output == "-" ? "standard output" : arguments.output;
+  const std::string file = arguments.files.output == "-" ? "standard output" : arguments.files.output;
   const auto tape = arguments.format == "hri" ? image::write_hri(core, file) : image::write_rim(core, file);
   if (!tape) throw Failure(ExitCode::bad_input, image::to_string(tape.error()));
   return tape.value();
@@ -83,33 +72,21 @@ std::string summary(const assembler::Assembly& assembly, const AsmArguments& arg
     text += ", no start address";
   }
   text += fmt::format(", {} symbols", assembly.symbols.size());
-  if (arguments.output.empty()) return text + "; checked only, -o FILE writes it";
+  if (arguments.files.output.empty()) return text + "; checked only, -o FILE writes it";
   if (arguments.format == "hri" && !words.empty())
     text += fmt::format("; load it @{:o}", words.begin()->first);
   return text;
 }
 
 void assemble(const AsmArguments& arguments) {
-  refuse_clashing_files(arguments.sources, arguments.output, arguments.listing, arguments.symbols);
-  const assembler::Options options = options_from(arguments);
-  std::vector<assembler::SourceFile> sources;
-  for (const std::string& path : arguments.sources)
-    sources.push_back({shown_name(path), read_input_text(path)});
-  const assembler::Assembly assembly = assembler::assemble_pdp7(sources, options);
-  for (const auto& diagnostic : assembly.diagnostics)
-    fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
-  if (!assembly.ok()) throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
-
-  std::vector<Output> outputs;
-  const auto put = [&outputs](const std::string& path, const auto& content) {
-    if (path.empty()) return;
-    outputs.emplace_back(path).write(content);
-  };
-  if (!arguments.output.empty())
-    put(arguments.output, std::span<const std::uint8_t>(encoded(assembly.image, arguments)));
-  put(arguments.listing, std::string_view(assembler::write_listing(assembly.listing)));
-  put(arguments.symbols, std::string_view(assembler::write_symbols(assembly.symbols)));
-  for (Output& output : outputs) output.commit();
+  refuse_clashing_files(arguments.files);
+  const auto options = options_from(arguments);
+  const auto assembly = assembler::assemble_pdp7(read_sources(arguments.files), options);
+  report_diagnostics(assembly.diagnostics);
+  const picture::Bytes program =
+      arguments.files.output.empty() ? picture::Bytes{} : encoded(assembly.image, arguments);
+  write_asm_files(arguments.files, program, assembler::write_listing(assembly.listing),
+                  assembler::write_symbols(assembly.symbols));
   complain(summary(assembly, arguments));
 }
 
@@ -125,20 +102,22 @@ void add_asm_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const pdp7 =
       command->add_subcommand("pdp7", "Assemble PDP-7 symbolic source (DEC syntax, DIGITAL-7-3-S)");
   const auto arguments = std::make_shared<AsmArguments>();
-  pdp7->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")->required();
+  pdp7->add_option("SOURCE", arguments->files.sources, "Source files, in order; - is standard input")
+      ->required();
   pdp7->add_option("-D", arguments->defines,
                    "Define a symbol, NAME=VALUE, VALUE in octal; wins over the source's own")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  pdp7->add_option("-o,--output", arguments->output, "Where the program goes; - is standard output")
+  pdp7->add_option("-o,--output", arguments->files.output, "Where the program goes; - is standard output")
       ->type_name("FILE");
   pdp7->add_option("--format", arguments->format, "Form of the program: rim, hri or octal")
       ->check(CLI::IsMember({"rim", "hri", "octal"}))
       ->capture_default_str()
       ->type_name("FORMAT");
-  pdp7->add_option("--listing", arguments->listing, "Write address, octal word and source, line by line")
+  pdp7->add_option("--listing", arguments->files.listing,
+                   "Write address, octal word and source, line by line")
       ->type_name("FILE");
-  pdp7->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
+  pdp7->add_option("--symbols", arguments->files.symbols, "Write the symbols, one `name value` a line")
       ->type_name("FILE");
   pdp7->add_flag("--twos-complement", arguments->twos_complement,
                  "-1 is 777777 (default: one's complement, 777776)");

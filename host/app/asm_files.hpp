@@ -1,14 +1,56 @@
-// The files `sightline asm` is given by name, whatever the machine: each output is a file of its own.
+// What `sightline asm` does for every machine: reads the sources and definitions, says what the assembler
+// found, writes the outputs, each a file of its own.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
+
+#include "host/app/command.hpp"
+#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/source.hpp"
 
 namespace sightline::app {
 
+// Empty names are outputs not asked for.
+struct AsmFiles {
+  std::vector<std::string> sources;
+  std::string output;
+  std::string listing;
+  std::string symbols;
+};
+
 // Failure usage if two of -o, --listing and --symbols are one file or both standard output, or if one of them
-// is a source. Empty names are outputs not asked for. What is no regular file (/dev/null) may serve often.
-void refuse_clashing_files(const std::vector<std::string>& sources, const std::string& output,
-                           const std::string& listing, const std::string& symbols);
+// is a source. What is no regular file (/dev/null) may serve often.
+void refuse_clashing_files(const AsmFiles& files);
+
+// In order, with the names that messages have. Failure io.
+[[nodiscard]] std::vector<assembler::SourceFile> read_sources(const AsmFiles& files);
+
+// Each -D NAME=VALUE by the reader of the machine's numbers. Failure usage with its "found X, expected Y".
+template <class Define>
+[[nodiscard]] std::vector<Define> read_defines(const std::vector<std::string>& texts,
+                                               std::variant<Define, std::string> (*parse)(std::string_view)) {
+  std::vector<Define> defines;
+  for (const std::string& text : texts) {
+    auto define = parse(text);
+    if (const auto* message = std::get_if<std::string>(&define))
+      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
+    defines.push_back(std::get<Define>(std::move(define)));
+  }
+  return defines;
+}
+
+// On standard error, a line each. Failure bad_input if one is an error.
+void report_diagnostics(std::span<const assembler::Diagnostic> diagnostics);
+
+// Those of the three that were asked for; all appear or none. Failure io.
+void write_asm_files(const AsmFiles& files, const picture::Bytes& program, std::string_view listing,
+                     std::string_view symbols);
 
 }  // namespace sightline::app

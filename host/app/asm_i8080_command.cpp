@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/app/asm_files.hpp"
@@ -21,12 +20,9 @@ namespace sightline::app {
 namespace {
 
 struct AsmI8080Arguments {
-  std::vector<std::string> sources;
+  AsmFiles files;
   std::vector<std::string> defines;
-  std::string output;
   std::string format;
-  std::string listing;
-  std::string symbols;
 };
 
 constexpr const char* asm_i8080_examples =
@@ -47,14 +43,8 @@ constexpr const char* asm_i8080_examples =
 
 assembler::I8080Options options_from(const AsmI8080Arguments& arguments) {
   assembler::I8080Options options;
-  for (const std::string& text : arguments.defines) {
-    auto define = assembler::parse_i8080_define(text);
-    if (const auto* message = std::get_if<std::string>(&define)) {
-      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
-    }
-    options.defines.push_back(std::get<assembler::I8080Define>(std::move(define)));
-  }
-  options.listing = !arguments.listing.empty();
+  options.defines = read_defines(arguments.defines, &assembler::parse_i8080_define);
+  options.listing = !arguments.files.listing.empty();
   // The assembler tries several names and says itself that none of them could be read. A source says nothing
   // about standard input: `-` is a name like any other, and no such file is there.
   options.include = [](const std::string& path) -> std::optional<std::string> {
@@ -70,13 +60,13 @@ assembler::I8080Options options_from(const AsmI8080Arguments& arguments) {
 
 picture::Bytes encoded(const image::ByteImage& memory, const AsmI8080Arguments& arguments) {
   const ByteFormat format = arguments.format.empty()
-                                ? byte_format_of_name(arguments.output).value_or(ByteFormat::hex)
+                                ? byte_format_of_name(arguments.files.output).value_or(ByteFormat::hex)
                                 : byte_format_named(arguments.format);
   if (format == ByteFormat::hex) {
     const std::string text = image::write_intel_hex(memory);
     return {text.begin(), text.end()};
   }
-  const std::string file = arguments.output == "-" ? "standard output" : arguments.output;
+  const std::string file = arguments.files.output == "-" ? "standard output" : arguments.files.output;
   const auto bytes =
       format == ByteFormat::com ? image::write_com(memory, file) : image::write_binary(memory, file);
   if (!bytes) throw Failure(ExitCode::bad_input, image::to_string(bytes.error()));
@@ -89,30 +79,18 @@ std::string summary(const assembler::I8080Assembly& assembly, const AsmI8080Argu
   if (!memory.empty()) text += fmt::format(" in {:04X}-{:04X}", memory.lowest(), memory.highest());
   text += memory.start ? fmt::format(", start {:04X}", *memory.start) : ", no start address";
   text += fmt::format(", {} symbols", assembly.symbols.size());
-  return arguments.output.empty() ? text + "; checked only, -o FILE writes it" : text;
+  return arguments.files.output.empty() ? text + "; checked only, -o FILE writes it" : text;
 }
 
 void assemble(const AsmI8080Arguments& arguments) {
-  refuse_clashing_files(arguments.sources, arguments.output, arguments.listing, arguments.symbols);
-  const assembler::I8080Options options = options_from(arguments);
-  std::vector<assembler::SourceFile> sources;
-  for (const std::string& path : arguments.sources)
-    sources.push_back({shown_name(path), read_input_text(path)});
-  const assembler::I8080Assembly assembly = assembler::assemble_i8080(sources, options);
-  for (const auto& diagnostic : assembly.diagnostics)
-    fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
-  if (!assembly.ok()) throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
-
-  std::vector<Output> outputs;
-  const auto put = [&outputs](const std::string& path, const auto& content) {
-    if (path.empty()) return;
-    outputs.emplace_back(path).write(content);
-  };
-  if (!arguments.output.empty())
-    put(arguments.output, std::span<const std::uint8_t>(encoded(assembly.image, arguments)));
-  put(arguments.listing, std::string_view(assembler::write_listing(assembly.listing)));
-  put(arguments.symbols, std::string_view(assembler::write_i8080_symbols(assembly.symbols)));
-  for (Output& output : outputs) output.commit();
+  refuse_clashing_files(arguments.files);
+  const auto options = options_from(arguments);
+  const auto assembly = assembler::assemble_i8080(read_sources(arguments.files), options);
+  report_diagnostics(assembly.diagnostics);
+  const picture::Bytes program =
+      arguments.files.output.empty() ? picture::Bytes{} : encoded(assembly.image, arguments);
+  write_asm_files(arguments.files, program, assembler::write_listing(assembly.listing),
+                  assembler::write_i8080_symbols(assembly.symbols));
   complain(summary(assembly, arguments));
 }
 
@@ -122,7 +100,7 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command =
       parent.add_subcommand("i8080", "Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)");
   const auto arguments = std::make_shared<AsmI8080Arguments>();
-  command->add_option("SOURCE", arguments->sources, "Source files, in order; - is standard input")
+  command->add_option("SOURCE", arguments->files.sources, "Source files, in order; - is standard input")
       ->required();
   command
       ->add_option(
@@ -130,7 +108,7 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
           "Define a symbol, NAME=VALUE, VALUE as in a source (10, 0AH, 0x0A); wins over the source's own")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  command->add_option("-o,--output", arguments->output, "Where the program goes; - is standard output")
+  command->add_option("-o,--output", arguments->files.output, "Where the program goes; - is standard output")
       ->type_name("FILE");
   command
       ->add_option("--format", arguments->format,
@@ -138,10 +116,10 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->check(CLI::IsMember({"com", "bin", "hex"}))
       ->type_name("FORMAT");
   command
-      ->add_option("--listing", arguments->listing,
+      ->add_option("--listing", arguments->files.listing,
                    "Write address, bytes and source, line by line, and the symbols")
       ->type_name("FILE");
-  command->add_option("--symbols", arguments->symbols, "Write the symbols, one `name value` a line")
+  command->add_option("--symbols", arguments->files.symbols, "Write the symbols, one `name value` a line")
       ->type_name("FILE");
   command->footer(asm_i8080_examples);
   command->callback([arguments, &exit_code] {

@@ -2,39 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
-#include "host/app/command.hpp"
+#include "host/app/outputs.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
-#include "host/picture/png.hpp"
 #include "host/picture/svg.hpp"
 
 namespace sightline::app {
-
-namespace {
-
-picture::Bytes png_bytes(const picture::Image& image, const std::string& title, const std::string& what) {
-  auto bytes =
-      picture::encode_png(image, {{"Title", title}, {"Description", what}, {"Software", "sightline"}});
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
-  return *bytes;
-}
-
-template <class Content>
-void write_file(const std::string& path, const Content& content) {
-  Output output(path);
-  output.write(content);
-  output.commit();
-}
-
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
-}
-
-}  // namespace
 
 harness::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
                                   const harness::jones::ProgramOptions& options) {
@@ -62,17 +36,26 @@ std::vector<std::string> write_jones_pictures(const std::string& directory, cons
                                               const std::string& title, const harness::jones::GuestRun& run) {
   make_directory(directory);
   const std::string base = (std::filesystem::path(directory) / stem).string();
-  std::vector<std::string> paths{base + ".png", base + ".svg"};
-  write_file(paths[0], std::span<const std::uint8_t>(png_bytes(picture::crisp_raster(run.pass), title,
-                                                               "every point lit in one complete pass")));
-  write_file(paths[1], std::string_view(picture::svg_drawing(run.pass, title)));
-  if (!run.photograph.empty()) {
-    picture::PhosphorPhotograph photograph(run.shutter_close - photograph_time, run.shutter_close);
-    photograph.expose(run.photograph);
-    paths.push_back(base + "-phosphor.png");
-    write_file(paths.back(), std::span<const std::uint8_t>(png_bytes(
-                                 photograph.develop(), title, "the P7 screen, shutter open for 0.2 s")));
-  }
+  std::vector<std::string> paths;
+  const auto open = [&](const char* ending) {
+    paths.push_back(base + ending);
+    return Output(paths.back());
+  };
+  const auto describe = [&](const char* what) -> picture::TextEntries {
+    return {{"Title", title}, {"Description", what}, {"Software", "sightline"}};
+  };
+  Output points = open(".png");
+  write_png(points, picture::crisp_raster(run.pass), describe("every point lit in one complete pass"));
+  points.commit();
+  Output lines = open(".svg");
+  lines.write(picture::svg_drawing(run.pass, title));
+  lines.commit();
+  if (run.photograph.empty()) return paths;
+  picture::PhosphorPhotograph photograph(run.shutter_close - photograph_time, run.shutter_close);
+  photograph.expose(run.photograph);
+  Output screen = open("-phosphor.png");
+  write_png(screen, photograph.develop(), describe("the P7 screen, shutter open for 0.2 s"));
+  screen.commit();
   return paths;
 }
 

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
-#include <utility>
-#include <vector>
 
+#include "host/app/outputs.hpp"
 #include "host/picture/pen_drawing.hpp"
-#include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
 
 namespace sightline::app {
@@ -18,13 +17,8 @@ namespace {
 
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
-void write_png(Output& output, const picture::Image& image, core::TStateInstant end) {
-  const auto bytes =
-      picture::encode_png(image, {{"Software", "sightline " SIGHTLINE_VERSION},
-                                  {"End of run", fmt::format("T-state {}", core::t_states_of(end))}});
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
-  output.write(std::span<const std::uint8_t>(*bytes));
-}
+constexpr std::string_view printed_on_stdout =
+    "-: standard output has what the program prints; --console FILE puts that elsewhere";
 
 // The paper is as large as the drawing needs, from step (0, 0) on.
 std::string svg_of(const harness::I8080Report& report, picture::PlotterPaper paper) {
@@ -50,33 +44,18 @@ RunI8080Outputs::RunI8080Outputs(const RunI8080Arguments& arguments)
       console.assign(1, '-');  // a literal makes g++ 12 warn of an overlap there is not
     }
   }
-  const std::vector<std::pair<const std::string*, std::optional<Output>*>> files{
-      {&arguments.dump, &dump_},
-      {&arguments.trace, &trace_},
-      {&arguments.bus, &bus_},
-      {&console, &console_},
-      {&arguments.png, &png_},
-      {&arguments.strokes, &strokes_},
-      {&arguments.svg, &svg_},
-      {&arguments.parallel_out, &parallel_out_},
-      {&arguments.serial_out, &serial_out_}};
-  std::vector<std::string> named;
-  for (const auto& [path, output] : files) {
-    if (path->empty()) continue;
-    if (std::find(named.begin(), named.end(), *path) != named.end()) {
-      throw Failure(ExitCode::usage,
-                    *path == "-" && arguments.cpm && arguments.console.empty()
-                        ? "-: standard output has what the program prints; --console FILE puts that elsewhere"
-                        : fmt::format("{}: named for two outputs", *path));
-    }
-    named.push_back(*path);
-    uses_stdout_ = uses_stdout_ || *path == "-";
-  }
-  if (uses_stdout_ && arguments.json)
-    throw Failure(ExitCode::usage, "--json needs standard output; an output cannot be `-`");
-  for (const auto& [path, output] : files) {
-    if (!path->empty()) output->emplace(*path);
-  }
+  const std::array<NamedOutput, 9> files{{{&arguments.dump, &dump_},
+                                          {&arguments.trace, &trace_},
+                                          {&arguments.bus, &bus_},
+                                          {&console, &console_},
+                                          {&arguments.png, &png_},
+                                          {&arguments.strokes, &strokes_},
+                                          {&arguments.svg, &svg_},
+                                          {&arguments.parallel_out, &parallel_out_},
+                                          {&arguments.serial_out, &serial_out_}}};
+  uses_stdout_ = arguments.cpm && arguments.console.empty()
+                     ? open_outputs(files, arguments.json, printed_on_stdout)
+                     : open_outputs(files, arguments.json);
 }
 
 void RunI8080Outputs::attach(harness::I8080Job& job) {
@@ -105,7 +84,9 @@ void RunI8080Outputs::write(const harness::I8080Report& report) {
   if (dump_) dump_->write(harness::dump_text(report));
   if (png_ && report.raster) {
     const auto palette = grey_ ? picture::RasterPalette::grey : picture::RasterPalette::colour;
-    write_png(*png_, picture::raster_image(*report.raster, palette, 1), report.end);
+    write_png(*png_, picture::raster_image(*report.raster, palette, 1),
+              {{"Software", "sightline " SIGHTLINE_VERSION},
+               {"End of run", fmt::format("T-state {}", core::t_states_of(report.end))}});
   }
   if (svg_) svg_->write(svg_of(report, minigraf_ ? picture::minigraf_paper : picture::calcomp_paper));
   if (parallel_out_) parallel_out_->write(std::span<const std::uint8_t>(report.parallel_received));

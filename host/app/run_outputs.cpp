@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/app/outputs.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
-#include "host/picture/png.hpp"
 #include "host/picture/svg.hpp"
 
 namespace sightline::app {
@@ -21,12 +22,6 @@ namespace {
 // The exposure that the photograph's parameters are set for.
 constexpr core::Duration shutter_time = std::chrono::milliseconds(200);
 
-void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text) {
-  const auto bytes = picture::encode_png(image, text);
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
-  output.write(std::span<const std::uint8_t>(*bytes));
-}
-
 std::vector<std::uint8_t> seven_bits(std::vector<std::uint8_t> codes) {
   for (std::uint8_t& code : codes) code &= 0177U;
   return codes;
@@ -35,24 +30,15 @@ std::vector<std::uint8_t> seven_bits(std::vector<std::uint8_t> codes) {
 }  // namespace
 
 RunOutputs::RunOutputs(const RunArguments& arguments) {
-  const std::vector<std::pair<const std::string*, std::optional<Output>*>> files{
-      {&arguments.dump, &dump_},   {&arguments.trace, &trace_},      {&arguments.strokes, &strokes_},
-      {&arguments.png, &png_},     {&arguments.svg, &svg_},          {&arguments.phosphor, &phosphor_},
-      {&arguments.punch, &punch_}, {&arguments.teletype, &teletype_}};
-  std::vector<std::string> named;
-  for (const auto& [path, output] : files) {
-    if (path->empty()) continue;
-    if (std::find(named.begin(), named.end(), *path) != named.end()) {
-      throw Failure(ExitCode::usage, fmt::format("{}: named for two outputs", *path));
-    }
-    named.push_back(*path);
-    uses_stdout_ = uses_stdout_ || *path == "-";
-  }
-  if (uses_stdout_ && arguments.json)
-    throw Failure(ExitCode::usage, "--json needs standard output; an output cannot be `-`");
-  for (const auto& [path, output] : files) {
-    if (!path->empty()) output->emplace(*path);
-  }
+  const std::array<NamedOutput, 8> files{{{&arguments.dump, &dump_},
+                                          {&arguments.trace, &trace_},
+                                          {&arguments.strokes, &strokes_},
+                                          {&arguments.png, &png_},
+                                          {&arguments.svg, &svg_},
+                                          {&arguments.phosphor, &phosphor_},
+                                          {&arguments.punch, &punch_},
+                                          {&arguments.teletype, &teletype_}}};
+  uses_stdout_ = open_outputs(files, arguments.json);
 }
 
 void RunOutputs::attach(harness::Pdp7Job& job) {

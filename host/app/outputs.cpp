@@ -1,0 +1,45 @@
+// See outputs.hpp.
+#include "host/app/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace sightline::app {
+
+bool open_outputs(std::span<const NamedOutput> outputs, bool json, std::string_view stdout_twice) {
+  std::vector<std::string_view> named;
+  for (const NamedOutput& wanted : outputs) {
+    if (wanted.path->empty()) continue;
+    if (std::find(named.begin(), named.end(), *wanted.path) != named.end()) {
+      throw Failure(ExitCode::usage, *wanted.path == "-"
+                                         ? std::string(stdout_twice)
+                                         : fmt::format("{}: named for two outputs", *wanted.path));
+    }
+    named.push_back(*wanted.path);
+  }
+  const bool uses_stdout = std::find(named.begin(), named.end(), "-") != named.end();
+  if (uses_stdout && json)
+    throw Failure(ExitCode::usage, "--json needs standard output; an output cannot be `-`");
+  for (const NamedOutput& wanted : outputs) {
+    if (!wanted.path->empty()) wanted.output->emplace(*wanted.path);
+  }
+  return uses_stdout;
+}
+
+void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text) {
+  const auto bytes = picture::encode_png(image, text);
+  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  output.write(std::span<const std::uint8_t>(*bytes));
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
+}
+
+}  // namespace sightline::app
