@@ -9,6 +9,7 @@
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/scene/compartment_bsp.hpp"
 #include "host/scene/compartment_grid.hpp"
+#include "host/scene/generate_house_beside.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_from_cells.hpp"
 #include "host/scene/read.hpp"
@@ -55,6 +56,11 @@ void rooms(benchmark::State& state) {
   look_at(state, scene);
 }
 
+// The same view from a closed house, beside a building of so many rooms a side.
+void house(benchmark::State& state) {
+  look_at(state, scene::generate_house_beside(static_cast<std::size_t>(state.range(0))));
+}
+
 BENCHMARK(street)->Name("jones_native/view_of_street4")->Unit(benchmark::kMicrosecond);
 BENCHMARK(boxes)
     ->Name("jones_native/view_of_boxes")
@@ -64,6 +70,13 @@ BENCHMARK(boxes)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(rooms)
     ->Name("jones_native/view_of_big_rooms")
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(house)
+    ->Name("jones_native/view_of_house_beside")
+    ->Arg(3)
     ->Arg(10)
     ->Arg(100)
     ->Arg(1000)

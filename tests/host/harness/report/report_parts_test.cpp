@@ -159,5 +159,20 @@ TEST(ReportNeeds, UnseenRoomsCostTheMachineNothing) {
   }
 }
 
+TEST(ReportNeeds, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
+  const Table house = tables_of(needs()).at("unseen-house");
+  ASSERT_EQ(house.rows.size(), 4U);
+  std::int64_t cells = 0;
+  for (std::size_t row = 0; row < house.rows.size(); ++row) {
+    EXPECT_GT(number(house, row, "cells"), cells);
+    cells = number(house, row, "cells");
+    EXPECT_GT(cells, number(house, row, "rooms"));
+    // Of the house there are 64 rooms and what lies around them.
+    EXPECT_LT(number(house, row, "cells_seen"), 100);
+    for (const char* const same : {"cells_seen", "visits", "segments"})
+      EXPECT_EQ(number(house, row, same), number(house, 0, same)) << same;
+  }
+}
+
 }  // namespace
 }  // namespace sightline::harness::report
