@@ -142,6 +142,11 @@ struct Truth {
   std::vector<picture::ReferenceLine> lines;
 };
 
+// Below this, distances are those of floating point in the measure itself.
+double told(double distance) {
+  return distance < 1e-9 ? 0 : distance;
+}
+
 void compare(MontaniRePoint& point, const Truth& truth, const PixelGrid& grid,
              const std::vector<PixelSegment>& drawn) {
   const auto pixels = picture::pixel_metrics(truth.pixels.truth, grid, truth.pixels.edges);
@@ -157,8 +162,8 @@ void compare(MontaniRePoint& point, const Truth& truth, const PixelGrid& grid,
   const auto lines = picture::line_metrics(truth.lines, pieces, {.points = 1, .seed = 1});
   point.missing = 100 * lines.share(lines.missing_far);
   point.extra = 100 * lines.share(lines.extra_far);
-  point.hausdorff = lines.hausdorff.greatest;
-  point.usual = lines.hausdorff.usual;
+  point.hausdorff = told(lines.hausdorff.greatest);
+  point.usual = told(lines.hausdorff.usual);
 }
 
 Truth truth_of(const PolyScene& scene, const native::FaceSet& set, std::int32_t raster) {

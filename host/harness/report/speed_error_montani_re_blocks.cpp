@@ -30,10 +30,6 @@ bool timed(const std::vector<MontaniReCurve>& curves) {
   return !curves.empty() && curves.front().points.front().host_ns > 0;
 }
 
-std::string label(const MontaniRePoint& point) {
-  return point.thickness > 0 ? fmt::format("h {}", point.thickness) : "exact";
-}
-
 Plot plot_of(const std::vector<MontaniReCurve>& curves, const Measure& measure, bool host_time) {
   Plot plot;
   plot.id = fmt::format("montani-re-{}-{}", measure.key, host_time ? "host" : "sides");
@@ -50,15 +46,21 @@ Plot plot_of(const std::vector<MontaniReCurve>& curves, const Measure& measure, 
   plot.x = {std::string(measure.title), std::string(measure.unit), true, {}};
   plot.y =
       host_time ? Axis{fmt::format("a view, {}", host_title), "ms", true, {}} : Axis{"sides", "", true, {}};
+  Curve exact{"exact build", {}, false};
   for (const MontaniReCurve& of : curves) {
-    Curve curve;
-    curve.name = of.scene;
+    Curve curve{of.scene, {}};
     for (const MontaniRePoint& point : of.points) {
       const double y = host_time ? point.host_ns / 1e6 : static_cast<double>(point.sides);
-      curve.points.push_back({measure.of(point), y, &of == &curves.front() ? label(point) : ""});
+      if (point.thickness > 0) {
+        curve.points.push_back(
+            {measure.of(point), y, &of == &curves.front() ? fmt::format("h {}", point.thickness) : ""});
+      } else {
+        exact.points.push_back({measure.of(point), y, of.scene});
+      }
     }
     plot.curves.push_back(std::move(curve));
   }
+  plot.curves.push_back(std::move(exact));
   return plot;
 }
 
@@ -85,12 +87,17 @@ Table points_table(const std::vector<MontaniReCurve>& curves, const MontaniReMea
            point.host_ns > 0 ? Cell(Real{point.host_ns / 1e6}) : Cell()});
     }
   }
-  table.notes = {
-      fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as sets of "
+  table.notes = {fmt::format(
+      "Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as sets "
+      "of "
       "points with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not say "
       "whose edge they are. PMR on edges is of pixels within 0.75 pixels of any edge, seen or hidden. H is "
       "large where a face lower than half a stripe is lost, or a corner that moved past another shows or "
-      "hides what it should not.",
+      "hides what it should not. Lines between stripes of a pixel are lines between pixels, so that a level "
+      "edge "
+      "lights the right rows; those of thinner stripes also run through the middles of pixels, where an edge "
+      "that is "
+      "moved onto them takes a row it should not: hence a PMR of the town that does not fall from 1 to 1/2.",
       order.raster)};
   return table;
 }
