@@ -1,0 +1,126 @@
+// `sightline spin` and `sightline draw plantinga`: pictures, event files kept and found again, and what a
+// user gets wrong.
+#include <cstddef>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using sightline::test::has;
+
+class SpinCommand : public sightline::test::CommandLine {
+ protected:
+  // A tetrahedron before another.
+  void write_models() const {
+    write("two.off",
+          "OFF\n8 8 0\n0 0 0\n9 1 0\n4 8 1\n3 2 9\n20 -3 1\n31 0 2\n24 7 3\n25 1 12\n"
+          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 4 7 6\n");
+    write("other.off", "OFF\n4 4 0\n0 0 0\n9 1 0\n4 9 1\n3 2 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  }
+};
+
+// The big-endian number of frames in the chunk acTL of an animated PNG.
+std::size_t frames_of(const std::string& png) {
+  const std::size_t at = png.find("acTL");
+  if (!png.starts_with("\x89PNG") || at == std::string::npos || at + 8 > png.size()) return 0;
+  std::size_t count = 0;
+  for (std::size_t i = 4; i < 8; ++i) count = 256 * count + static_cast<unsigned char>(png[at + i]);
+  return count;
+}
+
+TEST_F(SpinCommand, WritesAnAnimatedPicture) {
+  write_models();
+  const auto ran = sightline({"spin", "two.off", "--step", "30", "--size", "64", "-o", "two.apng"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "12 edges")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "12 frames")) << ran.out;
+  EXPECT_EQ(frames_of(read("two.apng")), 12U);
+  ASSERT_EQ(
+      sightline({"spin", "two.off", "--step", "30", "--size", "64", "--wire", "-o", "wire.apng"}).exit_code,
+      0);
+  EXPECT_NE(read("wire.apng"), read("two.apng")) << "what is hidden shows in the wire frame";
+}
+
+TEST_F(SpinCommand, KeepsEventsAndFindsThemAgain) {
+  write_models();
+  const sightline::test::Arguments spin{"spin", "two.off", "--events", "two.events", "--size",
+                                        "64",   "--step",  "45",       "-o",         "a.apng"};
+  const auto made = sightline(spin);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string events = read("two.events");
+  EXPECT_TRUE(events.starts_with("SIGHTLINE EVENTS\n"));
+  const std::string picture = read("a.apng");
+  const auto again = sightline(spin);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(read("two.events"), events);
+  EXPECT_EQ(read("a.apng"), picture);
+  EXPECT_EQ(again.out, made.out);
+}
+
+TEST_F(SpinCommand, RefusesEventFilesThatDoNotFit) {
+  write_models();
+  ASSERT_EQ(
+      sightline({"spin", "two.off", "--events", "two.events", "--step", "90", "-o", "a.apng"}).exit_code, 0);
+  const std::string events = read("two.events");
+  const auto refused = [&](const std::string& bytes, const sightline::test::Arguments& more,
+                           const char* model) {
+    write("bad.events", bytes);
+    sightline::test::Arguments arguments{"spin",   model, "--events", "bad.events",
+                                         "--step", "90",  "-o",       "b.apng"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 4) << ran.err;
+    EXPECT_TRUE(has(ran.err, "bad.events")) << ran.err;
+    EXPECT_FALSE(exists("b.apng"));
+    EXPECT_EQ(read("bad.events"), bytes) << "it may be somebody's: it is left as it is";
+  };
+  for (const std::size_t length : {std::size_t{0}, std::size_t{17}, events.size() / 2, events.size() - 1})
+    refused(events.substr(0, length), {}, "two.off");
+  refused(events, {}, "other.off");
+  refused(events, {"--tolerance", "1"}, "two.off");
+  refused("not an event file at all, but long enough to be read as one", {}, "two.off");
+  std::string flipped = events;
+  flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 4);
+  refused(flipped, {}, "two.off");
+}
+
+TEST_F(SpinCommand, NamesWhatIsWrong) {
+  write_models();
+  write("bad.off", "OFF\n1\n");
+  struct Case {
+    sightline::test::Arguments arguments;
+    int exit_code;
+    const char* what;
+  };
+  const std::vector<Case> cases{
+      {{"spin", "nowhere.off", "-o", "a.apng"}, 5, "nowhere.off"},
+      {{"spin", "bad.off", "-o", "a.apng"}, 4, "bad.off"},
+      {{"spin", "two.off"}, 2, "--output"},
+      {{"spin", "two.off", "--step", "0", "-o", "a.apng"}, 2, "--step"},
+      {{"spin", "two.off", "--tolerance", "nan", "-o", "a.apng"}, 2, "--tolerance"},
+      {{"spin", "two.off", "-o", "no/folder/a.apng"}, 5, "no/folder/a.apng"},
+  };
+  for (const Case& wrong : cases) {
+    const auto ran = sightline(wrong.arguments);
+    EXPECT_EQ(ran.exit_code, wrong.exit_code) << wrong.what << '\n' << ran.err;
+    EXPECT_TRUE(has(ran.err, wrong.what)) << ran.err;
+    EXPECT_FALSE(exists("a.apng"));
+  }
+}
+
+TEST_F(SpinCommand, DrawsOneViewAndSaysWhichItCannot) {
+  write_models();
+  const auto drawn =
+      sightline({"draw", "plantinga", "two.off", "--orthographic", "-3,0,-10", "-o", "two.svg"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(has(read("two.svg"), "<svg"));
+  const auto above =
+      sightline({"draw", "plantinga", "two.off", "--orthographic", "-3,-1,-10", "-o", "a.svg"});
+  EXPECT_EQ(above.exit_code, 4);
+  EXPECT_TRUE(has(above.err, "two.off: camera: ")) << above.err;
+  EXPECT_TRUE(has(above.err, "y = 0")) << above.err;
+  EXPECT_EQ(sightline({"draw", "plantinga", "two.off", "--eye", "0,0,99", "-o", "a.svg"}).exit_code, 4);
+  EXPECT_FALSE(exists("a.svg"));
+}
+
+}  // namespace
