@@ -22,44 +22,50 @@ struct MaskSide {
   typename Arithmetic::Ray corner;  // with the next side
 };
 
-enum class Cut : std::uint8_t { nothing, part, all };
-
-// What is left of a mask on the not negative side of `line`. In `left` only if a part is cut off; `image`
-// gives the image of the plane with a number, which `line` is for `plane`.
+// What is left of a mask on the not negative side of `line`, perhaps nothing. It is the mask itself if
+// nothing is cut off, and else lies in `left`, which only grows, so that no clip costs more than it writes;
+// `image` gives the image of the plane with a number, which `line` is for `plane`.
 template <class Arithmetic, class Image>
-Cut clip_mask(std::span<const MaskSide<Arithmetic>> mask, std::uint32_t plane,
-              const typename Arithmetic::Line& line, const Image& image, std::vector<std::int8_t>& signs,
-              std::vector<MaskSide<Arithmetic>>& left) {
-  signs.clear();
+std::span<const MaskSide<Arithmetic>> clip_mask(std::span<const MaskSide<Arithmetic>> mask,
+                                                std::uint32_t plane, const typename Arithmetic::Line& line,
+                                                const Image& image, std::vector<std::int8_t>& signs,
+                                                std::vector<MaskSide<Arithmetic>>& left) {
+  const std::size_t count = mask.size();
+  // A side gives way to two at most. (Of a mask that is convex only one does; but complexes come from files.)
+  if (left.size() < 2 * count) left.resize(2 * count);
+  if (signs.size() < count) signs.resize(count);
   bool inside = false;
   bool outside = false;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const bool on = mask[i].plane == plane || mask[i + 1 == mask.size() ? 0 : i + 1].plane == plane;
-    const int sign = on ? 0 : Arithmetic::side(line, mask[i].corner);
-    signs.push_back(static_cast<std::int8_t>(sign));
+  bool on = mask.front().plane == plane;
+  const bool first_on = on;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool next_on = i + 1 == count ? first_on : mask[i + 1].plane == plane;
+    const int sign = on || next_on ? 0 : Arithmetic::side(line, mask[i].corner);
+    on = next_on;
+    signs[i] = static_cast<std::int8_t>(sign);
     inside = inside || sign > 0;
     outside = outside || sign < 0;
   }
-  if (!inside) return Cut::all;
-  if (!outside) return Cut::nothing;
-  left.clear();
-  std::int8_t before = signs.back();
-  for (std::size_t i = 0; i < mask.size(); ++i) {
+  if (!inside) return {};
+  if (!outside) return mask;
+  std::size_t kept = 0;
+  std::int8_t before = signs[count - 1];
+  for (std::size_t i = 0; i < count; ++i) {
     const std::int8_t here = signs[i];
     if (before > 0 && here <= 0) {
-      left.push_back({mask[i].plane, Arithmetic::meet(image(mask[i].plane), line)});
-      left.push_back({plane, {}});
+      left[kept++] = {mask[i].plane, Arithmetic::meet(image(mask[i].plane), line)};
+      left[kept++].plane = plane;
     } else if (before > 0 || here > 0) {
-      left.push_back(mask[i]);
+      left[kept++] = mask[i];
     }
     before = here;
   }
-  for (std::size_t i = 0; i < left.size(); ++i) {
+  for (std::size_t i = 0; i < kept; ++i) {
     if (left[i].plane != plane) continue;
-    const MaskSide<Arithmetic>& next = left[i + 1 == left.size() ? 0 : i + 1];
+    const MaskSide<Arithmetic>& next = left[i + 1 == kept ? 0 : i + 1];
     left[i].corner = Arithmetic::meet(line, image(next.plane));
   }
-  return Cut::part;
+  return {left.data(), kept};
 }
 
 }  // namespace sightline::algorithms::jones

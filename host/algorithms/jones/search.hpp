@@ -105,6 +105,7 @@ class Search {
   std::vector<Side> cut_;
   std::vector<Side> cut_again_;
   std::vector<std::int8_t> signs_;
+  std::size_t hiding_side_ = 0;              // of a mask: beyond which the last hidden line lay
   std::vector<std::uint32_t> met_openings_;  // of a crowded cell
   Fragments<Number> fragments_;
 };
@@ -219,9 +220,15 @@ void Search<Arithmetic>::Pass::draw_line(const scene::ComplexLine& line, std::sp
     const SightPlane<Number>& before_eye = search.planes_[0];
     if (!stretch.keep_not_negative(before_eye.at(from), before_eye.at(to))) return;
   }
-  for (const Side& side : mask) {
-    const SightPlane<Number>& plane = search.planes_[side.plane];
-    if (!stretch.keep_not_negative(plane.at(from), plane.at(to))) return;
+  // What hid the last line is likely to hide this one.
+  std::size_t side = search.hiding_side_ < mask.size() ? search.hiding_side_ : 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const SightPlane<Number>& plane = search.planes_[mask[side].plane];
+    if (!stretch.keep_not_negative(plane.at(from), plane.at(to))) {
+      search.hiding_side_ = side;
+      return;
+    }
+    if (++side == mask.size()) side = 0;
   }
   if (!less(stretch.low, stretch.high)) return;
   ++counts.fragments;
@@ -305,12 +312,7 @@ auto Search<Arithmetic>::Pass::clipped(std::span<const Side> mask, std::uint32_t
     -> std::span<const Side> {
   std::vector<Side>& left = mask.data() == search.cut_.data() ? search.cut_again_ : search.cut_;
   const auto image_of = [this](std::uint32_t number) { return image(number); };
-  switch (clip_mask<Arithmetic>(mask, plane, image(plane), image_of, search.signs_, left)) {
-    case Cut::nothing: return mask;
-    case Cut::part: return left;
-    case Cut::all: break;
-  }
-  return {};
+  return clip_mask<Arithmetic>(mask, plane, image(plane), image_of, search.signs_, left);
 }
 
 extern template class Search<NarrowArithmetic>;
