@@ -2,11 +2,19 @@
 // the growth of a view.
 #pragma once
 
+#include <vector>
+
+#include "host/harness/report/montani_re_growth.hpp"
 #include "host/harness/report/report.hpp"
 
 namespace sightline::harness::report {
 
 // Its tables, in order.
 [[nodiscard]] Outcome<std::vector<Block>> timing_of_montani_re(const Context& context);
+
+// What the paper says of work and size in words, the growth measured, its exponents.
+[[nodiscard]] Table montani_re_paper_table(const std::vector<MontaniReGrowth>& families);
+[[nodiscard]] Table montani_re_growth_table(const std::vector<MontaniReGrowth>& families);
+[[nodiscard]] Table montani_re_exponents_table(const std::vector<MontaniReGrowth>& families);
 
 }  // namespace sightline::harness::report
