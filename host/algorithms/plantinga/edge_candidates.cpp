@@ -5,69 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "host/algorithms/plantinga/near_forms.hpp"
+
 namespace sightline::algorithms::plantinga {
 namespace {
-
-constexpr double rounding = 1e-15;
-
-struct NearForm {
-  double x = 0;
-  double z = 0;
-
-  [[nodiscard]] double at(const NearDirection& v) const { return x * v.x + z * v.z; }
-};
-
-NearForm near(const LinearForm& form) {
-  return {static_cast<double>(form.x), static_cast<double>(form.z)};
-}
-
-double size_of(const NearForm& form) {
-  return std::abs(form.x) + std::abs(form.z);
-}
-
-// An edge that may cross the one in hand, and its forms against it.
-struct Line {
-  EdgeIndex edge = 0;
-  Crossing exact;
-  NearForm n, d, m;
-  double n_size = 0, d_size = 0, m_size = 0;
-  int order = 0;  // sign of (p1 - p2) . (a1 x a2): the line is nearer where D has the other sign
-  std::int64_t low = 0, high = 0;
-};
-
-// Where a line crosses the edge in one direction.
-struct Meeting {
-  double s = 0;         // on the edge
-  double error = 0;     // of s
-  bool within = false;  // both, as far as can be told
-};
-
-Meeting meeting_of(const Line& line, const NearDirection& v) {
-  const double d = std::abs(line.d.at(v));
-  const double off = v.error + rounding;
-  const double sign = line.d.at(v) < 0 ? -1 : 1;
-  Meeting meeting;
-  meeting.error = d > 0 ? off * (line.n_size + line.m_size + line.d_size) / d : 1;
-  if (!(meeting.error < 1e-2)) return {0.5, 1, true};  // nearly parallel: nothing is sure
-  meeting.s = sign * line.n.at(v) / d;
-  const double other = sign * line.m.at(v) / d;
-  const double slack = meeting.error + 1e-9;
-  meeting.within = meeting.s > -slack && meeting.s < 1 + slack && other > -slack && other < 1 + slack;
-  return meeting;
-}
-
-bool surely_farther(const Line& line, const NearDirection& v) {
-  const double d = line.d.at(v);
-  return std::abs(d) > (v.error + rounding) * line.d_size * 4 && line.order * d > 0;
-}
-
-NearDirection near(const Direction& direction) {
-  return {std::sin(direction.angle), std::cos(direction.angle), 4 * angle_error};
-}
-
-NearDirection turned_round(const NearDirection& v) {
-  return {-v.x, -v.z, v.error};
-}
 
 class Gatherer {
  public:

@@ -81,16 +81,17 @@ void FrameMaker::put_vertices(const EdgeStructureGraph& graph, Lines& lines, Put
   std::uint32_t line = 0;
   std::size_t inner = 0;
   for (const LivePiece& live : pieces) {
-    const bool there = live.edge != no_edge;
-    const auto vertex = [there](const End& end) {
-      return there && end.kind() == EndKind::vertex ? end.index() : 0U;
-    };
-    put(lines[line], vertex(live.piece.low), vertex(live.piece.high));
-    inner_[inner] = {line, 0, live.edge, live.piece.low};
-    inner += there && live.piece.low.kind() != EndKind::vertex ? 1U : 0U;
-    inner_[inner] = {line, 1, live.edge, live.piece.high};
-    inner += there && live.piece.high.kind() != EndKind::vertex ? 1U : 0U;
-    line += there ? 1U : 0U;
+    const std::uint32_t there = live.edge != no_edge ? 1U : 0U;
+    const std::uint32_t low_inner = live.piece.low.kind() != EndKind::vertex ? 1U : 0U;
+    const std::uint32_t high_inner = live.piece.high.kind() != EndKind::vertex ? 1U : 0U;
+    // All bits of the index, or none.
+    put(lines[line], live.piece.low.index() & (0U - (there & (low_inner ^ 1U))),
+        live.piece.high.index() & (0U - (there & (high_inner ^ 1U))));
+    inner_[inner] = {2 * line, live.edge, live.piece.low};
+    inner += there & low_inner;
+    inner_[inner] = {2 * line + 1, live.edge, live.piece.high};
+    inner += there & high_inner;
+    line += there;
   }
   lines.resize(line);
   inner_count_ = inner;
@@ -109,9 +110,9 @@ void FrameMaker::visible(const EdgeStructureGraph& graph, double angle, std::vec
                                                             : parameter_of(inner.edge, inner.end);
     const Place& p = places_[edges_[inner.edge].from];
     const Place& q = places_[edges_[inner.edge].to];
-    ImageLine& line = lines[inner.line];
-    (inner.which == 0 ? line.u0 : line.u1) = p.u + at * (q.u - p.u);
-    (inner.which == 0 ? line.v0 : line.v1) = p.v + at * (q.v - p.v);
+    ImageLine& line = lines[inner.end_of_line / 2];
+    (inner.end_of_line % 2 == 0 ? line.u0 : line.u1) = p.u + at * (q.u - p.u);
+    (inner.end_of_line % 2 == 0 ? line.v0 : line.v1) = p.v + at * (q.v - p.v);
   }
 }
 
@@ -128,7 +129,8 @@ void FrameMaker::visible_in_space(const EdgeStructureGraph& graph, double angle,
     const double at = parameter_of(inner.edge, inner.end);
     const Point& p = points_[edges_[inner.edge].from];
     const Point& q = points_[edges_[inner.edge].to];
-    auto& end = inner.which == 0 ? lines[inner.line].from : lines[inner.line].to;
+    SpaceLine& line = lines[inner.end_of_line / 2];
+    auto& end = inner.end_of_line % 2 == 0 ? line.from : line.to;
     end = {p.x + at * (q.x - p.x), p.y + at * (q.y - p.y), p.z + at * (q.z - p.z)};
   }
 }

@@ -54,10 +54,9 @@ class FrameMaker {
     Point normal;
     double offset;
   };
-  // The end of a piece that is no vertex: 0 the low one, 1 the high one.
+  // An end of a piece that is no vertex.
   struct Inner {
-    std::uint32_t line;
-    std::uint32_t which;
+    std::uint32_t end_of_line;  // twice the line's number, and 1 more for the high end
     EdgeIndex edge;
     End end;
   };
