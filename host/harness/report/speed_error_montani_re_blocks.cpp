@@ -33,7 +33,8 @@ bool timed(const std::vector<MontaniReCurve>& curves) {
 Plot plot_of(const std::vector<MontaniReCurve>& curves, const Measure& measure, bool host_time) {
   Plot plot;
   plot.id = fmt::format("montani-re-{}-{}", measure.key, host_time ? "host" : "sides");
-  plot.title = fmt::format("Montani and Re: stripes of 8 to 1/4 pixels, and exact; {}", measure.title);
+  plot.title = fmt::format("Montani and Re, stripes and exact: {} against {}", host_time ? "time" : "sides",
+                           measure.title);
   plot.caption =
       host_time ? "A view: relations, list and raster (exact: pieces of edges). Medians of interleaved "
                   "repetitions, of this computer."
