@@ -42,7 +42,9 @@ constexpr const char* compare_examples =
     "  sightline compare --function \"sin(x)*cos(z)\" --picture contours --levels 12\n"
     "      contours of a function of your own: by points, and the native ones by lines\n"
     "  sightline compare part.off boxes-100 --json\n"
-    "      polyhedra: the exact algorithms by lines, Willis's faces by points\n\n"
+    "      polyhedra: the exact algorithms by lines, faces by points\n"
+    "  sightline compare boxes-30 --orthographic 3,0,4\n"
+    "      in parallel projection, Plantinga's turns among them\n\n"
     "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
     "name, or a\n"
     "grid file. --function and the options after it, up to --levels, are those of `sightline skala`. Every "
@@ -63,6 +65,7 @@ constexpr const char* compare_examples =
 struct CompareArguments {
   std::vector<std::string> scenes;
   std::string view;
+  std::string orthographic;
   std::optional<int> scale;
   bool no_eae = false;
   SkalaSource function;  // without a name: names are among the scenes
@@ -133,6 +136,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
                                const harness::CompareProgress& progress) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
   refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
+  refuse(!arguments.orthographic.empty(), "--orthographic", name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
   harness::SkalaView view = arguments.function_view;
@@ -163,6 +167,8 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   const SceneSource source = load_scene_source(name);
   const auto compared = [&] {
     if (source.cells) {
+      refuse(!arguments.orthographic.empty(), "--orthographic", name,
+             "polyhedra; Jones's program looks along +z in perspective");
       harness::CompareOptions options;
       if (!arguments.view.empty()) options.eye = point_argument("--view", arguments.view);
       if (arguments.scale) options.scale = *arguments.scale;
@@ -173,6 +179,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
     CameraArguments camera;
     camera.eye = arguments.view;
+    camera.orthographic = arguments.orthographic;
     return harness::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
   }();
   if (const auto* error = std::get_if<scene::SceneError>(&compared)) {
@@ -234,6 +241,10 @@ ExitCode run_compare(const CompareArguments& arguments) {
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command.add_option("SCENE", arguments.scenes, "Scenes and functions; unless given all built-in ones");
   command.add_option("--view", arguments.view, "The eye in a scene; its own view unless given")
+      ->type_name("X,Y,Z");
+  command
+      .add_option("--orthographic", arguments.orthographic,
+                  "Polyhedra in parallel projection along this direction, as turns want it")
       ->type_name("X,Y,Z");
   command.add_option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
       ->check(CLI::Range(64, 4096));

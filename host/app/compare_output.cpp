@@ -298,7 +298,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const Scen
   for (const harness::ComparedFaces& compared : comparison.faces) {
     const std::string title = fmt::format("{}: faces by {} against the nearest ones, {}", comparison.scene,
                                           compared.name, view_text(comparison));
-    write_overlay(overlay_base(directory, comparison.scene, compared.name),
+    write_overlay(overlay_base(directory, comparison.scene, compared.name + " faces"),
                   picture::overlay_of(compared.truth, compared.grid, points_caption(title, compared.metrics)),
                   title, paths);
   }
@@ -310,9 +310,10 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
   std::vector<std::string> paths;
   for (const ComparedRaster& compared : comparison.rasters) {
     const PixelMetrics& m = compared.metrics;
-    const std::string title = fmt::format(
-        "{}, {}: {} against the column oracle", name,
-        compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)], compared.name);
+    const std::string title =
+        fmt::format("{}, {}: {} against {}", name,
+                    compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)],
+                    compared.name, compared.against);
     const picture::OverlayCaption caption = points_caption(title, m);
     write_overlay(overlay_base(directory, name, compared.name),
                   picture::overlay_of(compared.truth.value_or(comparison.truth), compared.grid, caption),

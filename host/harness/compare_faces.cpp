@@ -20,8 +20,8 @@ using picture::PixelGrid;
 using scene::PolyCamera;
 using scene::PolyScene;
 
-constexpr int side = 128;
-constexpr std::size_t most_faces = 2000;
+constexpr int side = 256;
+constexpr std::size_t most_faces = 1000;
 
 std::size_t faces_of(const PolyScene& scene) {
   std::size_t faces = 0;

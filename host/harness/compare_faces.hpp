@@ -33,7 +33,7 @@ struct ComparedFaces {
 // What all algorithms of a view are held against.
 class FaceTruth {
  public:
-  // All of the scene before the eye on 128 by 128 points. An error says why there is no truth of the view.
+  // All of the scene before the eye on 256 by 256 points. An error says why there is no truth of the view.
   [[nodiscard]] static std::variant<FaceTruth, std::string> of(const scene::PolyScene& scene,
                                                                const scene::PolyCamera& camera);
 

@@ -139,6 +139,11 @@ std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid, con
   if (grid.points() < 2 || grid.slices() < 2) return "the column oracle needs a grid of at least two by two";
   if (std::any_of(grid.heights.begin(), grid.heights.end(), [](double h) { return !std::isfinite(h); }))
     return "the column oracle knows grids without undefined heights only";
+  const SineCosine turn = sine_and_cosine(view.rotation);
+  const bool x_is_less_end_on = std::abs(turn.cosine) >= std::abs(turn.sine);
+  const SkalaFamily end_on = x_is_less_end_on ? SkalaFamily::along_z : SkalaFamily::along_x;
+  if (view.picture != SkalaPicture::contours && view.family == end_on)
+    return "the column oracle draws the family that is less end-on";
   return std::nullopt;
 }
 
@@ -151,7 +156,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
   const auto edges = projected_edges(grid, view);
   const auto add = [&](const char* name, PixelGrid raster) {
     const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
-    comparison.rasters.push_back({name, metrics, std::move(raster), std::nullopt});
+    comparison.rasters.push_back({name, metrics, std::move(raster)});
   };
   const auto stream = stream_of(grid, view);
   progress("guest");
@@ -169,14 +174,16 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
     add("native", lit_where_painted(cells));
     PixelGrid truth = nearest_cells(grid, view);
     const auto metrics = picture::pixel_metrics(truth, cells, edges);
-    comparison.rasters.push_back({"native cells", metrics, std::move(cells), std::move(truth)});
+    comparison.rasters.push_back(
+        {"native cells", metrics, std::move(cells), std::move(truth), "the nearest cells"});
     return comparison;
   }
   PixelGrid raster = raster_of_lines(native);
   if (view.picture == SkalaPicture::contours) {
     PixelGrid truth = oracle_raster(grid, view, false);
     const auto metrics = picture::pixel_metrics(truth, raster, edges);
-    comparison.rasters.push_back({"native", metrics, std::move(raster), std::move(truth)});
+    comparison.rasters.push_back(
+        {"native", metrics, std::move(raster), std::move(truth), "the column oracle, without the outline"});
   } else {
     add("native", std::move(raster));
   }

@@ -31,7 +31,8 @@ struct ComparedRaster {
   std::string name;  // "guest", "twin", "native", "native cells"
   picture::PixelMetrics metrics;
   picture::PixelGrid grid;
-  std::optional<picture::PixelGrid> truth;  // where it is not the column oracle's
+  std::optional<picture::PixelGrid> truth{};  // where it is not that of the comparison
+  std::string against = "the column oracle";
 };
 
 struct ComparedVectors {

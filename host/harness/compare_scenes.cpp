@@ -10,6 +10,7 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/harness/algorithms.hpp"
+#include "host/harness/compare_image_lines.hpp"
 #include "host/harness/jones_guest.hpp"
 #include "host/harness/jones_program.hpp"
 #include "host/scene/eye_place.hpp"
@@ -33,6 +34,14 @@ ComparedPicture compared(std::string name, std::string what, const std::vector<R
 }
 
 // --- exact algorithms
+
+ComparedPicture compared_by_image(const std::string& name, const std::vector<ReferenceLine>& lines,
+                                  const std::vector<DrawnPiece>& pieces, const scene::PolyScene& scene,
+                                  const scene::PolyCamera& camera) {
+  const ImageLines together(lines, scene, camera);
+  return compared(name, "exact pieces, of edges that lie on each other in the image once", together.lines(),
+                  together.pieces(pieces));
+}
 
 // Adds a picture for every algorithm of the table but the oracle's own.
 std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
@@ -61,8 +70,9 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
     const auto view = std::get<PreparedScene>(prepared).view(camera);
     if (const auto* error = std::get_if<SceneError>(&view)) return *error;
     const picture::LinePicture& drawn = std::get<LineView>(view).picture;
-    auto row = compared(name, "exact pieces of the scene's edges", lines,
-                        drawn_pieces(drawn, scene, camera, comparison.frame));
+    const auto pieces = drawn_pieces(drawn, scene, camera, comparison.frame);
+    auto row = algorithm.same_by_image ? compared_by_image(name, lines, pieces, scene, camera)
+                                       : compared(name, "exact pieces of the scene's edges", lines, pieces);
     row.identical = agrees(algorithm, drawn, truth, scene, camera);
     comparison.pictures.push_back(std::move(row));
   }

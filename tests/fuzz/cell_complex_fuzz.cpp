@@ -1,11 +1,14 @@
-// Any bytes as a file of cells: what is accepted is written and read again, to the same bytes.
+// Any bytes as a file of cells: what is accepted is written and read again, to the same bytes, and walked
+// through by Jones's algorithm.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "host/algorithms/jones/visible_edges.hpp"
 #include "host/scene/cell_complex_file.hpp"
+#include "host/scene/eye_place.hpp"
 
 namespace {
 
@@ -14,6 +17,14 @@ std::string written(const sightline::scene::CellComplexFile& file) {
   sightline::scene::write_cell_complex(file.scene, file.compartments,
                                        [&](std::string_view piece) { text += piece; });
   return text;
+}
+
+void walk(const sightline::scene::CellComplexFile& file) {
+  namespace native = sightline::algorithms::jones;
+  if (sightline::scene::eye_error(file.scene, file.scene.camera)) return;
+  const native::PreparedComplex prepared(file.compartments.complex);
+  native::Walker walker(prepared);
+  static_cast<void>(walker.visible_edges(file.scene.camera));
 }
 
 }  // namespace
@@ -29,5 +40,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto again = scene::read_cell_complex(once, "written");
   const auto* same = std::get_if<scene::CellComplexFile>(&again);
   if (same == nullptr || written(*same) != once) std::abort();
+  walk(*file);
   return 0;
 }

@@ -165,8 +165,6 @@ SkalaHardResult run_hard_case(const SkalaHardCase& hard) {
   }
   const auto& grid = std::get<HeightGrid>(read);
   if (const auto reason = why_not_comparable(grid, hard.view)) return run_without_oracle(hard, grid, *reason);
-  if (hard.view.family == SkalaFamily::along_x && hard.view.rotation == 90)
-    return run_without_oracle(hard, grid, "the column oracle draws the family that is less end-on");
   return run_against_oracle(hard, grid);
 }
 

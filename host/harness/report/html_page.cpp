@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "host/harness/report/html_style.hpp"
 #include "host/harness/report/table_text.hpp"
@@ -101,11 +102,15 @@ class Page {
         "<h3 id=\"{0}\">{1}</h3>\n<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">"
         "\n<table>\n<thead><tr>",
         id, html_escaped(table.title));
-    for (std::size_t i = 0; i < table.columns.size(); ++i) heading(table, i);
+    std::vector<bool> numbers;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      numbers.push_back(holds_numbers(table, i));
+      heading(table.columns[i], numbers[i]);
+    }
     html_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
       html_ += "<tr>";
-      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], holds_numbers(table, i));
+      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], i < numbers.size() && numbers[i]);
       html_ += "</tr>\n";
     }
     html_ += "</tbody>\n</table>\n</div>\n";
@@ -121,10 +126,8 @@ class Page {
   }
 
   // Over numbers a heading stands to the right as they do, and so does what stands for a missing one.
-  void heading(const Table& table, std::size_t at) {
-    const Column& column = table.columns[at];
-    html_ += fmt::format("<th scope=\"col\"{}>{}", holds_numbers(table, at) ? " class=\"n\"" : "",
-                         html_escaped(column.title));
+  void heading(const Column& column, bool numbers) {
+    html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", html_escaped(column.title));
     if (!column.unit.empty()) html_ += "<small>" + html_escaped(column.unit) + "</small>";
     html_ += "</th>";
   }

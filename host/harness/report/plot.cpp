@@ -77,6 +77,18 @@ std::optional<double> drawn_value(double value, const Axis& axis, std::optional<
 constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                   "#000000", "#E69F00", "#56B4E9"};
 
+// And curves are told apart without colour: by dashes, of which gnuplot has five, and by points.
+constexpr std::size_t dash_types = 5;
+constexpr std::size_t point_types = 13;
+constexpr std::size_t first_point_type = 4;
+
+std::string marks_of(std::size_t curve, std::string_view with) {
+  std::string text;
+  if (with != "points") text += fmt::format("dt {} ", curve % dash_types + 1);
+  if (with != "lines") text += fmt::format("pt {} ps 0.7 ", curve % point_types + first_point_type);
+  return text;
+}
+
 struct Temporary {
   files::path path;
   Temporary() = default;
@@ -161,7 +173,7 @@ std::string gnuplot_script(const Plot& plot) {
     const std::string_view colour = colours[i % colours.size()];
     curves += fmt::format("{} $curve{} using 1:2 with {} lt rgb \"{}\" lw 1.6 {}title {}",
                           curves.empty() ? "plot" : ",", i, with, colour,
-                          with == "lines" ? std::string() : fmt::format("pt {} ps 0.7 ", i % 13 + 4),
+                          marks_of(i, with),
                           in_quotes(curve.name));
     if (labels)
       curves += fmt::format(
@@ -170,7 +182,7 @@ std::string gnuplot_script(const Plot& plot) {
   }
   text += fmt::format(
       "set terminal svg size {},{} noenhanced font \"DejaVu Sans,13\" background rgb \"white\"\n"
-      "set encoding utf8\nset title {}\nset key outside right top vertical Left reverse samplen 2\n"
+      "set encoding utf8\nset title {}\nset key outside right top vertical Left reverse samplen 4\n"
       "set grid xtics ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror\n",
       plot.width, plot.height, in_quotes(plot.title));
   text += axis_commands(plot.x, 'x', zero_x) + axis_commands(plot.y, 'y', zero_y);

@@ -196,6 +196,23 @@ TEST(ComparePolyScene, RefusesAnEyeInASolid) {
   EXPECT_TRUE(std::holds_alternative<scene::SceneError>(compare_poly_scene(scene, camera)));
 }
 
+// Seen level, the tops and bottoms of boxes are lines: of edges behind each other the nearest is drawn.
+TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
+  scene::PolyScene scene = scene::generate_boxes(8);
+  scene::PolyCamera camera = scene.camera;
+  camera.perspective = false;
+  camera.forward = {0, 0, -1};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 1, 0};
+  const auto comparison = std::get<SceneComparison>(compare_poly_scene(scene, camera));
+  EXPECT_TRUE(comparison.agrees());
+  const ComparedPicture& stripes = picture_named(comparison, "montani-re");
+  expect_nothing(stripes.metrics);
+  const double all_edges = picture_named(comparison, "exact").metrics.true_length;
+  EXPECT_LT(stripes.metrics.true_length, 0.9 * all_edges);
+  EXPECT_GT(stripes.metrics.true_length, 0.3 * all_edges);
+}
+
 TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
   SceneComparison comparison;
   EXPECT_TRUE(comparison.agrees());
@@ -232,6 +249,14 @@ TEST(CompareHeights, SaysWhatItCannotCompare) {
   view.zoom = 2;
   EXPECT_TRUE(why_not_comparable(grid, view));
   view.zoom = 1;
+  view.family = SkalaFamily::along_z;
+  EXPECT_TRUE(why_not_comparable(grid, view)) << "seen end-on";
+  view.rotation = 80;
+  EXPECT_FALSE(why_not_comparable(grid, view));
+  view.family = SkalaFamily::along_x;
+  EXPECT_TRUE(why_not_comparable(grid, view));
+  view.picture = SkalaPicture::contours;
+  EXPECT_FALSE(why_not_comparable(grid, view)) << "contours go by cells";
   grid.heights[5] = std::nan("");
   EXPECT_TRUE(why_not_comparable(grid, view));
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 #include "host/harness/report/plot.hpp"
 
@@ -32,6 +33,30 @@ TEST(ReportPlot, LeavesOutWhatALogarithmicAxisCannotShow) {
   const std::string script = gnuplot_script(sample_plot());
   EXPECT_NE(script.find("$curve1 << END_OF_CURVE\nEND_OF_CURVE\n"), std::string::npos) << script;
   EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
+}
+
+// What a curve is drawn with, its colour left out.
+std::string marks_of_curve(const std::string& script, std::size_t curve) {
+  const std::string command = "$curve" + std::to_string(curve) + " using 1:2 with ";
+  const std::size_t from = script.find(command) + command.size();
+  std::string marks = script.substr(from, script.find("title", from) - from);
+  const std::size_t colour = marks.find("rgb \"");
+  return marks.erase(colour, marks.find('"', colour + 5) + 1 - colour);
+}
+
+TEST(ReportPlot, CurvesDifferWithoutColour) {
+  Plot plot = sample_plot();
+  const Curve curve = plot.curves.front();
+  plot.curves.assign(9, curve);
+  for (const bool marked : {true, false}) {
+    for (Curve& lines : plot.curves) lines.points_marked = marked;
+    const std::string script = gnuplot_script(plot);
+    for (std::size_t a = 0; a < 9; ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        if (marked || a - b < 5) EXPECT_NE(marks_of_curve(script, a), marks_of_curve(script, b)) << a << ' ' << b;
+  }
+  plot.curves[1].line = false;
+  EXPECT_EQ(marks_of_curve(gnuplot_script(plot), 1).find("dt"), std::string::npos) << "points have no dashes";
 }
 
 TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
