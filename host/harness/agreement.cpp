@@ -19,7 +19,7 @@ constexpr std::array all_participants{
     Participant{"oracle", true, true},
     Participant{"jones", true, false},
     Participant{"skala", false, true},
-    Participant{"montani-re", true, false},
+    Participant{"montani-re", true, true},
     Participant{"willis", false, true},
     Participant{"plantinga", true, false},
 };

@@ -61,11 +61,13 @@ std::optional<std::string> first_outside(const NamedLines& a, const picture::Ima
   return std::nullopt;
 }
 
-// Edges in pixels, whole.
+// Edges in pixels, hidden or not.
 std::vector<PixelSegment> projected_edges(const CommonScene& scene, const AgreementView& view) {
   std::vector<PixelSegment> segments;
-  for (const picture::LineEdge& edge : picture::edges_of(scene.scene))
-    segments.push_back({view.place(scene.scene.vertices[edge.from]), view.place(scene.scene.vertices[edge.to])});
+  for (const picture::LineEdge& edge : picture::edges_of(scene.scene)) {
+    const auto segment = view.place(scene.scene.vertices[edge.from], scene.scene.vertices[edge.to]);
+    if (segment) segments.push_back(*segment);
+  }
   return segments;
 }
 
@@ -111,7 +113,12 @@ class DrawnPoints {
   DrawnPoints(const CommonScene& scene, const AgreementView& view, const LinePicture& lines)
       : size_(view.size), buckets_(static_cast<std::size_t>(size_ * size_)) {
     std::uint32_t number = 0;
-    for (const LinePiece& piece : lines.pieces) add(segment_of(scene, view, piece), number++);
+    for (const LinePiece& piece : lines.pieces) {
+      const auto segment =
+          view.place(scene.scene.vertices[piece.edge.from], scene.scene.vertices[piece.edge.to],
+                     {piece.low.to_double(), piece.high.to_double()});
+      if (segment) add(*segment, number++);
+    }
   }
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
@@ -137,24 +144,6 @@ class DrawnPoints {
 
  private:
   static constexpr double spacing = 0.25;
-
-  // In perspective a parameter of an edge is none of its image.
-  static PixelSegment segment_of(const CommonScene& scene, const AgreementView& view, const LinePiece& piece) {
-    const auto depth = [&view](const scene::PolyPoint& p) {
-      if (!view.camera.perspective) return 1.0;
-      return static_cast<double>(geometry::dot(geometry::vector_of(view.camera.forward),
-                                               geometry::difference(p, view.camera.eye)));
-    };
-    const scene::PolyPoint& from = scene.scene.vertices[piece.edge.from];
-    const scene::PolyPoint& to = scene.scene.vertices[piece.edge.to];
-    const PixelPoint a = view.place(from);
-    const PixelPoint b = view.place(to);
-    const auto at = [&, near = depth(from), far = depth(to)](double s) {
-      const double t = s * far / ((1 - s) * near + s * far);
-      return PixelPoint{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-    };
-    return {at(piece.low.to_double()), at(piece.high.to_double())};
-  }
 
   void add(const PixelSegment& s, std::uint32_t piece) {
     const double length = std::hypot(s.b.x - s.a.x, s.b.y - s.a.y);

@@ -31,19 +31,24 @@ struct PixelBounds {
 constexpr int tile = 16;
 constexpr double certainly_beside = 1;  // pixels: more than the rounding of a place
 
+// A face that reaches behind the eye may be seen in all of the picture.
+constexpr PixelPoint anywhere{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
 struct NumberedFace {
   const scene::PolyFace* face = nullptr;
   PixelBounds bounds;
 };
 
 std::vector<NumberedFace> faces_of(const CommonScene& scene, const AgreementView& view) {
-  std::vector<PixelPoint> places;
-  for (const scene::PolyPoint& p : scene.scene.vertices) places.push_back(view.place(p));
   std::vector<NumberedFace> faces;
   for (const scene::PolyBody& body : scene.scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
       NumberedFace numbered{&face, {}};
-      for (const scene::VertexIndex v : face.outline) numbered.bounds.take(places[v]);
+      for (const scene::VertexIndex v : face.outline) {
+        const scene::PolyPoint& p = scene.scene.vertices[v];
+        numbered.bounds.take(view.has_place(p) ? view.place(p) : anywhere);
+        if (!view.has_place(p)) numbered.bounds.take({-anywhere.x, -anywhere.y});
+      }
       faces.push_back(numbered);
     }
   }

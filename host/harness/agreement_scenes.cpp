@@ -1,10 +1,7 @@
 // See agreement_scenes.hpp.
 #include "host/harness/agreement_scenes.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <string>
 
 #include "host/scene/generate_scene.hpp"
@@ -18,10 +15,6 @@ namespace {
 using scene::PolyCamera;
 using scene::PolyPoint;
 using scene::PolyScene;
-
-std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
-  return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
-}
 
 // 38 times the rotation of the quaternion (6, 1, 0, 1): 13 degrees about x and y each.
 PolyPoint tilted(const PolyPoint& p) {
@@ -158,6 +151,21 @@ CommonScene parallel_scene(std::string_view name, std::string_view title, PolySc
   return common;
 }
 
+// Also from between the houses, of which some reach from before the eye to behind it.
+CommonScene street() {
+  CommonScene common = tilted_scene("C3", "street of 8 houses", poly_scene_of(built_in("street4")));
+  common.views.push_back(common.views.back());
+  common.views.back().camera.eye = tilted({37, 160, 600});
+  return common;
+}
+
+// Tilted, so that rows of triangles hide each other.
+CommonScene triangles() {
+  PolyScene scene = scene::generate_triangles(16);
+  tilt(scene);
+  return parallel_scene("C6", "16 random triangles", std::move(scene), 1);
+}
+
 CommonScene corridor() {
   CommonScene common{"C4", "corridor of 8 rooms", scene::generate_corridors(8), {}, false, {}, {}};
   common.views = {own_view(common.scene)};
@@ -175,66 +183,6 @@ constexpr std::array<std::string_view, 11> names{"C1", "C2", "C3", "C4", "C5", "
 
 }  // namespace
 
-FaceWindow AgreementView::window() const {
-  const double half = size / 2.0;
-  const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
-  return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
-}
-
-SightLine AgreementView::sight(int column, int row) const {
-  const std::int32_t x = 2 * column + 1 - size;
-  const std::int32_t y = 2 * row + 1 - size;
-  SightLine line{camera.eye, geometry::vector_of(camera.forward)};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const std::int32_t aside = x * camera.right[a] + y * camera.up[a];
-    if (camera.perspective) {
-      line.along[a] = std::int64_t{unit} * camera.forward[a] + aside;
-    } else {
-      line.from[a] += unit * aside;
-    }
-  }
-  return line;
-}
-
-picture::PixelPoint AgreementView::place(const PolyPoint& point) const {
-  const auto d = geometry::difference(point, camera.eye);
-  const auto along = [&d](const PolyPoint& vector) {
-    return static_cast<double>(geometry::dot(geometry::vector_of(vector), d)) /
-           std::sqrt(static_cast<double>(dot(vector, vector)));
-  };
-  const double depth = camera.perspective ? along(camera.forward) : 1;
-  const double scale = window().scale / depth;
-  const double middle = size / 2.0 - 0.5;
-  return {middle + scale * along(camera.right), middle + scale * along(camera.up)};
-}
-
-AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t q, std::int32_t h, int size) {
-  AgreementView view;
-  view.size = size;
-  view.camera = {false, {}, {p, 0, q}, {q, 0, -p}, {0, h, 0}};
-  constexpr auto most = std::numeric_limits<std::int64_t>::max();
-  std::array<std::int64_t, 3> low{most, most, most};
-  std::array<std::int64_t, 3> high{-most, -most, -most};
-  const std::array<PolyPoint, 3> axes{view.camera.right, view.camera.up, view.camera.forward};
-  for (const PolyPoint& v : scene.vertices) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], dot(axes[a], v));
-      high[a] = std::max(high[a], dot(axes[a], v));
-    }
-  }
-  // Before everything in the middle of it, in lengths of the vectors.
-  const std::int64_t square = std::int64_t{h} * h;
-  const std::array<std::int64_t, 3> eye{(low[0] + high[0]) / 2 / square, (low[1] + high[1]) / 2 / square,
-                                        low[2] / square - 2};
-  for (std::size_t a = 0; a < 3; ++a)
-    view.camera.eye[a] = static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] +
-                                                   eye[2] * axes[2][a]);
-  const std::int64_t extent = std::max(high[0] - low[0], high[1] - low[1]) / square;
-  constexpr std::int64_t border = 4;  // pixels, on both sides
-  view.unit = static_cast<std::int32_t>(extent / (2 * (size - 2 * border)) + 1);
-  return view;
-}
-
 std::span<const std::string_view> common_scene_names() {
   return names;
 }
@@ -242,10 +190,10 @@ std::span<const std::string_view> common_scene_names() {
 CommonScene common_scene(std::string_view name) {
   if (name == "C1") return tilted_scene(name, "house of solid walls that touch", solid_house());
   if (name == "C2") return tilted_scene(name, "roberts", poly_scene_of(built_in("roberts")));
-  if (name == "C3") return tilted_scene(name, "street of 8 houses", poly_scene_of(built_in("street4")));
+  if (name == "C3") return street();
   if (name == "C4") return corridor();
   if (name == "C5") return parallel_scene(name, "three tilted boxes", tilted_boxes(), 64);
-  if (name == "C6") return parallel_scene(name, "16 random triangles", scene::generate_triangles(16), 8);
+  if (name == "C6") return triangles();
   if (name == "C7") return parallel_scene(name, "cycles: three bars, two U", cycles(), 64);
   if (name == "C8") return parallel_scene(name, "a hole seen through a hole", holes(), 64);
   if (name == "C9") return prism_town();

@@ -7,6 +7,7 @@
 // scene. Source: the suite's cross-check of algorithms, section 2 (C1 to C9, H1, H2).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,8 +39,20 @@ struct AgreementView {
   [[nodiscard]] FaceWindow window() const;
   // Of the middle of a pixel, rows from the bottom.
   [[nodiscard]] SightLine sight(int column, int row) const;
-  // Where a point before the eye is seen, in pixels, the middle of column c and row r at (c, r).
+  // Before the eye by more than nothing worth mentioning: it has a place.
+  [[nodiscard]] bool has_place(const scene::PolyPoint& point) const;
+  // Where such a point is seen, in pixels, the middle of column c and row r at (c, r).
   [[nodiscard]] picture::PixelPoint place(const scene::PolyPoint& point) const;
+  // The same of a piece of an edge, as far as it has places.
+  [[nodiscard]] std::optional<picture::PixelSegment> place(const scene::PolyPoint& from,
+                                                           const scene::PolyPoint& to,
+                                                           const picture::LinePart& piece = {}) const;
+
+ private:
+  static constexpr double nearest = 1;  // scene units
+
+  [[nodiscard]] std::array<double, 3> in_camera(const scene::PolyPoint& point) const;
+  [[nodiscard]] picture::PixelPoint project(const std::array<double, 3>& p) const;
 };
 
 struct CommonScene {
