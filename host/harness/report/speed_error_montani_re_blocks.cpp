@@ -103,13 +103,15 @@ Table points_table(const std::vector<MontaniReCurve>& curves, const MontaniReMea
   return table;
 }
 
-// Over the thicknesses, not the exact build.
-double exponent(const MontaniReCurve& curve, double (*of)(const MontaniRePoint&)) {
+// Over the thicknesses, not the exact build; empty of fewer than three that are not 0.
+Cell exponent(const MontaniReCurve& curve, double (*of)(const MontaniRePoint&)) {
   std::vector<std::pair<double, double>> points;
   for (const MontaniRePoint& point : curve.points) {
     if (point.thickness > 0 && of(point) > 0) points.emplace_back(point.thickness, of(point));
   }
-  return growth_exponent(points);
+  Cell cell;
+  if (points.size() >= 3) cell = Real{growth_exponent(points), 2};
+  return cell;
 }
 
 Table exponents_table(const std::vector<MontaniReCurve>& curves) {
@@ -124,21 +126,17 @@ Table exponents_table(const std::vector<MontaniReCurve>& curves) {
                    {"sides", "Sides seen", "", false},
                    {"host", "Time of a view", "", true}};
   for (const MontaniReCurve& curve : curves) {
-    const auto over_h = [&curve](double (*of)(const MontaniRePoint&)) {
-      return Real{exponent(curve, of), 2};
-    };
-    Cell time;
-    if (curve.points.front().host_ns > 0) time = over_h([](const MontaniRePoint& p) { return p.host_ns; });
-    table.rows.push_back({curve.scene, static_cast<std::int64_t>(curve.faces), over_h(measures[0].of),
-                          over_h(measures[1].of), over_h(measures[2].of),
-                          over_h([](const MontaniRePoint& p) { return static_cast<double>(p.sides); }),
-                          time});
+    table.rows.push_back(
+        {curve.scene, static_cast<std::int64_t>(curve.faces), exponent(curve, measures[0].of),
+         exponent(curve, measures[1].of), exponent(curve, measures[2].of),
+         exponent(curve, [](const MontaniRePoint& p) { return static_cast<double>(p.sides); }),
+         exponent(curve, [](const MontaniRePoint& p) { return p.host_ns; })});
   }
   table.notes = {
       "Expected: error as h (exponent 1), sides and time as 1/h (exponent -1). Least squares of logarithms "
-      "from 8 to 1/4 pixels; errors of 0 are left out. Where L_sym falls faster, that is its limit of a "
-      "pixel: stripes of two pixels and less move corners by no more. Time has a part that does not depend "
-      "on h, relations and list."};
+      "from 8 to 1/4 pixels; errors of 0 are left out, and fewer than three others give no exponent: L_sym, "
+      "which leaves out what is within a pixel, is 0 as soon as stripes are two pixels or less. Time has a "
+      "part that does not depend on h, relations and list."};
   return table;
 }
 
