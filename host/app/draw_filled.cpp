@@ -28,8 +28,8 @@ Value filled_checked(std::variant<Value, scene::SceneError> result, const SceneS
   return std::get<0>(std::move(result));
 }
 
-std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& prepared, const FilledPicture& picture,
-                                               Output& file) {
+std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& prepared,
+                                               const FilledPicture& picture, Output& file) {
   const picture::Paper& paper = picture.output.paper;
   const auto micrometres = [&paper](double side) {
     return static_cast<int>(std::lround((side - 2 * paper.margin) * 1000));
@@ -48,8 +48,8 @@ std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& pre
   return seen.counts;
 }
 
-std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prepared, const FilledPicture& picture,
-                                              Output& file) {
+std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prepared,
+                                              const FilledPicture& picture, Output& file) {
   const picture::ImageSize& size = picture.output.image;
   const harness::FaceWindow window =
       harness::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
@@ -77,9 +77,9 @@ void print_filled_summary(const harness::FaceAlgorithm& algorithm, const FilledP
 }  // namespace
 
 void add_fill_options(CLI::App& command, FillArguments& arguments) {
-  CLI::Option* const fill =
-      command.add_flag("--fill", arguments.fill,
-                       "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
+  CLI::Option* const fill = command.add_flag(
+      "--fill", arguments.fill,
+      "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
   std::vector<double> thicknesses(harness::stripe_thicknesses.begin(), harness::stripe_thicknesses.end());
   command.add_option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
       ->check(CLI::IsMember(std::move(thicknesses)))
@@ -90,8 +90,8 @@ void add_fill_options(CLI::App& command, FillArguments& arguments) {
 ExitCode draw_filled(const harness::FaceAlgorithm& algorithm, const FillArguments& arguments,
                      const FilledPicture& picture, DrawingFormat format) {
   if (format == DrawingFormat::hpgl)
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: expected a name that ends in .svg or .png with --fill", picture.output.file));
+    throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .svg or .png with --fill",
+                                               picture.output.file));
   harness::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = filled_checked(algorithm.prepare(picture.source.scene, options), picture.source);

@@ -113,13 +113,10 @@ class MontaniReScene {
       }
       if (!region.loops.empty()) regions.regions.push_back(std::move(region));
     }
-    regions.counts = {{"faces", set.faces.size()},
-                      {"relations", seen.counts.relations},
-                      {"cycles_cut", seen.counts.cuts},
-                      {"sides", seen.counts.sides},
-                      {"regions", regions.regions.size()},
-                      {"holes", holes},
-                      {"corners", corners}};
+    regions.counts = {
+        {"faces", set.faces.size()},  {"relations", seen.counts.relations}, {"cycles_cut", seen.counts.cuts},
+        {"sides", seen.counts.sides}, {"regions", regions.regions.size()},  {"holes", holes},
+        {"corners", corners}};
     return regions;
   }
 

@@ -26,7 +26,8 @@ std::string text_of(const std::string& title) {
 
 void append_length(std::string& text, double micrometres) {
   constexpr double farthest = 1e9;
-  const auto whole = static_cast<std::int64_t>(std::floor(std::clamp(micrometres, -farthest, farthest) + 0.5));
+  const auto whole =
+      static_cast<std::int64_t>(std::floor(std::clamp(micrometres, -farthest, farthest) + 0.5));
   const std::int64_t size = std::abs(whole);
   fmt::format_to(std::back_inserter(text), "{}{}.{:03}", whole < 0 ? "-" : "", size / 1000, size % 1000);
 }

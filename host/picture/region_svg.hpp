@@ -1,5 +1,5 @@
-// Filled areas with holes as SVG in millimetres: what an algorithm gives that rebuilds the outlines of what is
-// seen of faces. Areas do not overlap (precondition), so that their order means nothing.
+// Filled areas with holes as SVG in millimetres: what an algorithm gives that rebuilds the outlines of what
+// is seen of faces. Areas do not overlap (precondition), so that their order means nothing.
 #pragma once
 
 #include <string>

@@ -13,8 +13,8 @@
 
 namespace sightline::algorithms::montani_re {
 
-// p / (p - q): where on an edge a quantity vanishes that changes evenly from p to q, which differ. 62 bits over
-// 62 hold it (precondition).
+// p / (p - q): where on an edge a quantity vanishes that changes evenly from p to q, which differ. 62 bits
+// over 62 hold it (precondition).
 [[nodiscard]] geometry::Rational zero_between(geometry::Int128 p, geometry::Int128 q);
 
 // The part of the edge before the eye whose image is neither to the west of one line nor to the east of

@@ -21,7 +21,7 @@ using Rings = std::vector<std::vector<Point2>>;
 struct Hider {
   std::size_t body = 0;
   geometry::Plane plane;
-  int eye_side = 0;  // 0: edge-on
+  int eye_side = 0;         // 0: edge-on
   std::size_t dropped = 0;  // axis
   Rings rings;
 };
@@ -48,8 +48,7 @@ Box box_of(const scene::PolyScene& scene, const std::vector<scene::VertexIndex>&
   return box;
 }
 
-Hider hider_of(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                     const scene::PolyFace& face) {
+Hider hider_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, const scene::PolyFace& face) {
   Hider flat;
   flat.plane.normal = scene::ring_normal(scene.vertices, face.outline);
   flat.plane.offset = geometry::dot(flat.plane.normal, geometry::vector_of(scene.vertices[face.outline[0]]));

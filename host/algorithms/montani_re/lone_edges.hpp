@@ -2,8 +2,8 @@
 //
 // A face through a point does not hide the point, so where a wall ends on the far side of another, in the
 // midst of it, the line of contact is seen through the wall it touches; so is what a solid holds inside and
-// touches its surface with. And a face of a sheet seen edge-on is a line without a region. Regions have no such lines: they are
-// held against the regions of the faces before them, one by one.
+// touches its surface with. And a face of a sheet seen edge-on is a line without a region. Regions have no
+// such lines: they are held against the regions of the faces before them, one by one.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // The space before the eye in five pyramids, for views in which a face reaches from before the eye to behind
-// it: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <= x.
-// In each the image is a rectangle, to which all faces are clipped (window.hpp). They overlap, so that what
-// lies on the border of one is well inside another.
+// it: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <=
+// x. In each the image is a rectangle, to which all faces are clipped (window.hpp). They overlap, so that
+// what lies on the border of one is well inside another.
 //
 // A pyramid's frame is the camera's with its axes exchanged, so that sizes stay as they are. Frames may be
 // mirrored, which hidden lines do not mind.

@@ -2,9 +2,9 @@
 //
 // An edge is drawn where it bounds what is seen of one of its faces. Where an edge lies exactly behind the
 // outline of a nearer face, only that outline is drawn: the pictures of `exact` and of this algorithm are
-// then equal as sets of points (picture::image_set), else by ==. Lines that bound no region are added to those
-// of the regions (lone_edges.hpp). Where a face reaches from before the eye to behind it, the pyramids of
-// pyramids.hpp are drawn one by one and their pieces joined.
+// then equal as sets of points (picture::image_set), else by ==. Lines that bound no region are added to
+// those of the regions (lone_edges.hpp). Where a face reaches from before the eye to behind it, the pyramids
+// of pyramids.hpp are drawn one by one and their pieces joined.
 #pragma once
 
 #include <variant>

@@ -163,7 +163,8 @@ TEST(MontaniReFaces, RefuseOtherThicknesses) {
   const scene::PolyScene scene = scene::generate_boxes(2);
   FaceOptions options;
   options.stripe = 3;
-  EXPECT_TRUE(std::holds_alternative<scene::SceneError>(find_face_algorithm("montani-re")->prepare(scene, options)));
+  EXPECT_TRUE(
+      std::holds_alternative<scene::SceneError>(find_face_algorithm("montani-re")->prepare(scene, options)));
 }
 
 }  // namespace

@@ -59,13 +59,17 @@ TEST(MontaniReAroundEye, WallsInLineWithThePyramids) {
   scene.name = "room";
   constexpr std::int32_t r = 10;
   add_sheet(scene, {{-r, -r, -r}, {r, -r, -r}, {r, -r, r}, {-r, -r, r}});
-  add_sheet(scene, {{-r, -r, r}, {r, -r, r}, {r, r, r}, {-r, r, r}}, {{-5, -5, r}, {-5, 5, r}, {5, 5, r}, {5, -5, r}});
+  add_sheet(scene, {{-r, -r, r}, {r, -r, r}, {r, r, r}, {-r, r, r}},
+            {{-5, -5, r}, {-5, 5, r}, {5, 5, r}, {5, -5, r}});
   add_sheet(scene, {{-r, -r, -r}, {-r, -r, r}, {-r, r, r}, {-r, r, -r}});
-  add_sheet(scene, {{r, -r, -r}, {r, r, -r}, {r, r, r}, {r, -r, r}}, {{r, -2, -2}, {r, -2, 2}, {r, 2, 2}, {r, 2, -2}});
+  add_sheet(scene, {{r, -r, -r}, {r, r, -r}, {r, r, r}, {r, -r, r}},
+            {{r, -2, -2}, {r, -2, 2}, {r, 2, 2}, {r, 2, -2}});
   add_sheet(scene, {{-30, -30, 20}, {30, -30, 20}, {30, 30, 40}, {-30, 30, 40}});
   add_sheet(scene, {{4, 4, 0}, {6, 4, 0}, {6, 6, 0}, {4, 6, 0}});
-  for (const scene::PolyPoint& eye : {scene::PolyPoint{0, 0, 1}, {1, 2, 4}, {-3, 4, 6}, {5, 5, 8}, {4, 0, 1}}) {
-    for (const scene::PolyPoint& forward : {scene::PolyPoint{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 0, -1}, {1, 0, 1}}) {
+  for (const scene::PolyPoint& eye :
+       {scene::PolyPoint{0, 0, 1}, {1, 2, 4}, {-3, 4, 6}, {5, 5, 8}, {4, 0, 1}}) {
+    for (const scene::PolyPoint& forward :
+         {scene::PolyPoint{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 0, -1}, {1, 0, 1}}) {
       const scene::PolyCamera camera{true, eye, forward, {forward[2], 0, -forward[0]}, {0, 1, 0}};
       Agreement agreement;
       compare_view(scene, camera, agreement);

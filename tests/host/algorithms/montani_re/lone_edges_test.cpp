@@ -94,7 +94,8 @@ TEST(LoneEdges, AreJudgedByTheFaceBesideThem) {
   scene.vertices[3] = {1, 2, 0};
   scene.vertices[4] = {3, 2, 0};
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
-  scene.vertices.insert(scene.vertices.end(), {{3, 2, 4}, {20, 2, 4}, {20, 2, -4}, {24, 2, -4}, {24, 2, 8}, {1, 2, 8}});
+  scene.vertices.insert(scene.vertices.end(),
+                        {{3, 2, 4}, {20, 2, 4}, {20, 2, -4}, {24, 2, -4}, {24, 2, 8}, {1, 2, 8}});
   scene.bodies[1].faces[0] = {{3, 4, first, first + 1, first + 2, first + 3, first + 4, first + 5}, {}};
   EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
   expect_agreement(scene, along_z());
@@ -111,12 +112,14 @@ TEST(LoneEdges, AreHiddenByWhatIsNearer) {
 TEST(LoneEdges, OfASheetSeenEdgeOn) {
   scene::PolyScene scene;
   scene.name = "edge-on";
-  add_sheet(scene, {{-8, 1, 10}, {8, 1, 10}, {8, 1, 30}, {-8, 1, 30}}, {{-4, 1, 12}, {-4, 1, 20}, {4, 1, 20}, {4, 1, 12}});
+  add_sheet(scene, {{-8, 1, 10}, {8, 1, 10}, {8, 1, 30}, {-8, 1, 30}},
+            {{-4, 1, 12}, {-4, 1, 20}, {4, 1, 20}, {4, 1, 12}});
   add_sheet(scene, {{1, -8, 11}, {1, 8, 11}, {1, 8, 31}, {1, -8, 31}});
   add_sheet(scene, square(3, 5));
   add_sheet(scene, {{-20, -20, 50}, {20, -20, 50}, {20, 25, 50}, {-20, 20, 50}});
   for (const bool perspective : {false, true}) {
-    for (const scene::PolyPoint& eye : {scene::PolyPoint{0, 1, 0}, {1, 0, 0}, {-3, 1, 0}, {1, 1, 0}, {-9, 1, 15}}) {
+    for (const scene::PolyPoint& eye :
+         {scene::PolyPoint{0, 1, 0}, {1, 0, 0}, {-3, 1, 0}, {1, 1, 0}, {-9, 1, 15}}) {
       expect_agreement(scene, {perspective, eye, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
       expect_agreement(scene, {perspective, eye, {0, 0, 1}, {1, 1, 0}, {-1, 1, 0}});
       expect_agreement(scene, {perspective, eye, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}});

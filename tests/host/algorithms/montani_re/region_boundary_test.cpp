@@ -1,5 +1,5 @@
-// Outlines and holes of exact regions. Their areas are summed in rational numbers, by loops and by trapezoids:
-// the two share nothing but the corners.
+// Outlines and holes of exact regions. Their areas are summed in rational numbers, by loops and by
+// trapezoids: the two share nothing but the corners.
 #include "host/algorithms/montani_re/region_boundary.hpp"
 
 #include <gmpxx.h>
@@ -83,8 +83,9 @@ void expect_law(const Image& image, const TrapezoidPcs& region, const std::strin
 }
 
 TEST(MontaniReRegionBoundary, LoopsHaveTheAreaOfTheirStripes) {
-  for (const scene::PolyScene& scene : {scene::generate_boxes(40), scene::generate_town(16), scene::generate_bricks(12),
-                                        scene::generate_triangles(40), scene::generate_rooms(3)}) {
+  for (const scene::PolyScene& scene :
+       {scene::generate_boxes(40), scene::generate_town(16), scene::generate_bricks(12),
+        scene::generate_triangles(40), scene::generate_rooms(3)}) {
     for (const FaceSet& set : faces_before_eye(scene, scene.camera)) {
       const VisibleRegions seen = visible_regions(set);
       for (const TrapezoidPcs& region : seen.regions) expect_law(set.image, region, scene.name);
@@ -98,7 +99,8 @@ std::vector<Vertex> square_ring(std::int64_t low, std::int64_t high) {
 
 // M7
 TEST(MontaniReRegionBoundary, NestedHoles) {
-  const FaceSet set = face_set({{square_ring(0, 100), square_ring(10, 90), square_ring(20, 80), square_ring(30, 70), square_ring(40, 60)}});
+  const FaceSet set = face_set({{square_ring(0, 100), square_ring(10, 90), square_ring(20, 80),
+                                 square_ring(30, 70), square_ring(40, 60)}});
   const auto loops = boundary_of(set.image, set.faces[0].pcs);
   ASSERT_EQ(loops.size(), 5U);
   mpq_class sum = 0;
@@ -130,7 +132,8 @@ TEST(MontaniReRegionBoundary, LoopsThatOnlyTouchAreApart) {
   const std::array<TrapezoidPcs, 2> regions{set.faces[0].pcs, set.faces[1].pcs};
   const std::array<std::uint32_t, 2> both{0, 1};
   EXPECT_EQ(boundary_of(set.image, united(set.image, both, regions)).size(), 2U);
-  const FaceSet pinched = face_set({{{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}}, {{10, 0, 0}, {15, 5, 0}, {10, 10, 0}, {5, 5, 0}}}});
+  const FaceSet pinched = face_set(
+      {{{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}}, {{10, 0, 0}, {15, 5, 0}, {10, 10, 0}, {5, 5, 0}}}});
   const auto loops = boundary_of(pinched.image, pinched.faces[0].pcs);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0].size(), 9U);  // one of them twice
