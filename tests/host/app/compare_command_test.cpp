@@ -42,6 +42,56 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   EXPECT_EQ(sightline({"compare", "sinc", "bricks-10", "--json"}).out, ran.out);
 }
 
+TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
+  const auto contours = sightline({"compare", "--function", "x*x - z*z", "--domain", "-2:2", "--points", "17",
+                                   "--slices", "19", "--picture", "contours", "--levels", "6", "--json"});
+  ASSERT_EQ(contours.exit_code, 0) << contours.err;
+  const auto document = nlohmann::json::parse(contours.out)["scenes"];
+  ASSERT_EQ(document.size(), 1U);
+  EXPECT_EQ(document[0]["function"], "x*x - z*z");
+  EXPECT_EQ(document[0]["vectors"]["name"], "native lines");
+  EXPECT_GT(document[0]["vectors"]["true_length"], 500);
+  EXPECT_LT(document[0]["vectors"]["missing_share"], 0.01);
+  EXPECT_TRUE(exists("out/function-compare-native_lines.svg"));
+  const auto surface = sightline({"compare", "saddle", "--picture", "surface", "--points", "9"});
+  ASSERT_EQ(surface.exit_code, 0) << surface.err;
+  for (const char* part : {"  guest ", "  twin ", "  native ", "  native cells "})
+    EXPECT_TRUE(has(surface.out, part)) << part << surface.out;
+  EXPECT_EQ(sightline({"compare", "saddle", "--along", "z", "--rotate", "80", "--points", "9"}).exit_code, 0);
+  const auto end_on = sightline({"compare", "saddle", "--along", "z", "--points", "9"});
+  EXPECT_EQ(end_on.exit_code, 4);
+  EXPECT_TRUE(has(end_on.err, "saddle: the column oracle draws the family that is less end-on")) << end_on.err;
+}
+
+TEST_F(CompareCommand, ComparesFacesByPoints) {
+  const auto ran = sightline({"compare", "boxes-5", "--json"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto document = nlohmann::json::parse(ran.out)["scenes"][0];
+  std::vector<std::string> filled;
+  for (const auto& faces : document["faces"]) {
+    filled.push_back(faces["name"]);
+    EXPECT_EQ(faces["different_inside"], 0) << faces;
+    EXPECT_GT(faces["lit"], 1000);
+  }
+  EXPECT_EQ(filled, (std::vector<std::string>{"montani-re", "willis"}));
+  EXPECT_TRUE(exists("out/boxes-5-compare-willis_faces.png"));
+  const auto names_of = [](const auto& pictures) {
+    std::vector<std::string> names;
+    for (const auto& picture : pictures) names.push_back(picture["name"]);
+    return names;
+  };
+  EXPECT_EQ(names_of(document["pictures"]), (std::vector<std::string>{"exact", "jones", "montani-re"}));
+  EXPECT_EQ(names_of(document["not_compared"]), (std::vector<std::string>{"plantinga"}));
+  // In parallel projection it is the other way round.
+  const auto parallel = sightline({"compare", "boxes-5", "--orthographic", "3,0,4", "--json"});
+  ASSERT_EQ(parallel.exit_code, 0) << parallel.err;
+  const auto turned = nlohmann::json::parse(parallel.out)["scenes"][0];
+  EXPECT_EQ(names_of(turned["pictures"]),
+            (std::vector<std::string>{"exact", "jones", "montani-re", "plantinga"}));
+  EXPECT_EQ(names_of(turned["not_compared"]), (std::vector<std::string>{"montani-re", "willis"}));
+  EXPECT_TRUE(turned["faces"].empty());
+}
+
 TEST_F(CompareCommand, NamesWhatIsWrong) {
   struct Case {
     sightline::test::Arguments arguments;
@@ -57,6 +107,12 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
       {{"compare", "house", "--scale", "9"}, 2, "--scale"},
       {{"compare", "sinc", "--view", "1,2,3"}, 2, "--view: found with sinc"},
       {{"compare", "bricks-5", "--scale", "512"}, 2, "--scale: found with bricks-5"},
+      {{"compare", "house", "--orthographic", "0,0,1"}, 2, "--orthographic: found with house"},
+      {{"compare", "house", "--points", "9"}, 2, "--points or --slices: found with house"},
+      {{"compare", "sinc", "--levels", "9"}, 2, "--levels: found without --picture contours"},
+      {{"compare", "sinc", "--domain", "1:2"}, 2, "--domain: found without --function"},
+      {{"compare", "--function", "x+"}, 2, "x+"},
+      {{"compare", "square.csv", "--points", "9"}, 2, "a grid file has its own size"},
       {{"compare", "square.csv"}, 4, "undefined heights"},
       {{"compare", "bad.off"}, 4, "bad.off"},
       {{"compare", "house", "-o", "square.csv/x"}, 5, "square.csv/x"},

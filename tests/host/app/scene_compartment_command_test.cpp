@@ -18,7 +18,7 @@ TEST_F(SceneCompartmentCommand, CountsAndFileAgree) {
   EXPECT_EQ(counts.at("method"), "grid");
   EXPECT_EQ(counts.at("cells"), 12);
   const json file = json::parse(read("cells.json"));
-  EXPECT_EQ(file.at("schema"), "sightline/cell-complex/1");
+  EXPECT_EQ(file.at("schema"), "sightline/cell-complex/2");
   for (const char* part : {"cells", "openings", "edges", "planes"})
     EXPECT_EQ(file.at(part).size(), counts.at(part)) << part;
   std::size_t lines = 0;
@@ -28,6 +28,25 @@ TEST_F(SceneCompartmentCommand, CountsAndFileAgree) {
   }
   EXPECT_EQ(counts.at("lines"), lines);
   EXPECT_EQ(sightline({"scene", "compartment", "roberts", "-o", "-"}).out, read("cells.json"));
+}
+
+TEST_F(SceneCompartmentCommand, CellsAreDrawnWithoutTheScene) {
+  ASSERT_EQ(sightline({"scene", "compartment", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
+  for (const char* algorithm : {"jones", "exact"}) {
+    const Ran from_cells = sightline({"draw", algorithm, "b.cells.json", "-o", "cells.plt"});
+    ASSERT_EQ(from_cells.exit_code, 0) << from_cells.err;
+    ASSERT_EQ(sightline({"draw", algorithm, "boxes-5", "-o", "scene.plt"}).exit_code, 0);
+    EXPECT_EQ(read("cells.plt"), read("scene.plt")) << algorithm;
+  }
+  json cells = json::parse(read("b.cells.json"));
+  cells["openings"][0]["plane"] = 1'000'000;
+  // The schema first, by which the file is known.
+  std::string text = cells.dump();
+  write("bad.cells.json", "{\"schema\":\"sightline/cell-complex/2\"," + text.substr(1));
+  const Ran bad = sightline({"draw", "jones", "bad.cells.json", "-o", "x.svg"});
+  EXPECT_EQ(bad.exit_code, 4);
+  EXPECT_TRUE(has(bad.err, "bad.cells.json: openings[0].plane: expected an integer 0..")) << bad.err;
+  EXPECT_FALSE(exists("x.svg"));
 }
 
 TEST_F(SceneCompartmentCommand, Methods) {

@@ -92,6 +92,20 @@ TEST_F(SweepCommand, TheGuestOfASceneOfCells) {
   expect_error({"sweep", "boxes-4", "--views", "2", "--guest"}, 2, "--guest");
 }
 
+TEST_F(SweepCommand, TurnedShardsAreTheWhole) {
+  const auto turned = [&](const char* shard) {
+    const auto ran = sightline({"sweep", "house", "--views", "8", "--turn", "--shard", shard});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return ran.out;
+  };
+  const std::string all = turned("1/1");
+  EXPECT_TRUE(has(all, "\"directions\":\"all\"")) << all;
+  EXPECT_EQ(turned("1/3") + turned("2/3") + turned("3/3"), all);
+  write("s.jsonl", all);
+  expect_error({"sweep", "house", "--views", "8", "-o", "s.jsonl"}, 4, "s.jsonl: line 1 ");
+  expect_error({"sweep", "boxes-4", "--views", "2", "--turn"}, 2, "--turn: found boxes-4");
+}
+
 TEST_F(SweepCommand, WrongUsage) {
   expect_error({"sweep"}, 2, "SCENE");
   expect_error({"sweep", "boxes-4"}, 2, "--views");
