@@ -67,6 +67,21 @@ Hits hits_of(const Model& model, const scene::PolyPoint& eye, std::span<const st
   return hits;
 }
 
+Vector3 level_direction(std::size_t vertical, std::mt19937& random) {
+  Vector3 d{};
+  for (std::size_t a = 0; a < 3; ++a) d[a] = a == vertical ? 0 : static_cast<std::int64_t>(random() % 2001) - 1000;
+  return d;
+}
+
+// Past a corner of the polygon.
+Vector3 direction_near(const std::vector<Point>& corners, const Point& from, std::mt19937& random) {
+  const Vector3 to = between(corners[random() % corners.size()], from);
+  const std::int64_t size = std::max({std::abs(to[0]), std::abs(to[1]), std::abs(to[2])}) / 1000 + 1;
+  Vector3 d{};
+  for (std::size_t a = 0; a < 3; ++a) d[a] = to[a] / size + static_cast<std::int64_t>(random() % 41) - 20;
+  return d;
+}
+
 std::optional<scene::PolyPoint> random_eye(const Model& model, const scene::PolyScene& scene,
                                            const scene::PolyBounds& bounds, std::mt19937& random) {
   scene::PolyPoint eye{};
@@ -88,14 +103,9 @@ void count_lines(const Model& model, const scene::PolyPoint& eye, std::span<cons
   if (order.empty()) return;
   std::vector<std::vector<Point>> corners;
   for (const std::uint32_t piece : order) corners.push_back(corners_of(model, model.pieces[piece]));
-  const Point from = on_lattice(eye);
   for (int i = 0; i < lines; ++i) {
-    const std::size_t target = random() % order.size();
-    const std::size_t corner = random() % model.pieces[order[target]].points.size();
-    const Vector3 to = between(corners[target][corner], from);
-    const std::int64_t size = std::max({std::abs(to[0]), std::abs(to[1]), std::abs(to[2])}) / 1000 + 1;
-    Vector3 d{};
-    for (std::size_t a = 0; a < 3; ++a) d[a] = to[a] / size + static_cast<std::int64_t>(random() % 41) - 20;
+    const Vector3 d = model.plan ? level_direction(model.vertical, random)
+                                 : direction_near(corners[random() % corners.size()], on_lattice(eye), random);
     const Hits hits = hits_of(model, eye, order, corners, d);
     if (hits.count < 2) continue;
     ++count.with_two;

@@ -16,8 +16,8 @@ struct SightLines {
   std::uint64_t wrong = 0;     // of them, those on which not the nearest has the highest priority
 };
 
-// So many lines from one eye, each near a corner of some piece; the pieces in ascending priority. Lines through
-// the border of a piece miss it.
+// So many lines from one eye, each near a corner of some piece, in plan level and in any direction; the pieces
+// in ascending priority. Lines through the border of a piece miss it.
 void count_lines(const Model& model, const scene::PolyPoint& eye, std::span<const std::uint32_t> order,
                  int lines, std::mt19937& random, SightLines& count);
 

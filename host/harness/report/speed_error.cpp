@@ -12,6 +12,7 @@
 #include "host/harness/report/speed_error_published.hpp"
 #include "host/harness/report/speed_error_skala.hpp"
 #include "host/harness/report/speed_error_skala_blocks.hpp"
+#include "host/harness/report/speed_error_willis.hpp"
 
 namespace sightline::harness::report {
 
@@ -62,6 +63,14 @@ Outcome<Section> speed_against_error(const Context& context) {
   auto montani_re = montani_re_error_part(context);
   if (auto* const error = std::get_if<ReportError>(&montani_re)) return std::move(*error);
   append(section, std::get<std::vector<Block>>(std::move(montani_re)));
+
+  section.blocks.emplace_back(Heading{"Willis"});
+  section.blocks.emplace_back(Paragraph{
+      "Surfaces in the order of their distances, each cut so often as the limit allows until no two are in each "
+      "other's boundary, held against the nearest face on every sight line."});
+  auto willis_blocks = willis_error_blocks(measure_willis(context));
+  if (auto* const error = std::get_if<ReportError>(&willis_blocks)) return std::move(*error);
+  append(section, std::get<std::vector<Block>>(std::move(willis_blocks)));
 
   section.blocks.emplace_back(Heading{"Plantinga, Seales and Dyer"});
   section.blocks.emplace_back(Paragraph{

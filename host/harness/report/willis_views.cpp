@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <random>
 #include <utility>
 
 #include "host/algorithms/oracle/sight_oracle.hpp"
@@ -92,6 +94,13 @@ std::vector<PixelSegment> edges_of(const PolyScene& scene, const PolyCamera& cam
   return edges;
 }
 
+constexpr std::array<PolyPoint, 4> level_directions{{{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}}};
+
+// right x up = forward, with up along y.
+PolyCamera level_camera(const PolyPoint& eye, const PolyPoint& forward) {
+  return {true, eye, forward, {forward[2], 0, -forward[0]}, {0, 1, 0}};
+}
+
 }  // namespace
 
 PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, int size) {
@@ -153,13 +162,28 @@ FaceErrors TrueFaces::errors_of(const willis::Model& model) const {
   return errors;
 }
 
+std::vector<PolyCamera> cameras_within(const PolyScene& scene, std::size_t count) {
+  const scene::PolyBounds bounds = scene::bounds_of(scene);
+  std::mt19937 random(1);
+  std::vector<PolyCamera> cameras;
+  for (int tries = 0; cameras.size() < count && tries < 10'000; ++tries) {
+    PolyPoint eye{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto size = static_cast<std::uint32_t>(bounds.high[a] - bounds.low[a]) + 1;
+      eye[a] = bounds.low[a] + static_cast<std::int32_t>(random() % size);
+    }
+    if (scene::eye_place(scene, eye).kind == scene::EyePlace::Kind::free)
+      cameras.push_back(level_camera(eye, level_directions[cameras.size() % level_directions.size()]));
+  }
+  return cameras;
+}
+
 std::vector<PolyCamera> cameras_around(const PolyScene& scene, std::int32_t height) {
   const scene::PolyBounds bounds = scene::bounds_of(scene);
   const PolyPoint middle = bounds.middle();
   std::vector<PolyCamera> cameras;
-  for (const PolyPoint& forward : {PolyPoint{0, 0, 1}, PolyPoint{1, 0, 0}, PolyPoint{0, 0, -1}, PolyPoint{-1, 0, 0}}) {
-    // right x up = forward, with up along y.
-    PolyCamera camera{true, {middle[0], height, middle[2]}, forward, {forward[2], 0, -forward[0]}, {0, 1, 0}};
+  for (const PolyPoint& forward : level_directions) {
+    PolyCamera camera = level_camera({middle[0], height, middle[2]}, forward);
     std::int64_t away = 0;
     for (const std::size_t a : {0U, 2U}) away = std::max(away, (bounds.high[a] - bounds.low[a]) * std::int64_t{5} / 7 + 3);
     bool there = true;

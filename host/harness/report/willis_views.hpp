@@ -4,6 +4,7 @@
 // of every point is one of integers.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -55,5 +56,9 @@ class TrueFaces {
 // Level, along the two level axes both ways, from outside the scene at the given height: four, less those
 // whose eye would be beyond the coordinates there are or not in free space.
 [[nodiscard]] std::vector<scene::PolyCamera> cameras_around(const scene::PolyScene& scene, std::int32_t height);
+
+// Level, along the two level axes both ways in turn, from random places in free space within the scene's
+// bounds.
+[[nodiscard]] std::vector<scene::PolyCamera> cameras_within(const scene::PolyScene& scene, std::size_t count);
 
 }  // namespace sightline::harness::report

@@ -104,7 +104,10 @@ TEST(ReportTiming, ShowsEveryRun) {
     }
   }
   EXPECT_EQ(pictures, (std::map<std::string, std::size_t>{
-                          {"jones-phosphor", 5}, {"jones-screens", 5}, {"skala-rasters", 24}}));
+                          {"jones-phosphor", 5},
+                          {"jones-screens", 5},
+                          {"skala-rasters", 24},
+                          {"willis-pictures", 3}}));
 }
 
 // Fig. 6 gives the layout: what the words of all openings come to is counted apart from the assembler.
