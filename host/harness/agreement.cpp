@@ -150,6 +150,7 @@ AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
   const auto add = [&cell](std::size_t view, const std::string& text) {
     cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
   };
+  std::vector<std::string_view> ways;
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (!of_a[v].not_applicable.empty() || !of_b[v].not_applicable.empty()) continue;
     if (!is_complete(a, of_a[v]) || !is_complete(b, of_b[v])) {
@@ -160,7 +161,7 @@ AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
       return cell;
     }
     for (const ViewVerdict& verdict : verdicts(scene, scene.views[v], a, of_a[v], b, of_b[v])) {
-      if (cell.how.empty() || verdict.how != "pieces") cell.how = verdict.how;
+      if (std::find(ways.begin(), ways.end(), verdict.how) == ways.end()) ways.push_back(verdict.how);
       if (!verdict.agrees) {
         cell.state = AgreementState::differs;
         cell.text = fmt::format("view {}: {}", v + 1, verdict.text);
@@ -171,6 +172,8 @@ AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
     cell.state = AgreementState::agrees;
     ++cell.views;
   }
+  if (std::find(ways.begin(), ways.end(), "image") != ways.end()) std::erase(ways, "pieces");
+  cell.how = fmt::format("{}", fmt::join(ways, ", "));
   if (cell.state != AgreementState::not_applicable) return cell;
   const auto& [who, pictures] = of_a[0].not_applicable.empty() ? std::pair{&b, &of_b} : std::pair{&a, &of_a};
   cell.text = fmt::format("{} {}", who->name, pictures->front().not_applicable);

@@ -66,7 +66,7 @@ struct AgreementCell {
   std::string_view second;
   AgreementState state = AgreementState::not_applicable;
   std::size_t views = 0;  // compared
-  std::string_view how;   // as ViewVerdict has it; of several the one that asks for less
+  std::string how;        // as ViewVerdict has it, each once; no "pieces" where it took "image"
   std::string text;       // what was found; of a failure the view and the first difference
 };
 

@@ -31,7 +31,7 @@ std::string pair_name(const AgreementCell& cell) {
 
 Cell verdict_of(const AgreementCell& cell) {
   switch (cell.state) {
-    case AgreementState::agrees: return Verdict{true, std::string(cell.how)};
+    case AgreementState::agrees: return Verdict{true, cell.how};
     case AgreementState::differs: return Verdict{false, "differs"};
     case AgreementState::not_run: return Verdict{false, "not run"};
     case AgreementState::not_applicable: return std::string("n/a");
