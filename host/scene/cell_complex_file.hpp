@@ -1,4 +1,6 @@
-// A cell complex as a file, so that a large scene is cut into cells once and drawn often.
+// A cell complex as a file: to be looked at, kept, or made by another program, and drawn without being cut
+// again. It saves the choice of cuts, not time: with all checks a file of 2000 boxes is read in about three
+// times what cutting them anew takes.
 //
 // Format, JSON: {"schema": "sightline/cell-complex/2", "method": "grid"|"bsp", "outer": [low, high], "edges",
 // "planes", "cells", "openings", "polyhedra"}, the schema first. "polyhedra" is the scene the cells were made
