@@ -159,11 +159,11 @@ CommonScene street() {
   return common;
 }
 
-// Tilted, so that rows of triangles hide each other.
+// One triangle in each of 16 cells of 27: along the rows of cells they hide each other.
 CommonScene triangles() {
-  PolyScene scene = scene::generate_triangles(16);
-  tilt(scene);
-  return parallel_scene("C6", "16 random triangles", std::move(scene), 1);
+  CommonScene common = parallel_scene("C6", "16 random triangles", scene::generate_triangles(16), 8);
+  common.views[2] = parallel_view(common.scene, 1, 0, 1);
+  return common;
 }
 
 CommonScene corridor() {
