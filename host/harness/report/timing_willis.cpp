@@ -228,8 +228,8 @@ Table rule_table(const Context& context) {
   table.notes = {
       "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have "
       "been are not: wrong where it can be seen, though no pair is left over. Sight lines start at random places in "
-      "and around the scene, a random corner stands for each piece; 24 pictures are of 64 by 64 points from places "
-      "within it, points within 0.75 of an edge left out, the first corner stands for each piece."};
+      "and around the scene, a random corner stands for each piece; 160 pictures are of 24 by 24 points from places "
+      "within it, points within 0.75 of an edge left out."};
   return table;
 }
 
@@ -249,30 +249,29 @@ picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid&
   return image;
 }
 
-// From which most is wrong while nothing is cut.
-scene::PolyCamera worst_camera(const WillisScene& scene) {
-  const TrueFaces truth = true_faces(scene.scene);
-  const willis::Model uncut = scene.model({.limits = {.depth = 0}});
+// The view of the uncut model in which most is wrong.
+std::size_t worst_view(const TrueFaces& truth, const willis::Model& uncut) {
   std::size_t worst = 0;
   std::uint64_t most = 0;
   for (std::size_t view = 0; view < truth.cameras().size(); ++view) {
-    const auto drawn = ordered_faces(uncut, truth.cameras()[view], truth.size());
-    const std::uint64_t wrong = truth.errors_of(drawn, view).wrong_inside;
+    const std::uint64_t wrong = truth.errors_of(truth.drawn(uncut, view), view).wrong_inside;
     if (wrong <= most) continue;
     most = wrong;
     worst = view;
   }
-  return truth.cameras()[worst];
+  return worst;
 }
 
 Outcome<Gallery> pictures() {
   Gallery gallery{"willis-pictures", "Willis: prisms-35 in plan, wrong points in red", {}};
   const WillisScene scene{"prisms-35", scene::generate_prisms(35), true};
-  const scene::PolyCamera camera = worst_camera(scene);
+  const TrueFaces views = true_faces(scene.scene);
+  const std::size_t view = worst_view(views, scene.model({.limits = {.depth = 0}}));
+  const scene::PolyCamera& camera = views.cameras()[view];
   const TrueFaces truth(scene.scene, {camera}, 256);
   for (const int depth : {0, 1, 12}) {
     const willis::Model model = scene.model({.limits = {.depth = depth}});
-    const auto drawn = ordered_faces(model, camera, truth.size());
+    const auto drawn = ordered_faces(model, camera, truth.size(), random_corners(model, static_cast<std::uint32_t>(view) + 1));
     const FaceErrors errors = truth.errors_of(drawn, 0);
     auto png = picture::encode_png(marked(drawn, truth.truth(0)));
     if (!png) return ReportError{ErrorKind::file, png.error().message()};

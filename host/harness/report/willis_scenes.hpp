@@ -43,8 +43,8 @@ inline constexpr std::int32_t wide_gap = 160;
 
 // From among the solids, where the order is hardest. In plan the eye is between feet and tops, as it is here.
 [[nodiscard]] inline TrueFaces true_faces(const scene::PolyScene& scene) {
-  constexpr std::size_t eyes = 24;
-  constexpr int size = 64;
+  constexpr std::size_t eyes = 160;
+  constexpr int size = 24;
   return {scene, cameras_within(scene, eyes), size};
 }
 

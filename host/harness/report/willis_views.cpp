@@ -130,6 +130,14 @@ PixelGrid ordered_faces(const willis::Model& model, const PolyCamera& camera, in
   return willis::resolved(spans, window);
 }
 
+std::vector<std::uint32_t> random_corners(const willis::Model& model, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint32_t> corners;
+  for (const willis::Surface& s : model.pieces)
+    corners.push_back(static_cast<std::uint32_t>(random() % s.points.size()));
+  return corners;
+}
+
 void FaceErrors::add(const FaceErrors& other) {
   points += other.points;
   inside += other.inside;
@@ -158,8 +166,13 @@ FaceErrors TrueFaces::errors_of(const PixelGrid& drawn, std::size_t view) const 
 FaceErrors TrueFaces::errors_of(const willis::Model& model) const {
   FaceErrors errors;
   for (std::size_t view = 0; view < cameras_.size(); ++view)
-    errors.add(errors_of(ordered_faces(model, cameras_[view], size_), view));
+    errors.add(errors_of(drawn(model, view), view));
   return errors;
+}
+
+PixelGrid TrueFaces::drawn(const willis::Model& model, std::size_t view) const {
+  const auto corners = random_corners(model, static_cast<std::uint32_t>(view) + 1);
+  return ordered_faces(model, cameras_[view], size_, corners);
 }
 
 std::vector<PolyCamera> cameras_within(const PolyScene& scene, std::size_t count) {

@@ -23,6 +23,9 @@ namespace sightline::harness::report {
                                                const scene::PolyCamera& camera, int size,
                                                algorithms::willis::Representatives representatives = {});
 
+// A random corner of each piece, to stand for it.
+[[nodiscard]] std::vector<std::uint32_t> random_corners(const algorithms::willis::Model& model, std::uint32_t seed);
+
 // Points of pictures, and those at which the order is wrong. Within 0.75 points of an edge rounding may choose
 // either side, so there they are counted apart.
 struct FaceErrors {
@@ -43,7 +46,9 @@ class TrueFaces {
   [[nodiscard]] const std::vector<scene::PolyCamera>& cameras() const { return cameras_; }
   [[nodiscard]] const picture::PixelGrid& truth(std::size_t view) const { return truths_[view]; }
   [[nodiscard]] int size() const { return size_; }
+  // In every view other corners stand for the pieces.
   [[nodiscard]] FaceErrors errors_of(const algorithms::willis::Model& model) const;
+  [[nodiscard]] picture::PixelGrid drawn(const algorithms::willis::Model& model, std::size_t view) const;
   [[nodiscard]] FaceErrors errors_of(const picture::PixelGrid& drawn, std::size_t view) const;
 
  private:
