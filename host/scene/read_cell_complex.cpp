@@ -21,6 +21,7 @@ constexpr std::string_view any_schema = "sightline/cell-complex/";
 // What planes of a scene have (poly_coordinate_limit): products of differences, and a coordinate more.
 constexpr std::int64_t largest_normal = std::int64_t{1} << 39;
 constexpr std::int64_t largest_offset = std::int64_t{1} << 59;
+constexpr int deepest_polyhedra = 16;  // holes, the deepest, are nested 6 levels
 constexpr std::int64_t largest_part = std::int64_t{1} << 60;  // of a place on an edge
 
 std::string describe(const json& value) {
@@ -30,6 +31,14 @@ std::string describe(const json& value) {
     case json::value_t::string: return "a string";
     default: return value.dump();
   }
+}
+
+// Writing a document goes down as deep as it is nested, on the stack.
+bool nested_within(const json& value, int levels) {
+  return !value.is_structured() ||
+         (levels > 0 && std::all_of(value.begin(), value.end(), [levels](const json& inner) {
+            return nested_within(inner, levels - 1);
+          }));
 }
 
 std::string indexed(const std::string& place, std::size_t i) {
@@ -110,6 +119,8 @@ class Reader {
   void read_scene(const json& document) {
     const json* const polyhedra = field(document, "polyhedra", "");
     if (polyhedra == nullptr) return;
+    if (!nested_within(*polyhedra, deepest_polyhedra))
+      return fail({"", "polyhedra", "is nested deeper than any scene of polyhedra"});
     auto scene = read_poly_json(polyhedra->dump(-1, ' ', false, json::error_handler_t::replace), source_);
     if (auto* error = std::get_if<SceneError>(&scene)) return fail(in_polyhedra(std::move(*error)));
     file_.scene = std::get<PolyScene>(std::move(scene));

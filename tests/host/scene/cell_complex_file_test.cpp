@@ -107,6 +107,17 @@ TEST(CellComplexFile, NamesWhatIsWrong) {
   }
 }
 
+// Deeper than the stack would hold, were it written again to be read.
+TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
+  std::string text = file_of(generate_boxes(2));
+  const std::size_t at = text.find("\"polyhedra\"");
+  ASSERT_NE(at, std::string::npos);
+  constexpr std::size_t depth = 1'000'000;
+  text.erase(at);
+  text += "\"polyhedra\": " + std::string(depth, '[') + std::string(depth, ']') + "}";
+  EXPECT_EQ(error_of(text), "c.json: polyhedra: is nested deeper than any scene of polyhedra");
+}
+
 TEST(CellComplexFile, ACellTakenAwayIsMissed) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   json file = json::parse(file_of(scene));
