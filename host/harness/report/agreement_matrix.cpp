@@ -114,7 +114,7 @@ Table agreement_matrix(std::span<const AgreedScene> scenes) {
       "changes from a pixel to its neighbour a line is drawn, and wherever a line is drawn with no other one "
       "within two pixels the face changes, both within one pixel. n/a: does not apply, for a reason listed below.",
       "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by "
-      "different code. Skala was expected to be wrong in up to 1 % of the pixels inside faces; it is in none."};
+      "different code."};
   return table;
 }
 

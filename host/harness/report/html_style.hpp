@@ -31,7 +31,7 @@ thead th { vertical-align: bottom; border-bottom: 1.5px solid var(--ink); font-w
 tbody tr:nth-child(even) { background: var(--band); }
 th small { display: block; font-weight: 400; color: var(--quiet); }
 td { min-width: 3.2rem; max-width: 26rem; }
-.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.n { text-align: right; font-variant-numeric: tabular-nums; } td.n { white-space: nowrap; }
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 650; }
 details { margin: .3rem 0; } summary { cursor: pointer; font-family: ui-monospace, "DejaVu Sans Mono", monospace;
   font-size: .9rem; }

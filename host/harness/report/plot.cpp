@@ -89,6 +89,14 @@ std::string marks_of(std::size_t curve, std::string_view with) {
   return text;
 }
 
+// Beside the plot, where long names would leave it no room: then below it.
+std::string_view legend_place(const Plot& plot) {
+  constexpr std::size_t long_name = 30;
+  const bool is_long = std::any_of(plot.curves.begin(), plot.curves.end(),
+                                   [](const Curve& curve) { return curve.name.size() > long_name; });
+  return is_long ? "outside bottom center horizontal" : "outside right top vertical";
+}
+
 struct Temporary {
   files::path path;
   Temporary() = default;
@@ -182,9 +190,9 @@ std::string gnuplot_script(const Plot& plot) {
   }
   text += fmt::format(
       "set terminal svg size {},{} noenhanced font \"DejaVu Sans,13\" background rgb \"white\"\n"
-      "set encoding utf8\nset title {}\nset key outside right top vertical Left reverse samplen 4\n"
+      "set encoding utf8\nset title {}\nset key {} Left reverse samplen 4\n"
       "set grid xtics ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror\n",
-      plot.width, plot.height, in_quotes(plot.title));
+      plot.width, plot.height, in_quotes(plot.title), legend_place(plot));
   text += axis_commands(plot.x, 'x', zero_x) + axis_commands(plot.y, 'y', zero_y);
   return text + curves + "\n";
 }

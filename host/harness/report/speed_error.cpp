@@ -66,7 +66,7 @@ Outcome<Section> speed_against_error(const Context& context) {
 
   section.blocks.emplace_back(Heading{"Willis"});
   section.blocks.emplace_back(Paragraph{
-      "Surfaces in the order of their distances, each cut so often as the limit allows until no two are in each "
+      "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each "
       "other's boundary, held against the nearest face on every sight line."});
   auto willis_blocks = willis_error_blocks(measure_willis(context));
   if (auto* const error = std::get_if<ReportError>(&willis_blocks)) return std::move(*error);

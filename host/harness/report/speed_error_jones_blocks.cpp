@@ -88,7 +88,7 @@ void add_twin(Table& table, const std::string& scene, const Twin& twin) {
 Plot plot_of(const Measure& measure, std::string_view id, std::string_view title, bool host_time) {
   Plot plot;
   plot.id = fmt::format("jones-{}-{}", id, measure.key);
-  plot.title = title;
+  plot.title = fmt::format("{}: {}", title, symbol_of(measure.title));
   plot.host_time = host_time;
   plot.x = {std::string(measure.title), std::string(measure.unit), true, {}};
   plot.y = host_time ? Axis{fmt::format("a view, {}", host_title), "us", true, {}}

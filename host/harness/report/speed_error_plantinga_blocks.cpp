@@ -41,7 +41,7 @@ void add_baselines(Plot& plot, const PlantingaCurve& of, const Measure& measure,
 Plot tolerance_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure) {
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-host", measure.key);
-  plot.title = "Plantinga, Seales and Dyer: angle tolerance, time of a frame";
+  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, time of a frame: {}", symbol_of(measure.title));
   plot.caption =
       "Frames 2 degrees apart, positions only; the exact list is at the left, at 0. A tolerance joins events "
       "and saves hardly any time in a frame: most of it goes into positions.";
@@ -64,14 +64,15 @@ Plot tolerance_plot(const std::vector<PlantingaCurve>& curves, const Measure& me
 Plot file_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure) {
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-file", measure.key);
-  plot.title = "Plantinga, Seales and Dyer: angle tolerance, size of the event file";
+  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, size of the event file: {}", symbol_of(measure.title));
   plot.caption =
       "Events that fall into one multiple of the tolerance are one, and changes that cancel go. But a "
       "multiple of "
       "the tolerance is a longer number than most events' own directions: only large tolerances save room, "
       "small ones cost it.";
   plot.alternative =
-      "Log-log plot of the size of the event file against the error: the more error, the less room.";
+      "Log-log plot of the size of the event file against the error: it grows with the least tolerance and "
+      "falls with greater ones.";
   plot.x = {std::string(measure.title), "%", true, {}};
   plot.y = {"event file", "KB", true, {}};
   for (const PlantingaCurve& of : curves) {
@@ -92,8 +93,8 @@ Plot step_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure
       "equal "
       "places of the edges. Fewer frames, less time, more that is wrong meanwhile.";
   plot.alternative =
-      "Log-log plot of the size of the event file against the error: it grows with the least tolerance and "
-      "falls below the exact list's for the greatest.";
+      "Log-log plot of the time of a full turn against the error: the more degrees from frame to frame, the "
+      "less time and the more error.";
   plot.host_time = true;
   plot.x = {std::string(measure.title), "%", true, {}};
   plot.y = {fmt::format("a full turn, {}", host_title), "us", true, {}};

@@ -86,6 +86,7 @@ constexpr Measure wrong_lines{"lines", "sight lines in the wrong order", lines_p
 
 struct Cost {
   std::string_view key;
+  std::string_view title;
   Axis axis;
   bool host_time;
   double (*value)(const WillisPoint&);
@@ -94,7 +95,7 @@ struct Cost {
 Plot plot_of(const std::vector<WillisCurve>& curves, const Measure& measure, const Cost& cost) {
   Plot plot;
   plot.id = fmt::format("willis-{}-{}", measure.key, cost.key);
-  plot.title = fmt::format("Willis: surfaces cut up to 0 to {} times", deepest);
+  plot.title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest, cost.title);
   plot.caption =
       "Labels are the limit of cuts, of prisms in plan with balls. A curve that reaches 0 has no error that was met; "
       "one that stops short of it has the rule's.";
@@ -194,11 +195,11 @@ std::vector<WillisCurve> measure_willis(const Context& context) {
 }
 
 Outcome<std::vector<Block>> willis_error_blocks(const std::vector<WillisCurve>& curves) {
-  const Cost pieces{"pieces", {"pieces", "", true, {}}, false,
+  const Cost pieces{"pieces", "pieces", {"pieces", "", true, {}}, false,
                     [](const WillisPoint& point) { return static_cast<double>(point.pieces); }};
-  const Cost prepare{"prepare", {fmt::format("a model, {}", host_title), "ms", true, {}}, true,
+  const Cost prepare{"prepare", "time of a model", {fmt::format("a model, {}", host_title), "ms", true, {}}, true,
                      [](const WillisPoint& point) { return point.prepare_ns.value_or(0) / 1e6; }};
-  const Cost frame{"frame", {fmt::format("distances and sort, {}", host_title), "us", true, {}}, true,
+  const Cost frame{"frame", "time of a frame", {fmt::format("distances and sort, {}", host_title), "us", true, {}}, true,
                    [](const WillisPoint& point) { return point.frame_ns.value_or(0) / 1e3; }};
   std::vector<Block> blocks;
   if (auto error = add_figure(blocks, plot_of(curves, wrong_lines, pieces))) return std::move(*error);

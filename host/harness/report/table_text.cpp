@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -51,21 +52,21 @@ ordered_json json_value(const Cell& cell) {
                     cell);
 }
 
+// 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
+std::string grouped(std::string digits) {
+  const std::size_t first = digits.front() == '-' ? 1 : 0;
+  const std::size_t end = std::min(digits.find('.'), digits.size());
+  if (end - first < 5) return digits;
+  for (std::size_t at = end - 3; at > first; at -= at - first > 3 ? 3 : at - first)
+    digits.insert(at, "\u202f");
+  return digits;
+}
+
 std::string shown_number(const Real& real) {
   if (std::isnan(real.value)) return "not a number";
   if (std::isinf(real.value)) return real.value > 0 ? "infinite" : "-infinite";
   return real.places == Real::as_needed ? fmt::format("{:.4g}", real.value)
-                                        : fmt::format("{:.{}f}", real.value, real.places);
-}
-
-// 1048576 as 1 048 576, with narrow spaces that do not break.
-std::string shown_count(std::int64_t count) {
-  std::string digits = fmt::format("{}", count);
-  const std::size_t first = count < 0 ? 1 : 0;
-  if (digits.size() - first < 5) return digits;
-  for (std::size_t at = digits.size() - 3; at > first; at -= at - first > 3 ? 3 : at - first)
-    digits.insert(at, "\u202f");
-  return digits;
+                                        : grouped(fmt::format("{:.{}f}", real.value, real.places));
 }
 
 }  // namespace
@@ -108,7 +109,7 @@ std::string json_text(const Table& table) {
 std::string shown_text(const Cell& cell) {
   return std::visit(Choice{[](std::monostate) { return std::string("\u2013"); },
                            [](const std::string& text) { return text; },
-                           [](std::int64_t count) { return shown_count(count); },
+                           [](std::int64_t count) { return grouped(fmt::format("{}", count)); },
                            [](const Real& real) { return shown_number(real); },
                            [](const Verdict& verdict) { return verdict.text; }},
                     cell);

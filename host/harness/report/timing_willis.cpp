@@ -14,9 +14,9 @@
 #include "host/algorithms/willis/spans.hpp"
 #include "host/harness/report/paper_numbers.hpp"
 #include "host/harness/report/speed_error_clock.hpp"
+#include "host/harness/report/timing_willis_pictures.hpp"
 #include "host/harness/report/willis_scenes.hpp"
 #include "host/harness/willis_display.hpp"
-#include "host/picture/png.hpp"
 
 namespace sightline::harness::report {
 
@@ -233,63 +233,12 @@ Table rule_table(const Context& context) {
   return table;
 }
 
-// Greys by face; points at which the order is wrong in red.
-picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
-  picture::Image image(drawn.width, drawn.height, 3);
-  for (int row = 0; row < drawn.height; ++row) {
-    for (int column = 0; column < drawn.width; ++column) {
-      const std::uint32_t face = drawn.at(column, row);
-      const auto grey = static_cast<std::uint8_t>(face == 0 ? 255 : 90 + face * 53 % 120);
-      std::uint8_t* const point = &image.pixels[image.index(column, drawn.height - 1 - row)];
-      const bool wrong = face != truth.at(column, row);
-      point[0] = wrong ? 230 : grey;
-      point[1] = point[2] = wrong ? 0 : grey;
-    }
-  }
-  return image;
-}
-
-// The view of the uncut model in which most is wrong.
-std::size_t worst_view(const TrueFaces& truth, const willis::Model& uncut) {
-  std::size_t worst = 0;
-  std::uint64_t most = 0;
-  for (std::size_t view = 0; view < truth.cameras().size(); ++view) {
-    const std::uint64_t wrong = truth.errors_of(truth.drawn(uncut, view), view).wrong_inside;
-    if (wrong <= most) continue;
-    most = wrong;
-    worst = view;
-  }
-  return worst;
-}
-
-Outcome<Gallery> pictures() {
-  Gallery gallery{"willis-pictures", "Willis: prisms-35 in plan, wrong points in red", {}};
-  const WillisScene scene{"prisms-35", scene::generate_prisms(35), true};
-  const TrueFaces views = true_faces(scene.scene);
-  const std::size_t view = worst_view(views, scene.model({.limits = {.depth = 0}}));
-  const scene::PolyCamera& camera = views.cameras()[view];
-  const TrueFaces truth(scene.scene, {camera}, 256);
-  for (const int depth : {0, 1, 12}) {
-    const willis::Model model = scene.model({.limits = {.depth = depth}});
-    const auto drawn = ordered_faces(model, camera, truth.size(), random_corners(model, static_cast<std::uint32_t>(view) + 1));
-    const FaceErrors errors = truth.errors_of(drawn, 0);
-    auto png = picture::encode_png(marked(drawn, truth.truth(0)));
-    if (!png) return ReportError{ErrorKind::file, png.error().message()};
-    gallery.figures.push_back(
-        {fmt::format("willis-depth-{}", depth), depth == 0 ? "nothing cut" : fmt::format("cut up to {} times", depth),
-         fmt::format("{} pieces, {} pairs left over, {} points wrong", model.pieces.size(), model.residual.size(),
-                     errors.wrong_inside + errors.wrong_on_edges),
-         fmt::format("A town of turned houses from within; {} points in red", errors.wrong_inside + errors.wrong_on_edges),
-         "image/png", std::move(*png), false, true});
-  }
-  return gallery;
-}
-
 }  // namespace
 
 Outcome<std::vector<Block>> timing_of_willis(const Context& context) {
   const std::list<Flown> all = fly_all(context);
-  auto gallery = pictures();
+  context.progress("Willis: pictures of what is wrong");
+  auto gallery = willis_pictures();
   if (auto* const error = std::get_if<ReportError>(&gallery)) return std::move(*error);
   std::vector<Block> blocks;
   blocks.emplace_back(paper_table("willis-paper", "Willis 1977: every number for time and size", numbers(all)));

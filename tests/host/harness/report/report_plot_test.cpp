@@ -60,6 +60,13 @@ TEST(ReportPlot, CurvesDifferWithoutColour) {
   EXPECT_EQ(marks_of_curve(gnuplot_script(plot), 1).find("dt"), std::string::npos) << "points have no dashes";
 }
 
+TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
+  Plot plot = sample_plot();
+  EXPECT_NE(gnuplot_script(plot).find("set key outside right"), std::string::npos);
+  plot.curves[0].name = "a town of turned houses, seen in plan";
+  EXPECT_NE(gnuplot_script(plot).find("set key outside bottom"), std::string::npos);
+}
+
 TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   const auto first = draw_plot(sample_plot());
   const auto second = draw_plot(sample_plot());

@@ -68,6 +68,9 @@ TEST(ReportCells, AreShownForPeople) {
   EXPECT_EQ(shown_text(std::int64_t{1048576}), "1\u202f048\u202f576");
   EXPECT_EQ(shown_text(std::int64_t{-123456}), "-123\u202f456");
   EXPECT_EQ(shown_text(Real{2.0 / 3, 3}), "0.667");
+  EXPECT_EQ(shown_text(Real{-1234567.25, 1}), "-1\u202f234\u202f567.2");
+  EXPECT_EQ(shown_text(Real{1004004, 0}), "1\u202f004\u202f004");
+  EXPECT_EQ(shown_text(Real{1234.5, 2}), "1234.50");
   EXPECT_EQ(shown_text(Real{0.000012345}), "1.234e-05");
   EXPECT_EQ(shown_text(Cell{}), "\u2013");
 }

@@ -2,6 +2,7 @@
 // nothing, and the 90-degree rule costs what it must.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "host/harness/report/speed_error_willis.hpp"
 #include "host/harness/report/table_text.hpp"
 #include "host/harness/report/timing_willis.hpp"
+#include "host/harness/report/timing_willis_pictures.hpp"
 
 namespace sightline::harness::report {
 namespace {
@@ -58,6 +60,21 @@ TEST(WillisTiming, HasThePapersNumbersAndWhatTheRuleCosts) {
     wrong += number(rule, row + 1, "lines_wrong");
   }
   EXPECT_GT(wrong, 0) << "models without a pair left over, and wrong";
+}
+
+// With nothing cut something is wrong in the picture, or it would show nothing; cut, nothing away from edges.
+TEST(WillisTiming, PicturesShowWhatIsWrong) {
+  const auto made = willis_pictures();
+  ASSERT_TRUE(std::holds_alternative<Gallery>(made));
+  const auto& figures = std::get<Gallery>(made).figures;
+  ASSERT_EQ(figures.size(), 3U);
+  const auto inside = [](const Figure& figure) {
+    const std::size_t at = figure.caption.find("left over, ") + 11;
+    const std::size_t of_them = figure.caption.find("wrong, ") + 7;
+    return std::stol(figure.caption.substr(at)) - std::stol(figure.caption.substr(of_them));
+  };
+  EXPECT_GT(inside(figures.front()), 0) << figures.front().caption;
+  EXPECT_EQ(inside(figures.back()), 0) << figures.back().caption;
 }
 
 TEST(WillisSpeedError, ErrorFallsWithDepthToNothing) {
