@@ -62,7 +62,7 @@ std::string svg_of(const std::vector<FilledArea>& areas, const Paper& paper, con
   // Every area has a line of its own colour around it, or the paper would shine through where two meet.
   text +=
       "  <g id=\"faces\" inkscape:groupmode=\"layer\" inkscape:label=\"0 faces\" fill-rule=\"evenodd\" "
-      "stroke-width=\"0.05\" stroke-linejoin=\"round\" clip-path=\"url(#inside)\">\n";
+      "stroke-width=\"0.2\" stroke-linejoin=\"round\" clip-path=\"url(#inside)\">\n";
   for (const FilledArea& area : areas) {
     fmt::format_to(out, "    <path fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" d=\"",
                    area.colour.red, area.colour.green, area.colour.blue);
