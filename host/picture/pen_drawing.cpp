@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "host/picture/xml_text.hpp"
+
 namespace sightline::picture {
 
 namespace {
@@ -44,20 +46,6 @@ class Dots {
   int scale_;
   Image image_;
 };
-
-// For XML text. Control characters are not allowed in XML at all.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      default: safe += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return safe;
-}
 
 class Sheet {
  public:
@@ -118,7 +106,7 @@ std::string pen_svg(std::span<const PenPath> paths, const PlotterPaper& paper, c
       "  <g id=\"pen-1\" inkscape:groupmode=\"layer\" inkscape:label=\"1 pen\"\n"
       "     fill=\"none\" stroke=\"#000000\" stroke-width=\"{2}\" stroke-linecap=\"round\" "
       "stroke-linejoin=\"round\">\n",
-      side, escaped(title), pen_width);
+      side, xml_text(title), pen_width);
   for (const PenPath& path : paths)
     if (!path.corners.empty()) append_polyline(text, sheet, path);
   text += "  </g>\n</svg>\n";

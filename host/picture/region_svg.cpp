@@ -8,21 +8,10 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "host/picture/xml_text.hpp"
+
 namespace sightline::picture {
 namespace {
-
-std::string text_of(const std::string& title) {
-  std::string safe;
-  for (const char c : title) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      default: safe += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return safe;
-}
 
 void append_length(std::string& text, double micrometres) {
   constexpr double farthest = 1e9;
@@ -57,7 +46,7 @@ std::string svg_of(const std::vector<FilledArea>& areas, const Paper& paper, con
                  "  <title>{2}</title>\n"
                  "  <clipPath id=\"inside\"><rect x=\"{3:.3f}\" y=\"{3:.3f}\" width=\"{4:.3f}\" "
                  "height=\"{5:.3f}\"/></clipPath>\n",
-                 paper.width, paper.height, text_of(title), paper.margin, paper.width - 2 * paper.margin,
+                 paper.width, paper.height, xml_text(title), paper.margin, paper.width - 2 * paper.margin,
                  paper.height - 2 * paper.margin);
   // Every area has a line of its own colour around it, or the paper would shine through where two meet.
   text +=

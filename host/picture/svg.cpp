@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "host/picture/stroke_sinks.hpp"
+#include "host/picture/xml_text.hpp"
 
 namespace sightline::picture {
 
@@ -65,20 +66,6 @@ void append_polyline(std::string& text, const Polyline& line) {
   text += "\"/>\n";
 }
 
-// For XML text. Control characters are not allowed in XML at all.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      default: safe += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::vector<Polyline> join_strokes(std::span<const core::Stroke> strokes) {
@@ -111,7 +98,7 @@ std::string svg_drawing(std::span<const core::Stroke> strokes, const std::string
       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
       "     width=\"{0:.3f}mm\" height=\"{0:.3f}mm\" viewBox=\"0 0 {0:.3f} {0:.3f}\">\n"
       "  <title>{1}</title>\n",
-      screen_millimetres, escaped(title));
+      screen_millimetres, xml_text(title));
   for (int intensity = 0; intensity < intensity_levels; ++intensity) {
     const auto in_layer = [intensity](const Polyline& line) { return line.intensity == intensity; };
     if (std::none_of(lines.begin(), lines.end(), in_layer)) continue;

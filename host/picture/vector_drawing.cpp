@@ -9,27 +9,13 @@
 #include <utility>
 
 #include "host/picture/hpgl.hpp"
+#include "host/picture/xml_text.hpp"
 
 namespace sightline::picture {
 namespace {
 
 constexpr std::int64_t half_dash = 10;  // micrometres
 constexpr std::size_t most_pens = 8;
-
-// For XML text. Control characters are not allowed in XML at all.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
-  return safe;
-}
 
 // From the drawing to whole parts of a millimetre, from the paper's bottom left.
 class OnPaper {
@@ -86,7 +72,7 @@ class SvgWriter {
                    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
                    "     width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" viewBox=\"0 0 {0:.3f} {1:.3f}\">\n"
                    "  <title>{2}</title>\n",
-                   paper_.width, paper_.height, escaped(title));
+                   paper_.width, paper_.height, xml_text(title));
     if (!drawing_.facets.empty()) facets();
     for (std::uint32_t layer = 0; layer < drawing_.layers.size(); ++layer) lines_of(layer);
     text_ += "</svg>\n";
@@ -129,7 +115,7 @@ class SvgWriter {
                    "     fill=\"none\" stroke=\"#{2:02x}{3:02x}{4:02x}\" stroke-width=\"{5:.3f}\" "
                    "stroke-linecap=\"round\" "
                    "stroke-linejoin=\"round\">\n",
-                   layer + 1, escaped(about.label), about.colour.red, about.colour.green, about.colour.blue,
+                   layer + 1, xml_text(about.label), about.colour.red, about.colour.green, about.colour.blue,
                    paper_.pen);
     for (; line != drawing_.lines.end(); ++line)
       if (in_layer(*line)) polyline(*line);
