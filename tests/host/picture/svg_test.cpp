@@ -172,7 +172,7 @@ TEST(Svg, CornersOfTheScreenInMillimetres) {
 
 TEST(Svg, LayersOnlyForIntensitiesInUseAndTitleEscaped) {
   const std::string svg = svg_drawing(strokes_at({{3, 3, 7}, {9, 9, 0}}), "a<b> & \"c\"\x01");
-  EXPECT_NE(svg.find("<title>a&lt;b&gt; &amp; \"c\"?</title>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>a&lt;b&gt; &amp; &quot;c&quot;?</title>"), std::string::npos);
   int layers = 0;
   for (const auto& element : parse_xml(svg)) {
     if (element.name != "g") continue;
