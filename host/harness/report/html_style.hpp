@@ -30,7 +30,7 @@ th, td { padding: .34rem .7rem; text-align: left; vertical-align: top; border-bo
 thead th { vertical-align: bottom; border-bottom: 1.5px solid var(--ink); font-weight: 650; }
 tbody tr:nth-child(even) { background: var(--band); }
 th small { display: block; font-weight: 400; color: var(--quiet); }
-td { min-width: 3.2rem; max-width: 26rem; }
+td { min-width: 3.2rem; max-width: 26rem; } td:first-child:not(.n) { min-width: 7rem; }
 .n { text-align: right; font-variant-numeric: tabular-nums; } td.n { white-space: nowrap; }
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 650; }
 details { margin: .3rem 0; } summary { cursor: pointer; font-family: ui-monospace, "DejaVu Sans Mono", monospace;

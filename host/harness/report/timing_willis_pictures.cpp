@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host/harness/report/willis_scenes.hpp"
@@ -52,6 +54,12 @@ Worst worst_view(const TrueFaces& views, const willis::Model& uncut) {
   return worst;
 }
 
+struct Limit {
+  int depth;
+  std::string_view name;
+};
+constexpr std::array<Limit, 3> limits{{{0, "nothing cut"}, {1, "cut once"}, {12, "cut up to 12 times"}}};
+
 }  // namespace
 
 Outcome<Gallery> willis_pictures() {
@@ -60,19 +68,20 @@ Outcome<Gallery> willis_pictures() {
   const std::size_t view = worst_view(views, scene.model({.limits = {.depth = 0}})).view;
   const TrueFaces truth(scene.scene, {views.cameras().at(view)}, 256);
   Gallery gallery{"willis-pictures", fmt::format("Willis: {}, wrong points in red", scene.title()), {}};
-  for (const int depth : {0, 1, 12}) {
+  for (const auto& [depth, limit] : limits) {
     const willis::Model model = scene.model({.limits = {.depth = depth}});
     const auto corners = random_corners(model, static_cast<std::uint32_t>(view) + 1);
     const auto drawn = ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
-    const std::uint64_t wrong = errors.wrong_inside + errors.wrong_on_edges;
     auto png = picture::encode_png(marked(drawn, truth.truth(0)));
     if (!png) return ReportError{ErrorKind::file, png.error().message()};
     gallery.figures.push_back({fmt::format("willis-depth-{}", depth),
-                               depth == 0 ? "nothing cut" : fmt::format("cut up to {} times", depth),
-                               fmt::format("{} pieces, {} pairs left over, {} points wrong, {} of them at edges",
-                                           model.pieces.size(), model.residual.size(), wrong, errors.wrong_on_edges),
-                               fmt::format("A town of turned houses from within; {} points in red", wrong), "image/png",
+                               std::string(limit),
+                               fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
+                                           model.pieces.size(), model.residual.size(), errors.wrong_inside,
+                                           errors.wrong_on_edges),
+                               fmt::format("A town of turned houses from within; {} points in red",
+                                           errors.wrong_inside + errors.wrong_on_edges), "image/png",
                                std::move(*png), false, true});
   }
   return gallery;
