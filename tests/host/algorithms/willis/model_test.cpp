@@ -112,15 +112,15 @@ TEST(WillisModel, W11CrossingWalls) {
 }
 
 TEST(WillisModel, W12AnyRepresentativeGivesTheOrder) {
-  const scene::PolyScene scene = prism_town(6, 4000, 30, 5);
+  const scene::PolyScene scene = scene::generate_prisms(6, 5, 150);
   const Model model = model_of(scene, {.plan = true});
   ASSERT_TRUE(model.residual.empty());
   // Eyes on circles of three radii around the middle, a degree apart.
-  for (const double radius : {300.0, 2500.0, 40000.0}) {
+  for (const double radius : {1500.0, 12500.0, 200000.0}) {
     for (int degree = 0; degree < 360; ++degree) {
       const double angle = degree * std::numbers::pi / 180;
-      const Point eye = on_lattice({static_cast<std::int32_t>(2000 + radius * std::cos(angle)), 0,
-                                    static_cast<std::int32_t>(2000 + radius * std::sin(angle))});
+      const Point eye = on_lattice({static_cast<std::int32_t>(10000 + radius * std::cos(angle)), 0,
+                                    static_cast<std::int32_t>(10000 + radius * std::sin(angle))});
       for (std::size_t i = 0; i < model.pieces.size(); i += 3) {
         const Surface& s = model.pieces[i];
         if (s.plane.side(eye) <= 0) continue;
@@ -153,7 +153,7 @@ TEST(WillisModel, W13EyeAtACorner) {
 // Willis's figures for the prism town (crosscheck, section 5): fewer wrong lines and fewer pairs left over at
 // each further depth, none wrong when none is left.
 TEST(WillisModel, ResidualAndErrorFallWithDepth) {
-  const scene::PolyScene scene = prism_town(35, 20000, 50, 1);
+  const scene::PolyScene scene = scene::generate_prisms(35);
   std::size_t last = ~std::size_t{0};
   std::uint64_t wrong_uncut = 0;
   for (const int depth : {0, 1, 2, 4, 6, 12}) {
@@ -255,7 +255,7 @@ TEST(WillisModel, OrderCells) {
 TEST(WillisModel, SmallSeparatedScenes) {
   expect_right(scene::generate_boxes(4));
   expect_right(scene::generate_triangles(6, 2));
-  expect_right(prism_town(5, 10000, 150, 1), {.rules = {BoundaryShape::oval, false}});
+  expect_right(scene::generate_prisms(5, 1, 150), {.rules = {BoundaryShape::oval, false}});
 }
 
 TEST(WillisModel, PlanRefusesWhatIsNoWall) {

@@ -98,7 +98,7 @@ TEST(WillisPicture, ScenesAgainstTheNearestFace) {
 }
 
 TEST(WillisPicture, PrismTownFromWithinInPlan) {
-  const scene::PolyScene scene = prism_town(20, 20000, 60, 4);
+  const scene::PolyScene scene = scene::generate_prisms(20, 4, 60);
   const auto made = make_model(scene, {.plan = true});
   const Model& model = std::get<Model>(made);
   ASSERT_TRUE(model.residual.empty());

@@ -19,11 +19,11 @@ void expect_right(const scene::PolyScene& scene, const ModelOptions& options = {
 }
 
 TEST(WillisSightLines, PrismTownInPlan) {
-  expect_right(prism_town(35, 20000, 50, 1), {.plan = true});
-  expect_right(prism_town(35, 20000, 50, 2), {.rules = {BoundaryShape::oval, false}, .plan = true});
+  expect_right(scene::generate_prisms(35), {.plan = true});
+  expect_right(scene::generate_prisms(35, 2), {.rules = {BoundaryShape::oval, false}, .plan = true});
 }
 
-TEST(WillisSightLines, PrismTownInSpace) { expect_right(prism_town(12, 20000, 160, 3)); }
+TEST(WillisSightLines, PrismTownInSpace) { expect_right(scene::generate_prisms(12, 3, 160)); }
 
 TEST(WillisSightLines, Boxes) { expect_right(scene::generate_boxes(12)); }
 

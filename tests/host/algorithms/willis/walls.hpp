@@ -1,17 +1,14 @@
-// Walls in plan, as the paper and the list of hard cases have them, and the town of rotated prisms.
+// Walls in plan, as the paper and the list of hard cases have them, and prisms over any outline.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "host/algorithms/willis/distance.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/surface.hpp"
-#include "host/scene/generate_random.hpp"
 #include "host/scene/poly_builder.hpp"
 
 namespace sightline::algorithms::willis {
@@ -56,46 +53,6 @@ inline void add_prism(scene::PolyBuilder& builder, std::string name, std::span<c
   body.faces.push_back(std::move(floor));
   body.faces.push_back(std::move(roof));
   builder.scene().bodies.push_back(std::move(body));
-}
-
-// n rotated rectangles on a square of `side`, none nearer than `gap` to another: the town on which the figures
-// of the specification were measured, in integers.
-inline scene::PolyScene prism_town(std::size_t n, std::int32_t side, std::int32_t gap, std::uint64_t seed) {
-  scene::SceneRandom random(seed);
-  scene::PolyBuilder builder;
-  std::vector<Surface> taken;
-  constexpr std::array<PlanPoint, 8> turns{{{4, 3}, {3, 4}, {12, 5}, {5, 12}, {1, 0}, {15, 8}, {24, 7}, {1, 1}}};
-  std::size_t placed = 0;
-  while (placed < n) {
-    const PlanPoint turn = turns[static_cast<std::size_t>(random.mod(turns.size()))];
-    const std::int32_t unit = side / 100;
-    const std::int32_t scale = turn[0] + turn[1];
-    const auto length = [&] { return (3 + random.mod(11)) * unit / scale; };
-    const std::int32_t w = length();
-    const std::int32_t h = length();
-    const PlanPoint o{random.mod(static_cast<std::uint64_t>(side)), random.mod(static_cast<std::uint64_t>(side))};
-    const auto at = [&](std::int32_t u, std::int32_t v) {
-      return PlanPoint{o[0] + u * turn[0] - v * turn[1], o[1] + u * turn[1] + v * turn[0]};
-    };
-    const std::array<PlanPoint, 4> ring{at(0, 0), at(w, 0), at(w, h), at(0, h)};
-    std::vector<Surface> walls;
-    for (std::size_t i = 0; i < 4; ++i) walls.push_back(wall(ring[i], ring[(i + 1) % 4]));
-    // Every wall and its diagonals, so that one inside the other is found, too.
-    walls.push_back(wall(ring[0], ring[2]));
-    walls.push_back(wall(ring[1], ring[3]));
-    const std::uint64_t least = static_cast<std::uint64_t>(gap) * lattice_unit;
-    const bool too_near = std::any_of(walls.begin(), walls.end(), [&](const Surface& s) {
-      return std::any_of(taken.begin(), taken.end(),
-                         [&](const Surface& t) { return meet(s, t) || within(s, t, least * least); });
-    });
-    if (too_near) continue;
-    taken.insert(taken.end(), walls.begin(), walls.end());
-    add_prism(builder, "prism " + std::to_string(placed), ring, 10 * unit);
-    ++placed;
-  }
-  scene::PolyScene scene = builder.take();
-  scene.name = "prisms";
-  return scene;
 }
 
 }  // namespace sightline::algorithms::willis
