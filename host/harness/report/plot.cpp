@@ -94,7 +94,7 @@ std::string_view legend_place(const Plot& plot) {
   constexpr std::size_t long_name = 30;
   const bool is_long = std::any_of(plot.curves.begin(), plot.curves.end(),
                                    [](const Curve& curve) { return curve.name.size() > long_name; });
-  return is_long ? "outside bottom center horizontal" : "outside right top vertical";
+  return is_long ? "outside bottom center horizontal font ',11'" : "outside right top vertical";
 }
 
 struct Temporary {

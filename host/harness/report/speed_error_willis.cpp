@@ -97,8 +97,8 @@ Plot plot_of(const std::vector<WillisCurve>& curves, const Measure& measure, con
   plot.id = fmt::format("willis-{}-{}", measure.key, cost.key);
   plot.title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest, cost.title);
   plot.caption =
-      "Labels are the limit of cuts, of prisms in plan with balls. A curve that reaches 0 has no error that was met; "
-      "one that stops short of it has the rule's.";
+      "Boundaries are balls. Labels are the limit of cuts, of the first curve. A curve that reaches 0 has no error that "
+      "was met; one that stops short of it has the rule's.";
   plot.alternative = fmt::format("Log-log plot of {} against {}, one curve a scene, boundary and rule.",
                                  cost.axis.title, measure.title);
   plot.host_time = cost.host_time;
@@ -109,7 +109,7 @@ Plot plot_of(const std::vector<WillisCurve>& curves, const Measure& measure, con
     // The two boundaries differ by so little that both cannot be told apart here; the table has the oval, too.
     if (of.rules.shape == BoundaryShape::oval) continue;
     Curve curve;
-    curve.name = of.name();
+    curve.name = fmt::format("{}{}", of.scene, of.rules.rule90 ? ", 90-degree rule" : "");
     for (const WillisPoint& point : of.points)
       curve.points.push_back({measure.value(point), cost.value(point), first ? fmt::format("{}", point.depth) : ""});
     first = false;

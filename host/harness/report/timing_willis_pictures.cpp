@@ -48,7 +48,8 @@ Worst worst_view(const TrueFaces& views, const willis::Model& uncut) {
   for (std::size_t view = 0; view < views.cameras().size(); ++view) {
     const auto& truth = views.truth(view).values;
     const Worst here{view, views.errors_of(views.drawn(uncut, view), view).wrong_inside,
-                     static_cast<std::uint64_t>(std::count_if(truth.begin(), truth.end(), [](auto face) { return face != 0; }))};
+                     static_cast<std::uint64_t>(
+                         std::count_if(truth.begin(), truth.end(), [](auto face) { return face != 0; }))};
     if (std::pair(here.wrong, here.faces) > std::pair(worst.wrong, worst.faces)) worst = here;
   }
   return worst;
@@ -75,14 +76,13 @@ Outcome<Gallery> willis_pictures() {
     const FaceErrors errors = truth.errors_of(drawn, 0);
     auto png = picture::encode_png(marked(drawn, truth.truth(0)));
     if (!png) return ReportError{ErrorKind::file, png.error().message()};
-    gallery.figures.push_back({fmt::format("willis-depth-{}", depth),
-                               std::string(limit),
-                               fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
-                                           model.pieces.size(), model.residual.size(), errors.wrong_inside,
-                                           errors.wrong_on_edges),
-                               fmt::format("A town of turned houses from within; {} points in red",
-                                           errors.wrong_inside + errors.wrong_on_edges), "image/png",
-                               std::move(*png), false, true});
+    gallery.figures.push_back(
+        {fmt::format("willis-depth-{}", depth), std::string(limit),
+         fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
+                     model.pieces.size(), model.residual.size(), errors.wrong_inside, errors.wrong_on_edges),
+         fmt::format("A town of turned houses from within; {} points in red",
+                     errors.wrong_inside + errors.wrong_on_edges),
+         "image/png", std::move(*png), false, true});
   }
   return gallery;
 }
