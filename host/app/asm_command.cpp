@@ -93,7 +93,7 @@ void assemble(const AsmArguments& arguments) {
 }  // namespace
 
 void add_asm_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("asm", "Assemble symbolic source");
+  CLI::App* const command = app.add_subcommand("asm", "Assemble source for the PDP-7 or the 8080");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"
@@ -110,7 +110,7 @@ void add_asm_command(CLI::App& app, ExitCode& exit_code) {
       ->type_name("NAME=VALUE");
   pdp7->add_option("-o,--output", arguments->files.output, "Where the program goes; - is standard output")
       ->type_name("FILE");
-  pdp7->add_option("--format", arguments->format, "Form of the program: rim, hri or octal")
+  pdp7->add_option("--format", arguments->format, "Form of the program")
       ->check(CLI::IsMember({"rim", "hri", "octal"}))
       ->capture_default_str()
       ->type_name("FORMAT");

@@ -112,8 +112,9 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--format", arguments->format,
-                   "Form of the program: com, bin or hex; else by the ending of -o")
+                   "Form of the program")
       ->check(CLI::IsMember({"com", "bin", "hex"}))
+      ->default_str("by the ending of -o")
       ->type_name("FORMAT");
   command
       ->add_option("--listing", arguments->files.listing,

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::string_view hexadecimal_digits = "0123456789abcdefABCDEF";
 
-std::string_view digits_of(std::string_view text) {
-  if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
-  if (text.ends_with('h') || text.ends_with('H')) text.remove_suffix(1);
-  return text;
-}
-
 // A lone colon may as well be an 8080's LDA.
 bool begins_with_hex_record(const picture::Bytes& bytes) {
   constexpr std::size_t shortest = 11;  // `:`, then length, address, type and checksum of no bytes at all
@@ -36,6 +30,12 @@ ByteFormat format_of(const picture::Bytes& bytes, const std::string& path) {
 
 }  // namespace
 
+std::string_view without_hexadecimal_mark(std::string_view text) {
+  if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
+  if (text.ends_with('h') || text.ends_with('H')) text.remove_suffix(1);
+  return text;
+}
+
 ByteFormat byte_format_named(std::string_view name) {
   return name == "com" ? ByteFormat::com : name == "bin" ? ByteFormat::bin : ByteFormat::hex;
 }
@@ -50,7 +50,7 @@ std::optional<ByteFormat> byte_format_of_name(std::string_view path) {
 ByteImageArgument byte_image_argument(const std::string& option, const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos) return {text, std::nullopt};
-  const std::string_view digits = digits_of(std::string_view(text).substr(at + 1));
+  const std::string_view digits = without_hexadecimal_mark(std::string_view(text).substr(at + 1));
   if (digits.empty() || digits.find_first_not_of(hexadecimal_digits) != std::string_view::npos)
     return {text, std::nullopt};
   std::uint32_t address = 0;

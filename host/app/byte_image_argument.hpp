@@ -17,6 +17,9 @@ enum class ByteFormat { com, bin, hex };
 // By the ending of a file's name, in either case: .com .bin .hex; nothing for another ending.
 [[nodiscard]] std::optional<ByteFormat> byte_format_of_name(std::string_view path);
 
+// Without 0x before or H behind, in either case.
+[[nodiscard]] std::string_view without_hexadecimal_mark(std::string_view text);
+
 struct ByteImageArgument {
   std::string path;
   std::optional<std::uint16_t> address;

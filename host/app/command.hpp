@@ -33,7 +33,7 @@ enum class ExitCode : int {
 
 // Shown at the end of every --help.
 inline constexpr std::string_view exit_code_help =
-    "Exit codes: 0 done, 1 results differ, 2 wrong usage, 3 the emulated program failed, 4 bad input file,\n"
+    "Exit codes: 0 done, 1 results differ, 2 wrong usage, 3 the emulated program failed, 4 bad input file, "
     "5 a file cannot be read or written, 130 stopped by Ctrl-C.";
 
 class Failure : public std::runtime_error {

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +17,7 @@
 
 #include "host/app/compare_output.hpp"
 #include "host/app/draw_camera.hpp"
+#include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/app/skala_options.hpp"
@@ -46,16 +46,19 @@ constexpr const char* compare_examples =
     "  sightline compare boxes-30 --orthographic 3,0,4\n"
     "      in parallel projection, Plantinga's turns among them\n\n"
     "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
-    "name, or a\n"
+    "name, or a "
     "grid file. --function and the options after it, up to --levels, are those of `sightline skala`. Every "
-    "picture is held against an oracle that shares no visibility code with anything:\n"
-    "  missing, extra   length of lines that are seen but not drawn, and drawn but not seen, along the true "
+    "picture is held against an oracle that shares no visibility code with anything. The guest is the old program "
+    "on its emulated machine, its twin the same computation written again for this computer, bit for bit; "
+    "native are the methods of the papers and exact ones of today, written for this computer.\n\n"
+    "Of every picture:\n"
+    "  missing, extra     length of lines that are seen but not drawn, and drawn but not seen, along the true "
     "lines\n"
-    "  miss >1, extra >1   the part of it that is farther than a pixel from anything drawn, or seen\n"
-    "  H, 99.9 %        the farthest any point of one picture is from the other; all but a thousandth are "
+    "  miss >1, extra >1  the part of it that is farther than a pixel from anything drawn, or seen\n"
+    "  H, 99.9 %          the farthest any point of one picture is from the other; all but a thousandth are "
     "nearer\n"
-    "  wrong points     of random points of all lines, those drawn though hidden or not drawn though seen\n"
-    "  pieces           pieces of lines that have no counterpart with the same ends\n"
+    "  wrong points       of random points of all lines, those drawn though hidden or not drawn though seen\n"
+    "  pieces             pieces of lines that have no counterpart with the same ends\n"
     "Overlays are NAME-compare-PICTURE.png and .svg: grey where both agree, orange what is missing, blue "
     "what is extra;\n"
     "stretches of up to a pixel are left out of them. The exit code is 1 if an exact algorithm does not give "
@@ -70,6 +73,7 @@ struct CompareArguments {
   bool no_eae = false;
   SkalaSource function;  // without a name: names are among the scenes
   harness::SkalaView function_view;
+  std::string picture;  // as --picture names it
   SkalaSlices slices;
   std::optional<int> levels;
   std::string directory = "out";
@@ -202,7 +206,9 @@ ComparedScene compare_next(const CompareArguments& arguments, const std::vector<
   return compare_scene(arguments, names[n], progress);
 }
 
-ExitCode run_compare(const CompareArguments& arguments) {
+ExitCode run_compare(CompareArguments arguments) {
+  if (arguments.picture == "surface") arguments.function_view.picture = SkalaPicture::surface;
+  if (arguments.picture == "contours") arguments.function_view.picture = SkalaPicture::contours;
   require_angles(arguments.function_view.rotation, arguments.function_view.elevation);
   if (arguments.levels && arguments.function_view.picture != SkalaPicture::contours)
     throw Failure(ExitCode::usage, "--levels: found without --picture contours");
@@ -239,30 +245,26 @@ ExitCode run_compare(const CompareArguments& arguments) {
 }
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
-  command.add_option("SCENE", arguments.scenes, "Scenes and functions; unless given all built-in ones");
-  command.add_option("--view", arguments.view, "The eye in a scene; its own view unless given")
+  command.add_option("SCENE", arguments.scenes, "Scenes and functions")->default_str("all built-in ones");
+  command.add_option("--view,--eye", arguments.view, "The eye in a scene")
+      ->default_str("the scene's own view")
       ->type_name("X,Y,Z");
   command
       .add_option("--orthographic", arguments.orthographic,
                   "Polyhedra in parallel projection along this direction, as turns want it")
       ->type_name("X,Y,Z");
   command.add_option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
+      ->default_str("512")
       ->check(CLI::Range(64, 4096));
-  command.add_flag("--no-eae,!--eae", arguments.no_eae,
-                   "The PDP-7 without (with) the extended arithmetic element");
+  add_eae_options(command, arguments.no_eae);
   harness::SkalaView& view = arguments.function_view;
   constexpr scene::GridSize usual = usual_grid_size(SkalaPicture::lines);
   constexpr scene::GridSize of_contours = usual_grid_size(SkalaPicture::contours);
   add_function_options(command, arguments.function,
-                       fmt::format("{}, of contours {},", usual.slices, of_contours.slices),
+                       fmt::format("{}, of contours {}", usual.slices, of_contours.slices),
                        std::to_string(usual.points));
   add_angle_options(command, view.rotation, view.elevation);
-  command.add_option("--picture", view.picture, "A function: lines, surface or contours; lines unless given")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, SkalaPicture>{{"lines", SkalaPicture::lines},
-                                                                      {"surface", SkalaPicture::surface},
-                                                                      {"contours", SkalaPicture::contours}}))
-      ->type_name("NAME");
+  add_picture_option(command, arguments.picture, "What is drawn of a function");
   add_slices_options(command, arguments.slices);
   add_levels_option(command, arguments.levels);
   command.add_option("-o,--output", arguments.directory, "Folder for the overlays")
@@ -275,7 +277,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
 
 void add_compare_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
-      app.add_subcommand("compare", "Hold guest, twin and native algorithms against the oracle on one view");
+      app.add_subcommand("compare", "Hold the old programs (guest and twin) and the native methods against the oracle, on one view");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->function_view.rotation = 30;
   add_compare_options(*command, *arguments);

@@ -6,14 +6,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string_view>
-#include <system_error>
 
-#include "host/app/command.hpp"
 #include "host/app/jones_session.hpp"
+#include "host/app/outputs.hpp"
+#include "host/app/skala_options.hpp"
 #include "host/picture/overlay.hpp"
-#include "host/picture/png.hpp"
 
 namespace sightline::app {
 
@@ -24,11 +22,9 @@ using harness::ComparedPicture;
 using harness::ComparedRaster;
 using harness::HeightComparison;
 using harness::SceneComparison;
-using nlohmann::ordered_json;
 using picture::LineMetrics;
 using picture::PixelMetrics;
 
-constexpr std::array<std::string_view, 3> compared_height_pictures{"lines", "surface", "contours"};
 constexpr std::array<std::string_view, 4> compared_families{"slices along x", "slices along z",
                                                             "both families", "slices"};
 
@@ -113,63 +109,11 @@ std::string reasons_text(const std::vector<std::pair<std::string, std::string>>&
   return text;
 }
 
-ordered_json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [name, reason] : reasons) list.push_back({{"name", name}, {"reason", reason}});
-  return list;
-}
-
-ordered_json metrics_json(const LineMetrics& m) {
-  return {{"true_length", m.true_length},
-          {"drawn_length", m.drawn_length},
-          {"missing", m.missing},
-          {"extra", m.extra},
-          {"missing_share", m.share(m.missing)},
-          {"extra_share", m.share(m.extra)},
-          {"missing_far", m.missing_far},
-          {"extra_far", m.extra_far},
-          {"hausdorff", m.hausdorff.greatest},
-          {"hausdorff_99_9", m.hausdorff.usual},
-          {"wrong_visibility",
-           {{"points", m.wrong_visibility.points},
-            {"wrong", m.wrong_visibility.wrong},
-            {"rate", m.wrong_visibility.rate},
-            {"low", m.wrong_visibility.low},
-            {"high", m.wrong_visibility.high}}},
-          {"pieces_different", m.pieces_different}};
-}
-
-ordered_json line_json(const ComparedPicture& compared) {
-  ordered_json row{{"name", compared.name}, {"measured", compared.what}};
-  if (compared.identical) row["equal_to_oracle"] = *compared.identical;
-  row.update(metrics_json(compared.metrics));
-  return row;
-}
-
-ordered_json points_json(const std::string& name, const PixelMetrics& m) {
-  return {{"name", name},
-          {"pixels", m.pixels},
-          {"boundary_pixels", m.boundary_pixels},
-          {"different_on_boundary", m.different_on_boundary},
-          {"different_inside", m.different_inside},
-          {"mismatch", m.mismatch()},
-          {"boundary_mismatch", m.boundary_mismatch()},
-          {"interior_mismatch", m.interior_mismatch()},
-          {"lit", m.lit},
-          {"missing", m.missing},
-          {"extra", m.extra},
-          {"missing_far", m.missing_far},
-          {"extra_far", m.extra_far}};
-}
-
 void write_overlay(const std::string& base, const picture::Overlay& overlay, const std::string& title,
                    std::vector<std::string>& paths) {
-  const auto png =
-      picture::encode_png(picture::overlay_image(overlay), {{"Title", title}, {"Software", "sightline"}});
-  if (!png) throw Failure(ExitCode::io, png.error().message());
   Output image(base + ".png");
   Output drawing(base + ".svg");
-  image.write(std::span<const std::uint8_t>(*png));
+  write_png(image, picture::overlay_image(overlay), {{"Title", title}, {"Software", "sightline"}});
   drawing.write(picture::overlay_svg(overlay, title));
   image.commit();
   drawing.commit();
@@ -189,9 +133,7 @@ picture::OverlayCaption points_caption(const std::string& title, const PixelMetr
 }
 
 std::string overlay_base(const std::string& directory, const std::string& scene, const std::string& name) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
+  make_directory(directory);
   return (std::filesystem::path(directory) / (file_stem(scene) + "-compare-" + file_stem(name))).string();
 }
 
@@ -213,7 +155,7 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
   const harness::SkalaView& view = comparison.view;
   std::string text =
       fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name,
-                  compared_height_pictures[static_cast<std::size_t>(view.picture)],
+                  picture_name(view.picture),
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
   if (!comparison.rasters.empty()) {
     const PixelMetrics& any = comparison.rasters.front().metrics;
@@ -234,52 +176,6 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
                                 static_cast<double>(core::ClockRate{}.hertz))
               : "guest and twin differ: " + comparison.guest_difference + "\n";
   return text;
-}
-
-ordered_json compare_json(const SceneComparison& comparison) {
-  ordered_json document{{"scene", comparison.scene},
-                        {"perspective", comparison.camera.perspective},
-                        {"eye", comparison.camera.eye},
-                        {"forward", comparison.camera.forward},
-                        {"pixels_a_unit", comparison.frame.scale},
-                        {"agrees", comparison.agrees()},
-                        {"pictures", ordered_json::array()}};
-  for (const ComparedPicture& compared : comparison.pictures)
-    document["pictures"].push_back(line_json(compared));
-  document["faces"] = ordered_json::array();
-  for (const harness::ComparedFaces& compared : comparison.faces) {
-    document["faces"].push_back(points_json(compared.name, compared.metrics));
-    document["faces"].back()["not_separated"] = compared.not_solved;
-  }
-  if (comparison.guest) {
-    document["guest"] = {{"identical_to_twin", comparison.guest->difference.empty()},
-                         {"difference", comparison.guest->difference},
-                         {"status", jones::name(comparison.guest->status)},
-                         {"display_words", comparison.guest->words},
-                         {"emulated_ns", comparison.guest->time.count()}};
-  }
-  document["not_compared"] = reasons_json(comparison.not_applicable);
-  return document;
-}
-
-ordered_json compare_json(const std::string& name, const HeightComparison& comparison) {
-  ordered_json document{
-      {"function", name},
-      {"picture", compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)]},
-      {"rotation", comparison.view.rotation},
-      {"elevation", comparison.view.elevation},
-      {"agrees", comparison.agrees()},
-      {"pictures", ordered_json::array()}};
-  for (const ComparedRaster& compared : comparison.rasters)
-    document["pictures"].push_back(points_json(compared.name, compared.metrics));
-  if (comparison.vectors) {
-    document["vectors"] = {{"name", comparison.vectors->name}};
-    document["vectors"].update(metrics_json(comparison.vectors->metrics));
-  }
-  document["guest"] = {{"identical_to_twin", comparison.agrees()},
-                       {"difference", comparison.guest_difference},
-                       {"t_states", comparison.guest_time.count()}};
-  return document;
 }
 
 std::vector<std::string> write_overlays(const std::string& directory, const SceneComparison& comparison) {
@@ -312,7 +208,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     const PixelMetrics& m = compared.metrics;
     const std::string title =
         fmt::format("{}, {}: {} against {}", name,
-                    compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)],
+                    picture_name(comparison.view.picture),
                     compared.name, compared.against);
     const picture::OverlayCaption caption = points_caption(title, m);
     write_overlay(overlay_base(directory, name, compared.name),
@@ -323,7 +219,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     const LineMetrics& m = comparison.vectors->metrics;
     const std::string title =
         fmt::format("{}, {}: {} against what is truly seen of them", name,
-                    compared_height_pictures[static_cast<std::size_t>(comparison.view.picture)],
+                    picture_name(comparison.view.picture),
                     comparison.vectors->name);
     write_overlay(
         overlay_base(directory, name, comparison.vectors->name),

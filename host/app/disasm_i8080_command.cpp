@@ -39,8 +39,9 @@ void add_disasm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->add_option("FILE", arguments->file,
                    "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input")
       ->required();
-  command->add_option("--format", arguments->format, "Form of the file: com, bin or hex")
+  command->add_option("--format", arguments->format, "Form of the file")
       ->check(CLI::IsMember({"com", "bin", "hex"}))
+      ->default_str("by its ending or content")
       ->type_name("FORMAT");
   command->add_option("-o,--output", arguments->output, "Where the source goes; - is standard output")
       ->capture_default_str()

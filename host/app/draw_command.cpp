@@ -27,8 +27,14 @@ constexpr const char* draw_examples =
 }  // namespace
 
 void add_draw_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("draw", "Draw without what is hidden, as SVG, PNG or HP-GL, by a native algorithm");
+  std::string names;
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+    names += std::string(algorithm.name) + ", ";
+  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
+    if (harness::find_line_algorithm(algorithm.name) == nullptr) names += std::string(algorithm.name) + ", ";
+  CLI::App* const command = app.add_subcommand(
+      "draw",
+      "Draw without what is hidden, as SVG, PNG or HP-GL, by a native method: " + names + "skala");
   command->require_subcommand(1);
   // One more line algorithm is a line in the table, none here.
   for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {

@@ -198,7 +198,8 @@ void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, 
   command
       .add_option("--field", arguments->field,
                   "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-                  "--orthographic; unless given, everything, or 60 degrees of a flight")
+                  "--orthographic")
+      ->default_str("everything, or 60 degrees of a flight")
       ->type_name("ANGLE")
       ->group("View");
   command.add_option("--pixels", arguments->pixels, "Size of the image; 512x512 is made by the priority display itself")
@@ -211,7 +212,8 @@ void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, 
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command.add_option("--depth", arguments->options.depth, "Cut no surface more often than this")
-      ->check(CLI::Range(0, 1000));
+      ->check(CLI::Range(0, 1000))
+      ->default_str("30");
   command.add_flag("--plan", arguments->options.plan,
                    "Measure in plan, as the paper does: walls only, seen from between their feet and tops");
   command.add_flag("--rule90", arguments->options.rule90,

@@ -84,6 +84,7 @@ void add_fill_options(CLI::App& command, FillArguments& arguments) {
   command.add_option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
       ->check(CLI::IsMember(std::move(thicknesses)))
       ->capture_default_str()
+      ->type_name("")
       ->needs(fill);
 }
 

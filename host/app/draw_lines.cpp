@@ -36,6 +36,21 @@ struct DrawLinesArguments {
   FillArguments filled;
 };
 
+// Of a method that has no picture of some views: one direction that Plantinga's turns have.
+std::string draw_parallel_footer(std::string_view algorithm) {
+  return fmt::format(
+      "Examples:\n"
+      "  sightline draw {0} part.off --orthographic 3,0,4 -o part.svg\n"
+      "      one moment of a turn about the vertical axis; `sightline spin part.off` shows the whole turn\n"
+      "  sightline draw {0} boxes-30 --orthographic 3,0,4 --hidden -o boxes.plt\n"
+      "      a generated scene for a plotter, what is hidden dashed with the second pen\n\n"
+      "The method knows a scene that turns about its y axis in parallel projection: --orthographic X,0,Z, or a "
+      "file whose own view is such a one. All other views are refused.\n"
+      "The picture is fitted to the paper or image, undistorted. Edges between faces in one plane are left out "
+      "unless --all-edges is given.\n",
+      algorithm);
+}
+
 std::string draw_lines_footer(std::string_view algorithm) {
   return fmt::format(
       "Examples:\n"
@@ -68,6 +83,10 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const SceneSo
   if (const auto reason = algorithm.why_not(source.scene))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
+  if (const auto reason = algorithm.why_not_seen(source.scene, camera)) {
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("{}: {} does not apply to this view: {}", source.name, algorithm.name, *reason));
+  }
   const auto checked = [&](auto result) {
     if (auto* error = std::get_if<scene::SceneError>(&result)) {
       error->source = source.name;
@@ -151,7 +170,8 @@ void add_draw_lines(CLI::App& command, const harness::LineAlgorithm& algorithm, 
   command
       .add_option("--field", arguments->field,
                   "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-                  "--orthographic; unless given, everything")
+                  "--orthographic")
+      ->default_str("everything")
       ->type_name("ANGLE")
       ->group("View");
   CLI::Option* const all_edges =
@@ -164,7 +184,8 @@ void add_draw_lines(CLI::App& command, const harness::LineAlgorithm& algorithm, 
   }
   add_draw_output_options(command, arguments->output);
   command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
-  command.footer(draw_lines_footer(algorithm.name));
+  command.footer(algorithm.why_not_view == nullptr ? draw_lines_footer(algorithm.name)
+                                                   : draw_parallel_footer(algorithm.name));
   command.callback(
       [arguments, &algorithm, &exit_code] { exit_code = run_draw_lines(algorithm, *arguments); });
 }

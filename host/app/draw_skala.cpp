@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/app/draw_output.hpp"
@@ -27,12 +27,11 @@ constexpr const char* draw_skala_examples =
     "      the net of a grid file, for a plotter\n"
     "  sightline draw skala --function \"sin(x)*cos(z)\" --picture contours --levels 12 -o map.png\n"
     "      contours of a function of your own\n"
-    "  sightline draw skala peaks --points 512 --slices 512 --picture surface --pixels 2000x1500 -o "
-    "peaks.png\n"
+    "  sightline draw skala peaks --points 512 --slices 512 --picture surface --pixels 2000x1500 -o p.png\n"
     "      a shaded surface\n\n"
     "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) "
     "or a "
-    "file:\nCSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole. --slices and "
+    "file: CSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole. --slices and "
     "--points say how finely\na function is sampled; a file has its own size. The drawing is stretched to "
     "the "
     "paper.\n";
@@ -40,13 +39,48 @@ constexpr const char* draw_skala_examples =
 struct DrawSkalaArguments {
   SkalaSource source;
   algorithms::skala::View view;
+  std::string picture;
+  std::string along;
+  bool json = false;
   bool no_visibility = false;
   bool no_rims = false;
   DrawOutput output;
 };
 
+// By the names the options take; empty: not given.
+Subject subject_named(const std::string& name) {
+  if (name == "surface") return Subject::surface;
+  return name == "contours" ? Subject::contours : Subject::lines;
+}
+
+Family slices_named(const std::string& name) {
+  if (name.empty()) return Family::automatic;
+  if (name == "both") return Family::both;
+  return name == "x" ? Family::along_x : Family::along_z;
+}
+
+void print_skala_drawing(const DrawSkalaArguments& arguments, const SkalaFunction& function,
+                         const picture::VectorDrawing& drawing) {
+  using nlohmann::ordered_json;
+  const ordered_json document{
+      {"schema", "sightline/draw/1"},
+      {"algorithm", "skala"},
+      {"scene", function.name},
+      {"output", arguments.output.file},
+      {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
+      {"slices", function.grid.slices()},
+      {"points", function.grid.points()},
+      {"rotation", arguments.view.rotation},
+      {"elevation", arguments.view.elevation},
+      {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
+  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
 ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   algorithms::skala::View& view = arguments.view;
+  view.subject = subject_named(arguments.picture);
+  view.family = slices_named(arguments.along);
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
@@ -54,22 +88,18 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
     throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
   const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
-  write_drawing(algorithms::skala::draw(function.grid, view), arguments.output, format, function.name);
+  const picture::VectorDrawing drawing = algorithms::skala::draw(function.grid, view);
+  write_drawing(drawing, arguments.output, format, function.name);
+  if (arguments.json) print_skala_drawing(arguments, function, drawing);
   return ExitCode::ok;
 }
 
 void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
   algorithms::skala::View& view = arguments.view;
-  command.add_option("--picture", view.subject, "lines, surface or contours; unless given lines")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Subject>{
-          {"lines", Subject::lines}, {"surface", Subject::surface}, {"contours", Subject::contours}}))
-      ->type_name("NAME");
-  command
-      .add_option("--along", view.family,
-                  "Slices along x, z or both; unless given along the one that is less end-on")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Family>{
-          {"x", Family::along_x}, {"z", Family::along_z}, {"both", Family::both}}))
-      ->type_name("NAME");
+  add_picture_option(command, arguments.picture, "What is drawn");
+  command.add_option("--along", arguments.along, "Slices along x, along z or both")
+      ->check(CLI::IsMember({"x", "z", "both"}))
+      ->default_str("the less end-on");
   add_angle_options(command, view.rotation, view.elevation);
   add_levels_option(command, view.levels);
   command.add_flag("--net", view.net, "Contours: draw the net of all cells, too");
@@ -90,6 +120,7 @@ void add_draw_skala(CLI::App& command, ExitCode& exit_code) {
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
+  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(draw_skala_examples);
   command.callback([arguments, &exit_code] { exit_code = run_draw_skala(*arguments); });
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "host/app/eae_option.hpp"
 #include "host/app/jones_session.hpp"
 #include "host/app/run_scripts.hpp"
 #include "host/app/scene_argument.hpp"
@@ -24,6 +25,8 @@ constexpr const char* jones_examples =
     "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
     "  sightline jones street4 --no-eae --at 120,90,60 --scale 700\n"
     "      another view, without the extended arithmetic element\n\n"
+    "This is the old program itself, on scenes of cells. `sightline draw jones` draws any scene by its method "
+    "with a program of today.\n\n"
     "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed "
     "and\n"
     "steals cycles. --switches takes a script of lines `SECONDS OCTAL` for the AC switches: 400000 left, "
@@ -158,17 +161,21 @@ ExitCode run_jones(const JonesArguments& arguments) {
 
 void add_jones_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
-      app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the PDP-7");
+      app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the emulated PDP-7");
   const auto arguments = std::make_shared<JonesArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
-  command->add_flag("--no-eae,!--eae", arguments->no_eae, "Without (with) the extended arithmetic element");
+  add_eae_options(*command, arguments->no_eae);
   command->add_option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
       ->capture_default_str()
       ->check(CLI::Range(0, 3));
   command->add_flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
-  command->add_option("--at", arguments->at, "The eye; the cell it is in becomes the initial cell")
+  command
+      ->add_option("--at,--eye", arguments->at,
+                   "The eye; the cell it is in becomes the initial cell")
+      ->default_str("the scene's own view")
       ->type_name("X,Y,Z");
   command->add_option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
+      ->default_str("512")
       ->check(CLI::Range(64, 4096));
   command->add_option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       ->type_name("SCRIPT");

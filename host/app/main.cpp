@@ -14,6 +14,7 @@
 #include "host/app/demo_command.hpp"
 #include "host/app/disasm_command.hpp"
 #include "host/app/draw_command.hpp"
+#include "host/app/help_formatter.hpp"
 #include "host/app/jones_command.hpp"
 #include "host/app/report_command.hpp"
 #include "host/app/run_command.hpp"
@@ -32,10 +33,20 @@ constexpr const char* sightline_examples =
     "      run Jones's program on a scene: pictures in out/, times on the terminal\n"
     "  sightline skala lines sinc -o out\n"
     "      run Skala's program on the 8080: a function of two variables with its hidden lines removed\n"
+    "  sightline draw exact part.off -o part.svg\n"
+    "      a solid drawn by a program of today\n"
     "  sightline draw skala sinc -o sinc.svg\n"
     "      the same function drawn today, as vectors\n"
     "  sightline asm pdp7 hello.s -o hello.rim && sightline run pdp7 --load hello.rim\n"
     "      assemble a program of your own and run it on the PDP-7\n\n"
+    "`sightline jones` and `sightline skala` run the old programs themselves on emulated machines, with their "
+    "limits and in their time. `sightline draw jones` and `sightline draw skala` draw by the same methods, "
+    "written for today's machines: any scene, any grid.\n\n"
+    "Words:\n"
+    "  guest   the old program on its emulated machine: Jones's on the PDP-7, Skala's on the 8080\n"
+    "  twin    what a guest computes, bit for bit, written again for this computer without the emulator\n"
+    "  native  a method of 1971 to 1990, or an exact one of today, written for this computer\n"
+    "  oracle  the slow and simple program that all are checked by; it shares no visibility code with them\n\n"
     "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal.\n"
     "Data goes to standard output, messages to standard error.\n";
 
@@ -48,25 +59,26 @@ std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
   return way;
 }
 
-void finish_help(CLI::App& app) {
-  app.footer(app.get_footer() + (app.get_footer().empty() ? "" : "\n") +
-             std::string(sightline::app::exit_code_help));
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) finish_help(*command);
-}
-
 std::vector<const CLI::App*> choices(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// A command that only chooses between others shows their options too; one that has a single choice, that one.
+// `name`: the command as it is typed.
+void finish_help(CLI::App& app, const std::string& name) {
+  std::string footer = app.get_footer();
+  if (!footer.empty()) footer += "\n";
+  if (app.get_parent() != nullptr && !choices(app).empty())
+    footer += "`" + name + " SUBCOMMAND --help` explains the options of each.\n";
+  app.footer(footer + std::string(sightline::app::exit_code_help));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    finish_help(*command, name + " " + command->get_name());
+}
+
 void print_help(const CLI::App& app) {
-  std::vector<const CLI::App*> path = way_to_subcommand(app);
-  if (path.size() > 1 && choices(*path.back()).size() == 1) path.push_back(choices(*path.back()).front());
-  const bool expand = path.size() > 1 && !choices(*path.back()).empty();
+  const std::vector<const CLI::App*> path = way_to_subcommand(app);
   std::string parents;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) parents += (i == 0 ? "" : " ") + path[i]->get_name();
-  sightline::app::write_stdout(
-      path.back()->help(parents, expand ? CLI::AppFormatMode::All : CLI::AppFormatMode::Normal));
+  sightline::app::write_stdout(path.back()->help(parents));
 }
 
 // The library only says that a subcommand is required.
@@ -120,6 +132,7 @@ int main(int argc, char** argv) {
                  "sightline");
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
     app.require_subcommand(1);
+    app.formatter(sightline::app::help_formatter());
     sightline::app::add_demo_command(app, exit_code);
     sightline::app::add_report_command(app, exit_code);
     sightline::app::add_jones_command(app, exit_code);
@@ -133,7 +146,7 @@ int main(int argc, char** argv) {
     sightline::app::add_run_command(app, exit_code);
     sightline::app::add_scene_command(app, exit_code);
     app.footer(sightline_examples);
-    finish_help(app);
+    finish_help(app, app.get_name());
     exit_code = run_sightline(app, argc, argv, exit_code);
   } catch (const sightline::app::Failure& failure) {
     sightline::app::complain(failure.what());

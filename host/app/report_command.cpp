@@ -128,7 +128,7 @@ ExitCode run_report(const ReportArguments& arguments) {
 
 void add_report_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
-      app.add_subcommand("report", "Measure and compare both machines: one page, with tables beside it");
+      app.add_subcommand("report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
   const auto arguments = std::make_shared<ReportArguments>();
   command->add_option("-o,--output", arguments->directory, "Folder for the report")
       ->capture_default_str()
@@ -136,14 +136,15 @@ void add_report_command(CLI::App& app, ExitCode& exit_code) {
   std::string parts;
   for (const report::Part& part : report::all_parts())
     parts += fmt::format("{}{} {}", parts.empty() ? "" : "; ", part.number, part.title);
-  command->add_option("--part", arguments->parts, "Only this part, may be repeated: " + parts)
+  command->add_option("--part", arguments->parts, "Only this part: " + parts)
       ->type_name("N")
       ->allow_extra_args(false);
   command
       ->add_option(
           "--cache", arguments->cache,
           "Folder where events of turning scenes are kept for the next report; what is there and is of "
-          "no use is made anew [OUTPUT/cache]")
+          "no use is made anew")
+      ->default_str("cache in the report's folder")
       ->type_name("DIR");
   command->add_flag("--full", arguments->full, "Measure longer, where that makes figures better");
   command->add_flag("--no-host-times", arguments->no_host_times,

@@ -13,7 +13,6 @@ struct RunArguments {
   std::vector<std::string> loads;
   std::string start;
   std::string memory = "8k";
-  bool eae = false;  // changes nothing: it is the default
   bool no_eae = false;
   std::vector<std::string> sets;
   std::vector<std::string> timings;

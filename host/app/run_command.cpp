@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "host/app/eae_option.hpp"
 #include "host/app/progress.hpp"
 #include "host/app/run_arguments.hpp"
 #include "host/app/run_i8080_command.hpp"
@@ -20,8 +21,7 @@ constexpr const char* run_pdp7_examples =
     "Examples:\n"
     "  sightline run pdp7 --load hello.rim --teletype -\n"
     "      from the tape's own start address to HLT; what it types goes to standard output\n"
-    "  sightline run pdp7 --load jones.rim house.oct@10000 --switches turns.txt --max-time 5 --png last.png "
-    "--json\n"
+    "  sightline run pdp7 --load jones.rim house.oct@10000 --switches turns.txt --max-time 5 --png a.png\n"
     "      five emulated seconds with the display, a person at the switches, the last picture as PNG\n\n"
     "Addresses, words and registers are octal; counts and seconds are decimal. Tapes (RIM, HRI) and octal "
     "core images\n"
@@ -36,19 +36,16 @@ constexpr const char* run_pdp7_examples =
     "run.\n"
     "HLT and limits end with exit code 0 and the reason in the report. All files are written at every stop, "
     "also at\n"
-    "Ctrl-C; `-` writes to standard output.\n\n"
+    "Ctrl-C; `-` writes to standard output. Without --max-time and --max-instructions nothing but the program "
+    "itself, or Ctrl-C, ends a run.\n\n"
     "Formats:\n"
-    "  switch script    lines `SECONDS OCTAL`, # begins a comment\n"
-    "  keyboard script  lines `SECONDS TEXT`, with \\r \\n \\t \\\\ and \\NNN (octal)\n"
-    "  light-pen script lines `SECONDS X Y [RADIUS]` or `SECONDS off`, in order of time: from then on the "
-    "pen "
-    "sees the\n"
-    "                   square of RADIUS points (default 4) around X Y, decimal, (0, 0) lower left; # begins "
-    "a "
-    "comment\n"
-    "  dump             `PC AC L MQ SC`, then all words of core, eight to a line, six digits\n"
-    "  trace            `TIME_NS PC WORD INSTRUCTION AC L MQ`, a line an instruction, registers after it\n"
-    "  strokes          `T_NS X Y INTENSITY ADDRESS`, a line a flash of the beam\n";
+    "  switch script     lines `SECONDS OCTAL`, # begins a comment\n"
+    "  keyboard script   lines `SECONDS TEXT`, with \\r \\n \\t \\\\ and \\NNN (octal)\n"
+    "  light-pen script  lines `SECONDS X Y [RADIUS]` or `SECONDS off`, in order of time: from then on the pen "
+    "sees the square of RADIUS points (default 4) around X Y, decimal, (0, 0) lower left; # begins a comment\n"
+    "  dump              `PC AC L MQ SC`, then all words of core, eight to a line, six digits\n"
+    "  trace             `TIME_NS PC WORD INSTRUCTION AC L MQ`, a line an instruction, registers after it\n"
+    "  strokes           `T_NS X Y INTENSITY ADDRESS`, a line a flash of the beam\n";
 
 ExitCode run_pdp7(const RunArguments& arguments) {
   harness::Pdp7Job job = job_from(arguments);
@@ -75,12 +72,11 @@ void add_machine_options(CLI::App& command, RunArguments& to) {
   command.add_option("--load", to.loads, "Tapes and core images, in order; @ADDRESS in octal")
       ->type_name("FILE[@ADDRESS]");
   command.add_option("--start", to.start, "Press START at this address")->type_name("ADDRESS");
-  command.add_option("--memory", to.memory, "Core: 4k, 8k, 16k or 32k; extend mode above 8k")
+  command.add_option("--memory", to.memory, "Size of core; extend mode above 8k")
       ->check(CLI::IsMember({"4k", "8k", "16k", "32k"}, CLI::ignore_case))
       ->capture_default_str()
       ->type_name("SIZE");
-  CLI::Option* const eae = command.add_flag("--eae", to.eae, "With the Type 177 EAE (the default)");
-  command.add_flag("--no-eae", to.no_eae, "Without it: 64xxxx does nothing")->excludes(eae);
+  add_eae_options(command, to.no_eae);
   command.add_option("--set", to.sets, "Set PC, AC, L, MQ, SC, SR or ION before the run, in octal")
       ->allow_extra_args(false)
       ->type_name("REGISTER=VALUE");
@@ -91,7 +87,7 @@ void add_machine_options(CLI::App& command, RunArguments& to) {
   command.add_flag("--display", to.display, "Attach the Type 340");
   command
       .add_option("--display-option", to.display_options,
-                  "Build in the 342 (characters) or 347 (subroutines)")
+                  "Build into the display: 342 draws characters, 347 calls subroutines")
       ->check(CLI::IsMember({"342", "347"}))
       ->allow_extra_args(false)
       ->type_name("342|347");
@@ -114,10 +110,10 @@ void add_output_options(CLI::App& command, RunArguments& to) {
   command.add_option("--dump", to.dump, "Registers and all of core after the run")->type_name("FILE");
   command.add_option("--trace", to.trace, "Every instruction")->type_name("FILE");
   command.add_option("--strokes", to.strokes, "Every flash of the display's beam")->type_name("FILE");
-  command.add_option("--png", to.png, "The last complete pass, 1024x1024, crisp")->type_name("FILE");
+  command.add_option("--png", to.png, "The last complete pass through the display file, 1024x1024, crisp")->type_name("FILE");
   command.add_option("--phosphor", to.phosphor, "A photograph of the P7 screen, the last 0.2 s (PNG)")
       ->type_name("FILE");
-  command.add_option("--svg", to.svg, "The last complete pass as lines in millimetres")->type_name("FILE");
+  command.add_option("--svg", to.svg, "The same pass as lines in millimetres")->type_name("FILE");
   command.add_option("--punch", to.punch, "What was punched, a byte a line of tape")->type_name("FILE");
   command.add_option("--teletype", to.teletype, "What was typed, seven-bit codes")->type_name("FILE");
   command.add_flag("--json", to.json, "The report as one JSON document");
@@ -126,7 +122,7 @@ void add_output_options(CLI::App& command, RunArguments& to) {
 }  // namespace
 
 void add_run_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("run", "Run a program on an emulated machine");
+  CLI::App* const command = app.add_subcommand("run", "Run a program of your own on an emulated machine: PDP-7 or 8080");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"

@@ -19,11 +19,9 @@ constexpr const char* run_i8080_examples =
     "Examples:\n"
     "  sightline run i8080 --cpm --load hello.com\n"
     "      a CP/M program: what it prints goes to standard output, the report to standard error\n"
-    "  sightline run i8080 --load draw.hex --start 8000 --board ef9365 --png picture.png --max-states "
-    "6000000\n"
+    "  sightline run i8080 --load draw.hex --start 8000 --board ef9365 --png a.png --max-states 6000000\n"
     "      two seconds at 3 MHz with the raster board, its picture as PNG\n"
-    "  sightline run i8080 --load rom.bin@E000 data.bin@2000 --start E000 --set SP=F000 --trace steps.txt "
-    "--json\n"
+    "  sightline run i8080 --load rom.bin@E000 data.bin@2000 --start E000 --set SP=F000 --trace t --json\n"
     "      raw bytes at two places, every instruction into a file, the report as JSON\n\n"
     "Addresses, bytes and registers are hexadecimal; counts are decimal. The ending tells what a file is "
     "(.com .bin\n"
@@ -46,17 +44,15 @@ constexpr const char* run_i8080_examples =
     "that nothing answers reads as FF and is warned about; with it, it stops the run.\n"
     "HLT ends the run if no interrupt can end it. HLT and limits end with exit code 0 and the reason in the "
     "report. All\n"
-    "files are written at every stop, also at Ctrl-C; `-` writes to standard output.\n\n"
+    "files are written at every stop, also at Ctrl-C; `-` writes to standard output. Without --max-states and "
+    "--max-instructions nothing but the program itself, or Ctrl-C, ends a run.\n\n"
     "Formats:\n"
     "  dump     `A F B C D E H L SP PC INTE`, then all of memory, 4096 lines of 16 bytes\n"
     "  trace    `T PC BYTES INSTRUCTION A F B C D E H L SP PC INTE`, a line an instruction: T-state and "
-    "address of its\n"
-    "           fetch, registers after it; INT before an instruction that a device supplied, * before an "
-    "opcode that\n"
-    "           Intel left undefined\n"
+    "address of its fetch, registers after it; INT before an instruction that a device supplied, * before an "
+    "opcode that Intel left undefined\n"
     "  bus      `T SS AAAA DD`, a line a machine cycle: T-state of its T1, status byte, address, data (-- in "
-    "a halt);\n"
-    "           none for the internal cycles of DAD\n"
+    "a halt); none for the internal cycles of DAD\n"
     "  strokes  `T_NS X Y INTENSITY ADDRESS`, a line a step of the plotter's lowered pen\n";
 
 ExitCode run_i8080(const RunI8080Arguments& arguments) {
@@ -104,15 +100,15 @@ void add_machine_options(CLI::App& command, RunI8080Arguments& to) {
 }
 
 void add_device_options(CLI::App& command, RunI8080Arguments& to) {
-  command.add_option("--board", to.board, "Attach a raster board: ef9365 or alt256")
+  command.add_option("--board", to.board, "Attach a raster board")
       ->check(CLI::IsMember({"ef9365", "alt256"}))
       ->type_name("BOARD");
-  command.add_option("--plotter", to.plotter, "Attach a plotter: calcomp or minigraf")
+  command.add_option("--plotter", to.plotter, "Attach a plotter")
       ->check(CLI::IsMember({"calcomp", "minigraf"}))
       ->type_name("PLOTTER");
   command
-      .add_option("--plotter-start", to.plotter_start,
-                  "Where the CalComp's pen stands first, in steps (default 0,0)")
+      .add_option("--plotter-start", to.plotter_start, "Where the CalComp's pen stands first, in steps")
+      ->default_str("0,0")
       ->type_name("X,Y");
   command.add_option("--parallel", to.parallel, "Attach the 8255; the host computer sends these bytes")
       ->type_name("FILE");

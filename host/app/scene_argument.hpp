@@ -1,4 +1,4 @@
-// The SCENE argument and the --at option, the same in every subcommand that has them.
+// The SCENE argument and the eye's option, the same in every subcommand that has them.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace sightline::app {
 
 inline constexpr std::string_view scene_argument_help =
-    "A built-in scene (see `sightline scene list`) or a JSON file";
+    "A built-in scene (see `sightline scene list`) or a JSON file of a scene of cells";
 
 // Throws Failure io if SCENE is neither a built-in name nor a file.
 void require_scene_exists(const std::string& name_or_file);

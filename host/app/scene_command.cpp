@@ -14,6 +14,7 @@
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_compartment_command.hpp"
 #include "host/app/scene_poly_command.hpp"
+#include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/check.hpp"
 #include "host/scene/encode.hpp"
@@ -51,7 +52,7 @@ scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& so
 constexpr const char* tape_examples =
     "Examples:\n"
     "  sightline scene tape house -o house.s\n"
-    "      the source tape that is assembled together with the program\n"
+    "      the source tape that is assembled together with Jones's program\n"
     "  sightline scene tape my-room.json --at 120,60,30 -o room.s\n"
     "      a scene of your own, seen from another point; its cell becomes the initial one\n\n"
     "--at takes decimal numbers; x points right, y up, z away from the viewer. A point inside a solid, "
@@ -73,10 +74,12 @@ void tape(const SceneArguments& arguments) {
 }
 
 void add_tape(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("tape", "Write a scene as the program's source tape");
+  CLI::App* const command = parent.add_subcommand("tape", "Write a scene as a source tape of Jones's program");
   const auto arguments = std::make_shared<SceneArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
-  command->add_option("--at", arguments->at, "The eye (default: the scene's own view)")->type_name("X,Y,Z");
+  command->add_option("--at,--eye", arguments->at, "The eye")
+      ->default_str("the scene's own view")
+      ->type_name("X,Y,Z");
   command->add_option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
       ->capture_default_str()
       ->type_name("FILE");
@@ -133,7 +136,7 @@ ExitCode check(const SceneArguments& arguments) {
 void add_check(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("check", "Say everything that is wrong with a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help) + ", or an OFF or OBJ file")
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))
       ->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(check_examples);
@@ -205,7 +208,7 @@ void info(const SceneArguments& arguments) {
 void add_info(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help) + ", or an OFF or OBJ file")
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))
       ->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(info_examples);
@@ -241,7 +244,7 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
 }  // namespace
 
 void add_scene_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("scene", "Check, describe, encode and cut up scenes");
+  CLI::App* const command = app.add_subcommand("scene", "Scenes: list, check, describe, convert, generate, cut into cells, write as a tape");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"

@@ -105,7 +105,7 @@ void add_scene_compartment_command(CLI::App& scene_command, ExitCode& exit_code)
       scene_command.add_subcommand("compartment", "Cut a scene's free space into cells and openings");
   const auto arguments = std::make_shared<CompartmentArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_option("--method", arguments->method, "auto, grid or bsp")
+  command->add_option("--method", arguments->method, "How space is cut")
       ->check(CLI::IsMember({"auto", "grid", "bsp"}))
       ->capture_default_str()
       ->type_name("METHOD");

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "host/app/scene_argument.hpp"
+#include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/eye_place.hpp"
 #include "host/scene/generate_scene.hpp"
@@ -72,8 +74,7 @@ constexpr const char* convert_examples =
     "      equal vertices merged, unused ones and faces without area left out, bodies turned the right side "
     "out\n\n"
     "Coordinates that are not whole numbers below 262144 are rounded once; the step is reported. OFF and OBJ "
-    "have no "
-    "holes:\nfaces with holes are written there as triangles. OFF does not say which faces make a body: what "
+    "have no holes: faces with holes are written there as triangles. OFF does not say which faces make a body: what "
     "hangs "
     "together is one.\n";
 
@@ -95,7 +96,7 @@ void convert(const ConvertArguments& arguments) {
 void add_convert(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("convert", "Read a scene and write it as polyhedra");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("SCENE", arguments->scene, "A built-in scene, or a JSON, OFF or OBJ file")->required();
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
   command->add_flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
   command
       ->add_option("-o,--output", arguments->output,
@@ -124,6 +125,37 @@ constexpr const char* generate_examples =
     "  sightline scene generate rooms 4 --seed 7 -o rooms.json\n"
     "      the same family, size and seed give the same scene everywhere\n";
 
+// What SIZE counts; scene/generate_scene.hpp says what the families look like.
+struct FamilyHelp {
+  std::string_view family;
+  std::string_view size;
+};
+constexpr std::array family_helps{
+    FamilyHelp{"boxes", "SIZE boxes anywhere that touch nowhere"},
+    FamilyHelp{"edgeon", "SIZE such boxes, looked at from the plane of a face"},
+    FamilyHelp{"touch", "SIZE x SIZE x SIZE cubes that share faces"},
+    FamilyHelp{"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
+    FamilyHelp{"town", "SIZE buildings on the ground"},
+    FamilyHelp{"triangles", "SIZE triangles"},
+    FamilyHelp{"bricks", "SIZE small boxes that may touch, fewer where there is no room"},
+    FamilyHelp{"rooms", "SIZE x SIZE rooms with doors and hatches"},
+    FamilyHelp{"big_rooms", "SIZE x SIZE such rooms, all lengths divided by 5"},
+    FamilyHelp{"corridors", "SIZE rooms one behind the other"},
+    FamilyHelp{"prisms", "SIZE turned houses of one height"},
+};
+
+std::string families_help() {
+  std::string text = "\nFamilies:\n";
+  for (const std::string_view name : scene::generator_names()) {
+    const auto* const row = std::find_if(family_helps.begin(), family_helps.end(),
+                                         [name](const FamilyHelp& help) { return help.family == name; });
+    text += fmt::format("  {:<9}  {}, at most {}\n", name, row == family_helps.end() ? "SIZE" : row->size,
+                        scene::largest_generated_size(name));
+  }
+  return text + "\nFAMILY-SIZE or FAMILY-SIZE-SEED names such a scene in place of a file for all commands but "
+                "`jones` and `scene tape`, which want a scene of cells.\n";
+}
+
 void generate(const GenerateArguments& arguments) {
   auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
   if (const auto* error = std::get_if<scene::SceneError>(&scene))
@@ -134,17 +166,17 @@ void generate(const GenerateArguments& arguments) {
 void add_generate(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("generate", "Write a scene of a random family");
   const auto arguments = std::make_shared<GenerateArguments>();
-  std::string families;
-  for (const std::string_view name : scene::generator_names()) families += fmt::format(" {}", name);
-  command->add_option("FAMILY", arguments->family, "One of" + families)->required();
-  command->add_option("SIZE", arguments->size, "How many; touch, aligned, rooms and big_rooms: on a side; corridors: rooms")->required();
-  command->add_option("--seed", arguments->seed, "Another seed, another scene")->capture_default_str();
+  command->add_option("FAMILY", arguments->family, "One of those below")->required();
+  command->add_option("SIZE", arguments->size, "How many of what: see below")->required();
+  command->add_option("--seed", arguments->seed, "Another seed, another scene")
+      ->capture_default_str()
+      ->type_name("N");
   command
       ->add_option("-o,--output", arguments->output,
                    "A .json, .off or .obj file; - is JSON on standard output")
       ->capture_default_str()
       ->type_name("FILE");
-  command->footer(generate_examples);
+  command->footer(generate_examples + families_help());
   command->callback([arguments, &exit_code] {
     generate(*arguments);
     exit_code = ExitCode::ok;
@@ -184,6 +216,10 @@ scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
 }
 
 SceneText read_scene_text(const std::string& name_or_file) {
+  if (const auto generated = generated_scene(name_or_file)) {
+    auto text = scene::write_poly(*generated, scene::PolyFormat::json);
+    return {name_or_file, std::get<std::string>(std::move(text)), false, true};
+  }
   require_scene_exists(name_or_file);
   if (const auto builtin = scene::builtin_scene_text(name_or_file))
     return {name_or_file, std::string(*builtin), true, false};

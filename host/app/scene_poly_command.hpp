@@ -9,7 +9,7 @@
 
 namespace sightline::app {
 
-// SCENE, read once: it may be a pipe.
+// SCENE, read once: it may be a pipe. A generated scene is the JSON that `scene generate` would write of it.
 struct SceneText {
   std::string name;
   std::string text;
@@ -17,7 +17,8 @@ struct SceneText {
   bool polyhedra = false;  // the name ends in .off or .obj, or it is JSON with bodies; not if built in
 };
 
-// Failure io if SCENE is neither a built-in name nor a file, or cannot be read.
+// Failure io if SCENE is neither a built-in name nor that of a generated scene nor a file, or cannot be read;
+// usage: a generated scene of an impossible size.
 [[nodiscard]] SceneText read_scene_text(const std::string& name_or_file);
 
 // Of a file of polyhedra, read and checked. Failure bad_input, naming the first thing that is wrong.

@@ -51,15 +51,19 @@ std::optional<GeneratedName> generated_name(std::string_view text) {
 
 }  // namespace
 
-SceneSource load_scene_source(const std::string& name) {
+std::optional<scene::PolyScene> generated_scene(const std::string& name) {
   std::error_code unknown;
   const auto generated = generated_name(name);
-  if (generated && !std::filesystem::exists(name, unknown)) {
-    auto scene = scene::generate_scene(generated->family, generated->size, generated->seed);
-    if (const auto* error = std::get_if<scene::SceneError>(&scene))
-      throw Failure(ExitCode::usage, error->message());
-    return {name, std::nullopt, std::get<scene::PolyScene>(std::move(scene)), std::nullopt};
-  }
+  if (!generated || std::filesystem::exists(name, unknown)) return std::nullopt;
+  auto scene = scene::generate_scene(generated->family, generated->size, generated->seed);
+  if (const auto* error = std::get_if<scene::SceneError>(&scene))
+    throw Failure(ExitCode::usage, error->message());
+  return std::get<scene::PolyScene>(std::move(scene));
+}
+
+SceneSource load_scene_source(const std::string& name) {
+  if (auto generated = generated_scene(name))
+    return {name, std::nullopt, std::move(*generated), std::nullopt};
   const SceneText file = read_scene_text(name);
   if (scene::is_cell_complex(file.text)) {
     auto cells = scene::read_cell_complex(file.text, file.name);

@@ -40,7 +40,8 @@ std::string footer() {
       "{}FUNCTION is a name ({})\nor a file: CSV, gnuplot's matrix (the first line in front) or its x y z "
       "blocks (the "
       "least y in\nfront). Every picture is compared with a native twin of the program before it is written. "
-      "Seconds are\nthose of the emulated 8080.\n",
+      "Seconds are\nthose of the emulated 8080. `sightline draw skala` draws by the same method with a program "
+      "of today.\n",
       skala_examples, scene::height_function_names());
 }
 
@@ -100,9 +101,13 @@ void add_view_options(CLI::App& command, SkalaArguments& arguments) {
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("F");
-  if (view.picture != SkalaPicture::contours) return add_slices_options(command, arguments.slices);
-  command.add_flag("--both", arguments.slices.both,
-                   "Slices along x and along z; makes a difference to lines only");
+  if (view.picture != SkalaPicture::contours) {
+    add_slices_options(command, arguments.slices);
+    // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
+    if (view.picture == SkalaPicture::surface) command.get_option("--both")->description("");
+    return;
+  }
+  command.add_flag("--both", arguments.slices.both);
   add_levels_option(command, view.levels);
   command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
 }
@@ -127,7 +132,8 @@ void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
 
 void add_output_options(CLI::App& command, SkalaArguments& arguments) {
   command
-      .add_option("--palette", arguments.palette, "Of the PNG; unless given grey for surfaces, else colour")
+      .add_option("--palette", arguments.palette, "Of the PNG")
+      ->default_str("grey for surfaces, else colour")
       ->check(CLI::IsMember({"colour", "grey"}))
       ->type_name("NAME");
   command.add_option("--scale", arguments.scale, "Pixels a point in the PNG")
@@ -157,7 +163,7 @@ void add_picture(CLI::App& parent, const char* name, const char* description, Sk
 
 void add_skala_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command =
-      app.add_subcommand("skala", "Run Skala's programs (1985) on the 8080: functions of two variables");
+      app.add_subcommand("skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
   command->require_subcommand(1);
   add_picture(*command, "lines", "Slices of a surface with hidden lines removed", SkalaPicture::lines,
               exit_code);

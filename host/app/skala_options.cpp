@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 
 #include "host/app/command.hpp"
 #include "host/scene/height_function.hpp"
@@ -20,17 +21,20 @@ void add_function_options(CLI::App& command, SkalaSource& source, const std::str
                           const std::string& points) {
   command.add_option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
       ->type_name("EXPR");
-  command.add_option("--domain", source.domain, "Of x and z in --function; -10:10 unless given")
+  command.add_option("--domain", source.domain, "Of x and z in --function")
+      ->default_str("-10:10")
       ->type_name("A:B");
   const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
                          static_cast<int>(scene::largest_grid.points));
   command
-      .add_option(
-          "--slices", source.slices,
-          fmt::format("Samples along z: slices, unless those along z are drawn; {} unless given", slices))
-      ->check(range);
-  command.add_option("--points", source.points, fmt::format("Samples along x; {} unless given", points))
-      ->check(range);
+      .add_option("--slices", source.slices, "Samples along z: slices, unless those along z are drawn")
+      ->check(range)
+      ->default_str(slices)
+      ->type_name("N");
+  command.add_option("--points", source.points, "Samples along x")
+      ->check(range)
+      ->default_str(points)
+      ->type_name("N");
 }
 
 void add_angle_options(CLI::App& command, double& rotation, double& elevation) {
@@ -50,10 +54,22 @@ void require_angles(double rotation, double elevation) {
 
 void add_slices_options(CLI::App& command, SkalaSlices& slices) {
   CLI::Option* const both =
-      command.add_flag("--both", slices.both, "Slices along x and along z; makes a difference to lines only");
-  command.add_option("--along", slices.along, "Slices along x or along z; unless given the less end-on")
+      command.add_flag("--both", slices.both, "Slices along x and along z; of lines only");
+  command.add_option("--along", slices.along, "Slices along x or along z")
+      ->default_str("the less end-on")
       ->check(CLI::IsMember({"x", "z"}))
       ->excludes(both);
+}
+
+std::string_view picture_name(harness::SkalaPicture picture) {
+  constexpr std::array<std::string_view, 3> names{"lines", "surface", "contours"};
+  return names[static_cast<std::size_t>(picture)];
+}
+
+void add_picture_option(CLI::App& command, std::string& picture, const std::string& help) {
+  command.add_option("--picture", picture, help)
+      ->check(CLI::IsMember({"lines", "surface", "contours"}))
+      ->default_str("lines");
 }
 
 harness::SkalaFamily family_of(const SkalaSlices& slices) {
@@ -67,7 +83,9 @@ void add_levels_option(CLI::App& command, int& levels) {
 }
 
 void add_levels_option(CLI::App& command, std::optional<int>& levels) {
-  command.add_option("--levels", levels, levels_help)->check(CLI::Range(1, 255));
+  command.add_option("--levels", levels, levels_help)
+      ->check(CLI::Range(1, 255))
+      ->default_str(std::to_string(harness::SkalaView{}.levels));
 }
 
 }  // namespace sightline::app

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/app/skala_source.hpp"
 #include "host/harness/skala_view.hpp"
@@ -35,6 +36,12 @@ struct SkalaSlices {
 };
 void add_slices_options(CLI::App& command, SkalaSlices& slices);
 [[nodiscard]] harness::SkalaFamily family_of(const SkalaSlices& slices);
+
+// "lines", "surface" or "contours"
+[[nodiscard]] std::string_view picture_name(harness::SkalaPicture picture);
+
+// --picture: "lines", "surface" or "contours"; empty: not given, lines.
+void add_picture_option(CLI::App& command, std::string& picture, const std::string& help);
 
 // --levels; the second without a default of its own.
 void add_levels_option(CLI::App& command, int& levels);

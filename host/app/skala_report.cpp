@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double seconds(core::Duration time) {
+double plotter_seconds(core::Duration time) {
   return std::chrono::duration<double>(time).count();
 }
 
@@ -32,7 +32,7 @@ std::string plotter_lines(const SkalaOrder& order, const SkalaOutcome& outcome) 
   const harness::SkalaPlotterWork& work = outcome.plotter;
   return fmt::format(
       "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
-      work.pen_lifts, seconds(work.time), work.steps_pen_down, work.steps_pen_up);
+      work.pen_lifts, plotter_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
 // The program looks once for the EF9365 board: that nobody answers is no finding.
@@ -118,7 +118,7 @@ std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
   document["visibility_cost_per_cent"] =
       outcome.visibility_cost ? ordered_json(*outcome.visibility_cost) : ordered_json(nullptr);
   if (!is_raster(order.view.device)) {
-    document["plotter"] = {{"seconds", seconds(outcome.plotter.time)},
+    document["plotter"] = {{"seconds", plotter_seconds(outcome.plotter.time)},
                            {"pen_lifts", outcome.plotter.pen_lifts},
                            {"steps_pen_down", outcome.plotter.steps_pen_down},
                            {"steps_pen_up", outcome.plotter.steps_pen_up}};

@@ -5,16 +5,14 @@
 #include <array>
 #include <filesystem>
 #include <initializer_list>
-#include <system_error>
 #include <utility>
 
-#include "host/app/command.hpp"
+#include "host/app/outputs.hpp"
 #include "host/harness/skala_pen_paths.hpp"
 #include "host/harness/skala_stream.hpp"
 #include "host/harness/skala_twin.hpp"
 #include "host/picture/hpgl.hpp"
 #include "host/picture/pen_drawing.hpp"
-#include "host/picture/png.hpp"
 
 namespace sightline::app {
 
@@ -85,12 +83,6 @@ Drawn drawn(const harness::SkalaProgram& program, const SkalaOrder& order, bool 
   return result;
 }
 
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
-}
-
 // Files BASE.ENDING of which all appear or, if one cannot be written, none: opened together, and put in their
 // places when all are written.
 class PictureSet {
@@ -115,13 +107,7 @@ class PictureSet {
   std::vector<Output> outputs_;
 };
 
-void write_png(Output& output, const picture::Image& image, const std::string& title) {
-  const auto bytes = picture::encode_png(image, {{"Title", title}, {"Software", "sightline"}});
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
-  output.write(std::span<const std::uint8_t>(*bytes));
-}
-
-std::string title_of(const SkalaOrder& order) {
+std::string skala_title(const SkalaOrder& order) {
   return fmt::format("{}, {}, Skala 1985 on the 8080, {}", order.name, name_of(order.view.picture),
                      name_of(order.view.device));
 }
@@ -168,17 +154,18 @@ std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const Ska
                                               const SkalaOutcome& outcome) {
   make_directory(files.directory);
   const std::string base = (std::filesystem::path(files.directory) / files.stem).string();
-  const std::string title = title_of(order);
+  const std::string title = skala_title(order);
+  const picture::TextEntries text{{"Title", title}, {"Software", "sightline"}};
   if (is_raster(order.view.device)) {
     PictureSet set(base, {".png"});
-    write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), title);
+    write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), text);
     return set.commit();
   }
   const auto paths = harness::pen_paths(outcome.picture.moves);
   const picture::PlotterPaper paper =
       order.view.device == SkalaDevice::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
   PictureSet set(base, {".png", ".svg", ".hpgl"});
-  write_png(set.at(0), picture::pen_image(paths, paper, files.scale), title);
+  write_png(set.at(0), picture::pen_image(paths, paper, files.scale), text);
   set.at(1).write(picture::pen_svg(paths, paper, title));
   set.at(2).write(picture::hpgl(paths, paper));
   return set.commit();

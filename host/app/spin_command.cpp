@@ -161,19 +161,23 @@ void spin(const SpinOptions& options) {
 void add_spin_command(CLI::App& app, ExitCode&) {
   const auto options = std::make_shared<SpinOptions>();
   CLI::App* const command = app.add_subcommand(
-      "spin", "Turn a scene about its vertical axis without hidden lines, as an animated PNG");
+      "spin", "Turn a scene about its vertical axis without hidden lines, as an animated PNG, after Plantinga, Seales and "
+      "Dyer (1990)");
   command->add_option("SCENE", options->scene, std::string(scene_source_help))->required();
-  command->add_option("-o,--output", options->out, "The animated PNG")->required();
-  command->add_option(
-      "--events", options->events,
-      "Read the events of the turn from this file; if there is none, find and keep them in it");
+  command->add_option("-o,--output", options->out, "The animated PNG")->required()->type_name("FILE");
+  command
+      ->add_option("--events", options->events,
+                   "Read the events of the turn from this file; if there is none, find and keep them in it")
+      ->type_name("FILE");
   command->add_option("--step", options->step, "Degrees from frame to frame")
+      ->type_name("DEGREES")
       ->check(CLI::Range(0.05, 180.0))
       ->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "Join events within so many degrees; 0: exact")
+      ->type_name("DEGREES")
       ->check(CLI::Range(0.0, 30.0))
       ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height in pixels")
+  command->add_option("--size,--pixels", options->size, "Width and height in pixels")
       ->check(CLI::Range(16, 4096))
       ->capture_default_str();
   command->add_option("--rate", options->rate, "Frames a second")

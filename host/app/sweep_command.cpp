@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/app/eae_option.hpp"
 #include "host/app/progress.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/app/sweep_file.hpp"
@@ -30,7 +31,7 @@ constexpr const char* sweep_examples =
     "      Jones's program on the emulated PDP-7, too: against its twin word for word, and how wrong it is\n"
     "  sightline sweep house --turn --views 500\n"
     "      the native algorithms on a scene of cells, in all directions\n"
-    "  sightline sweep part.off --views 5000 --seed 7 --algorithm jones,oracle --shard 2/10 -o part-2.jsonl\n"
+    "  sightline sweep part.off --views 5000 --seed 7 --algorithm jones,oracle --shard 2/10 -o 2.jsonl\n"
     "      the second tenth of five thousand views, for one machine of ten\n\n"
     "One line of JSON a view, in order: the camera, and for each algorithm the pieces of edges it sees, "
     "their "
@@ -39,7 +40,7 @@ constexpr const char* sweep_examples =
     "and what it did.\nView k depends on the scene, the seed and k alone. Shards are stretches of views: one "
     "after the other they are the\nfile that one run would have made, byte for byte (but for --time).\n\n"
     "On several machines with GNU parallel, which keeps the order:\n"
-    "  parallel -k sightline sweep part.off --views 5000 --jobs 1 --shard {}/10 ::: $(seq 10) > part.jsonl\n"
+    "  parallel -k sightline sweep part.off --views 5000 --jobs 1 --shard {}/10 ::: $(seq 10) > p.jsonl\n"
     "  parallel -k --sshlogin one,two --transferfile part.off ...      the same on two machines\n"
     "With Slurm, an array of ten jobs, then cat:\n"
     "  sbatch --array=1-10 --wrap 'sightline sweep part.off --views 5000 \\\n"
@@ -199,24 +200,28 @@ void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
       ->required()
       ->check(CLI::Range(std::uint64_t{1}, most_views))
       ->type_name("N");
-  command->add_option("--seed", arguments->seed, "Another seed, other views")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Another seed, other views")
+      ->capture_default_str()
+      ->type_name("N");
   command->add_option("--shard", arguments->shard, "Only the I-th of N parts of the views")
       ->capture_default_str()
       ->type_name("I/N");
   command
       ->add_option(
           "--algorithm", arguments->algorithms,
-          fmt::format("Of {}; unless given all but the oracle. exact always runs", known_algorithms()))
+          fmt::format("Which of: {}; exact always runs", known_algorithms()))
+      ->default_str("all but the oracle")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_flag("--guest", arguments->guest,
                     "Of a scene of cells: Jones's program on the emulated PDP-7 and its twin, too");
-  command->add_flag("--no-eae", arguments->no_eae, "The PDP-7 has no extended arithmetic element");
+  add_eae_options(*command, arguments->no_eae);
   command->add_flag("--turn", arguments->turn,
-                    "A scene of cells in all directions; unless given along +z, as Jones's program looks, "
-                    "which has other views not applicable");
+                    "A scene of cells in all directions, where Jones's program does not apply; without it "
+                    "along +z, as that program looks");
   command->add_flag("--time", arguments->time, "Say how many host nanoseconds each view took");
-  command->add_option("--jobs", arguments->jobs, "Threads; unless given as many as there are cores")
+  command->add_option("--jobs", arguments->jobs, "Threads")
+      ->default_str("as many as there are cores")
       ->check(CLI::Range(1U, 1024U));
   command
       ->add_option("-o,--output", arguments->output,

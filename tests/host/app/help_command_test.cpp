@@ -1,4 +1,6 @@
 // --help teaches every option, with examples; --version; the errors of a lost user.
+#include <sstream>
+
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -69,14 +71,14 @@ TEST_F(HelpCommand, NamesEveryOption) {
                "--bus",          "--console",    "--png",     "--grey",           "--strokes", "--parallel", "--svg",
                "--parallel-out", "--serial",     "--serial-out", "--interrupt",   "--json",    "--plotter-start",
                "T SS AAAA DD"});
-  expect_help({"run"}, {"pdp7", "i8080", "--load", "--phosphor", "--cpm"});
-  expect_help({"scene", "tape"}, {"SCENE", "--at", "-o"});
+  expect_help({"run"}, {"pdp7", "i8080", "--load", "--cpm", "sightline run SUBCOMMAND --help"});
+  expect_help({"scene", "tape"}, {"SCENE", "--at", "--eye", "-o"});
   expect_help({"scene", "check"}, {"SCENE", "--json"});
   expect_help({"scene", "info"}, {"SCENE", "--json"});
   expect_help({"scene", "list"}, {"--json"});
-  expect_help({"scene"}, {"tape", "check", "info", "list", "--at"});
+  expect_help({"scene"}, {"tape", "check", "info", "list", "convert", "generate", "compartment"});
   expect_help({"disasm"}, {"pdp7", "type340"});
-  expect_help({"jones"}, {"SCENE", "--eae", "--no-eae", "--at", "--scale", "--switches", "--stereo",
+  expect_help({"jones"}, {"SCENE", "--eae", "--no-eae", "--at", "--eye", "--scale", "--switches", "--stereo",
                           "--immediate", "-o"});
   expect_help({"demo"}, {"-o"});
   for (const char* algorithm : {"exact", "jones", "oracle"}) {
@@ -86,11 +88,74 @@ TEST_F(HelpCommand, NamesEveryOption) {
   }
   expect_help({"draw", "skala"},
               {"GRID", "--function", "--domain", "--slices", "--points", "--picture", "--along", "--rotate",
-               "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels"});
+               "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
+  expect_help({"compare"}, {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "guest", "twin", "native"});
+  expect_help({"spin"}, {"SCENE", "--size", "--pixels", "--events", "Plantinga"});
   expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});
   expect_help({"skala", "lines"}, {"--rotate", "-o"});
-  expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--no-eae",
+  expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--eae", "--no-eae",
                           "--time", "--jobs", "-o", "parallel", "sbatch"});
+}
+
+// The subcommands that a help lists.
+std::vector<std::string> listed_subcommands(const std::string& help) {
+  std::vector<std::string> names;
+  std::istringstream lines(help);
+  std::string line;
+  bool listed = false;
+  while (std::getline(lines, line)) {
+    if (line == "Subcommands:" || line.empty()) listed = line == "Subcommands:";
+    if (listed && line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return names;
+}
+
+// What the option parser itself would say: types of its own, sets of numbers behind names.
+void expect_plain_words(const std::string& line) {
+  EXPECT_FALSE(has(line, "->") || has(line, " OR {") || has(line, ":{")) << line;
+  if (!line.starts_with("  -")) return;
+  for (const char* type : {" TEXT", "UINT", " INT", "FLOAT", "REQUIRED", "Excludes:"})
+    EXPECT_FALSE(has(line.substr(0, 28), type)) << line;
+}
+
+TEST_F(HelpCommand, EveryLineFitsAndIsInPlainWords) {
+  std::vector<Arguments> commands{{}};
+  for (std::size_t n = 0; n < commands.size(); ++n) {
+    Arguments arguments = commands[n];
+    arguments.emplace_back("--help");
+    const std::string help = sightline(arguments).out;
+    for (const std::string& name : listed_subcommands(help)) {
+      commands.push_back(commands[n]);
+      commands.back().push_back(name);
+    }
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 100U) << line;
+      expect_plain_words(line);
+    }
+    EXPECT_FALSE(has(help, "\n\n\n")) << help;
+  }
+  EXPECT_GE(commands.size(), 35U) << "subcommands are not found in the help";
+}
+
+TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
+  const std::string help = sightline({"draw", "--help"}).out;
+  const auto methods = listed_subcommands(help);
+  EXPECT_EQ(methods, (std::vector<std::string>{"exact", "jones", "montani-re", "oracle", "plantinga", "willis", "skala"}));
+  EXPECT_FALSE(has(help, "--vertical")) << help;
+  const std::string all = sightline({"--help"}).out;
+  const std::string line = all.substr(all.find("\n  draw "), all.find("\n  compare ") - all.find("\n  draw "));
+  for (const std::string& method : methods) EXPECT_TRUE(has(line, method)) << line;
+  for (const char* word : {"guest ", "twin ", "native ", "oracle "})
+    EXPECT_TRUE(has(all.substr(all.find("Words:")), word)) << word;
+}
+
+TEST_F(HelpCommand, OptionsWithoutEffectAreNotOffered) {
+  EXPECT_TRUE(has(sightline({"skala", "lines", "--help"}).out, "--both"));
+  for (const char* picture : {"surface", "contours"}) {
+    const std::string help = sightline({"skala", picture, "--help"}).out;
+    EXPECT_FALSE(has(help.substr(0, help.find("Examples:")), "--both")) << help;
+  }
 }
 
 TEST_F(HelpCommand, ShowsTheCommandAsItIsTyped) {

@@ -1,0 +1,159 @@
+// See help_formatter.hpp.
+#include "host/app/help_formatter.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sightline::app {
+
+namespace {
+
+// The words of `text` from column `column` on, further lines indented by `indent`; without a newline behind.
+std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
+  std::string result;
+  bool first_word = true;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
+    if (text.empty()) return result;
+    const std::string_view word = text.substr(0, text.find_first_of(" \n"));
+    text.remove_prefix(word.size());
+    if (!first_word && column + 1 + word.size() > help_width) {
+      result += '\n' + std::string(indent, ' ');
+      column = indent;
+      first_word = true;
+    }
+    if (!first_word) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    first_word = false;
+  }
+}
+
+// A row of two columns, the second one empty or wrapped.
+std::string two_columns(std::string first, std::string_view second, std::size_t width) {
+  first.insert(0, 2, ' ');
+  if (second.empty()) return first + '\n';
+  if (first.size() + 1 < width) {
+    first.resize(width, ' ');
+  } else {
+    first += '\n' + std::string(width, ' ');
+  }
+  return first + wrapped(second, width, width) + '\n';
+}
+
+std::string indented_line(std::string_view line) {
+  const std::size_t indent = line.find_first_not_of(' ');
+  if (line.size() <= help_width) return std::string(line) + '\n';
+  const std::size_t gap = line.find("  ", indent);
+  const std::size_t text = gap == std::string_view::npos ? indent : line.find_first_not_of(' ', gap);
+  return std::string(line.substr(0, text)) + wrapped(line.substr(text), text, text) + '\n';
+}
+
+std::string laid_out(std::string_view text) {
+  std::string result;
+  std::string paragraph;
+  const auto end_paragraph = [&] {
+    if (!paragraph.empty()) result += wrapped(paragraph, 0, 0) + '\n';
+    paragraph.clear();
+  };
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.empty() || line.starts_with(' ')) {
+      end_paragraph();
+      result += line.empty() ? "\n" : indented_line(line);
+      continue;
+    }
+    paragraph += std::string(line) + ' ';
+    if (line.ends_with('.') || line.ends_with(':')) end_paragraph();
+  }
+  end_paragraph();
+  return result;
+}
+
+struct ValueHelp {
+  std::string name;
+  std::string range;  // "1 to 1000", or empty
+};
+
+// The parser says "N:INT in [1 - 1000]" and "NAME:{a,b}".
+ValueHelp value_help(const CLI::Option& option) {
+  std::string name = option.get_type_name();
+  std::string range;
+  if (const std::size_t set = name.find(":{"); set != std::string::npos) return {name.substr(set + 1), ""};
+  if (const std::size_t in = name.find(" in ["); in != std::string::npos) {
+    range = name.substr(in + 5, name.size() - in - 6);
+    if (const std::size_t dash = range.find(" - "); dash != std::string::npos) range.replace(dash, 3, " to ");
+    name.erase(name.rfind(':', in));
+  }
+  if (name == "INT" || name == "UINT") name = "N";
+  return {std::move(name), std::move(range)};
+}
+
+bool takes_many(const CLI::Option& option) {
+  return option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(28); }
+
+  // The parser parts groups by more than one empty line.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at = 0; (at = help.find("\n\n\n", at)) != std::string::npos;) help.erase(at, 1);
+    return help;
+  }
+
+  std::string make_description(const CLI::App* app) const override {
+    return wrapped(app->get_description(), 0, 0) + '\n';
+  }
+
+  std::string make_footer(const CLI::App* app) const override { return laid_out(app->get_footer()); }
+
+  std::string make_subcommand(const CLI::App* command) const override {
+    return two_columns(command->get_name(), command->get_description(), get_column_width());
+  }
+
+  std::string make_option(const CLI::Option* option, bool positional) const override {
+    if (option->get_description().empty()) return "";
+    std::string left = make_option_name(option, positional);
+    if (const std::string value = value_help(*option).name; !value.empty() && !positional) left += ' ' + value;
+    if (takes_many(*option) && option->get_allow_extra_args() && option->get_delimiter() == '\0')
+      left += positional ? "..." : " ...";
+    return two_columns(std::move(left), option->get_description() + conditions(*option, positional),
+                       get_column_width());
+  }
+
+ private:
+  // " (1 to 9; default: 3; not with --other)", or nothing.
+  static std::string conditions(const CLI::Option& option, bool positional) {
+    std::vector<std::string> list;
+    if (const std::string range = value_help(option).range; !range.empty()) list.push_back(range);
+    if (!option.get_default_str().empty()) list.push_back("default: " + option.get_default_str());
+    if (takes_many(option) && !option.get_allow_extra_args()) list.emplace_back("may be repeated");
+    if (option.get_required() && !positional) list.emplace_back("required");
+    for (const CLI::Option* other : option.get_needs()) list.push_back("needs " + other->get_name());
+    std::vector<std::string> excluded;  // the parser has them in no order
+    for (const CLI::Option* other : option.get_excludes())
+      if (!other->get_description().empty()) excluded.push_back("not with " + other->get_name());
+    std::sort(excluded.begin(), excluded.end());
+    list.insert(list.end(), excluded.begin(), excluded.end());
+    return list.empty() ? "" : " (" + CLI::detail::join(list, "; ") + ")";
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+}  // namespace sightline::app
