@@ -110,9 +110,7 @@ void add_asm_i8080_command(CLI::App& parent, ExitCode& exit_code) {
       ->type_name("NAME=VALUE");
   command->add_option("-o,--output", arguments->files.output, "Where the program goes; - is standard output")
       ->type_name("FILE");
-  command
-      ->add_option("--format", arguments->format,
-                   "Form of the program")
+  command->add_option("--format", arguments->format, "Form of the program")
       ->check(CLI::IsMember({"com", "bin", "hex"}))
       ->default_str("by the ending of -o")
       ->type_name("FORMAT");

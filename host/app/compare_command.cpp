@@ -48,11 +48,13 @@ constexpr const char* compare_examples =
     "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
     "name, or a "
     "grid file. --function and the options after it, up to --levels, are those of `sightline skala`. Every "
-    "picture is held against an oracle that shares no visibility code with anything. The guest is the old program "
+    "picture is held against an oracle that shares no visibility code with anything. The guest is the old "
+    "program "
     "on its emulated machine, its twin the same computation written again for this computer, bit for bit; "
     "native are the methods of the papers and exact ones of today, written for this computer.\n\n"
     "Of every picture:\n"
-    "  missing, extra     length of lines that are seen but not drawn, and drawn but not seen, along the true "
+    "  missing, extra     length of lines that are seen but not drawn, and drawn but not seen, along the "
+    "true "
     "lines\n"
     "  miss >1, extra >1  the part of it that is farther than a pixel from anything drawn, or seen\n"
     "  H, 99.9 %          the farthest any point of one picture is from the other; all but a thousandth are "
@@ -276,8 +278,9 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("compare", "Hold the old programs (guest and twin) and the native methods against the oracle, on one view");
+  CLI::App* const command = app.add_subcommand(
+      "compare",
+      "Hold the old programs (guest and twin) and the native methods against the oracle, on one view");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->function_view.rotation = 30;
   add_compare_options(*command, *arguments);

@@ -96,13 +96,12 @@ ordered_json compare_json(const SceneComparison& comparison) {
 }
 
 ordered_json compare_json(const std::string& name, const HeightComparison& comparison) {
-  ordered_json document{
-      {"function", name},
-      {"picture", picture_name(comparison.view.picture)},
-      {"rotation", comparison.view.rotation},
-      {"elevation", comparison.view.elevation},
-      {"agrees", comparison.agrees()},
-      {"pictures", ordered_json::array()}};
+  ordered_json document{{"function", name},
+                        {"picture", picture_name(comparison.view.picture)},
+                        {"rotation", comparison.view.rotation},
+                        {"elevation", comparison.view.elevation},
+                        {"agrees", comparison.agrees()},
+                        {"pictures", ordered_json::array()}};
   for (const ComparedRaster& compared : comparison.rasters)
     document["pictures"].push_back(points_json(compared.name, compared.metrics));
   if (comparison.vectors) {

@@ -154,8 +154,7 @@ std::string compare_table(const SceneComparison& comparison) {
 std::string compare_table(const std::string& name, const HeightComparison& comparison) {
   const harness::SkalaView& view = comparison.view;
   std::string text =
-      fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name,
-                  picture_name(view.picture),
+      fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name, picture_name(view.picture),
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
   if (!comparison.rasters.empty()) {
     const PixelMetrics& any = comparison.rasters.front().metrics;
@@ -207,9 +206,8 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
   for (const ComparedRaster& compared : comparison.rasters) {
     const PixelMetrics& m = compared.metrics;
     const std::string title =
-        fmt::format("{}, {}: {} against {}", name,
-                    picture_name(comparison.view.picture),
-                    compared.name, compared.against);
+        fmt::format("{}, {}: {} against {}", name, picture_name(comparison.view.picture), compared.name,
+                    compared.against);
     const picture::OverlayCaption caption = points_caption(title, m);
     write_overlay(overlay_base(directory, name, compared.name),
                   picture::overlay_of(compared.truth.value_or(comparison.truth), compared.grid, caption),
@@ -217,10 +215,8 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
   }
   if (comparison.vectors) {
     const LineMetrics& m = comparison.vectors->metrics;
-    const std::string title =
-        fmt::format("{}, {}: {} against what is truly seen of them", name,
-                    picture_name(comparison.view.picture),
-                    comparison.vectors->name);
+    const std::string title = fmt::format("{}, {}: {} against what is truly seen of them", name,
+                                          picture_name(comparison.view.picture), comparison.vectors->name);
     write_overlay(
         overlay_base(directory, name, comparison.vectors->name),
         picture::overlay_of(comparison.vectors->difference, {0, 0}, {255, 255}, lines_caption(title, m)),

@@ -23,7 +23,8 @@ constexpr const char* demo_examples =
     "Examples:\n"
     "  sightline demo\n"
     "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
-    "eight functions as lines, surfaces and contours; the pictures go to out/; then both held against oracles\n"
+    "eight functions as lines, surfaces and contours; the pictures go to out/; then both held against "
+    "oracles\n"
     "  sightline demo -o pictures --json\n"
     "      the same, the tables as one JSON document\n";
 

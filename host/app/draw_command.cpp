@@ -33,8 +33,7 @@ void add_draw_command(CLI::App& app, ExitCode& exit_code) {
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
     if (harness::find_line_algorithm(algorithm.name) == nullptr) names += std::string(algorithm.name) + ", ";
   CLI::App* const command = app.add_subcommand(
-      "draw",
-      "Draw without what is hidden, as SVG, PNG or HP-GL, by a native method: " + names + "skala");
+      "draw", "Draw without what is hidden, as SVG, PNG or HP-GL, by a native method: " + names + "skala");
   command->require_subcommand(1);
   // One more line algorithm is a line in the table, none here.
   for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {

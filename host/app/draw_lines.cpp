@@ -44,9 +44,11 @@ std::string draw_parallel_footer(std::string_view algorithm) {
       "      one moment of a turn about the vertical axis; `sightline spin part.off` shows the whole turn\n"
       "  sightline draw {0} boxes-30 --orthographic 3,0,4 --hidden -o boxes.plt\n"
       "      a generated scene for a plotter, what is hidden dashed with the second pen\n\n"
-      "The method knows a scene that turns about its y axis in parallel projection: --orthographic X,0,Z, or a "
+      "The method knows a scene that turns about its y axis in parallel projection: --orthographic X,0,Z, or "
+      "a "
       "file whose own view is such a one. All other views are refused.\n"
-      "The picture is fitted to the paper or image, undistorted. Edges between faces in one plane are left out "
+      "The picture is fitted to the paper or image, undistorted. Edges between faces in one plane are left "
+      "out "
       "unless --all-edges is given.\n",
       algorithm);
 }
@@ -84,8 +86,8 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const SceneSo
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
   if (const auto reason = algorithm.why_not_seen(source.scene, camera)) {
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("{}: {} does not apply to this view: {}", source.name, algorithm.name, *reason));
+    throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
+                                                   source.name, algorithm.name, *reason));
   }
   const auto checked = [&](auto result) {
     if (auto* error = std::get_if<scene::SceneError>(&result)) {

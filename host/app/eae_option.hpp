@@ -1,5 +1,5 @@
-// --eae and --no-eae: whether the PDP-7 has the Type 177 extended arithmetic element. The same two flags in every
-// subcommand that runs a PDP-7; the first is the default and there to be said.
+// --eae and --no-eae: whether the PDP-7 has the Type 177 extended arithmetic element. The same two flags in
+// every subcommand that runs a PDP-7; the first is the default and there to be said.
 #pragma once
 
 namespace CLI {

@@ -125,7 +125,8 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_option(const CLI::Option* option, bool positional) const override {
     if (option->get_description().empty()) return "";
     std::string left = make_option_name(option, positional);
-    if (const std::string value = value_help(*option).name; !value.empty() && !positional) left += ' ' + value;
+    if (const std::string value = value_help(*option).name; !value.empty() && !positional)
+      left += ' ' + value;
     if (takes_many(*option) && option->get_allow_extra_args() && option->get_delimiter() == '\0')
       left += positional ? "..." : " ...";
     return two_columns(std::move(left), option->get_description() + conditions(*option, positional),

@@ -25,7 +25,8 @@ constexpr const char* jones_examples =
     "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
     "  sightline jones street4 --no-eae --at 120,90,60 --scale 700\n"
     "      another view, without the extended arithmetic element\n\n"
-    "This is the old program itself, on scenes of cells. `sightline draw jones` draws any scene by its method "
+    "This is the old program itself, on scenes of cells. `sightline draw jones` draws any scene by its "
+    "method "
     "with a program of today.\n\n"
     "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed "
     "and\n"
@@ -169,9 +170,7 @@ void add_jones_command(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str()
       ->check(CLI::Range(0, 3));
   command->add_flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
-  command
-      ->add_option("--at,--eye", arguments->at,
-                   "The eye; the cell it is in becomes the initial cell")
+  command->add_option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
       ->default_str("the scene's own view")
       ->type_name("X,Y,Z");
   command->add_option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")

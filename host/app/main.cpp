@@ -39,14 +39,16 @@ constexpr const char* sightline_examples =
     "      the same function drawn today, as vectors\n"
     "  sightline asm pdp7 hello.s -o hello.rim && sightline run pdp7 --load hello.rim\n"
     "      assemble a program of your own and run it on the PDP-7\n\n"
-    "`sightline jones` and `sightline skala` run the old programs themselves on emulated machines, with their "
+    "`sightline jones` and `sightline skala` run the old programs themselves on emulated machines, with "
+    "their "
     "limits and in their time. `sightline draw jones` and `sightline draw skala` draw by the same methods, "
     "written for today's machines: any scene, any grid.\n\n"
     "Words:\n"
     "  guest   the old program on its emulated machine: Jones's on the PDP-7, Skala's on the 8080\n"
     "  twin    what a guest computes, bit for bit, written again for this computer without the emulator\n"
     "  native  a method of 1971 to 1990, or an exact one of today, written for this computer\n"
-    "  oracle  the slow and simple program that all are checked by; it shares no visibility code with them\n\n"
+    "  oracle  the slow and simple program that all are checked by; it shares no visibility code with "
+    "them\n\n"
     "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal.\n"
     "Data goes to standard output, messages to standard error.\n";
 

@@ -127,8 +127,8 @@ ExitCode run_report(const ReportArguments& arguments) {
 }  // namespace
 
 void add_report_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
+  CLI::App* const command = app.add_subcommand(
+      "report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
   const auto arguments = std::make_shared<ReportArguments>();
   command->add_option("-o,--output", arguments->directory, "Folder for the report")
       ->capture_default_str()

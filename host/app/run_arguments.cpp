@@ -87,8 +87,7 @@ void set_limits(const RunArguments& arguments, machines::Limits& limits) {
 harness::Pdp7Job job_from(const RunArguments& arguments) {
   // Core is empty otherwise: nothing but --load puts a word there, and an empty core runs round for ever.
   if (arguments.loads.empty()) {
-    throw Failure(ExitCode::usage,
-                  "run pdp7: needs --load FILE: without a program there is nothing to run");
+    throw Failure(ExitCode::usage, "run pdp7: needs --load FILE: without a program there is nothing to run");
   }
   harness::Pdp7Job job;
   job.machine = machine_from(arguments);

@@ -36,13 +36,16 @@ constexpr const char* run_pdp7_examples =
     "run.\n"
     "HLT and limits end with exit code 0 and the reason in the report. All files are written at every stop, "
     "also at\n"
-    "Ctrl-C; `-` writes to standard output. Without --max-time and --max-instructions nothing but the program "
+    "Ctrl-C; `-` writes to standard output. Without --max-time and --max-instructions nothing but the "
+    "program "
     "itself, or Ctrl-C, ends a run.\n\n"
     "Formats:\n"
     "  switch script     lines `SECONDS OCTAL`, # begins a comment\n"
     "  keyboard script   lines `SECONDS TEXT`, with \\r \\n \\t \\\\ and \\NNN (octal)\n"
-    "  light-pen script  lines `SECONDS X Y [RADIUS]` or `SECONDS off`, in order of time: from then on the pen "
-    "sees the square of RADIUS points (default 4) around X Y, decimal, (0, 0) lower left; # begins a comment\n"
+    "  light-pen script  lines `SECONDS X Y [RADIUS]` or `SECONDS off`, in order of time: from then on the "
+    "pen "
+    "sees the square of RADIUS points (default 4) around X Y, decimal, (0, 0) lower left; # begins a "
+    "comment\n"
     "  dump              `PC AC L MQ SC`, then all words of core, eight to a line, six digits\n"
     "  trace             `TIME_NS PC WORD INSTRUCTION AC L MQ`, a line an instruction, registers after it\n"
     "  strokes           `T_NS X Y INTENSITY ADDRESS`, a line a flash of the beam\n";
@@ -110,7 +113,8 @@ void add_output_options(CLI::App& command, RunArguments& to) {
   command.add_option("--dump", to.dump, "Registers and all of core after the run")->type_name("FILE");
   command.add_option("--trace", to.trace, "Every instruction")->type_name("FILE");
   command.add_option("--strokes", to.strokes, "Every flash of the display's beam")->type_name("FILE");
-  command.add_option("--png", to.png, "The last complete pass through the display file, 1024x1024, crisp")->type_name("FILE");
+  command.add_option("--png", to.png, "The last complete pass through the display file, 1024x1024, crisp")
+      ->type_name("FILE");
   command.add_option("--phosphor", to.phosphor, "A photograph of the P7 screen, the last 0.2 s (PNG)")
       ->type_name("FILE");
   command.add_option("--svg", to.svg, "The same pass as lines in millimetres")->type_name("FILE");
@@ -122,7 +126,8 @@ void add_output_options(CLI::App& command, RunArguments& to) {
 }  // namespace
 
 void add_run_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("run", "Run a program of your own on an emulated machine: PDP-7 or 8080");
+  CLI::App* const command =
+      app.add_subcommand("run", "Run a program of your own on an emulated machine: PDP-7 or 8080");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"

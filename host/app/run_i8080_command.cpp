@@ -25,7 +25,8 @@ constexpr const char* run_i8080_examples =
     "      raw bytes at two places, every instruction into a file, the report as JSON\n\n"
     "Addresses, bytes and registers are hexadecimal; counts are decimal. The ending tells what a file is "
     "(.com .bin\n"
-    ".hex), for another ending the content: text that begins as a HEX record does is Intel HEX, all else raw. "
+    ".hex), for another ending the content: text that begins as a HEX record does is Intel HEX, all else "
+    "raw. "
     "Raw bytes go\n"
     "to ADDRESS, 0000 if none is given; a .com file goes to 0100, Intel HEX where it says. Memory not loaded "
     "is 0.\n"
@@ -44,7 +45,8 @@ constexpr const char* run_i8080_examples =
     "that nothing answers reads as FF and is warned about; with it, it stops the run.\n"
     "HLT ends the run if no interrupt can end it. HLT and limits end with exit code 0 and the reason in the "
     "report. All\n"
-    "files are written at every stop, also at Ctrl-C; `-` writes to standard output. Without --max-states and "
+    "files are written at every stop, also at Ctrl-C; `-` writes to standard output. Without --max-states "
+    "and "
     "--max-instructions nothing but the program itself, or Ctrl-C, ends a run.\n\n"
     "Formats:\n"
     "  dump     `A F B C D E H L SP PC INTE`, then all of memory, 4096 lines of 16 bytes\n"
@@ -106,8 +108,7 @@ void add_device_options(CLI::App& command, RunI8080Arguments& to) {
   command.add_option("--plotter", to.plotter, "Attach a plotter")
       ->check(CLI::IsMember({"calcomp", "minigraf"}))
       ->type_name("PLOTTER");
-  command
-      .add_option("--plotter-start", to.plotter_start, "Where the CalComp's pen stands first, in steps")
+  command.add_option("--plotter-start", to.plotter_start, "Where the CalComp's pen stands first, in steps")
       ->default_str("0,0")
       ->type_name("X,Y");
   command.add_option("--parallel", to.parallel, "Attach the 8255; the host computer sends these bytes")

@@ -74,7 +74,8 @@ void tape(const SceneArguments& arguments) {
 }
 
 void add_tape(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("tape", "Write a scene as a source tape of Jones's program");
+  CLI::App* const command =
+      parent.add_subcommand("tape", "Write a scene as a source tape of Jones's program");
   const auto arguments = std::make_shared<SceneArguments>();
   command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
   command->add_option("--at,--eye", arguments->at, "The eye")
@@ -136,8 +137,7 @@ ExitCode check(const SceneArguments& arguments) {
 void add_check(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("check", "Say everything that is wrong with a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))
-      ->required();
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(check_examples);
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
@@ -208,8 +208,7 @@ void info(const SceneArguments& arguments) {
 void add_info(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))
-      ->required();
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(info_examples);
   command->callback([arguments, &exit_code] {
@@ -244,7 +243,8 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
 }  // namespace
 
 void add_scene_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("scene", "Scenes: list, check, describe, convert, generate, cut into cells, write as a tape");
+  CLI::App* const command = app.add_subcommand(
+      "scene", "Scenes: list, check, describe, convert, generate, cut into cells, write as a tape");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"

@@ -74,7 +74,8 @@ constexpr const char* convert_examples =
     "      equal vertices merged, unused ones and faces without area left out, bodies turned the right side "
     "out\n\n"
     "Coordinates that are not whole numbers below 262144 are rounded once; the step is reported. OFF and OBJ "
-    "have no holes: faces with holes are written there as triangles. OFF does not say which faces make a body: what "
+    "have no holes: faces with holes are written there as triangles. OFF does not say which faces make a "
+    "body: what "
     "hangs "
     "together is one.\n";
 
@@ -152,8 +153,9 @@ std::string families_help() {
     text += fmt::format("  {:<9}  {}, at most {}\n", name, row == family_helps.end() ? "SIZE" : row->size,
                         scene::largest_generated_size(name));
   }
-  return text + "\nFAMILY-SIZE or FAMILY-SIZE-SEED names such a scene in place of a file for all commands but "
-                "`jones` and `scene tape`, which want a scene of cells.\n";
+  return text +
+         "\nFAMILY-SIZE or FAMILY-SIZE-SEED names such a scene in place of a file for all commands but "
+         "`jones` and `scene tape`, which want a scene of cells.\n";
 }
 
 void generate(const GenerateArguments& arguments) {

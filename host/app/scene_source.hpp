@@ -22,8 +22,8 @@ struct SceneSource {
   std::optional<scene::CellComplex> complex;  // of a file `scene compartment` has written; checked
 };
 
-// The scene of a name such as "boxes-100" or "boxes-100-7"; nothing for another name, or if there is a file of
-// it. Failure usage: of an impossible size.
+// The scene of a name such as "boxes-100" or "boxes-100-7"; nothing for another name, or if there is a file
+// of it. Failure usage: of an impossible size.
 [[nodiscard]] std::optional<scene::PolyScene> generated_scene(const std::string& name);
 
 // Failure io: no such scene or file; usage: a generated one of an impossible size; bad_input: what is wrong

@@ -40,7 +40,8 @@ std::string footer() {
       "{}FUNCTION is a name ({})\nor a file: CSV, gnuplot's matrix (the first line in front) or its x y z "
       "blocks (the "
       "least y in\nfront). Every picture is compared with a native twin of the program before it is written. "
-      "Seconds are\nthose of the emulated 8080. `sightline draw skala` draws by the same method with a program "
+      "Seconds are\nthose of the emulated 8080. `sightline draw skala` draws by the same method with a "
+      "program "
       "of today.\n",
       skala_examples, scene::height_function_names());
 }
@@ -131,8 +132,7 @@ void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
 }
 
 void add_output_options(CLI::App& command, SkalaArguments& arguments) {
-  command
-      .add_option("--palette", arguments.palette, "Of the PNG")
+  command.add_option("--palette", arguments.palette, "Of the PNG")
       ->default_str("grey for surfaces, else colour")
       ->check(CLI::IsMember({"colour", "grey"}))
       ->type_name("NAME");
@@ -162,8 +162,8 @@ void add_picture(CLI::App& parent, const char* name, const char* description, Sk
 }  // namespace
 
 void add_skala_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
+  CLI::App* const command = app.add_subcommand(
+      "skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
   command->require_subcommand(1);
   add_picture(*command, "lines", "Slices of a surface with hidden lines removed", SkalaPicture::lines,
               exit_code);

@@ -26,8 +26,7 @@ void add_function_options(CLI::App& command, SkalaSource& source, const std::str
       ->type_name("A:B");
   const CLI::Range range(static_cast<int>(scene::smallest_grid.points),
                          static_cast<int>(scene::largest_grid.points));
-  command
-      .add_option("--slices", source.slices, "Samples along z: slices, unless those along z are drawn")
+  command.add_option("--slices", source.slices, "Samples along z: slices, unless those along z are drawn")
       ->check(range)
       ->default_str(slices)
       ->type_name("N");

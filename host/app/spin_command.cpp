@@ -160,9 +160,10 @@ void spin(const SpinOptions& options) {
 
 void add_spin_command(CLI::App& app, ExitCode&) {
   const auto options = std::make_shared<SpinOptions>();
-  CLI::App* const command = app.add_subcommand(
-      "spin", "Turn a scene about its vertical axis without hidden lines, as an animated PNG, after Plantinga, Seales and "
-      "Dyer (1990)");
+  CLI::App* const command = app.add_subcommand("spin",
+                                               "Turn a scene about its vertical axis without hidden lines, "
+                                               "as an animated PNG, after Plantinga, Seales and "
+                                               "Dyer (1990)");
   command->add_option("SCENE", options->scene, std::string(scene_source_help))->required();
   command->add_option("-o,--output", options->out, "The animated PNG")->required()->type_name("FILE");
   command

@@ -207,9 +207,8 @@ void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
       ->capture_default_str()
       ->type_name("I/N");
   command
-      ->add_option(
-          "--algorithm", arguments->algorithms,
-          fmt::format("Which of: {}; exact always runs", known_algorithms()))
+      ->add_option("--algorithm", arguments->algorithms,
+                   fmt::format("Which of: {}; exact always runs", known_algorithms()))
       ->default_str("all but the oracle")
       ->delimiter(',')
       ->type_name("NAME,...");

@@ -89,12 +89,13 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"draw", "skala"},
               {"GRID", "--function", "--domain", "--slices", "--points", "--picture", "--along", "--rotate",
                "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
-  expect_help({"compare"}, {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "guest", "twin", "native"});
+  expect_help({"compare"},
+              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "guest", "twin", "native"});
   expect_help({"spin"}, {"SCENE", "--size", "--pixels", "--events", "Plantinga"});
   expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});
   expect_help({"skala", "lines"}, {"--rotate", "-o"});
-  expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--eae", "--no-eae",
-                          "--time", "--jobs", "-o", "parallel", "sbatch"});
+  expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--eae",
+                          "--no-eae", "--time", "--jobs", "-o", "parallel", "sbatch"});
 }
 
 // The subcommands that a help lists.
@@ -105,7 +106,8 @@ std::vector<std::string> listed_subcommands(const std::string& help) {
   bool listed = false;
   while (std::getline(lines, line)) {
     if (line == "Subcommands:" || line.empty()) listed = line == "Subcommands:";
-    if (listed && line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    if (listed && line.starts_with("  ") && line[2] != ' ')
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
   }
   return names;
 }
@@ -141,10 +143,12 @@ TEST_F(HelpCommand, EveryLineFitsAndIsInPlainWords) {
 TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
   const std::string help = sightline({"draw", "--help"}).out;
   const auto methods = listed_subcommands(help);
-  EXPECT_EQ(methods, (std::vector<std::string>{"exact", "jones", "montani-re", "oracle", "plantinga", "willis", "skala"}));
+  EXPECT_EQ(methods, (std::vector<std::string>{"exact", "jones", "montani-re", "oracle", "plantinga",
+                                               "willis", "skala"}));
   EXPECT_FALSE(has(help, "--vertical")) << help;
   const std::string all = sightline({"--help"}).out;
-  const std::string line = all.substr(all.find("\n  draw "), all.find("\n  compare ") - all.find("\n  draw "));
+  const std::string line =
+      all.substr(all.find("\n  draw "), all.find("\n  compare ") - all.find("\n  draw "));
   for (const std::string& method : methods) EXPECT_TRUE(has(line, method)) << line;
   for (const char* word : {"guest ", "twin ", "native ", "oracle "})
     EXPECT_TRUE(has(all.substr(all.find("Words:")), word)) << word;

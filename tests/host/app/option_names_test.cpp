@@ -1,5 +1,5 @@
-// One thing has one name in every subcommand: the eye, a generated scene, --eae, a picture by its name; older names
-// are understood as before.
+// One thing has one name in every subcommand: the eye, a generated scene, --eae, a picture by its name; older
+// names are understood as before.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -34,7 +34,8 @@ TEST_F(OptionNames, TheEye) {
   expect_same({"scene", "tape", "house", "--at", eye}, {"scene", "tape", "house", "--eye", eye});
   expect_same({"compare", "boxes-2", "--view", "5000,4000,6000"},
               {"compare", "boxes-2", "--eye", "5000,4000,6000"});
-  EXPECT_NE(sightline({"scene", "tape", "house", "--eye", eye}).out, sightline({"scene", "tape", "house"}).out);
+  EXPECT_NE(sightline({"scene", "tape", "house", "--eye", eye}).out,
+            sightline({"scene", "tape", "house"}).out);
 }
 
 TEST_F(OptionNames, SizeOfATurnInPixels) {
@@ -58,8 +59,9 @@ TEST_F(OptionNames, GeneratedScenesAreScenesEverywhere) {
 }
 
 TEST_F(OptionNames, WithAndWithoutTheEae) {
-  for (const Arguments& command : {Arguments{"jones", "house", "--json"},
-                                   Arguments{"sweep", "roberts", "--views", "1", "--guest", "--algorithm", "exact"}}) {
+  for (const Arguments& command :
+       {Arguments{"jones", "house", "--json"},
+        Arguments{"sweep", "roberts", "--views", "1", "--guest", "--algorithm", "exact"}}) {
     Arguments with = command;
     with.emplace_back("--eae");
     Arguments without = command;
@@ -69,7 +71,8 @@ TEST_F(OptionNames, WithAndWithoutTheEae) {
     with.emplace_back("--no-eae");
     expect_usage_error(with, "--no-eae");
   }
-  EXPECT_NE(sightline({"jones", "house", "--json"}).out, sightline({"jones", "house", "--json", "--no-eae"}).out);
+  EXPECT_NE(sightline({"jones", "house", "--json"}).out,
+            sightline({"jones", "house", "--json", "--no-eae"}).out);
   expect_usage_error({"compare", "house", "--eae", "--no-eae"}, "--no-eae");
 }
 
@@ -126,8 +129,8 @@ TEST_F(OptionNames, AViewThatIsNoMomentOfATurnIsNamed) {
   };
   refused({}, "only parallel projection");
   refused({"--orthographic", "1,1,1"}, "parallel to y = 0");
-  EXPECT_EQ(
-      sightline({"draw", "plantinga", "boxes-2", "--orthographic", "3,0,4", "-o", "p.svg"}).exit_code, 0);
+  EXPECT_EQ(sightline({"draw", "plantinga", "boxes-2", "--orthographic", "3,0,4", "-o", "p.svg"}).exit_code,
+            0);
 }
 
 }  // namespace
