@@ -91,11 +91,9 @@ class StepLine {
 
 std::vector<std::string> introduction(const ReportArguments& arguments) {
   std::vector<std::string> paragraphs{
-      "Programs of 1971 and 1985 that draw pictures without their hidden lines, run on emulations of the "
-      "machines "
-      "they were written for, and held against exact programs of today: how fast they are, how wrong they "
-      "are, and "
-      "what they needed."};
+      "Five hidden-line programs of 1971 to 1990: two of them on emulations of the machines they were "
+      "written for, all of them as native programs, held against exact programs of today. How fast they "
+      "are, how wrong they are, and what they needed."};
   if (arguments.no_host_times)
     paragraphs.emplace_back(
         "Made without times of the computer it was made on: the same program makes the same bytes.");
