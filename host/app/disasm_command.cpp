@@ -62,7 +62,8 @@ void add_target(CLI::App& parent, const char* name, const char* what, const char
 }  // namespace
 
 void add_disasm_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("disasm", "Disassemble a tape, a core image or an 8080 program");
+  CLI::App* const command =
+      app.add_subcommand("disasm", "Disassemble a tape, a core image or an 8080 program");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"

@@ -46,7 +46,8 @@ std::string draw_faces_footer(std::string_view algorithm) {
       "      lines where one face ends and another begins\n"
       "  sightline draw {0} town-35 --frames 125 -o flight.apng\n"
       "      once around the scene in five seconds of 25 frames, for a browser\n\n"
-      "{1}Surfaces that could not be separated, and may be drawn in the wrong order, are named on standard error.\n",
+      "{1}Surfaces that could not be separated, and may be drawn in the wrong order, are named on standard "
+      "error.\n",
       algorithm, camera_help);
 }
 
@@ -57,12 +58,12 @@ std::pair<int, int> faces_size(const std::string& text) {
   const auto first = std::from_chars(text.data(), end, width);
   if (first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x') {
     const auto second = std::from_chars(first.ptr + 1, end, height);
-    if (second.ec == std::errc{} && second.ptr == end && width >= 1 && height >= 1 && width <= picture::png_size_limit &&
-        height <= picture::png_size_limit)
+    if (second.ec == std::errc{} && second.ptr == end && width >= 1 && height >= 1 &&
+        width <= picture::png_size_limit && height <= picture::png_size_limit)
       return {width, height};
   }
-  throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", text,
-                                             picture::png_size_limit));
+  throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
+                                             text, picture::png_size_limit));
 }
 
 template <class Value>
@@ -78,7 +79,8 @@ void name_not_solved(const harness::PreparedFaces& prepared) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < prepared.not_solved.size() && i < most; ++i) warn(prepared.not_solved[i]);
   if (prepared.not_solved.size() > most)
-    warn(fmt::format("and {} more pairs of faces that could not be separated", prepared.not_solved.size() - most));
+    warn(fmt::format("and {} more pairs of faces that could not be separated",
+                     prepared.not_solved.size() - most));
 }
 
 // Once around the middle of the scene at the eye's height and distance, looking at it.
@@ -110,11 +112,13 @@ picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& sourc
     std::optional<scene::SceneError> error;
     if (below) error = scene::eye_error(source.scene, camera);
     if (!below || error) {
-      throw Failure(ExitCode::bad_input, fmt::format("{}: frame {} of the flight: {}", source.name, i,
-                                                     error ? error->message() : "the eye leaves the coordinates there are"));
+      throw Failure(ExitCode::bad_input,
+                    fmt::format("{}: frame {} of the flight: {}", source.name, i,
+                                error ? error->message() : "the eye leaves the coordinates there are"));
     }
     const auto view = faces_checked(prepared.view(camera, window), source);
-    const auto added = writer.add(arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, shades));
+    const auto added =
+        writer.add(arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, shades));
     if (!added) throw Failure(ExitCode::io, added.error().message());
   }
   auto bytes = writer.finish();
@@ -140,18 +144,19 @@ void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFace
     for (const auto& count : list) result[std::string(count.name)] = count.value;
     return result;
   };
-  const ordered_json document{{"schema", "sightline/draw/1"}, {"algorithm", algorithm.name},
-                              {"scene", source.name},         {"output", arguments.output},
-                              {"model", object(prepared.counts)}, {"counts", object(counts)},
-                              {"not_separated", prepared.not_solved}};
+  const ordered_json document{
+      {"schema", "sightline/draw/1"},        {"algorithm", algorithm.name},      {"scene", source.name},
+      {"output", arguments.output},          {"model", object(prepared.counts)}, {"counts", object(counts)},
+      {"not_separated", prepared.not_solved}};
   write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {
   const bool flight = arguments.output.ends_with(".apng");
   if (!flight && !arguments.output.ends_with(".png")) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
   }
   const auto [width, height] = faces_size(arguments.pixels);
   const SceneSource source = load_scene_source(arguments.scene);
@@ -159,9 +164,9 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
   if (arguments.field) {
     require_finite("--field", *arguments.field);
     if (!(*arguments.field > 0) || (camera.perspective && *arguments.field > 170))
-      throw Failure(ExitCode::usage, fmt::format("--field: found {}, expected {}", *arguments.field,
-                                                 camera.perspective ? "degrees above 0, at most 170"
-                                                                    : "scene units above 0"));
+      throw Failure(ExitCode::usage,
+                    fmt::format("--field: found {}, expected {}", *arguments.field,
+                                camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
   }
   if (flight && !camera.perspective)
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
@@ -191,7 +196,9 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
 void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, ExitCode& exit_code) {
   const auto arguments = std::make_shared<DrawFacesArguments>();
   command.add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command.add_option("-o,--output", arguments->output, "The picture, .png, or a flight once around the scene, .apng")
+  command
+      .add_option("-o,--output", arguments->output,
+                  "The picture, .png, or a flight once around the scene, .apng")
       ->required()
       ->type_name("FILE");
   add_camera_options(command, arguments->camera);
@@ -202,7 +209,9 @@ void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, 
       ->default_str("everything, or 60 degrees of a flight")
       ->type_name("ANGLE")
       ->group("View");
-  command.add_option("--pixels", arguments->pixels, "Size of the image; 512x512 is made by the priority display itself")
+  command
+      .add_option("--pixels", arguments->pixels,
+                  "Size of the image; 512x512 is made by the priority display itself")
       ->capture_default_str()
       ->type_name("WxH");
   command.add_option("--picture", arguments->picture, "Faces filled, or lines between them")
@@ -220,7 +229,8 @@ void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, 
                    "The paper's rule that normals be within 90 degrees, which is wrong");
   command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(draw_faces_footer(algorithm.name));
-  command.callback([arguments, &algorithm, &exit_code] { exit_code = run_draw_faces(algorithm, *arguments); });
+  command.callback(
+      [arguments, &algorithm, &exit_code] { exit_code = run_draw_faces(algorithm, *arguments); });
 }
 
 }  // namespace sightline::app

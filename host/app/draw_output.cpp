@@ -39,7 +39,9 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
 }  // namespace
 
 void add_draw_output_options(CLI::App& command, DrawOutput& output) {
-  command.add_option("-o,--output", output.file, "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
+  command
+      .add_option("-o,--output", output.file,
+                  "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
       ->required()
       ->type_name("FILE");
   command.add_option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")

@@ -39,7 +39,8 @@ std::vector<Shade> face_shades(const scene::PolyScene& scene) {
     for (const scene::PolyFace& face : scene.bodies[b].faces) {
       const double light = brightness(scene::ring_normal(scene.vertices, face.outline));
       Shade shade = hues[b % hues.size()];
-      for (std::uint8_t& part : shade) part = static_cast<std::uint8_t>(std::min(255.0, std::round(part * light)));
+      for (std::uint8_t& part : shade)
+        part = static_cast<std::uint8_t>(std::min(255.0, std::round(part * light)));
       shades.push_back(shade);
     }
   }
@@ -52,8 +53,9 @@ picture::Image shaded(const picture::PixelGrid& faces, const std::vector<Shade>&
     for (int column = 0; column < faces.width; ++column) {
       const std::uint32_t face = faces.at(column, row);
       const Shade& shade = face == 0 ? sky : shades[face - 1];
-      std::copy(shade.begin(), shade.end(),
-                image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, faces.height - 1 - row)));
+      std::copy(
+          shade.begin(), shade.end(),
+          image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, faces.height - 1 - row)));
     }
   }
   return image;

@@ -137,8 +137,9 @@ void add_run_command(CLI::App& app, ExitCode& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   add_machine_options(*pdp7, *arguments);
   add_output_options(*pdp7, *arguments);
-  pdp7->footer(run_pdp7_examples + ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" +
-                           timing_help()));
+  pdp7->footer(
+      run_pdp7_examples +
+      ("\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n" + timing_help()));
   pdp7->callback([arguments, &exit_code] { exit_code = run_pdp7(*arguments); });
   add_run_i8080_command(*command, exit_code);
 }

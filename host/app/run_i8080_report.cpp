@@ -109,8 +109,8 @@ std::string table_report(const harness::I8080Job& job, const harness::I8080Repor
   std::replace(reason.begin(), reason.end(), '_', ' ');
   std::string text = fmt::format("stopped by      {}, PC {:04X}\n", reason, r.pc);
   text += fmt::format("T-states        {}\n", core::t_states_of(report.end));
-  text += fmt::format("emulated time   {} s at {} Hz\n",
-                      seconds_text(report.end, job.machine.clock), job.machine.clock.hertz);
+  text += fmt::format("emulated time   {} s at {} Hz\n", seconds_text(report.end, job.machine.clock),
+                      job.machine.clock.hertz);
   text += fmt::format("instructions    {}\n", report.instructions);
   for (const harness::DeviceReport& device : report.devices) {
     std::string counts;

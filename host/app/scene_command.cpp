@@ -13,6 +13,7 @@
 
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_compartment_command.hpp"
+#include "host/app/scene_generate_command.hpp"
 #include "host/app/scene_poly_command.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
@@ -255,7 +256,8 @@ void add_scene_command(CLI::App& app, ExitCode& exit_code) {
   add_check(*command, exit_code);
   add_info(*command, exit_code);
   add_list(*command, exit_code);
-  add_scene_poly_commands(*command, exit_code);
+  add_scene_convert(*command, exit_code);
+  add_scene_generate(*command, exit_code);
   add_scene_compartment_command(*command, exit_code);
 }
 

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,7 +17,6 @@
 #include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
 #include "host/scene/eye_place.hpp"
-#include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/poly_file.hpp"
 #include "host/scene/poly_from_cells.hpp"
@@ -38,26 +36,6 @@ scene::PolyFormat input_format(const std::string& file) {
 std::variant<scene::PolyImport, scene::SceneError> read_file(const SceneText& file, bool mend) {
   return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
 }
-
-// `source`: what the scene came from, for an error in it.
-void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path) {
-  const auto format = scene::poly_format_of(path);
-  if (!format && path != "-") {
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
-  }
-  auto text = scene::write_poly(scene, format.value_or(scene::PolyFormat::json));
-  if (auto* error = std::get_if<scene::SceneError>(&text)) {
-    error->source = source;
-    throw Failure(ExitCode::bad_input, error->message());
-  }
-  Output output(path);
-  output.write(std::get<std::string>(text));
-  output.commit();
-}
-
-// --- convert
 
 struct ConvertArguments {
   std::string scene;
@@ -82,8 +60,7 @@ constexpr const char* convert_examples =
 void convert(const ConvertArguments& arguments) {
   const SceneText file = read_scene_text(arguments.scene);
   if (arguments.mend && (file.builtin || input_format(file.name) == scene::PolyFormat::json)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
+    throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
   }
   if (!file.polyhedra) {
     write_scene(scene::poly_scene_of(load_scene(file.text, file.name)), file.name, arguments.output);
@@ -94,98 +71,24 @@ void convert(const ConvertArguments& arguments) {
   write_scene(import.scene, file.name, arguments.output);
 }
 
-void add_convert(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("convert", "Read a scene and write it as polyhedra");
-  const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "A .json, .off or .obj file; - is JSON on standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(convert_examples);
-  command->callback([arguments, &exit_code] {
-    convert(*arguments);
-    exit_code = ExitCode::ok;
-  });
-}
-
-// --- generate
-
-struct GenerateArguments {
-  std::string family;
-  std::size_t size = 1;
-  std::uint64_t seed = 1;
-  std::string output = "-";
-};
-
-constexpr const char* generate_examples =
-    "Examples:\n"
-    "  sightline scene generate boxes 100 -o boxes-100.json\n"
-    "  sightline scene generate rooms 4 --seed 7 -o rooms.json\n"
-    "      the same family, size and seed give the same scene everywhere\n";
-
-// What SIZE counts; scene/generate_scene.hpp says what the families look like.
-struct FamilyHelp {
-  std::string_view family;
-  std::string_view size;
-};
-constexpr std::array family_helps{
-    FamilyHelp{"boxes", "SIZE boxes anywhere that touch nowhere"},
-    FamilyHelp{"edgeon", "SIZE such boxes, looked at from the plane of a face"},
-    FamilyHelp{"touch", "SIZE x SIZE x SIZE cubes that share faces"},
-    FamilyHelp{"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
-    FamilyHelp{"town", "SIZE buildings on the ground"},
-    FamilyHelp{"triangles", "SIZE triangles"},
-    FamilyHelp{"bricks", "SIZE small boxes that may touch, fewer where there is no room"},
-    FamilyHelp{"rooms", "SIZE x SIZE rooms with doors and hatches"},
-    FamilyHelp{"big_rooms", "SIZE x SIZE such rooms, all lengths divided by 5"},
-    FamilyHelp{"corridors", "SIZE rooms one behind the other"},
-    FamilyHelp{"prisms", "SIZE turned houses of one height"},
-};
-
-std::string families_help() {
-  std::string text = "\nFamilies:\n";
-  for (const std::string_view name : scene::generator_names()) {
-    const auto* const row = std::find_if(family_helps.begin(), family_helps.end(),
-                                         [name](const FamilyHelp& help) { return help.family == name; });
-    text += fmt::format("  {:<9}  {}, at most {}\n", name, row == family_helps.end() ? "SIZE" : row->size,
-                        scene::largest_generated_size(name));
-  }
-  return text +
-         "\nFAMILY-SIZE or FAMILY-SIZE-SEED names such a scene in place of a file for all commands but "
-         "`jones` and `scene tape`, which want a scene of cells.\n";
-}
-
-void generate(const GenerateArguments& arguments) {
-  auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
-  if (const auto* error = std::get_if<scene::SceneError>(&scene))
-    throw Failure(ExitCode::usage, error->message());
-  write_scene(std::get<scene::PolyScene>(scene), arguments.family, arguments.output);
-}
-
-void add_generate(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("generate", "Write a scene of a random family");
-  const auto arguments = std::make_shared<GenerateArguments>();
-  command->add_option("FAMILY", arguments->family, "One of those below")->required();
-  command->add_option("SIZE", arguments->size, "How many of what: see below")->required();
-  command->add_option("--seed", arguments->seed, "Another seed, another scene")
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "A .json, .off or .obj file; - is JSON on standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(generate_examples + families_help());
-  command->callback([arguments, &exit_code] {
-    generate(*arguments);
-    exit_code = ExitCode::ok;
-  });
-}
-
 }  // namespace
+
+void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path) {
+  const auto format = scene::poly_format_of(path);
+  if (!format && path != "-") {
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
+  }
+  auto text = scene::write_poly(scene, format.value_or(scene::PolyFormat::json));
+  if (auto* error = std::get_if<scene::SceneError>(&text)) {
+    error->source = source;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  Output output(path);
+  output.write(std::get<std::string>(text));
+  output.commit();
+}
 
 void tell(const scene::PolyImportReport& report) {
   if (report.quantised)
@@ -314,9 +217,22 @@ void describe_poly_file(const SceneText& file, bool json) {
                            scene.camera.eye[1], scene.camera.eye[2]));
 }
 
-void add_scene_poly_commands(CLI::App& scene_command, ExitCode& exit_code) {
-  add_convert(scene_command, exit_code);
-  add_generate(scene_command, exit_code);
+void add_scene_convert(CLI::App& scene_command, ExitCode& exit_code) {
+  CLI::App* const command = scene_command.add_subcommand("convert", "Read a scene and write it as polyhedra");
+  const auto arguments = std::make_shared<ConvertArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
+  command->add_flag("--mend", arguments->mend,
+                    "Of OFF and OBJ: repair what can be repaired without guessing");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "A .json, .off or .obj file; - is JSON on standard output")
+      ->capture_default_str()
+      ->type_name("FILE");
+  command->footer(convert_examples);
+  command->callback([arguments, &exit_code] {
+    convert(*arguments);
+    exit_code = ExitCode::ok;
+  });
 }
 
 }  // namespace sightline::app

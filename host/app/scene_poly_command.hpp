@@ -1,5 +1,4 @@
-// `sightline scene` for general polyhedra: what check and info say of them, and the subcommands convert and
-// generate.
+// `sightline scene` for general polyhedra: what check and info say of them, and the subcommand convert.
 #pragma once
 
 #include <string>
@@ -30,7 +29,10 @@ void tell(const scene::PolyImportReport& report);
 [[nodiscard]] ExitCode check_poly_file(const SceneText& file, bool json);
 void describe_poly_file(const SceneText& file, bool json);
 
-// `scene convert` and `scene generate`. `exit_code` is set when the subcommand has run; it outlives the App.
-void add_scene_poly_commands(CLI::App& scene_command, ExitCode& exit_code);
+// As the file's name says, JSON to standard output (-). `source`: what the scene came from, for an error in it.
+void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path);
+
+// `scene convert`. `exit_code` is set when the subcommand has run; it outlives the App.
+void add_scene_convert(CLI::App& scene_command, ExitCode& exit_code);
 
 }  // namespace sightline::app
