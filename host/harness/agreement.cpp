@@ -15,12 +15,9 @@ namespace sightline::harness {
 namespace {
 
 constexpr std::array all_participants{
-    Participant{"exact", true, false},
-    Participant{"oracle", true, true},
-    Participant{"jones", true, false},
-    Participant{"skala", false, true},
-    Participant{"montani-re", true, true},
-    Participant{"willis", false, true},
+    Participant{"exact", true, false},     Participant{"oracle", true, true},
+    Participant{"jones", true, false},     Participant{"skala", false, true},
+    Participant{"montani-re", true, true}, Participant{"willis", false, true},
     Participant{"plantinga", true, false},
 };
 
@@ -103,7 +100,8 @@ class Drawing {
     if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
     const auto& prepared = std::get<PreparedFaces>(made);
     if (!prepared.not_solved.empty())
-      return fail(fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
+      return fail(
+          fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
     for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
       auto seen = prepared.view(view.camera, view.window());
       if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
@@ -190,7 +188,8 @@ std::span<const NotApplicable> not_applicable() {
   return all_not_applicable;
 }
 
-std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene, bool perspective) {
+std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene,
+                                              bool perspective) {
   for (const NotApplicable& listed : all_not_applicable)
     if (listed.who == who && scene.starts_with(listed.scenes) &&
         (listed.views == NotApplicable::Views::all || perspective))

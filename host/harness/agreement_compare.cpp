@@ -47,7 +47,8 @@ std::optional<std::string> first_outside(const NamedLines& a, const picture::Ima
                                          std::string_view other_name, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera) {
   for (const LinePiece& piece : a.lines->pieces) {
-    for (const picture::ImageSegment& part : picture::image_set(LinePicture{{piece}}, scene, camera).segments) {
+    for (const picture::ImageSegment& part :
+         picture::image_set(LinePicture{{piece}}, scene, camera).segments) {
       const bool covered =
           std::any_of(other.segments.begin(), other.segments.end(), [&](const picture::ImageSegment& whole) {
             return whole.line == part.line && compare(whole.low, part.low) <= 0 &&
@@ -263,8 +264,8 @@ ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view
     text += fmt::format("; {} changes at pixel ({}, {}), where {} draws nothing", b.name, changes.first.x,
                         changes.first.y, a.name);
   if (lines.failed > 0)
-    text += fmt::format("; {} draws at pixel ({:.1f}, {:.1f}), where {} does not change", a.name, lines.first.x,
-                        lines.first.y, b.name);
+    text += fmt::format("; {} draws at pixel ({:.1f}, {:.1f}), where {} does not change", a.name,
+                        lines.first.x, lines.first.y, b.name);
   return {lines.failed == 0 && changes.failed == 0, how, std::move(text)};
 }
 

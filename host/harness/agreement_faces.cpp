@@ -32,7 +32,8 @@ constexpr int tile = 16;
 constexpr double certainly_beside = 1;  // pixels: more than the rounding of a place
 
 // A face that reaches behind the eye may be seen in all of the picture.
-constexpr PixelPoint anywhere{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+constexpr PixelPoint anywhere{std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
 
 struct NumberedFace {
   const scene::PolyFace* face = nullptr;
@@ -67,7 +68,8 @@ void paint(PixelGrid& grid, const std::array<PixelPoint, 3>& corners, std::uint3
   const int last_row = std::min(grid.height - 1, static_cast<int>(std::floor(bounds.high.y)));
   const int last_column = std::min(grid.width - 1, static_cast<int>(std::floor(bounds.high.x)));
   for (int row = std::max(0, static_cast<int>(std::ceil(bounds.low.y))); row <= last_row; ++row) {
-    for (int column = std::max(0, static_cast<int>(std::ceil(bounds.low.x))); column <= last_column; ++column) {
+    for (int column = std::max(0, static_cast<int>(std::ceil(bounds.low.x))); column <= last_column;
+         ++column) {
       const double x = column;
       const double y = row;
       if (turn * side(a, b, x, y) >= 0 && turn * side(b, c, x, y) >= 0 && turn * side(c, a, x, y) >= 0)

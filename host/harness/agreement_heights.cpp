@@ -1,7 +1,7 @@
 // Functions of two variables among the common scenes. See agreement_scenes.hpp.
 //
-// With X, Z odd from -31 to 31, D = 7 X + 24 Z and a height k of -3720 .. 3720, a point's place on the screen is
-// 40 (24 X - 7 Z) and c k + 8 s D, its depth 8 c D - s k, s and c the sine and cosine of the elevation in
+// With X, Z odd from -31 to 31, D = 7 X + 24 Z and a height k of -3720 .. 3720, a point's place on the screen
+// is 40 (24 X - 7 Z) and c k + 8 s D, its depth 8 c D - s k, s and c the sine and cosine of the elevation in
 // fifths: 31000 times Skala's projection of x = X / 31, z = Z / 31, h = k / 3720, in whole numbers.
 #include <cmath>
 #include <numbers>
@@ -43,8 +43,8 @@ CommonScene height_scene(std::string_view name, std::string_view title, std::str
     for (std::size_t i = 0; i < side; ++i) {
       const std::int32_t d = 7 * odd(i) + 24 * odd(j);
       const auto k = static_cast<std::int32_t>(grid.height(i, j));
-      scene.vertices.push_back({40 * (24 * odd(i) - 7 * odd(j)), cosine * k + 8 * sine * d,
-                                8 * cosine * d - sine * k});
+      scene.vertices.push_back(
+          {40 * (24 * odd(i) - 7 * odd(j)), cosine * k + 8 * sine * d, 8 * cosine * d - sine * k});
     }
   }
   scene::PolyBody body{"surface", true, {}};

@@ -88,8 +88,8 @@ PolyScene tilted_boxes() {
   return builder.take();
 }
 
-// Three bars, each before the next, and beside them two U that reach into each other: each is before the other
-// in one place (after Montani and Re, Figure 10).
+// Three bars, each before the next, and beside them two U that reach into each other: each is before the
+// other in one place (after Montani and Re, Figure 10).
 PolyScene cycles() {
   scene::PolyBuilder builder;
   add_brick(builder, "bar 0", {-4, -2, 0}, {{{38, 0, 10}, {0, 4, 0}, {0, 0, 2}}});
@@ -99,10 +99,22 @@ PolyScene cycles() {
     for (PolyPoint& p : outline) p[0] += 70;
     builder.add_sheet(name, outline);
   };
-  sheet("upright U", {{0, 0, 10}, {30, 0, 10}, {30, 30, 10}, {20, 30, 10},
-                      {20, 10, 10}, {10, 10, 10}, {10, 30, 10}, {0, 30, 10}});
-  sheet("leaning U", {{-5, 13, -10}, {35, 13, 30}, {35, 16, 30}, {5, 16, 0},
-                      {5, 22, 0}, {35, 22, 30}, {35, 25, 30}, {-5, 25, -10}});
+  sheet("upright U", {{0, 0, 10},
+                      {30, 0, 10},
+                      {30, 30, 10},
+                      {20, 30, 10},
+                      {20, 10, 10},
+                      {10, 10, 10},
+                      {10, 30, 10},
+                      {0, 30, 10}});
+  sheet("leaning U", {{-5, 13, -10},
+                      {35, 13, 30},
+                      {35, 16, 30},
+                      {5, 16, 0},
+                      {5, 22, 0},
+                      {35, 22, 30},
+                      {35, 25, 30},
+                      {-5, 25, -10}});
   return builder.take();
 }
 
@@ -112,8 +124,8 @@ PolyScene holes() {
   const auto plate = [&builder](const char* name, const PolyPoint& o, const PolyPoint& u, const PolyPoint& v,
                                 std::int32_t from, std::int32_t to) {
     const auto at = [&](std::int32_t a, std::int32_t b) {
-      return builder.vertex({o[0] + a * u[0] + b * v[0], o[1] + a * u[1] + b * v[1],
-                             o[2] + a * u[2] + b * v[2]});
+      return builder.vertex(
+          {o[0] + a * u[0] + b * v[0], o[1] + a * u[1] + b * v[1], o[2] + a * u[2] + b * v[2]});
     };
     scene::PolyFace face{{at(0, 0), at(10, 0), at(10, 10), at(0, 10)},
                          {{at(from, from), at(from, to), at(to, to), at(to, from)}}};

@@ -80,7 +80,8 @@ std::optional<picture::PixelSegment> AgreementView::place(const PolyPoint& from,
   return picture::PixelSegment{at(low), at(high)};
 }
 
-AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t q, std::int32_t h, int size) {
+AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t q, std::int32_t h,
+                            int size) {
   AgreementView view;
   view.size = size;
   view.camera = {false, {}, {p, 0, q}, {q, 0, -p}, {0, h, 0}};
@@ -99,8 +100,8 @@ AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t
   const std::array<std::int64_t, 3> eye{(low[0] + high[0]) / 2 / square, (low[1] + high[1]) / 2 / square,
                                         low[2] / square - 2};
   for (std::size_t a = 0; a < 3; ++a)
-    view.camera.eye[a] = static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] +
-                                                   eye[2] * axes[2][a]);
+    view.camera.eye[a] =
+        static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] + eye[2] * axes[2][a]);
   const std::int64_t extent = std::max(high[0] - low[0], high[1] - low[1]) / square;
   constexpr std::int64_t border = 4;  // pixels, on both sides
   view.unit = static_cast<std::int32_t>(extent / (2 * (size - 2 * border)) + 1);

@@ -142,7 +142,8 @@ constexpr std::array table{
                   applies, prepare_montani_re, true},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
                   prepare_oracle},
-    LineAlgorithm{"plantinga", "One moment of a turn about the vertical, after Plantinga, Seales and Dyer (1990), exact",
+    LineAlgorithm{"plantinga",
+                  "One moment of a turn about the vertical, after Plantinga, Seales and Dyer (1990), exact",
                   algorithms::plantinga::why_not, prepare_plantinga, false,
                   algorithms::plantinga::why_not_view},
 };

@@ -33,14 +33,17 @@ class WillisScene {
   [[nodiscard]] const willis::Model& model() const { return model_; }
 
   std::variant<FaceView, scene::SceneError> view(const scene::PolyCamera& camera, const FaceWindow& shown) {
-    if (auto error = willis::plan_error(model_, camera)) return scene::SceneError{"", "camera", std::move(*error)};
+    if (auto error = willis::plan_error(model_, camera))
+      return scene::SceneError{"", "camera", std::move(*error)};
     const willis::ImageWindow window = willis_window(shown);
     const auto order = frames_.order(camera);
     willis::make_spans(model_, order, camera, window, spans_);
     FaceView view;
     // A picture of the display's own size is made by the display.
-    view.faces = fits_display(spans_, window) ? displayed(spans_, display_) : willis::resolved(spans_, window);
-    view.counts = {{"distances", order.size()}, {"surfaces", spans_.surfaces.size()}, {"spans", spans_.spans.size()}};
+    view.faces =
+        fits_display(spans_, window) ? displayed(spans_, display_) : willis::resolved(spans_, window);
+    view.counts = {
+        {"distances", order.size()}, {"surfaces", spans_.surfaces.size()}, {"spans", spans_.spans.size()}};
     return view;
   }
 
@@ -77,7 +80,8 @@ std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyS
 constexpr std::array table{
     FaceAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985); filled",
                   prepare_montani_re_faces},
-    FaceAlgorithm{"willis", "Surfaces by distance as their priority, after Willis (1977); filled, or a flight",
+    FaceAlgorithm{"willis",
+                  "Surfaces by distance as their priority, after Willis (1977); filled, or a flight",
                   prepare_willis},
 };
 

@@ -16,7 +16,8 @@ constexpr std::uint32_t last_colour = 0xFF'FFFF;
 
 }  // namespace
 
-bool fits_display(const algorithms::willis::FrameSpans& frame, const algorithms::willis::ImageWindow& window) {
+bool fits_display(const algorithms::willis::FrameSpans& frame,
+                  const algorithms::willis::ImageWindow& window) {
   return window.width == columns && window.height == lines &&
          frame.surfaces.size() <= PriorityDisplay::usual_surfaces &&
          frame.spans.size() <= PriorityDisplay::usual_spans &&
@@ -44,7 +45,8 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
   picture::PixelGrid faces(columns, lines);
   for (int row = 0; row < lines; ++row) {
     const auto line = device.picture().subspan(static_cast<std::size_t>(lines - 1 - row) * columns, columns);
-    std::copy(line.begin(), line.end(), faces.values.begin() + static_cast<std::ptrdiff_t>(faces.index(0, row)));
+    std::copy(line.begin(), line.end(),
+              faces.values.begin() + static_cast<std::ptrdiff_t>(faces.index(0, row)));
   }
   return faces;
 }

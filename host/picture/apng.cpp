@@ -66,7 +66,8 @@ void for_chunks(const Bytes& png, Visit&& visit) {
   while (at + 12 <= png.size()) {
     const std::span<const std::uint8_t> rest = std::span(png).subspan(at);
     const std::size_t length = get32(rest);
-    visit(Chunk{{reinterpret_cast<const char*>(rest.data()) + 4, 4}, rest.subspan(8, length),
+    visit(Chunk{{reinterpret_cast<const char*>(rest.data()) + 4, 4},
+                rest.subspan(8, length),
                 rest.subspan(0, length + 12)});
     at += length + 12;
   }

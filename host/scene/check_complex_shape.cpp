@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host/geometry/predicates.hpp"
 #include "host/geometry/box_tree.hpp"
+#include "host/geometry/predicates.hpp"
 #include "host/scene/check_complex_parts.hpp"
 #include "host/scene/compartment_bsp_predicates.hpp"
 

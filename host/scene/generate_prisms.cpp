@@ -1,8 +1,8 @@
 // A town of houses turned at all angles. See generate_scene.hpp.
 //
 // Source: the town on which Willis's splitting was measured, 35 rectangles in a square of 100 by 100, sides 3
-// to 14, none nearer to another than .25, here in units of 1/200. Turns are those with a whole hypotenuse, and
-// a half right angle, so that corners are whole numbers and rectangles exact.
+// to 14, none nearer to another than .25, here in units of 1/200. Turns are those with a whole hypotenuse,
+// and a half right angle, so that corners are whole numbers and rectangles exact.
 #include <algorithm>
 #include <array>
 #include <string>

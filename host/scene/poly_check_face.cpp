@@ -57,7 +57,7 @@ class FaceCheck {
   struct Segment {
     std::size_t ring;
     std::size_t from;  // to the next one of the ring
-    Point2 low;  // its bounds
+    Point2 low;        // its bounds
     Point2 high;
   };
 

@@ -258,7 +258,7 @@ std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, 
 }
 
 std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view json_text,
-                                                                const std::string& source) {
+                                                             const std::string& source) {
   auto result = read_cell_scene(json_text, source);
   if (const auto* scene = std::get_if<CellScene>(&result)) {
     auto errors = check_scene(*scene);
@@ -273,7 +273,8 @@ std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view js
 }
 
 std::variant<CellScene, SceneError> load_cell_scene(const std::string& name_or_file) {
-  if (const auto builtin = builtin_scene_text(name_or_file)) return read_possible_cell_scene(*builtin, name_or_file);
+  if (const auto builtin = builtin_scene_text(name_or_file))
+    return read_possible_cell_scene(*builtin, name_or_file);
   const auto text = file_text(name_or_file);
   if (const auto* error = std::get_if<SceneError>(&text)) return *error;
   return read_possible_cell_scene(std::get<std::string>(text), name_or_file);

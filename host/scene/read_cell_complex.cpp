@@ -21,7 +21,7 @@ constexpr std::string_view any_schema = "sightline/cell-complex/";
 // What planes of a scene have (poly_coordinate_limit): products of differences, and a coordinate more.
 constexpr std::int64_t largest_normal = std::int64_t{1} << 39;
 constexpr std::int64_t largest_offset = std::int64_t{1} << 59;
-constexpr int deepest_polyhedra = 16;  // holes, the deepest, are nested 6 levels
+constexpr int deepest_polyhedra = 16;                         // holes, the deepest, are nested 6 levels
 constexpr std::int64_t largest_part = std::int64_t{1} << 60;  // of a place on an edge
 
 std::string describe(const json& value) {

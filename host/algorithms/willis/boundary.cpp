@@ -31,11 +31,9 @@ bool can_obscure(const Surface& s, const Surface& t, bool rule90) {
 }
 
 bool in_boundary(const Surface& s, const Point& p, BoundaryShape shape) {
-  if (shape == BoundaryShape::oval)
-    return within(p, s.points, s.plane.normal, squared_diameter(s.points));
-  return std::any_of(s.points.begin(), s.points.end(), [&](const Point& v) {
-    return squared_distance(v, p) <= squared_radius(s, v);
-  });
+  if (shape == BoundaryShape::oval) return within(p, s.points, s.plane.normal, squared_diameter(s.points));
+  return std::any_of(s.points.begin(), s.points.end(),
+                     [&](const Point& v) { return squared_distance(v, p) <= squared_radius(s, v); });
 }
 
 bool reaches(const Surface& t, const Surface& s, BoundaryShape shape) {

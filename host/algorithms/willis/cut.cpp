@@ -52,8 +52,7 @@ std::vector<std::uint64_t> spans_of(const std::vector<Stop>& stops) {
   for (std::size_t k = 1; k < n; ++k) {
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint64_t chord = squared_distance(stops[i].point, stops[(i + k) % n].point);
-      spans[i * n + k] =
-          std::max({spans[i * n + k - 1], spans[(i + 1) % n * n + k - 1], chord});
+      spans[i * n + k] = std::max({spans[i * n + k - 1], spans[(i + 1) % n * n + k - 1], chord});
     }
   }
   return spans;
@@ -62,7 +61,8 @@ std::vector<std::uint64_t> spans_of(const std::vector<Stop>& stops) {
 // A chord along an edge cuts nothing off.
 bool on_one_edge(std::size_t a, std::size_t b, std::size_t places) {
   const std::size_t apart = (b + places - a) % places;
-  return apart <= 1 || apart + 1 >= places || (apart == 2 && a % 2 == 0) || (apart + 2 == places && b % 2 == 0);
+  return apart <= 1 || apart + 1 >= places || (apart == 2 && a % 2 == 0) ||
+         (apart + 2 == places && b % 2 == 0);
 }
 
 // Corners from `first` to `last`, ends included, without middles in between.

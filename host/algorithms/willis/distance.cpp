@@ -79,8 +79,8 @@ Number to_polygon(const Point& p, const std::vector<Point>& polygon, const Vecto
   return least;
 }
 
-// What can differ from the truth by rounding, as a part of the squared lengths that went in: the formulas take
-// some twenty roundings, each of which may be off by 2^-53.
+// What can differ from the truth by rounding, as a part of the squared lengths that went in: the formulas
+// take some twenty roundings, each of which may be off by 2^-53.
 constexpr double rounding = 64 * 0x1p-53;
 // Between lines that are not too near to being parallel (flat_angle), the normal loses half of the digits.
 constexpr double crossing_rounding = 1e-8;
@@ -138,7 +138,8 @@ bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d
   const auto distance = across<double>(a, b, c, d, unsure);
   if (unsure) return edges_within_exactly(a, b, c, d, limit);
   if (!distance) return false;
-  const double size = static_cast<double>(squared_distance(a, c)) + static_cast<double>(squared_distance(a, b)) +
+  const double size = static_cast<double>(squared_distance(a, c)) +
+                      static_cast<double>(squared_distance(a, b)) +
                       static_cast<double>(squared_distance(c, d));
   const auto answer = settled(*distance, size * crossing_rounding, limit);
   return answer ? *answer : edges_within_exactly(a, b, c, d, limit);
@@ -268,7 +269,9 @@ bool within(const Surface& s, const Surface& t, std::uint64_t limit) {
 bool within_exactly(const Surface& s, const Surface& t, std::uint64_t limit) {
   return any_within(
       s, t,
-      [limit](const Point& p, const Surface& u) { return within_exactly(p, u.points, u.plane.normal, limit); },
+      [limit](const Point& p, const Surface& u) {
+        return within_exactly(p, u.points, u.plane.normal, limit);
+      },
       [limit](const Point& a, const Point& b, const Point& c, const Point& d) {
         return edges_within_exactly(a, b, c, d, limit);
       });

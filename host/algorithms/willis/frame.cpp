@@ -15,8 +15,9 @@ std::optional<std::string> plan_error(const Model& model, const scene::PolyCamer
   const std::int32_t height = camera.eye[model.vertical];
   for (const Surface& wall : model.pieces) {
     if (height >= wall.low && height <= wall.high) continue;
-    return "in plan the eye is between the feet and the tops of all walls: found height " + std::to_string(height) +
-           ", expected " + std::to_string(wall.low) + " to " + std::to_string(wall.high);
+    return "in plan the eye is between the feet and the tops of all walls: found height " +
+           std::to_string(height) + ", expected " + std::to_string(wall.low) + " to " +
+           std::to_string(wall.high);
   }
   return std::nullopt;
 }
@@ -31,10 +32,12 @@ Frames::Frames(const Model& model) : model_(model) {
     const SurfacePlane& plane = model.pieces[i].plane;
     return std::tie(plane.normal, plane.offset);
   };
-  std::sort(numbers.begin(), numbers.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::sort(numbers.begin(), numbers.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   plane_of_.resize(numbers.size());
   for (const std::uint32_t i : numbers) {
-    if (planes_.empty() || !(planes_.back() == model.pieces[i].plane)) planes_.push_back(model.pieces[i].plane);
+    if (planes_.empty() || !(planes_.back() == model.pieces[i].plane))
+      planes_.push_back(model.pieces[i].plane);
     plane_of_[i] = static_cast<std::uint32_t>(planes_.size() - 1);
   }
   for (const Surface& s : model.pieces) {
@@ -63,7 +66,8 @@ void Frames::make_keys(Representatives representatives, Nearness&& nearness) {
   }
 }
 
-std::span<const std::uint32_t> Frames::order(const scene::PolyCamera& camera, Representatives representatives) {
+std::span<const std::uint32_t> Frames::order(const scene::PolyCamera& camera,
+                                             Representatives representatives) {
   mark_facing(camera);
   rank_cells(model_.cells, camera, ranks_);
   if (camera.perspective) {
@@ -74,7 +78,8 @@ std::span<const std::uint32_t> Frames::order(const scene::PolyCamera& camera, Re
     // The eye is infinitely far back: of two surfaces the one less far along the view is nearer.
     const Vector3 forward = geometry::vector_of(camera.forward);
     make_keys(representatives, [&](const Point& p) {
-      return ~(static_cast<std::uint64_t>(geometry::dot(forward, geometry::vector_of(p))) + (std::uint64_t{1} << 63));
+      return ~(static_cast<std::uint64_t>(geometry::dot(forward, geometry::vector_of(p))) +
+               (std::uint64_t{1} << 63));
     });
   }
   std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {

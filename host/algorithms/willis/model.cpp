@@ -122,7 +122,7 @@ class Unclustering {
   const ModelOptions& options_;
   std::uint64_t squared_smallest_ = 0;
   std::vector<NumberPair> pairs_;
-  std::vector<std::uint8_t> touching_;                    // by piece: 1 if it touches its partner in a cluster
+  std::vector<std::uint8_t> touching_;                // by piece: 1 if it touches its partner in a cluster
   std::vector<std::array<std::uint32_t, 2>> halves_;  // of a piece just cut; itself twice if it was not
 };
 
@@ -157,7 +157,8 @@ Model make_model(std::vector<Surface> surfaces, const ModelOptions& options) {
   return model;
 }
 
-std::variant<Model, scene::SceneError> make_model(const scene::PolyScene& scene, const ModelOptions& options) {
+std::variant<Model, scene::SceneError> make_model(const scene::PolyScene& scene,
+                                                  const ModelOptions& options) {
   auto surfaces = options.plan ? walls_of(scene, options.vertical) : surfaces_of(scene);
   if (auto* error = std::get_if<scene::SceneError>(&surfaces)) return std::move(*error);
   return make_model(std::get<0>(std::move(surfaces)), options);

@@ -36,7 +36,8 @@ class Grid {
           // If the other reaches farther it finds this one, which may not find it.
           const bool mine = boxes_[i].squared_reach > boxes_[j].squared_reach ||
                             (boxes_[i].squared_reach == boxes_[j].squared_reach && i < j);
-          if (mine && near_each_other(boxes_[i], boxes_[j])) pairs.emplace_back(std::min(i, j), std::max(i, j));
+          if (mine && near_each_other(boxes_[i], boxes_[j]))
+            pairs.emplace_back(std::min(i, j), std::max(i, j));
         }
       });
     }
@@ -110,8 +111,8 @@ ReachingBox box_of(const Surface& s) {
 bool near_each_other(const ReachingBox& a, const ReachingBox& b) {
   Vector3 gap{};
   for (std::size_t i = 0; i < 3; ++i) {
-    gap[i] = std::max<std::int64_t>(
-        {0, std::int64_t{a.low[i]} - b.high[i], std::int64_t{b.low[i]} - a.high[i]});
+    gap[i] =
+        std::max<std::int64_t>({0, std::int64_t{a.low[i]} - b.high[i], std::int64_t{b.low[i]} - a.high[i]});
   }
   return squared_length(gap) <= std::max(a.squared_reach, b.squared_reach);
 }

@@ -195,7 +195,8 @@ class Builder {
 
 // The eye is before (1), in or behind (-1) the plane; without perspective it is infinitely far back.
 int side_of_eye(const SurfacePlane& plane, const scene::PolyCamera& camera) {
-  if (!camera.perspective) return -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));
+  if (!camera.perspective)
+    return -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));
   return geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.eye)) - plane.offset);
 }
 

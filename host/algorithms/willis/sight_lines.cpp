@@ -69,7 +69,8 @@ Hits hits_of(const Model& model, const scene::PolyPoint& eye, std::span<const st
 
 Vector3 level_direction(std::size_t vertical, std::mt19937& random) {
   Vector3 d{};
-  for (std::size_t a = 0; a < 3; ++a) d[a] = a == vertical ? 0 : static_cast<std::int64_t>(random() % 2001) - 1000;
+  for (std::size_t a = 0; a < 3; ++a)
+    d[a] = a == vertical ? 0 : static_cast<std::int64_t>(random() % 2001) - 1000;
   return d;
 }
 
@@ -104,8 +105,9 @@ void count_lines(const Model& model, const scene::PolyPoint& eye, std::span<cons
   std::vector<std::vector<Point>> corners;
   for (const std::uint32_t piece : order) corners.push_back(corners_of(model, model.pieces[piece]));
   for (int i = 0; i < lines; ++i) {
-    const Vector3 d = model.plan ? level_direction(model.vertical, random)
-                                 : direction_near(corners[random() % corners.size()], on_lattice(eye), random);
+    const Vector3 d = model.plan
+                          ? level_direction(model.vertical, random)
+                          : direction_near(corners[random() % corners.size()], on_lattice(eye), random);
     const Hits hits = hits_of(model, eye, order, corners, d);
     if (hits.count < 2) continue;
     ++count.with_two;

@@ -160,12 +160,12 @@ class SpanMaker {
 }  // namespace
 
 ImageWindow window_ahead(const scene::PolyCamera& camera, int width, int height, double extent) {
-  const double across =
-      camera.perspective ? 2 * std::tan(extent / 2 * (std::numbers::pi / 180)) : extent;
+  const double across = camera.perspective ? 2 * std::tan(extent / 2 * (std::numbers::pi / 180)) : extent;
   return {width, height, std::min(width, height) / across, width / 2.0, height / 2.0};
 }
 
-ImageWindow window_around(const scene::PolyScene& scene, const scene::PolyCamera& camera, int width, int height) {
+ImageWindow window_around(const scene::PolyScene& scene, const scene::PolyCamera& camera, int width,
+                          int height) {
   const Eye eye(camera);
   std::array<double, 2> low{1, 1};
   std::array<double, 2> high{-1, -1};
@@ -217,8 +217,8 @@ picture::PixelGrid outlines(const picture::PixelGrid& faces) {
   for (int row = 0; row < faces.height; ++row) {
     for (int column = 0; column < faces.width; ++column) {
       const std::uint32_t here = faces.at(column, row);
-      const bool change = (column > 0 && faces.at(column - 1, row) != here) ||
-                          (row > 0 && faces.at(column, row - 1) != here);
+      const bool change =
+          (column > 0 && faces.at(column - 1, row) != here) || (row > 0 && faces.at(column, row - 1) != here);
       if (change) lines.set(column, row, 1);
     }
   }

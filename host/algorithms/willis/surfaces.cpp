@@ -17,8 +17,7 @@ using Ring = std::vector<scene::VertexIndex>;
 
 class FacePieces {
  public:
-  FacePieces(const scene::PolyScene& scene, const scene::PolyFace& face)
-      : scene_(scene) {
+  FacePieces(const scene::PolyScene& scene, const scene::PolyFace& face) : scene_(scene) {
     // A long ring's area vector outgrows what the predicates take; only its direction matters.
     const Vector3 area = scene::ring_normal(scene.vertices, face.outline);
     axis_ = geometry::dominant_axis(area);

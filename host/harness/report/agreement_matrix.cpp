@@ -47,10 +47,14 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
   Table table;
   table.id = "agreement-scenes";
   table.title = "The common scenes";
-  table.columns = {{"scene", "Scene", "", false},      {"what", "What it is", "", false},
-                   {"edges", "Edges", "", false},      {"faces", "Faces", "", false},
-                   {"parallel", "Views", "parallel", false}, {"perspective", "Views", "perspective", false},
-                   {"listed", "Cells", "listed to run", false}, {"run", "Cells", "run", false},
+  table.columns = {{"scene", "Scene", "", false},
+                   {"what", "What it is", "", false},
+                   {"edges", "Edges", "", false},
+                   {"faces", "Faces", "", false},
+                   {"parallel", "Views", "parallel", false},
+                   {"perspective", "Views", "perspective", false},
+                   {"listed", "Cells", "listed to run", false},
+                   {"run", "Cells", "run", false},
                    {"result", "Result", "", false}};
   for (const auto& [scene, agreement] : scenes) {
     std::size_t faces = 0;
@@ -64,15 +68,15 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
     const bool good = agreement.agrees() && run == listed;
     table.rows.push_back({std::string(scene.name), std::string(scene.title),
                           count(picture::edges_of(scene.scene).size()), count(faces),
-                          count(scene.views.size() - perspective), count(perspective), count(listed), count(run),
-                          Verdict{good, good ? "all agree" : "not all agree"}});
+                          count(scene.views.size() - perspective), count(perspective), count(listed),
+                          count(run), Verdict{good, good ? "all agree" : "not all agree"}});
   }
   table.notes = {
-      "Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes "
-      "parallel to the axes are tilted by 38 times a rotation, but the corridor and the town, which stay "
-      "degenerate on purpose. Of the town Willis takes the walls in plan. H1 and H2 are two triangles a cell, in "
-      "whole numbers that Skala's projection has, too. A cell is a pair of methods on a scene; one that is "
-      "listed to run and does not is a failure."};
+      "Parallel views look along level directions with whole cosines, so that a turn about y has them. "
+      "Scenes parallel to the axes are tilted by 38 times a rotation, but the corridor and the town, which "
+      "stay degenerate on purpose. Of the town Willis takes the walls in plan. H1 and H2 are two triangles a "
+      "cell, in whole numbers that Skala's projection has, too. A cell is a pair of methods on a scene; one "
+      "that is listed to run and does not is a failure."};
   return table;
 }
 
@@ -110,9 +114,10 @@ Table agreement_matrix(std::span<const AgreedScene> scenes) {
   table.notes = {
       "pieces: the same pieces of the same edges between the same fractions. image: the same set of points, "
       "drawn of other edges where edges lie on each other in the image. pixels: the same face at every pixel "
-      "whose middle is more than 0.75 pixels from all edges, hidden ones too. lines on pixels: wherever the face "
-      "changes from a pixel to its neighbour a line is drawn, and wherever a line is drawn with no other one "
-      "within two pixels the face changes, both within one pixel. n/a: does not apply, for a reason listed below.",
+      "whose middle is more than 0.75 pixels from all edges, hidden ones too. lines on pixels: wherever the "
+      "face changes from a pixel to its neighbour a line is drawn, and wherever a line is drawn with no "
+      "other one within two pixels the face changes, both within one pixel. n/a: does not apply, for a "
+      "reason listed below.",
       "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by "
       "different code."};
   return table;
@@ -122,9 +127,8 @@ Table agreement_failures(std::span<const AgreedScene> scenes) {
   Table table;
   table.id = "agreement-failures";
   table.title = "What does not agree, or could not be run";
-  table.columns = {{"scene", "Scene", "", false},
-                   {"pair", "Pair", "", false},
-                   {"first", "First difference", "", false}};
+  table.columns = {
+      {"scene", "Scene", "", false}, {"pair", "Pair", "", false}, {"first", "First difference", "", false}};
   for (const AgreedScene& agreed : scenes)
     for (const AgreementCell& cell : agreed.agreement.cells)
       if (failed(cell)) table.rows.push_back({std::string(agreed.scene.name), pair_name(cell), cell.text});
@@ -138,9 +142,10 @@ Outcome<Section> all_against_each_other(const Context& context) {
     scenes.back().agreement = agreement_on(scenes.back().scene, {}, context.progress);
   }
   Section section{"agreement", "All five against each other", {}};
-  section.blocks.emplace_back(Paragraph{
-      "Five methods that have nothing in common but the question, and two native answers to check them by, on "
-      "scenes that most of them can be given. Where a method is exact it must agree exactly."});
+  section.blocks.emplace_back(
+      Paragraph{"Five methods that have nothing in common but the question, and two native answers to check "
+                "them by, on scenes that most of them can be given. Where a method is exact it must agree "
+                "exactly."});
   section.blocks.emplace_back(agreement_matrix(scenes));
   if (Table failures = agreement_failures(scenes); !failures.rows.empty())
     section.blocks.emplace_back(std::move(failures));

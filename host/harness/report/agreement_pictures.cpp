@@ -39,7 +39,8 @@ picture::Image faces_image(const picture::PixelGrid& faces) {
     for (int column = 0; column < side; ++column) {
       const std::uint32_t face = faces.at(column * faces.width / side, row * faces.height / side);
       const auto grey = static_cast<std::uint8_t>(face == 0 ? 255 : 120 + face * 53 % 115);
-      std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, side - 1 - row)), 3, grey);
+      std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, side - 1 - row)), 3,
+                  grey);
     }
   }
   return image;

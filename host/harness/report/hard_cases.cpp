@@ -59,10 +59,9 @@ Table jones_table(const Context& context) {
   }
   table.notes = {
       "Program and twin are held against the oracle of cells on the screen: farther than a point from what "
-      "is seen "
-      "is wrong. Native Jones has the cells of the file and must give the oracle's picture, piece for piece; "
-      "where "
-      "the eye is not in free space there is none (J3), and the lines named must be seen or hidden whole."};
+      "is seen is wrong. Native Jones has the cells of the file and must give the oracle's picture, piece "
+      "for piece; where the eye is not in free space there is none (J3), and the lines named must be seen or "
+      "hidden whole."};
   return table;
 }
 
@@ -90,10 +89,8 @@ Table skala_table(const Context& context) {
   }
   table.notes = {
       "The oracle decides each column by depth alone. Program and twin must have its dots, native Skala be "
-      "within "
-      "a dot of them; of a view straight on, the first and the last column are left out, where the program's "
-      "order "
-      "hides one of the two rims and vectors show both."};
+      "within a dot of them; of a view straight on, the first and the last column are left out, where the "
+      "program's order hides one of the two rims and vectors show both."};
   return table;
 }
 
@@ -102,13 +99,11 @@ void add_inputs(Section& section) {
   section.blocks.emplace_back(Heading{"Inputs of the hard cases"});
   section.blocks.emplace_back(
       Paragraph{"Saved, a scene (.json) is drawn by `sightline draw jones FILE -o picture.svg`, and a scene "
-                "of cells compared "
-                "by `sightline compare FILE`; a grid (.csv, .dat) is drawn by `sightline draw skala FILE -o "
-                "picture.svg` and "
-                "compared by `sightline compare FILE`, with the options that stand in the table. Commands "
-                "(.txt) are those of "
-                "the program on the 8080, by name, arguments in decimal; of P, edges and vertices, and its "
-                "scenes turn by `sightline spin FILE -o turn.apng`."});
+                "of cells compared by `sightline compare FILE`; a grid (.csv, .dat) is drawn by `sightline "
+                "draw skala FILE -o picture.svg` and compared by `sightline compare FILE`, with the options "
+                "that stand in the table. Commands (.txt) are those of the program on the 8080, by name, "
+                "arguments in decimal; of P, edges and vertices, and its scenes turn by `sightline spin FILE "
+                "-o turn.apng`."});
   std::vector<std::string_view> files;
   for (const JonesHardCase& hard : jones_hard_cases()) files.push_back(hard.file);
   for (const SkalaHardCase& hard : skala_hard_cases()) files.push_back(hard.file);
@@ -138,10 +133,8 @@ Outcome<Section> hard_cases(const Context& context) {
   Section section{"hard-cases", "Hard cases", {}};
   section.blocks.emplace_back(
       Paragraph{"Inputs that break programs of this kind, each with what must come out. Every build has run "
-                "them just now. "
-                "Right: all that is checked is so. Where a program for a small machine differs, that is what "
-                "the machine "
-                "cost; an exact build must be right everywhere."});
+                "them just now. Right: all that is checked is so. Where a program for a small machine "
+                "differs, that is what the machine cost; an exact build must be right everywhere."});
   section.blocks.emplace_back(jones_table(context));
   auto jones = jones_families(context);
   if (auto* const error = std::get_if<ReportError>(&jones)) return std::move(*error);

@@ -162,13 +162,10 @@ Outcome<Table> jones_families(const Context& context) {
   }
   table.notes = {
       "A corridor 100 wide and high (J12: 32,000) from z = -100, the eye at the origin. A build fails when "
-      "it does "
-      "not visit every cell, stops, or does not take the scene; native Jones also when its picture is not "
-      "that of "
-      "exact. Twins keep the limits of the machine's core: 8192 words for the scene alone, without the "
-      "program, a "
-      "mask stack of 450 words. Coordinates of the program's scenes end at 32767, those of native ones at "
-      "262143."};
+      "it does not visit every cell, stops, or does not take the scene; native Jones also when its picture "
+      "is not that of exact. Twins keep the limits of the machine's core: 8192 words for the scene alone, "
+      "without the program, a mask stack of 450 words. Coordinates of the program's scenes end at 32767, "
+      "those of native ones at 262143."};
   return table;
 }
 

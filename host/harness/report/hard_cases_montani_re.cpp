@@ -234,23 +234,16 @@ Table montani_re_cases(const Context& context) {
   }
   table.notes = {
       "Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build must "
-      "show "
-      "the areas and draw the lines of exact. Stripes of a pixel are held against the oracle's sight lines "
-      "through the middles of pixels: once with a pixel a unit, so that all corners lie on lines between "
-      "stripes "
-      "and no pixel may be wrong, once with 4.25 pixels a unit, where pixels within 0.75 pixels of an edge "
-      "may. "
-      "exact must draw the lines of the oracle of edges; the areas of the oracle are counts of sight lines, "
-      "one "
-      "through every unit square.",
+      "show the areas and draw the lines of exact. Stripes of a pixel are held against the oracle's sight "
+      "lines through the middles of pixels: once with a pixel a unit, so that all corners lie on lines "
+      "between stripes and no pixel may be wrong, once with 4.25 pixels a unit, where pixels within 0.75 "
+      "pixels of an edge may. exact must draw the lines of the oracle of edges; the areas of the oracle are "
+      "counts of sight lines, one through every unit square.",
       "Saved, a scene is drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have a line "
-      "a "
-      "chain: the name of its region, its starting point, its links (0 east, 1 north-east, ... 7 "
-      "south-east); a "
-      "region is what lies inside an odd number of its chains. They are given to lattice_pcs "
+      "a chain: the name of its region, its starting point, its links (0 east, 1 north-east, ... 7 "
+      "south-east); a region is what lies inside an odd number of its chains. They are given to lattice_pcs "
       "(host/algorithms/montani_re/lattice_pcs.hpp); with stripes of a step, areas must come out the same. "
-      "Their oracle asks for each quarter of each square whether "
-      "its middle is inside."};
+      "Their oracle asks for each quarter of each square whether its middle is inside."};
   return table;
 }
 

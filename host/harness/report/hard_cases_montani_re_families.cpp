@@ -241,20 +241,14 @@ Table montani_re_families(const Context& context) {
   add_slivers(table, context);
   table.notes = {
       "Pinwheels: corners of a regular polygon of radius 100, rounded to integers, each bar along a side, "
-      "four "
-      "times as large, from a quarter before it to a quarter beyond, its near end before the next bar's far "
-      "one. "
-      "The exact build must cut once, show all bars and draw the lines of the oracle; exact must draw them; "
-      "stripes fail when a pixel farther than 0.75 pixels from all edges shows another face than the sight "
-      "line "
-      "through its middle meets, with 0.4 pixels a unit.",
+      "four times as large, from a quarter before it to a quarter beyond, its near end before the next bar's "
+      "far one. The exact build must cut once, show all bars and draw the lines of the oracle; exact must "
+      "draw them; stripes fail when a pixel farther than 0.75 pixels from all edges shows another face than "
+      "the sight line through its middle meets, with 0.4 pixels a unit.",
       "Slivers: heights are halved from 2^4 to 2^-12 pixels. The exact build must have the whole area and "
-      "draw "
-      "the lines of the oracle; stripes fail when the area in them is not that of the triangle, as corners "
-      "are "
-      "moved to the nearest line between stripes. What is lower than half a stripe is lost, and nothing is "
-      "drawn "
-      "in its place but what lies behind."};
+      "draw the lines of the oracle; stripes fail when the area in them is not that of the triangle, as "
+      "corners are moved to the nearest line between stripes. What is lower than half a stripe is lost, and "
+      "nothing is drawn in its place but what lies behind."};
   return table;
 }
 

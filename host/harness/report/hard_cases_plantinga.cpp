@@ -180,12 +180,9 @@ Outcome<Table> plantinga_cases(const Context& context) {
       "Directions are X : Z, the sine to the cosine of theta; a direction and its opposite are two. Exact "
       "events are counted and compared as whole numbers and forms; in doubles alone the same formulas are "
       "computed with rounding, and how many different directions come out is compared. Structures: between "
-      "every "
-      "two events of a full turn the list's structure of every edge is that of hidden-line removal from "
-      "scratch, "
-      "and the turn, forwards and backwards, ends where it began (P18: at 27 places). Pictures: from "
-      "scratch, "
-      "along 24 directions, piece for piece."};
+      "every two events of a full turn the list's structure of every edge is that of hidden-line removal "
+      "from scratch, and the turn, forwards and backwards, ends where it began (P18: at 27 places). "
+      "Pictures: from scratch, along 24 directions, piece for piece."};
   return table;
 }
 

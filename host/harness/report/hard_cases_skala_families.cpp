@@ -129,8 +129,7 @@ Outcome<Table> skala_families(const Context& context) {
       "Slices: 0 0, then 100 101, then 99 and 100 + 255/d, then 255 255, seen level: heights are rows. The "
       "second and the third cross in column d, at slopes that differ by 1/d. On a raster of whole rows the "
       "farther line appears where it is a row above the nearer: off by up to d columns. The program's raster "
-      "has "
-      "256 columns and byte arithmetic, so that a wider one cannot be asked of it; native masks reach "
+      "has 256 columns and byte arithmetic, so that a wider one cannot be asked of it; native masks reach "
       "16384."};
   return table;
 }

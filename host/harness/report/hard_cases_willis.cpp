@@ -63,13 +63,15 @@ Cell picture_cell(const WillisHardCase& hard, const PolyScene& scene, const Mode
   if (hard.end != WillisEnd::refused) cameras.insert(cameras.begin(), scene.camera);
   const TrueFaces truth(scene, std::move(cameras), picture_size);
   const FaceErrors errors = truth.errors_of(model);
-  const std::string text = fmt::format("{} views, {} points, {} wrong, {} more next to edges", truth.cameras().size(),
-                                       errors.points, errors.wrong_inside, errors.wrong_on_edges);
+  const std::string text =
+      fmt::format("{} views, {} points, {} wrong, {} more next to edges", truth.cameras().size(),
+                  errors.points, errors.wrong_inside, errors.wrong_on_edges);
   if (hard.end == WillisEnd::left_over) return "not promised: " + text;
   return Verdict{errors.wrong_inside == 0, (errors.wrong_inside == 0 ? "right: " : "differs: ") + text};
 }
 
-// (0, 0)-(length, 0) and, at 1 from its middle, a wall of 1; the sides between which the first hides the second.
+// (0, 0)-(length, 0) and, at 1 from its middle, a wall of 1; the sides between which the first hides the
+// second.
 std::vector<Surface> long_beside_small(std::int32_t length) {
   const auto wall = [](std::int32_t from, std::int32_t to, std::int32_t z, std::uint32_t face) {
     Surface s;
@@ -109,10 +111,10 @@ Table willis_table(const Context& context) {
   Table table;
   table.id = "hard-cases-willis";
   table.title = "Willis: distance as priority, W1 to W16";
-  table.columns = {{"case", "Case", "", false},         {"input", "Input", "", false},
-                   {"what", "What it is", "", false},   {"expected", "Expected", "", false},
-                   {"checked", "Checked", "", false},   {"facts", "Found", "", false},
-                   {"build", "The build", "", false},   {"picture", "Picture", "", false}};
+  table.columns = {{"case", "Case", "", false},       {"input", "Input", "", false},
+                   {"what", "What it is", "", false}, {"expected", "Expected", "", false},
+                   {"checked", "Checked", "", false}, {"facts", "Found", "", false},
+                   {"build", "The build", "", false}, {"picture", "Picture", "", false}};
   for (const WillisHardCase& hard : willis_hard_cases()) {
     context.progress(fmt::format("hard case {}", hard.file));
     WillisHardResult result = run_hard_case(hard);
@@ -121,10 +123,10 @@ Table willis_table(const Context& context) {
                           std::move(result.build), std::move(result.picture)});
   }
   table.notes = {
-      "Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 points, "
-      "90 degrees wide, from the scene's own camera and from four sides, are held against the nearest face of "
-      "every point; within 0.75 points of an edge rounding may choose either side. Drawn by `sightline draw "
-      "willis FILE --plan -o picture.png`; W7 without --plan."};
+      "Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 "
+      "points, 90 degrees wide, from the scene's own camera and from four sides, are held against the "
+      "nearest face of every point; within 0.75 points of an edge rounding may choose either side. Drawn by "
+      "`sightline draw willis FILE --plan -o picture.png`; W7 without --plan."};
   return table;
 }
 
@@ -143,7 +145,8 @@ Table willis_lengths(const Context& context) {
     context.progress(fmt::format("hard case W10, length {}", length));
     for (const auto& [shape, name] : {std::pair{willis::BoundaryShape::oval, "oval"},
                                       std::pair{willis::BoundaryShape::ball, "two circles"}}) {
-      const Model model = willis::make_model(long_beside_small(length), {.rules = {shape, false}, .plan = true});
+      const Model model =
+          willis::make_model(long_beside_small(length), {.rules = {shape, false}, .plan = true});
       std::array<std::int64_t, 2> pieces{};
       int depth = 0;
       for (const Surface& s : model.pieces) {
@@ -151,16 +154,17 @@ Table willis_lengths(const Context& context) {
         depth = std::max(depth, s.depth);
       }
       const bool solved = model.residual.empty();
-      table.rows.push_back({std::int64_t{length}, std::string(name), pieces[0], pieces[1], std::int64_t{depth},
-                            Real{2 * std::log2(static_cast<double>(length)), 1},
-                            Verdict{solved, solved ? "solved"
-                                                   : fmt::format("left over: {}",
-                                                                 willis::name_of(model.residual.front().reason))}});
+      table.rows.push_back(
+          {std::int64_t{length}, std::string(name), pieces[0], pieces[1], std::int64_t{depth},
+           Real{2 * std::log2(static_cast<double>(length)), 1},
+           Verdict{solved,
+                   solved ? "solved"
+                          : fmt::format("left over: {}", willis::name_of(model.residual.front().reason))}});
     }
   }
   table.notes = {
-      "Cut into equal parts the long wall would need more pieces than it is long. Bisection cuts only what is near "
-      "the short wall, some two pieces for each halving."};
+      "Cut into equal parts the long wall would need more pieces than it is long. Bisection cuts only what "
+      "is near the short wall, some two pieces for each halving."};
   return table;
 }
 

@@ -101,8 +101,8 @@ void compare_from(const Model& model, const Point& eye, Compared& compared) {
     if (s.plane.side(eye) <= 0) continue;
     for (const Surface& t : model.pieces) {
       if (t.body == s.body || t.plane.side(eye) <= 0) continue;
-      const bool hidden = std::any_of(t.points.begin(), t.points.end(),
-                                      [&](const Point& b) { return hides_end(s, b, eye); });
+      const bool hidden =
+          std::any_of(t.points.begin(), t.points.end(), [&](const Point& b) { return hides_end(s, b, eye); });
       if (!hidden) continue;
       for (const Point& p : s.points) {
         for (const Point& q : t.points) {
@@ -179,8 +179,8 @@ Verdict areas(const PolyScene& scene, const Model&) {
   const double parts = covered({(*halves)[0], (*halves)[1]}, wall, BoundaryShape::oval);
   return verdict(near(whole, willis::oval_area()) && near(circles, willis::two_circles_area()) &&
                      near(parts, willis::halves_ovals_area()),
-                 fmt::format("oval {:.3f}, two circles {:.3f}, ovals of the halves {:.3f}, {:.1f} % less", whole,
-                             circles, parts, 100 * (1 - parts / whole)));
+                 fmt::format("oval {:.3f}, two circles {:.3f}, ovals of the halves {:.3f}, {:.1f} % less",
+                             whole, circles, parts, 100 * (1 - parts / whole)));
 }
 
 Verdict few_pieces(const PolyScene&, const Model& model) {
@@ -201,7 +201,8 @@ Verdict common_plane(const PolyScene& scene, const Model&) {
 
 Verdict first_not_shown(const PolyScene& scene, const Model& model) {
   const auto shown = faces_shown(model, scene.camera);
-  return verdict(std::count(shown.begin(), shown.end(), 0U) == 0 && std::count(shown.begin(), shown.end(), 1U) > 0);
+  return verdict(std::count(shown.begin(), shown.end(), 0U) == 0 &&
+                 std::count(shown.begin(), shown.end(), 1U) > 0);
 }
 
 Verdict equal_distances(const PolyScene& scene, const Model& model) {
@@ -213,9 +214,10 @@ Verdict equal_distances(const PolyScene& scene, const Model& model) {
     std::vector<std::uint32_t> corners;
     for (const Surface& s : of.pieces)
       corners.push_back(willis::squared_distance(s.points[0], {}) == far * far ? 0U : 1U);
-    const bool equal = std::all_of(of.pieces.begin(), of.pieces.end(), [&, i = std::size_t{0}](const Surface& s) mutable {
-      return willis::squared_distance(s.points[corners[i++]], {}) == far * far;
-    });
+    const bool equal =
+        std::all_of(of.pieces.begin(), of.pieces.end(), [&, i = std::size_t{0}](const Surface& s) mutable {
+          return willis::squared_distance(s.points[corners[i++]], {}) == far * far;
+        });
     return std::pair{equal, ordered_faces(of, scene.camera, 256, corners)};
   };
   const auto forwards = drawn(model);
@@ -225,8 +227,9 @@ Verdict equal_distances(const PolyScene& scene, const Model& model) {
 Verdict both_cut(const PolyScene&, const Model& model) {
   std::array<std::size_t, 2> pieces{};
   for (const Surface& s : model.pieces) ++pieces[s.face];
-  return verdict(pieces[0] >= 24 && pieces[0] <= 80 && pieces[1] >= 4,
-                 fmt::format("pieces of both sides: {} of the long wall, {} of the short one", pieces[0], pieces[1]));
+  return verdict(
+      pieces[0] >= 24 && pieces[0] <= 80 && pieces[1] >= 4,
+      fmt::format("pieces of both sides: {} of the long wall, {} of the short one", pieces[0], pieces[1]));
 }
 
 Verdict cut_where_they_cross(const PolyScene&, const Model& model) {
@@ -276,14 +279,16 @@ Verdict beyond_90_degrees(const PolyScene& scene, const Model&) {
   const Model model = willis::make_model(seen, {.plan = true});
   const std::uint64_t wrong = most_wrong(paper, truth);
   const std::uint64_t left = most_wrong(model, truth);
-  return verdict(paper.clusters == 0 && wrong > 0 && model.clusters > 0 && model.residual.empty() && left == 0,
-                 fmt::format("points wrong: {} with the rule, {} without", wrong, left));
+  return verdict(
+      paper.clusters == 0 && wrong > 0 && model.clusters > 0 && model.residual.empty() && left == 0,
+      fmt::format("points wrong: {} with the rule, {} without", wrong, left));
 }
 
 Verdict on_the_plane(const PolyScene& scene, const Model&) {
   const auto sides = sides_of(scene);
   const auto hidden = [&](std::size_t by, std::size_t wall) {
-    return willis::can_obscure(sides[by], sides[2 * wall]) || willis::can_obscure(sides[by], sides[2 * wall + 1]);
+    return willis::can_obscure(sides[by], sides[2 * wall]) ||
+           willis::can_obscure(sides[by], sides[2 * wall + 1]);
   };
   // Side 0 of the first wall is seen from before z = 0, where the second one's other end is not.
   return verdict(hidden(0, 1) && !hidden(1, 1) && !hidden(0, 2) && !hidden(1, 2));

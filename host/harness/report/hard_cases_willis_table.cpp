@@ -42,14 +42,15 @@ void add_boundary_cases(std::vector<WillisHardCase>& cases) {
                    .checked = "the three pairs, by both shapes; 4 clusters",
                    .facts = willis_facts::chain,
                    .clusters = 4});
-  cases.push_back({.id = "W4",
-                   .file = "W4.json",
-                   .what = "beside the middle of a wall of 2 one of 0.001 at 1.9 (in units of 1/10000); ovals",
-                   .expected = "1.9 from the wall: in the oval, a cluster; the picture is right",
-                   .checked = "in the oval only; areas 0.98312 to 1; 2 clusters",
-                   .facts = willis_facts::oval_only,
-                   .options = {.rules = {BoundaryShape::oval, false}, .plan = true},
-                   .clusters = 2});
+  cases.push_back(
+      {.id = "W4",
+       .file = "W4.json",
+       .what = "beside the middle of a wall of 2 one of 0.001 at 1.9 (in units of 1/10000); ovals",
+       .expected = "1.9 from the wall: in the oval, a cluster; the picture is right",
+       .checked = "in the oval only; areas 0.98312 to 1; 2 clusters",
+       .facts = willis_facts::oval_only,
+       .options = {.rules = {BoundaryShape::oval, false}, .plan = true},
+       .clusters = 2});
   cases.push_back({.id = "W4",
                    .file = "W4.json",
                    .what = "the same by two circles",
@@ -116,13 +117,14 @@ void add_eye_cases(std::vector<WillisHardCase>& cases) {
                    .expected = "edge-on is not shown; others are as they were",
                    .checked = "no piece of the wall is in the order, the other wall is",
                    .facts = willis_facts::first_not_shown});
-  cases.push_back({.id = "W9",
-                   .file = "W9.json",
-                   .what = "three walls whose points are equally far: (3, 4), (4, 3), (5, 0), in hundreds",
-                   .expected = "they cannot overlap; whatever the order of the scene, the picture is the same",
-                   .checked = "equal distances; equal pictures of the surfaces forwards and backwards",
-                   .facts = willis_facts::equal_distances,
-                   .clusters = 0});
+  cases.push_back(
+      {.id = "W9",
+       .file = "W9.json",
+       .what = "three walls whose points are equally far: (3, 4), (4, 3), (5, 0), in hundreds",
+       .expected = "they cannot overlap; whatever the order of the scene, the picture is the same",
+       .checked = "equal distances; equal pictures of the surfaces forwards and backwards",
+       .facts = willis_facts::equal_distances,
+       .clusters = 0});
   cases.push_back({.id = "W12",
                    .file = "W12.json",
                    .what = "five turned houses, eyes on three circles, one a degree",
@@ -142,8 +144,9 @@ void add_number_cases(std::vector<WillisHardCase>& cases) {
   cases.push_back({.id = "W10",
                    .file = "W10.json",
                    .what = "a wall of 1000, and one unit from it one of 1",
-                   .expected = "bisection: pieces by the logarithm of the length, not a thousand; the short wall "
-                               "is at exactly its length, so it is cut, too",
+                   .expected =
+                       "bisection: pieces by the logarithm of the length, not a thousand; the short wall "
+                       "is at exactly its length, so it is cut, too",
                    .checked = "of a side of the long wall 12 to 40 pieces, of the short one two or more",
                    .facts = willis_facts::both_cut,
                    .clusters = 2});

@@ -160,7 +160,8 @@ class Page {
     const std::string file = html_escaped(listing.file);
     const picture::Bytes bytes(listing.text.begin(), listing.text.end());
     html_ += fmt::format(
-        "<details id=\"{0}\"><summary>{1}</summary>\n<p class=\"files\"><a download=\"{1}\" href=\"{2}\">save "
+        "<details id=\"{0}\"><summary>{1}</summary>\n<p class=\"files\"><a download=\"{1}\" "
+        "href=\"{2}\">save "
         "{1}</a></p>\n<pre>{3}</pre></details>\n",
         html_escaped(listing.id), file, data_uri("text/plain", bytes), html_escaped(listing.text));
   }

@@ -179,10 +179,9 @@ std::string gnuplot_script(const Plot& plot) {
     if (empty) continue;
     const std::string_view with = !curve.line ? "points" : curve.points_marked ? "linespoints" : "lines";
     const std::string_view colour = colours[i % colours.size()];
-    curves += fmt::format("{} $curve{} using 1:2 with {} lt rgb \"{}\" lw 1.6 {}title {}",
-                          curves.empty() ? "plot" : ",", i, with, colour,
-                          marks_of(i, with),
-                          in_quotes(curve.name));
+    curves +=
+        fmt::format("{} $curve{} using 1:2 with {} lt rgb \"{}\" lw 1.6 {}title {}",
+                    curves.empty() ? "plot" : ",", i, with, colour, marks_of(i, with), in_quotes(curve.name));
     if (labels)
       curves += fmt::format(
           ", $curve{} using 1:2:3 with labels left offset 0.6,0.5 font \",10\" tc rgb \"{}\" notitle", i,

@@ -45,10 +45,9 @@ Table core_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
   }
   table.notes = {
       "In all: instructions, variables and constants, the scene, records of its openings, the mask stack and "
-      "two "
-      "display files, whose room is there whether a scene needs it or not. The stack is the deepest of this "
-      "view. "
-      "Present but not touched while a view is computed: the tape reader the program was loaded from."};
+      "two display files, whose room is there whether a scene needs it or not. The stack is the deepest of "
+      "this view. Present but not touched while a view is computed: the tape reader the program was loaded "
+      "from."};
   return table;
 }
 
@@ -79,10 +78,8 @@ Table work_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
   }
   table.notes = {
       "Cells read: cells any word of which the processor fetched, watched from outside. A cell that cannot "
-      "be seen "
-      "is never read. A cell seen through several openings is visited once for each. Every display word of "
-      "the "
-      "picture being shown costs the processor one cycle of 1.75 us."};
+      "be seen is never read. A cell seen through several openings is visited once for each. Every display "
+      "word of the picture being shown costs the processor one cycle of 1.75 us."};
   return table;
 }
 
@@ -137,10 +134,8 @@ Table dots_table(const std::vector<std::pair<SkalaOrder, SkalaRun>>& runs) {
   }
   table.notes = {
       "The board is done with a dot long before the processor has the next: it never waits for one. Clearing "
-      "the "
-      "picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions include "
-      "the "
-      "receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."};
+      "the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions "
+      "include the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."};
   return table;
 }
 

@@ -65,18 +65,18 @@ Outcome<Section> speed_against_error(const Context& context) {
   append(section, std::get<std::vector<Block>>(std::move(montani_re)));
 
   section.blocks.emplace_back(Heading{"Willis"});
-  section.blocks.emplace_back(Paragraph{
-      "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each "
-      "other's boundary, held against the nearest face on every sight line."});
+  section.blocks.emplace_back(
+      Paragraph{"Surfaces in the order of their distances, each cut as often as the limit allows until no "
+                "two are in each other's boundary, held against the nearest face on every sight line."});
   auto willis_blocks = willis_error_blocks(measure_willis(context));
   if (auto* const error = std::get_if<ReportError>(&willis_blocks)) return std::move(*error);
   append(section, std::get<std::vector<Block>>(std::move(willis_blocks)));
 
   section.blocks.emplace_back(Heading{"Plantinga, Seales and Dyer"});
-  section.blocks.emplace_back(Paragraph{
-      "Models that turn, held against hidden-line removal from scratch at random angles. TOPO is the share of "
-      "angles at which any edge has other pieces or other ends than it should, WVR the share of the length of "
-      "all edges in the image that is wrongly seen or hidden."});
+  section.blocks.emplace_back(
+      Paragraph{"Models that turn, held against hidden-line removal from scratch at random angles. TOPO is "
+                "the share of angles at which any edge has other pieces or other ends than it should, WVR "
+                "the share of the length of all edges in the image that is wrongly seen or hidden."});
   const auto plantinga = measure_plantinga(context);
   if (const auto* const error = std::get_if<ReportError>(&plantinga)) return *error;
   auto plantinga_blocks = plantinga_error_blocks(std::get<std::vector<PlantingaCurve>>(plantinga));

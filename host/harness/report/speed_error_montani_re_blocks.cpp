@@ -90,15 +90,13 @@ Table points_table(const std::vector<MontaniReCurve>& curves, const MontaniReMea
   }
   table.notes = {fmt::format(
       "Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as sets "
-      "of "
-      "points with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not say "
-      "whose edge they are. PMR on edges is of pixels within 0.75 pixels of any edge, seen or hidden. H is "
-      "large where a face lower than half a stripe is lost, or a corner that moved past another shows or "
+      "of points with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not "
+      "say whose edge they are. PMR on edges is of pixels within 0.75 pixels of any edge, seen or hidden. H "
+      "is large where a face lower than half a stripe is lost, or a corner that moved past another shows or "
       "hides what it should not. Lines between stripes of a pixel are lines between pixels, so that a level "
-      "edge "
-      "lights the right rows; those of thinner stripes also run through the middles of pixels, where an edge "
-      "that is "
-      "moved onto them takes a row it should not: hence a PMR of the town that does not fall from 1 to 1/2.",
+      "edge lights the right rows; those of thinner stripes also run through the middles of pixels, where an "
+      "edge that is moved onto them takes a row it should not: hence a PMR of the town that does not fall "
+      "from 1 to 1/2.",
       order.raster)};
   return table;
 }
@@ -147,13 +145,10 @@ Outcome<std::vector<Block>> montani_re_error_blocks(const std::vector<MontaniReC
   std::vector<Block> blocks;
   blocks.emplace_back(
       Paragraph{"Corners are moved to the nearest line between stripes, edges are straight between them; so "
-                "nothing should be "
-                "farther than half a stripe from its place. L_miss and L_extra are of what is farther than a "
-                "pixel from the "
-                "other picture, in terms of all that is visible; PMR is the share of pixels that show "
-                "another face than the "
-                "exact sight line through their middle meets; H is the greatest distance between the lines "
-                "of the pictures."});
+                "nothing should be farther than half a stripe from its place. L_miss and L_extra are of what "
+                "is farther than a pixel from the other picture, in terms of all that is visible; PMR is the "
+                "share of pixels that show another face than the exact sight line through their middle "
+                "meets; H is the greatest distance between the lines of the pictures."});
   for (const bool host_time : {false, true}) {
     if (host_time && !timed(curves)) continue;
     for (const Measure& measure : measures) {

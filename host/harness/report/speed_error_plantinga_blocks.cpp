@@ -41,7 +41,8 @@ void add_baselines(Plot& plot, const PlantingaCurve& of, const Measure& measure,
 Plot tolerance_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure) {
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-host", measure.key);
-  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, time of a frame: {}", symbol_of(measure.title));
+  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, time of a frame: {}",
+                           symbol_of(measure.title));
   plot.caption =
       "Frames 2 degrees apart, positions only; the exact list is at the left, at 0. A tolerance joins events "
       "and saves hardly any time in a frame: most of it goes into positions.";
@@ -64,12 +65,12 @@ Plot tolerance_plot(const std::vector<PlantingaCurve>& curves, const Measure& me
 Plot file_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure) {
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-file", measure.key);
-  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, size of the event file: {}", symbol_of(measure.title));
+  plot.title = fmt::format("Plantinga, Seales and Dyer: angle tolerance, size of the event file: {}",
+                           symbol_of(measure.title));
   plot.caption =
       "Events that fall into one multiple of the tolerance are one, and changes that cancel go. But a "
-      "multiple of "
-      "the tolerance is a longer number than most events' own directions: only large tolerances save room, "
-      "small ones cost it.";
+      "multiple of the tolerance is a longer number than most events' own directions: only large tolerances "
+      "save room, small ones cost it.";
   plot.alternative =
       "Log-log plot of the size of the event file against the error: it grows with the least tolerance and "
       "falls with greater ones.";
@@ -90,8 +91,7 @@ Plot step_plot(const std::vector<PlantingaCurve>& curves, const Measure& measure
   plot.title = "Plantinga, Seales and Dyer: a frame stands until the next, time of a full turn";
   plot.caption =
       "What is shown between two frames is the first of them; its lines are compared with what is true, at "
-      "equal "
-      "places of the edges. Fewer frames, less time, more that is wrong meanwhile.";
+      "equal places of the edges. Fewer frames, less time, more that is wrong meanwhile.";
   plot.alternative =
       "Log-log plot of the time of a full turn against the error: the more degrees from frame to frame, the "
       "less time and the more error.";
@@ -154,8 +154,7 @@ Outcome<std::vector<Block>> plantinga_error_blocks(const std::vector<PlantingaCu
   Table tolerances = table_of(curves, false);
   tolerances.notes = {
       "A tolerance moves every event up to its next multiple: late by half of it on average. The expected "
-      "share "
-      "of wrong views follows from the number of groups alone, as if they were spread evenly: groups x "
+      "share of wrong views follows from the number of groups alone, as if they were spread evenly: groups x "
       "tolerance / 720 where that is small, and never more than groups x tolerance / 360. At tolerance 0 no "
       "view is wrong.",
       "Positions are computed at the true angle, so that a line with the right ends is in the right place."};

@@ -48,8 +48,8 @@ WillisPoint measure(const WillisScene& scene, const TrueFaces& truth, const will
 // What is to be timed when all is measured; models stay where they are.
 class Timed {
  public:
-  void add(const WillisScene& scene, const willis::ModelOptions& options, willis::Model model, std::size_t curve,
-           std::size_t point) {
+  void add(const WillisScene& scene, const willis::ModelOptions& options, willis::Model model,
+           std::size_t curve, std::size_t point) {
     models_.push_back(std::move(model));
     const auto frames = std::make_shared<willis::Frames>(models_.back());
     jobs_.push_back([&scene, options] { (void)scene.model(options); });
@@ -97,8 +97,8 @@ Plot plot_of(const std::vector<WillisCurve>& curves, const Measure& measure, con
   plot.id = fmt::format("willis-{}-{}", measure.key, cost.key);
   plot.title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest, cost.title);
   plot.caption =
-      "Boundaries are balls. Labels are the limit of cuts, of the first curve. A curve that reaches 0 has no error that "
-      "was met; one that stops short of it has the rule's.";
+      "Boundaries are balls. Labels are the limit of cuts, of the first curve. A curve that reaches 0 has no "
+      "error that was met; one that stops short of it has the rule's.";
   plot.alternative = fmt::format("Log-log plot of {} against {}, one curve a scene, boundary and rule.",
                                  cost.axis.title, measure.title);
   plot.host_time = cost.host_time;
@@ -106,12 +106,14 @@ Plot plot_of(const std::vector<WillisCurve>& curves, const Measure& measure, con
   plot.y = cost.axis;
   bool first = true;
   for (const WillisCurve& of : curves) {
-    // The two boundaries differ by so little that both cannot be told apart here; the table has the oval, too.
+    // The two boundaries differ by so little that both cannot be told apart here; the table has the oval,
+    // too.
     if (of.rules.shape == BoundaryShape::oval) continue;
     Curve curve;
     curve.name = fmt::format("{}{}", of.scene, of.rules.rule90 ? ", 90-degree rule" : "");
     for (const WillisPoint& point : of.points)
-      curve.points.push_back({measure.value(point), cost.value(point), first ? fmt::format("{}", point.depth) : ""});
+      curve.points.push_back(
+          {measure.value(point), cost.value(point), first ? fmt::format("{}", point.depth) : ""});
     first = false;
     plot.curves.push_back(std::move(curve));
   }
@@ -136,21 +138,25 @@ Table table_of(const std::vector<WillisCurve>& curves) {
                    {"frame_us", "Distances and sort", "us", true}};
   for (const WillisCurve& curve : curves) {
     for (const WillisPoint& point : curve.points) {
-      const auto time = [](const std::optional<double>& ns) { return ns ? Cell(Real{*ns / 1000, 1}) : Cell(); };
+      const auto time = [](const std::optional<double>& ns) {
+        return ns ? Cell(Real{*ns / 1000, 1}) : Cell();
+      };
       table.rows.push_back({curve.scene, std::string(boundary_name(curve.rules.shape)),
                             std::string(curve.rules.rule90 ? "on" : "off"), std::int64_t{point.depth},
-                            static_cast<std::int64_t>(point.pieces), static_cast<std::int64_t>(point.left_over),
-                            Real{point.faces.inside_per_cent()}, static_cast<std::int64_t>(point.lines.with_two),
+                            static_cast<std::int64_t>(point.pieces),
+                            static_cast<std::int64_t>(point.left_over), Real{point.faces.inside_per_cent()},
+                            static_cast<std::int64_t>(point.lines.with_two),
                             static_cast<std::int64_t>(point.lines.wrong), Real{lines_per_cent(point)},
                             time(point.prepare_ns), time(point.frame_ns)});
     }
   }
   table.notes = {
-      "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random places "
-      "in and around the scene, a random corner of each piece standing for it; points are of 160 pictures of 24 by 24 "
-      "from places within it. First measured on a prototype with other towns of the same kind, in plan: 0.06 and 0.49 % "
-      "of the sight lines wrong with nothing cut, 0.03 % with one cut, none seen with two or more. Far fewer lines are wrong than pairs "
-      "are left over: a pair is left over if some eye could see it wrongly."};
+      "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from "
+      "random places in and around the scene, a random corner of each piece standing for it; points are of "
+      "160 pictures of 24 by 24 from places within it. First measured on a prototype with other towns of the "
+      "same kind, in plan: 0.06 and 0.49 % of the sight lines wrong with nothing cut, 0.03 % with one cut, "
+      "none seen with two or more. Far fewer lines are wrong than pairs are left over: a pair is left over "
+      "if some eye could see it wrongly."};
   return table;
 }
 
@@ -195,11 +201,18 @@ std::vector<WillisCurve> measure_willis(const Context& context) {
 }
 
 Outcome<std::vector<Block>> willis_error_blocks(const std::vector<WillisCurve>& curves) {
-  const Cost pieces{"pieces", "pieces", {"pieces", "", true, {}}, false,
-                    [](const WillisPoint& point) { return static_cast<double>(point.pieces); }};
-  const Cost prepare{"prepare", "time of a model", {fmt::format("a model, {}", host_title), "ms", true, {}}, true,
+  const Cost pieces{"pieces", "pieces", {"pieces", "", true, {}}, false, [](const WillisPoint& point) {
+                      return static_cast<double>(point.pieces);
+                    }};
+  const Cost prepare{"prepare",
+                     "time of a model",
+                     {fmt::format("a model, {}", host_title), "ms", true, {}},
+                     true,
                      [](const WillisPoint& point) { return point.prepare_ns.value_or(0) / 1e6; }};
-  const Cost frame{"frame", "time of a frame", {fmt::format("distances and sort, {}", host_title), "us", true, {}}, true,
+  const Cost frame{"frame",
+                   "time of a frame",
+                   {fmt::format("distances and sort, {}", host_title), "us", true, {}},
+                   true,
                    [](const WillisPoint& point) { return point.frame_ns.value_or(0) / 1e3; }};
   std::vector<Block> blocks;
   if (auto error = add_figure(blocks, plot_of(curves, wrong_lines, pieces))) return std::move(*error);

@@ -62,13 +62,11 @@ std::vector<PaperNumber> times(const Runs& runs, const JonesRun& pair) {
        "s",
        "",
        "cannot be compared: the times are in the photographs, which cannot be read in the copy at hand, and "
-       "the "
-       "coordinates of the objects are not given"},
+       "the coordinates of the objects are not given"},
       {"Figs. 11, 12", "likewise, of an object after Roberts (1963)", Real{roberts_eae, places},
        Real{roberts, places}, "s", "roberts, with and without EAE",
        "cannot be compared to the digit: the times cannot be read in the copy at hand, and roberts is made "
-       "after "
-       "the description, not from his data"},
+       "after the description, not from his data"},
       {"performance", "Roberts's own program, \"several minutes ... on the then dedicated TX-2\"",
        Real{roberts_eae, places}, Real{roberts, places}, "s", "roberts, with and without EAE",
        "cannot be compared: another program on another machine, from hearsay (\"believed\")"},
@@ -162,12 +160,9 @@ Table views_table(const Runs& runs) {
   }
   table.notes = {
       "Seconds of the emulated PDP-7, from the start of the search to the moment the new display file is put "
-      "in "
-      "the place of the old. During the first view the display is dark; during the second it shows the first "
-      "and "
-      "takes cycles from the processor. In every run the display file is, word for word, the one the native "
-      "twin "
-      "makes."};
+      "in the place of the old. During the first view the display is dark; during the second it shows the "
+      "first and takes cycles from the processor. In every run the display file is, word for word, the one "
+      "the native twin makes."};
   return table;
 }
 

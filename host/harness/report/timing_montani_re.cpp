@@ -160,8 +160,7 @@ Table relations_table(const Surface& surface) {
   }
   table.notes = {
       "F < G: F has priority, it may hide G. Figure 4 is not legible; the scene is M17 of part 3, rectangles "
-      "in a "
-      "row, each of which overlaps the next. Relations are found by the tests on the scene."};
+      "in a row, each of which overlaps the next. Relations are found by the tests on the scene."};
   return table;
 }
 

@@ -95,11 +95,9 @@ Table montani_re_growth_table(const std::vector<MontaniReGrowth>& families) {
   }
   table.notes = {
       "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Faces are those that "
-      "take "
-      "part: of solids, the ones that face the eye. A view is all of it: faces, sort, relations, list, "
+      "take part: of solids, the ones that face the eye. A view is all of it: faces, sort, relations, list, "
       "differences, and output as pieces of edges (exact build, exact) or as pixels. Times are the "
-      "processor's, "
-      "medians of interleaved repetitions (scenes of 10000: one), of this computer."};
+      "processor's, medians of interleaved repetitions (scenes of 10000: one), of this computer."};
   return table;
 }
 
@@ -128,11 +126,9 @@ Table montani_re_exponents_table(const std::vector<MontaniReGrowth>& families) {
   }
   table.notes = {
       "The paper claims work linear with N Y, which it calls almost linear with N: that is so where Y stays "
-      "the "
-      "same. In these scenes a face overlaps more others in X the more there are, as in any scene that grows "
-      "to "
-      "all sides, so that N Y grows faster than N. Least squares of logarithms over the sizes of the table "
-      "above."};
+      "the same. In these scenes a face overlaps more others in X the more there are, as in any scene that "
+      "grows to all sides, so that N Y grows faster than N. Least squares of logarithms over the sizes of "
+      "the table above."};
   return table;
 }
 

@@ -18,8 +18,8 @@ Outcome<Section> timing_against_papers(const Context& context) {
       "Times of Jones and Skala are of the emulated machines: they follow from cycle counts, depend on no "
       "clock of this computer, and come out the same in every run. Where a number cannot be compared, the "
       "table says why."});
-  for (const auto papers : {&timing_of_jones, &timing_of_skala, &timing_of_montani_re, &timing_of_plantinga,
-                            &timing_of_willis}) {
+  for (const auto papers :
+       {&timing_of_jones, &timing_of_skala, &timing_of_montani_re, &timing_of_plantinga, &timing_of_willis}) {
     auto blocks = papers(context);
     if (auto* const error = std::get_if<ReportError>(&blocks)) return std::move(*error);
     auto& made = std::get<std::vector<Block>>(blocks);

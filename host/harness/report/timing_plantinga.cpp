@@ -59,16 +59,13 @@ Table events_table() {
                    {"events_found_a_second", "Events found a second", "one core here", true}};
   table.notes = {
       "Where the parts of the models stand is not in the paper, nor how they were tilted: only the numbers "
-      "of "
-      "vertices, edges and faces are. The models here have exactly these; they are degenerate on purpose, "
-      "with "
-      "edges of one height, parallel edges and parts that mirror one another, so that many events fall "
+      "of vertices, edges and faces are. The models here have exactly these; they are degenerate on purpose, "
+      "with edges of one height, parallel edges and parts that mirror one another, so that many events fall "
       "together: compare magnitudes, not digits. Tori and Spring leave least to choose.",
       "The paper's events are changes of single edges: events an edge times edges gives the printed events "
-      "in "
-      "five of six rows. In the row Grid it does not: 1383 events of 105 edges are 13.2 an edge, not 16.3; "
-      "either there were about 1711 events, or about 85 edges (hard case P22). A group is all that changes "
-      "at one direction, held apart exactly.",
+      "in five of six rows. In the row Grid it does not: 1383 events of 105 edges are 13.2 an edge, not "
+      "16.3; either there were about 1711 events, or about 85 edges (hard case P22). A group is all that "
+      "changes at one direction, held apart exactly.",
       "KB are 1024 bytes. The file here has, in each change, only the pieces that come; those that go are "
       "what was there."};
   return table;
@@ -118,8 +115,8 @@ Table wire_table() {
   table.notes = {
       "The claim: once the events are known, a frame costs about as much as drawing the wire frame. Frames 2 "
       "degrees apart; drawn is positions and one pixel a step of every line, 1024 by 1024, without any "
-      "display "
-      "hardware. The claim holds where lines are drawn: fewer lines are drawn than the wire frame has."};
+      "display hardware. The claim holds where lines are drawn: fewer lines are drawn than the wire frame "
+      "has."};
   return table;
 }
 

@@ -107,8 +107,7 @@ std::vector<PaperNumber> numbers(const Runs& runs, const Runs& curves) {
       {"3, algorithm 3.1", "four mask vectors for 1024 columns of integers", count(512), count(1536), "bytes",
        "two pages of bytes for lines, six with surfaces and contours",
        "cannot be compared: the listing is of a finer raster than the one drawn on; what the 8080 kept is "
-       "not "
-       "said"},
+       "not said"},
   };
 }
 
@@ -162,10 +161,8 @@ Outcome<std::vector<Block>> timing_of_skala(const Context& context) {
   Table functions = functions_table(runs, "skala-functions", "Skala: drawing time of the eight functions");
   functions.notes = {
       "Seconds of the emulated 8080 at 3 MHz, from the first command in memory to the last dot. Lines and "
-      "surfaces: "
-      "60 slices of 33 points, contours: 8 levels on 33 by 33, rotated 30 degrees, elevation 30. In every "
-      "run the "
-      "picture is, dot for dot, the one the native twin makes."};
+      "surfaces: 60 slices of 33 points, contours: 8 levels on 33 by 33, rotated 30 degrees, elevation 30. "
+      "In every run the picture is, dot for dot, the one the native twin makes."};
   std::vector<Block> blocks;
   blocks.emplace_back(
       paper_table("skala-paper", "Skala 1985: every number for time and size", numbers(runs, curves)));

@@ -84,14 +84,11 @@ void take_times(std::list<Flown>& all, int rounds) {
 }
 
 std::list<Flown> fly_all(const Context& context) {
-  std::vector<WillisScene> scenes{{"prisms-35", scene::generate_prisms(35), true},
-                                  prisms_in_space(),
-                                  {"boxes-30", scene::generate_boxes(30), false},
-                                  {"touch-3", scene::generate_touch(3), false},
-                                  {"rooms-3", scene::generate_rooms(3), false},
-                                  {"town-35", scene::generate_town(35), false},
-                                  {"town-167", scene::generate_town(167), true},
-                                  {"town-167", scene::generate_town(167), false}};
+  std::vector<WillisScene> scenes{
+      {"prisms-35", scene::generate_prisms(35), true}, prisms_in_space(),
+      {"boxes-30", scene::generate_boxes(30), false},  {"touch-3", scene::generate_touch(3), false},
+      {"rooms-3", scene::generate_rooms(3), false},    {"town-35", scene::generate_town(35), false},
+      {"town-167", scene::generate_town(167), true},   {"town-167", scene::generate_town(167), false}};
   if (context.full) scenes.push_back({"town-1667", scene::generate_town(1667), false});
   std::list<Flown> all;
   for (WillisScene& scene : scenes) {
@@ -120,19 +117,21 @@ std::vector<PaperNumber> numbers(const std::list<Flown>& all) {
   const Cell halves = less(willis::halves_ovals_area());
   const Cell oval = Real{willis::oval_area(), 4};
   return {
-      {"abstract", "\"new frames may be calculated at a rate of 25 per second\"", frames, frames, "frames a second",
-       "priority display, 625 lines of 64 us",
-       "the same by construction: the display keeps its rate whatever it shows; what the computer takes for a "
-       "frame is in the next table. No time of a program is given to compare"},
-      {"introduction", "\"the number of visible surfaces will be in the hundreds\"", count_of(least), count_of(most),
-       "surfaces", "pieces turned to the eye, scenes of the next table", "as meant"},
+      {"abstract", "\"new frames may be calculated at a rate of 25 per second\"", frames, frames,
+       "frames a second", "priority display, 625 lines of 64 us",
+       "the same by construction: the display keeps its rate whatever it shows; what the computer takes for "
+       "a frame is in the next table. No time of a program is given to compare"},
+      {"introduction", "\"the number of visible surfaces will be in the hundreds\"", count_of(least),
+       count_of(most), "surfaces", "pieces turned to the eye, scenes of the next table", "as meant"},
       {"introduction", "comparisons, \"N log2 N or N^2 being usual\"", count_of(town.model.tests),
-       Real{surfaces * surfaces, 0}, "pairs", fmt::format("{}: boundaries tested, and N^2", town.scene.title()),
+       Real{surfaces * surfaces, 0}, "pairs",
+       fmt::format("{}: boundaries tested, and N^2", town.scene.title()),
        "once, when the model is made; a frame has N distances and, as the display is given an order, a sort"},
       {"Fig. 6", "\"an area reduction of about 2%\"", circles, circles, "%",
        "two circles for an oval; formula, counted in hard case W4",
        "right, rounded: (4 pi / 3 + sqrt(3) / 2) to (pi + 2)"},
-      {"property 5", "\"an area (pi + 2)L^2\"", oval, oval, "L^2", "formula; counted in hard case W5", "right"},
+      {"property 5", "\"an area (pi + 2)L^2\"", oval, oval, "L^2", "formula; counted in hard case W5",
+       "right"},
       {"property 5, Fig. 9", "\"a reduction in area by about 65%\"", halves, halves, "%",
        "a surface in two halves; formula, counted in hard case W5",
        "right, of what the two ovals cover together; the sum of their areas falls by 50 %"},
@@ -182,9 +181,9 @@ Table scenes_table(const std::list<Flown>& all) {
     table.rows.push_back(std::move(row));
   }
   table.notes = {
-      "A frame of 512 by 512 points from the scene's own camera. The scan is by the display's clock: 512 of the 625 "
-      "lines of a frame of 40 ms. A frame by this computer is everything: distances and sort, spans, and the display "
-      "emulated point by point. Sheets (rooms) have two sides, and so two surfaces."};
+      "A frame of 512 by 512 points from the scene's own camera. The scan is by the display's clock: 512 of "
+      "the 625 lines of a frame of 40 ms. A frame by this computer is everything: distances and sort, spans, "
+      "and the display emulated point by point. Sheets (rooms) have two sides, and so two surfaces."};
   return table;
 }
 
@@ -212,12 +211,13 @@ Table rule_table(const Context& context) {
     for (const bool rule : {false, true}) {
       const willis::ModelOptions options{.rules = {BoundaryShape::ball, rule}};
       const willis::Model model = scene.model(options);
-      const willis::SightLines lines = willis::count_lines(model, scene.scene, sight_lines(scene, lines_wanted), 1);
+      const willis::SightLines lines =
+          willis::count_lines(model, scene.scene, sight_lines(scene, lines_wanted), 1);
       const FaceErrors errors = truth.errors_of(model);
       table.rows.push_back({scene.title(), std::string(rule ? "on" : "off"), count_of(model.tests),
-                            count_of(model.clusters), count_of(model.pieces.size()), count_of(model.residual.size()),
-                            count_of(lines.with_two), count_of(lines.wrong), count_of(errors.points),
-                            count_of(errors.wrong_inside), Cell()});
+                            count_of(model.clusters), count_of(model.pieces.size()),
+                            count_of(model.residual.size()), count_of(lines.with_two), count_of(lines.wrong),
+                            count_of(errors.points), count_of(errors.wrong_inside), Cell()});
       jobs.push_back([&scene, options] { (void)scene.model(options); });
     }
     if (!context.host_times) continue;
@@ -226,10 +226,10 @@ Table rule_table(const Context& context) {
       table.rows[table.rows.size() - 2 + i].back() = Real{times[i] / 1e6, 2};
   }
   table.notes = {
-      "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have "
-      "been are not: wrong where it can be seen, though no pair is left over. Sight lines start at random places in "
-      "and around the scene, a random corner stands for each piece; 160 pictures are of 24 by 24 points from places "
-      "within it, points within 0.75 of an edge left out."};
+      "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that "
+      "should have been are not: wrong where it can be seen, though no pair is left over. Sight lines start "
+      "at random places in and around the scene, a random corner stands for each piece; 160 pictures are of "
+      "24 by 24 points from places within it, points within 0.75 of an edge left out."};
   return table;
 }
 
@@ -241,7 +241,8 @@ Outcome<std::vector<Block>> timing_of_willis(const Context& context) {
   auto gallery = willis_pictures();
   if (auto* const error = std::get_if<ReportError>(&gallery)) return std::move(*error);
   std::vector<Block> blocks;
-  blocks.emplace_back(paper_table("willis-paper", "Willis 1977: every number for time and size", numbers(all)));
+  blocks.emplace_back(
+      paper_table("willis-paper", "Willis 1977: every number for time and size", numbers(all)));
   blocks.emplace_back(scenes_table(all));
   blocks.emplace_back(std::get<Gallery>(std::move(gallery)));
   blocks.emplace_back(rule_table(context));

@@ -39,8 +39,7 @@ Outcome<Table> corridors(const Context& context) {
   }
   table.notes = {
       "The first view, while the display takes no cycles. The only thing that grows with the unseen rooms is "
-      "the "
-      "core they stand in."};
+      "the core they stand in."};
   return table;
 }
 

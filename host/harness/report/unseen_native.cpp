@@ -123,8 +123,7 @@ Plot empty_plot() {
       "made on.";
   plot.alternative =
       "Log-log plot: loading time rises in proportion to the number of rooms, the time of a view and that of "
-      "a "
-      "visit to a cell do not rise with it.";
+      "a visit to a cell do not rise with it.";
   plot.host_time = true;
   plot.x = {"rooms", "", true, {}};
   plot.y = {"time", "s", true, {}};

@@ -48,7 +48,8 @@ std::array<double, 3> before_camera(const PolyCamera& camera, const PolyPoint& p
 }
 
 // What of an edge is before the camera, on the raster; a little wider than the image.
-std::optional<PixelSegment> image_of(const std::array<double, 3>& p, const std::array<double, 3>& q, int size) {
+std::optional<PixelSegment> image_of(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                     int size) {
   constexpr double wider = 1.1;
   double low = 0;
   double high = 1;
@@ -165,8 +166,7 @@ FaceErrors TrueFaces::errors_of(const PixelGrid& drawn, std::size_t view) const 
 
 FaceErrors TrueFaces::errors_of(const willis::Model& model) const {
   FaceErrors errors;
-  for (std::size_t view = 0; view < cameras_.size(); ++view)
-    errors.add(errors_of(drawn(model, view), view));
+  for (std::size_t view = 0; view < cameras_.size(); ++view) errors.add(errors_of(drawn(model, view), view));
   return errors;
 }
 
@@ -198,14 +198,16 @@ std::vector<PolyCamera> cameras_around(const PolyScene& scene, std::int32_t heig
   for (const PolyPoint& forward : level_directions) {
     PolyCamera camera = level_camera({middle[0], height, middle[2]}, forward);
     std::int64_t away = 0;
-    for (const std::size_t a : {0U, 2U}) away = std::max(away, (bounds.high[a] - bounds.low[a]) * std::int64_t{5} / 7 + 3);
+    for (const std::size_t a : {0U, 2U})
+      away = std::max(away, (bounds.high[a] - bounds.low[a]) * std::int64_t{5} / 7 + 3);
     bool there = true;
     for (const std::size_t a : {0U, 2U}) {
       const std::int64_t at = camera.eye[a] - away * forward[a] + away / 11 * camera.right[a];
       there = there && std::abs(at) < scene::poly_coordinate_limit;
       camera.eye[a] = static_cast<std::int32_t>(there ? at : 0);
     }
-    if (there && scene::eye_place(scene, camera.eye).kind == scene::EyePlace::Kind::free) cameras.push_back(camera);
+    if (there && scene::eye_place(scene, camera.eye).kind == scene::EyePlace::Kind::free)
+      cameras.push_back(camera);
   }
   return cameras;
 }

@@ -27,8 +27,7 @@ TEST_P(Pdp7Errors, SaysWhatAndWhere) {
 
 constexpr const char* skips_message =
     "t.s:1:5: warning: found skips of opposite sense in one word, expected sma sza snl together or spa sna "
-    "szl "
-    "together (bit 1000 inverts all of them)";
+    "szl together (bit 1000 inverts all of them)";
 
 INSTANTIATE_TEST_SUITE_P(
     All, Pdp7Errors,

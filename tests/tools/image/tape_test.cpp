@@ -76,8 +76,7 @@ TEST(Rim, DamageIsNamedWithItsByte) {
             "for address 00100");
   EXPECT_EQ(message(read_rim(with(rim_lines, 4, 0034), "t")),
             "t:byte 4: error: found line 034 without hole 8 inside a word, expected three lines with hole 8 "
-            "of the data "
-            "word for address 00100");
+            "of the data word for address 00100");
   EXPECT_EQ(
       message(read_rim(with(rim_lines, 3, 0012), "t")),
       "t:byte 3: error: found line 012 without hole 8, expected hole 8 of the data word for address 00100");
@@ -85,8 +84,7 @@ TEST(Rim, DamageIsNamedWithItsByte) {
             "t:byte 0: error: found word 200100, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(with(rim_lines, 1, 0301), "t")),
             "t:byte 1: error: found line 301 with hole 7 before the third line of a word, expected three "
-            "lines with "
-            "hole 8 of DAC address, JMP start or HLT");
+            "lines with hole 8 of DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(with(rim_lines, 8, 0300), "t")),
             "t:byte 6: error: found word 600100 with hole 7, expected a RIM tape without hole 7");
 }
@@ -130,8 +128,7 @@ TEST(Hri, DamageIsNamedWithItsByte) {
             "t:byte 3: error: found last word 000001, expected JMP start or HLT");
   EXPECT_EQ(message(read_hri(first_lines(hri_lines, 8), "t", 0)),
             "t:byte 8: error: found the end of the tape inside a word, expected three lines of a word, the "
-            "last with "
-            "hole 7 in its third line");
+            "last with hole 7 in its third line");
   EXPECT_EQ(message(read_hri(hri_lines, "t", 077777)),
             "t:byte 3: error: found a word after address 77777, expected the last word, with hole 7");
   EXPECT_EQ(message(write_hri(CoreImage{}, "t")),
@@ -155,8 +152,7 @@ TEST(Recognition, IsByContent) {
             "t: error: found no line with hole 8, expected an octal core image, a RIM tape or an HRI tape");
   EXPECT_EQ(message(recognise(Tape{0277, 0277, 0277}, "t")),
             "t:byte 0: error: found word 777777 and no hole 7 that ends a block, expected DAC address (RIM "
-            "tape) or "
-            "hole 7 in the last word (HRI tape)");
+            "tape) or hole 7 in the last word (HRI tape)");
 }
 
 TEST(Recognition, ReadsWithTheAddressThatTheFormatNeeds) {
