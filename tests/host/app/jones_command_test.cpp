@@ -1,6 +1,5 @@
-// `sightline jones` and `sightline demo`: views, pictures, figures, and what is said when something is wrong.
+// `sightline jones`: views, pictures, figures, and what is said when something is wrong.
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/host/app/command_line.hpp"
 
@@ -164,37 +163,6 @@ TEST_F(JonesCommand, ScenesThatAreNoScenes) {
   EXPECT_NE(missing.exit_code, 0);
   EXPECT_TRUE(has(missing.err, "missing.json")) << missing.err;
   EXPECT_FALSE(exists("out"));
-}
-
-TEST_F(JonesCommand, DemoPrintsTheTableAndWritesThePictures) {
-  const Ran ran = sightline({"demo", "-o", "pictures"});
-  ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  std::istringstream lines(ran.out);
-  int rows = 0;
-  for (std::string line; std::getline(lines, line);) {
-    for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "})
-      rows += line.starts_with(scene);
-  }
-  EXPECT_EQ(rows, 10 + 5) << "computed with and without the EAE, and compared\n" << ran.out;
-  EXPECT_TRUE(has(ran.out, "a few seconds"));
-  EXPECT_FALSE(has(ran.out, "DIFFERS")) << ran.out;
-  int pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
-    ++pictures;
-    EXPECT_GT(entry.file_size(), 1000U) << entry.path();
-  }
-  // Five scenes in three ways; eight functions in three ways and one plot in three.
-  EXPECT_EQ(pictures, 5 * 3 + 8 * 3 + 3);
-  const Ran document = sightline({"demo", "--json", "-o", "pictures"});
-  ASSERT_EQ(document.exit_code, 0);
-  const json r = json::parse(document.out);
-  ASSERT_EQ(r.at("views").size(), 10U);
-  for (const json& view : r.at("views")) {
-    EXPECT_EQ(view.at("status"), "complete");
-    EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
-  }
-  EXPECT_EQ(r.at("compared").at("agrees"), true);
-  EXPECT_EQ(r.at("compared").at("scenes").size(), 5U + 8U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `sightline skala` and the 8080's part of `sightline demo`: pictures, figures, and what is said when
+// `sightline skala`: pictures, figures, and what is said when
 // something is wrong.
 #include <nlohmann/json.hpp>
 
@@ -210,42 +210,12 @@ TEST_F(SkalaCommand, AClockTheProgramIsNotTimedFor) {
 }
 
 // A folder's name need not be UTF-8, which JSON must be.
-TEST_F(SkalaCommand, TheDemoInAFolderOfAnyName) {
-  const Ran ran = sightline({"demo", "--json", "-o", "f\xFF"});
-  ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_EQ(json::parse(ran.out).at("pictures"), "f\xEF\xBF\xBD");
-}
-
 TEST_F(SkalaCommand, HelpTeaches) {
   const Ran ran = sightline({"skala", "--help"});
   EXPECT_EQ(ran.exit_code, 0);
   for (const char* text :
        {"lines", "surface", "contours", "sightline skala lines sinc", "--function", "Exit codes"})
     EXPECT_TRUE(has(ran.out, text)) << text;
-}
-
-TEST_F(SkalaCommand, TheDemoShowsBothMachines) {
-  const Ran ran = sightline({"demo", "-o", "pictures"});
-  ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* text :
-       {"Jones 1971 on the PDP-7", "Skala 1985 on the 8080", "about 2 s", "about 15 %", "CalComp 565"})
-    EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
-  for (const char* name : {"sinc", "rogers", "peaks", "franke", "saddle", "cosr", "step", "rosen"}) {
-    EXPECT_TRUE(has(ran.out, std::string("\n") + name));
-    for (const char* picture : {"-lines.png", "-surface.png", "-contours.png"})
-      EXPECT_TRUE(exists("pictures/" + std::string(name) + picture));
-  }
-  EXPECT_TRUE(exists("pictures/rogers-calcomp.hpgl"));
-}
-
-TEST_F(SkalaCommand, TheDemoAsJson) {
-  const Ran ran = sightline({"demo", "--json"});
-  ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  const json document = json::parse(ran.out);
-  ASSERT_EQ(document.at("skala").size(), 8U);
-  for (const json& row : document.at("skala"))
-    EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
-  EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
 }
 
 }  // namespace
