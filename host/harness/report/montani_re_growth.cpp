@@ -12,7 +12,7 @@
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
-#include "host/harness/report/speed_error_clock.hpp"
+#include "host/harness/report/speed_error/clock.hpp"
 #include "host/scene/generate_scene.hpp"
 
 namespace sightline::harness::report {

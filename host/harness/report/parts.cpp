@@ -4,12 +4,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "host/harness/report/agreement_matrix.hpp"
-#include "host/harness/report/hard_cases.hpp"
+#include "host/harness/report/agreement/matrix.hpp"
+#include "host/harness/report/hard_cases/hard_cases.hpp"
 #include "host/harness/report/report.hpp"
-#include "host/harness/report/scene_needs.hpp"
-#include "host/harness/report/speed_error.hpp"
-#include "host/harness/report/timing_papers.hpp"
+#include "host/harness/report/scene_needs/scene_needs.hpp"
+#include "host/harness/report/speed_error/speed_error.hpp"
+#include "host/harness/report/timing/papers.hpp"
 
 namespace sightline::harness::report {
 

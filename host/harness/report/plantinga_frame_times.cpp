@@ -9,7 +9,7 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
-#include "host/harness/report/speed_error_clock.hpp"
+#include "host/harness/report/speed_error/clock.hpp"
 
 namespace sightline::harness::report {
 

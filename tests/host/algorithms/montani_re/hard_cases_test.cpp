@@ -24,7 +24,7 @@ Areas seen_areas(const FaceSet& set) {
 
 // A file of the report's hard cases, a sheet a face.
 FaceSet case_set(const std::string& name) {
-  const std::string path = SIGHTLINE_SOURCE_DIR "/host/harness/report/data/hard_cases/" + name;
+  const std::string path = SIGHTLINE_SOURCE_DIR "/host/harness/report/hard_cases/data/" + name;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto read = scene::read_poly_json(text, path);

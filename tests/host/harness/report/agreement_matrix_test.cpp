@@ -1,11 +1,11 @@
 // Part 5: a cell for every pair, and failures by name.
-#include "host/harness/report/agreement_matrix.hpp"
+#include "host/harness/report/agreement/matrix.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "host/harness/report/agreement_pictures.hpp"
+#include "host/harness/report/agreement/pictures.hpp"
 
 namespace sightline::harness::report {
 namespace {

@@ -1,5 +1,5 @@
 // Part 3 of the report: no case is missing, and what claims to be exact is right in every one.
-#include "host/harness/report/hard_cases.hpp"
+#include "host/harness/report/hard_cases/hard_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <string>
 #include <variant>
 
-#include "host/harness/report/hard_cases_jones.hpp"
-#include "host/harness/report/hard_cases_segments.hpp"
-#include "host/harness/report/hard_cases_skala.hpp"
+#include "host/harness/report/hard_cases/jones.hpp"
+#include "host/harness/report/hard_cases/segments.hpp"
+#include "host/harness/report/hard_cases/skala.hpp"
 #include "host/harness/report/html_page.hpp"
 #include "host/harness/report/table_text.hpp"
 

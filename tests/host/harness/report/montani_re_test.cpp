@@ -9,13 +9,13 @@
 #include <string>
 #include <variant>
 
-#include "host/harness/report/hard_cases_montani_re.hpp"
-#include "host/harness/report/hard_cases_montani_re_lattice.hpp"
+#include "host/harness/report/hard_cases/montani_re.hpp"
+#include "host/harness/report/hard_cases/montani_re_lattice.hpp"
 #include "host/harness/report/montani_re_growth.hpp"
 #include "host/harness/report/montani_re_pixels.hpp"
-#include "host/harness/report/speed_error_montani_re.hpp"
+#include "host/harness/report/speed_error/montani_re.hpp"
 #include "host/harness/report/table_text.hpp"
-#include "host/harness/report/timing_montani_re.hpp"
+#include "host/harness/report/timing/montani_re.hpp"
 
 namespace sightline::harness::report {
 namespace {

@@ -10,11 +10,11 @@
 #include <variant>
 
 #include "host/algorithms/plantinga/event_file.hpp"
-#include "host/harness/report/hard_cases_plantinga.hpp"
-#include "host/harness/report/hard_cases_plantinga_checks.hpp"
+#include "host/harness/report/hard_cases/plantinga.hpp"
+#include "host/harness/report/hard_cases/plantinga_checks.hpp"
 #include "host/harness/report/plantinga_models.hpp"
 #include "host/harness/report/table_text.hpp"
-#include "host/harness/report/timing_plantinga.hpp"
+#include "host/harness/report/timing/plantinga.hpp"
 
 namespace sightline::harness::report {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "host/harness/report/scene_needs.hpp"
-#include "host/harness/report/timing_papers.hpp"
+#include "host/harness/report/scene_needs/scene_needs.hpp"
+#include "host/harness/report/timing/papers.hpp"
 
 namespace sightline::harness::report {
 namespace {

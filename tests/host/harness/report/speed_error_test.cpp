@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "host/harness/jones_precision_table.hpp"
-#include "host/harness/report/speed_error_clock.hpp"
-#include "host/harness/report/speed_error_jones.hpp"
-#include "host/harness/report/speed_error_jones_blocks.hpp"
-#include "host/harness/report/speed_error_pictures.hpp"
-#include "host/harness/report/speed_error_published.hpp"
+#include "host/harness/report/speed_error/clock.hpp"
+#include "host/harness/report/speed_error/jones.hpp"
+#include "host/harness/report/speed_error/jones_blocks.hpp"
+#include "host/harness/report/speed_error/pictures.hpp"
+#include "host/harness/report/speed_error/published.hpp"
 
 namespace sightline::harness::report {
 namespace {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <variant>
 
-#include "host/harness/report/speed_error_willis.hpp"
+#include "host/harness/report/speed_error/willis.hpp"
 #include "host/harness/report/table_text.hpp"
-#include "host/harness/report/timing_willis.hpp"
-#include "host/harness/report/timing_willis_pictures.hpp"
+#include "host/harness/report/timing/willis.hpp"
+#include "host/harness/report/timing/willis_pictures.hpp"
 
 namespace sightline::harness::report {
 namespace {

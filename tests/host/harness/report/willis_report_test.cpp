@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/harness/report/hard_cases_willis.hpp"
+#include "host/harness/report/hard_cases/willis.hpp"
 #include "host/harness/report/table_text.hpp"
 #include "host/harness/report/willis_views.hpp"
 #include "host/scene/generate_scene.hpp"
