@@ -16,7 +16,7 @@ namespace sightline::picture {
 namespace {
 
 // Half the length of the dash that stands for a lone point, and the pen's width (the 0.015 in of the spot).
-constexpr std::int64_t half_dash = 100;  // tenths of a micrometre
+constexpr std::int64_t half_dash_tenths = 100;  // tenths of a micrometre
 constexpr const char* pen_millimetres = "0.381";
 
 bool one_step_apart(LatticePoint a, LatticePoint b) {
@@ -38,14 +38,14 @@ std::int64_t tenths_of_micrometres(int index) {
   return ((2 * std::int64_t{index} + 1) * screen + screen_points) / (2 * screen_points);
 }
 
-void append_millimetres(std::string& text, std::int64_t tenths) {
+void append_tenths(std::string& text, std::int64_t tenths) {
   fmt::format_to(std::back_inserter(text), "{}.{:04}", tenths / 10000, tenths % 10000);
 }
 
 void append_position(std::string& text, std::int64_t across, std::int64_t down) {
-  append_millimetres(text, across);
+  append_tenths(text, across);
   text += ',';
-  append_millimetres(text, down);
+  append_tenths(text, down);
 }
 
 void append_polyline(std::string& text, const Polyline& line) {
@@ -53,9 +53,9 @@ void append_polyline(std::string& text, const Polyline& line) {
   if (line.corners.size() == 1) {
     const std::int64_t across = tenths_of_micrometres(line.corners.front().x);
     const std::int64_t down = tenths_of_micrometres(screen_points - 1 - line.corners.front().y);
-    append_position(text, across - half_dash, down);
+    append_position(text, across - half_dash_tenths, down);
     text += ' ';
-    append_position(text, across + half_dash, down);
+    append_position(text, across + half_dash_tenths, down);
   } else {
     for (const LatticePoint& corner : line.corners) {
       if (&corner != &line.corners.front()) text += ' ';

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int samples = 3;  // of a facet in a pixel, in both directions
 
-struct Place {
+struct ImagePlace {
   double x = 0;
   double y = 0;  // downwards
 };
@@ -37,7 +37,7 @@ class Canvas {
       const int rows = std::min(band, image_.height - top) * samples;
       grey.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(image_.width * samples), 255);
       for (const DrawingFacet& facet : drawing_.facets) {
-        std::array<Place, 4> corners{};
+        std::array<ImagePlace, 4> corners{};
         double least = 1e9;
         double most = -1e9;
         for (std::size_t i = 0; i < facet.count; ++i) {
@@ -69,12 +69,12 @@ class Canvas {
   [[nodiscard]] Image image() && { return std::move(image_); }
 
  private:
-  [[nodiscard]] Place place(DrawingPoint point) const {
+  [[nodiscard]] ImagePlace place(DrawingPoint point) const {
     return {margin_ + double{point.x} * across_, image_.height - margin_ - double{point.y} * down_};
   }
 
   // Sample (c, r) lies at (c, r); those on the edge are in.
-  void triangle(std::vector<std::uint8_t>& grey, int rows, const std::array<Place, 3>& corners,
+  void triangle(std::vector<std::uint8_t>& grey, int rows, const std::array<ImagePlace, 3>& corners,
                 std::uint8_t shade) const {
     const int columns = image_.width * samples;
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
@@ -83,8 +83,8 @@ class Canvas {
       double left = 1e9;
       double right = -1e9;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Place a = corners[i];
-        const Place b = corners[(i + 1) % 3];
+        const ImagePlace a = corners[i];
+        const ImagePlace b = corners[(i + 1) % 3];
         if ((a.y > row && b.y > row) || (a.y < row && b.y < row)) continue;
         const double x = a.y == b.y ? a.x : a.x + (b.x - a.x) * ((row - a.y) / (b.y - a.y));
         left = std::min({left, x, a.y == b.y ? b.x : x});
@@ -115,17 +115,17 @@ class Canvas {
   }
 
   void polyline(const DrawingLine& line) {
-    Place before = place(drawing_.points[line.first]);
+    ImagePlace before = place(drawing_.points[line.first]);
     if (line.count == 1) stroke(before, before);
     for (std::uint32_t i = 1; i < line.count; ++i) {
-      const Place here = place(drawing_.points[line.first + i]);
+      const ImagePlace here = place(drawing_.points[line.first + i]);
       stroke(before, here);
       before = here;
     }
   }
 
   // A pixel is covered as far as the line's round-ended body reaches over its middle.
-  void stroke(Place a, Place b) {
+  void stroke(ImagePlace a, ImagePlace b) {
     const double reach = pen_ / 2 + 0.5;
     const double ux = b.x - a.x;
     const double uy = b.y - a.y;

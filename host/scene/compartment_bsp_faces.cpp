@@ -56,8 +56,8 @@ SplitSides split_sides(const geometry::Plane& plane, const std::vector<FaceSide>
 
 // The side whose line cuts the fewest others, of up to 16 evenly spaced ones.
 HalfSpace best_cut(const Planes& planes, const std::vector<FaceSide>& sides) {
-  constexpr std::size_t most_tried = 16;
-  const std::size_t step = (sides.size() + most_tried - 1) / most_tried;
+  constexpr std::size_t most_sides_tried = 16;
+  const std::size_t step = (sides.size() + most_sides_tried - 1) / most_sides_tried;
   std::size_t best = 0;
   std::size_t fewest = sides.size() * 2 + 1;
   for (std::size_t i = 0; i < sides.size() && fewest >= sides.size(); i += step) {

@@ -9,7 +9,7 @@ namespace sightline::scene {
 PolyScene generate_corridors(std::size_t n) {
   constexpr std::int32_t width = 400;
   constexpr std::int32_t height = 300;
-  constexpr std::int32_t pitch = 400;
+  constexpr std::int32_t spacing = 400;
   constexpr std::int32_t door_width = 110;
   constexpr std::int32_t door_height = 210;
   CellScene corridor;
@@ -19,7 +19,7 @@ PolyScene generate_corridors(std::size_t n) {
     const std::int32_t left = 40 + 30 * (3 * i % 5);
     const std::int32_t right = left + door_width;
     const auto wall = [&](geometry::Span x, geometry::Span y) {
-      corridor.walls.push_back({2, pitch * i, {x, y}});
+      corridor.walls.push_back({2, spacing * i, {x, y}});
     };
     const geometry::Span beside_door{0, door_height};
     const geometry::Span above_door{door_height, height};

@@ -29,23 +29,23 @@ geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, const std::
   return volume;
 }
 
-struct Shell {
+struct BodyShell {
   std::size_t body = 0;
   geometry::Int128 volume = 0;
   PolyPoint low{};
   PolyPoint high{};
 
-  [[nodiscard]] bool strictly_within(const Shell& other) const {
+  [[nodiscard]] bool strictly_within(const BodyShell& other) const {
     for (std::size_t a = 0; a < 3; ++a)
       if (low[a] <= other.low[a] || high[a] >= other.high[a]) return false;
     return true;
   }
 };
 
-Shell shell_of(const std::vector<PolyPoint>& vertices, const std::vector<PolyBody>& bodies,
+BodyShell shell_of(const std::vector<PolyPoint>& vertices, const std::vector<PolyBody>& bodies,
                std::size_t number) {
   const PolyBody& body = bodies[number];
-  Shell shell{number, enclosed_volume(vertices, body), vertices[body.faces[0].outline[0]], {}};
+  BodyShell shell{number, enclosed_volume(vertices, body), vertices[body.faces[0].outline[0]], {}};
   shell.high = shell.low;
   for (const PolyFace& face : body.faces) {
     for (const VertexIndex v : face.outline) {
@@ -121,18 +121,18 @@ geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const P
 }
 
 void join_cavities(const std::vector<PolyPoint>& vertices, std::vector<PolyBody>& bodies) {
-  std::vector<Shell> outer;
-  std::vector<Shell> inner;
+  std::vector<BodyShell> outer;
+  std::vector<BodyShell> inner;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].faces.empty() || !is_closed(face_edges(bodies[b]))) continue;
-    const Shell shell = shell_of(vertices, bodies, b);
+    const BodyShell shell = shell_of(vertices, bodies, b);
     if (shell.volume != 0) (shell.volume > 0 ? outer : inner).push_back(shell);
   }
   std::stable_sort(outer.begin(), outer.end(),
-                   [](const Shell& a, const Shell& b) { return a.volume < b.volume; });
-  for (const Shell& cavity : inner) {
+                   [](const BodyShell& a, const BodyShell& b) { return a.volume < b.volume; });
+  for (const BodyShell& cavity : inner) {
     const auto around = std::find_if(outer.begin(), outer.end(),
-                                     [&](const Shell& shell) { return cavity.strictly_within(shell); });
+                                     [&](const BodyShell& shell) { return cavity.strictly_within(shell); });
     if (around == outer.end()) continue;
     auto& from = bodies[cavity.body].faces;
     auto& to = bodies[around->body].faces;

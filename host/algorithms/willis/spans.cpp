@@ -14,7 +14,7 @@ namespace {
 constexpr double overlap = 1e-6;  // of pieces of a face, in points
 constexpr double nearest = 1e-3;  // scene units before the eye, where surfaces are clipped
 
-using Vector = std::array<double, 3>;
+using SpaceVector = std::array<double, 3>;
 
 struct ImagePoint {
   double x = 0;
@@ -29,20 +29,20 @@ class Eye {
     for (std::size_t i = 0; i < 3; ++i) eye_[i] = camera.eye[i];
   }
 
-  [[nodiscard]] Vector seen(const Vector& p) const {
-    Vector d{};
+  [[nodiscard]] SpaceVector seen(const SpaceVector& p) const {
+    SpaceVector d{};
     for (std::size_t i = 0; i < 3; ++i)
       d[i] = axes_[i][0] * (p[0] - eye_[0]) + axes_[i][1] * (p[1] - eye_[1]) + axes_[i][2] * (p[2] - eye_[2]);
     return d;
   }
   [[nodiscard]] bool perspective() const { return perspective_; }
-  [[nodiscard]] ImagePoint image(const Vector& seen) const {
+  [[nodiscard]] ImagePoint image(const SpaceVector& seen) const {
     const double depth = perspective_ ? seen[2] : 1;
     return {seen[0] / depth, seen[1] / depth};
   }
 
  private:
-  static Vector unit(const scene::PolyPoint& v) {
+  static SpaceVector unit(const scene::PolyPoint& v) {
     const double x = v[0];
     const double y = v[1];
     const double z = v[2];
@@ -51,11 +51,11 @@ class Eye {
   }
 
   bool perspective_;
-  std::array<Vector, 3> axes_{};
-  Vector eye_{};
+  std::array<SpaceVector, 3> axes_{};
+  SpaceVector eye_{};
 };
 
-Vector in_scene(const Point& p) {
+SpaceVector in_scene(const Point& p) {
   return {static_cast<double>(p[0]) / lattice_unit, static_cast<double>(p[1]) / lattice_unit,
           static_cast<double>(p[2]) / lattice_unit};
 }
@@ -99,7 +99,7 @@ class SpanMaker {
     corners_.clear();
     if (model_.plan) {
       for (const auto& [end, height] : {std::pair{0, s.low}, {1, s.low}, {1, s.high}, {0, s.high}}) {
-        Vector corner = in_scene(s.points[static_cast<std::size_t>(end)]);
+        SpaceVector corner = in_scene(s.points[static_cast<std::size_t>(end)]);
         corner[model_.vertical] = height;
         corners_.push_back(eye_.seen(corner));
       }
@@ -108,22 +108,22 @@ class SpanMaker {
     }
     image_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Vector& p = corners_[i];
-      const Vector& q = corners_[(i + 1) % corners_.size()];
+      const SpaceVector& p = corners_[i];
+      const SpaceVector& q = corners_[(i + 1) % corners_.size()];
       if (!eye_.perspective() || p[2] >= nearest) put(p);
       if (eye_.perspective() && (p[2] < nearest) != (q[2] < nearest)) put(clipped(p, q));
     }
   }
 
   // The same point for both directions of an edge.
-  static Vector clipped(const Vector& p, const Vector& q) {
-    const Vector& a = p[2] < q[2] ? p : q;
-    const Vector& b = p[2] < q[2] ? q : p;
+  static SpaceVector clipped(const SpaceVector& p, const SpaceVector& q) {
+    const SpaceVector& a = p[2] < q[2] ? p : q;
+    const SpaceVector& b = p[2] < q[2] ? q : p;
     const double t = (nearest - a[2]) / (b[2] - a[2]);
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), nearest};
   }
 
-  void put(const Vector& seen) {
+  void put(const SpaceVector& seen) {
     const ImagePoint p = eye_.image(seen);
     image_.push_back({window_.left + window_.scale * p.x, window_.top - window_.scale * p.y});
   }
@@ -153,7 +153,7 @@ class SpanMaker {
   Eye eye_;
   const ImageWindow& window_;
   FrameSpans& frame_;
-  std::vector<Vector> corners_;
+  std::vector<SpaceVector> corners_;
   std::vector<ImagePoint> image_;
 };
 
@@ -171,7 +171,7 @@ ImageWindow window_around(const scene::PolyScene& scene, const scene::PolyCamera
   std::array<double, 2> high{-1, -1};
   bool any = false;
   for (const scene::PolyPoint& p : scene.vertices) {
-    const Vector seen = eye.seen(in_scene(on_lattice(p)));
+    const SpaceVector seen = eye.seen(in_scene(on_lattice(p)));
     if (camera.perspective && seen[2] < nearest) continue;
     const ImagePoint image = eye.image(seen);
     const std::array<double, 2> at{image.x, image.y};
