@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/skala/draw.hpp"
 
 namespace sightline::harness {
@@ -110,7 +110,7 @@ PixelGrid nearest_faces(const CommonScene& scene, const AgreementView& view) {
   for (int top = 0; top < view.size; top += tile) {
     for (int left = 0; left < view.size; left += tile) {
       seen.bodies.clear();
-      numbers.clear();
+      numbers.assign(1, 0);
       for (std::uint32_t f = 0; f < faces.size(); ++f) {
         const auto& [low, high] = faces[f].bounds;
         if (high.x < left - certainly_beside || low.x > left + tile + certainly_beside ||
@@ -119,13 +119,12 @@ PixelGrid nearest_faces(const CommonScene& scene, const AgreementView& view) {
         seen.bodies.push_back({{}, true, {*faces[f].face}});
         numbers.push_back(f + 1);
       }
-      for (int row = top; row < std::min(top + tile, view.size); ++row) {
-        for (int column = left; column < std::min(left + tile, view.size); ++column) {
-          const auto [from, along] = view.sight(column, row);
-          const auto met = algorithms::oracle::nearest_face(seen, from, along);
-          if (met) grid.set(column, row, numbers[met->body]);
-        }
-      }
+      const PixelGrid part = algorithms::oracle::nearest_faces(
+          seen, std::min(tile, view.size - left), std::min(tile, view.size - top),
+          [&](int column, int row) { return view.sight(left + column, top + row); });
+      for (int row = 0; row < part.height; ++row)
+        for (int column = 0; column < part.width; ++column)
+          grid.set(left + column, top + row, numbers[part.at(column, row)]);
     }
   }
   return grid;

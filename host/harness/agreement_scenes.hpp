@@ -1,8 +1,8 @@
 // The scenes on which all algorithms are held against each other, each with its views.
 //
 // A view is a camera of which the middles of the pixels have whole sight lines, so that the nearest face of
-// every pixel is known exactly: its three vectors are of one length, and a direction without perspective has a
-// whole one ((3, 4), (5, 12), ...). All directions are level, for Plantinga, Seales and Dyer turn about y.
+// every pixel is known exactly: its three vectors are of one length, and a direction without perspective has
+// a whole one ((3, 4), (5, 12), ...). All directions are level, for Plantinga, Seales and Dyer turn about y.
 // Scenes parallel to the axes are tilted, vertices and cameras, by a whole matrix: the tilt is part of the
 // scene. Source: the suite's cross-check of algorithms, section 2 (C1 to C9, H1, H2).
 #pragma once
@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/skala/view.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/harness/face_algorithms.hpp"
@@ -24,21 +25,8 @@
 
 namespace sightline::harness {
 
-// A ray that starts before all of the scene.
-struct SightLine {
-  scene::PolyPoint from{};
-  geometry::Vector3 along{};
-};
-
-struct AgreementView {
-  scene::PolyCamera camera;
-  int size = 256;  // pixels a side
-  // In perspective the distance of the image in half pixels, else half a pixel in lengths of camera vectors.
-  std::int32_t unit = 256;
-
+struct AgreementView : algorithms::oracle::SquareImage {
   [[nodiscard]] FaceWindow window() const;
-  // Of the middle of a pixel, rows from the bottom.
-  [[nodiscard]] SightLine sight(int column, int row) const;
   // Before the eye by more than nothing worth mentioning: it has a place.
   [[nodiscard]] bool has_place(const scene::PolyPoint& point) const;
   // Where such a point is seen, in pixels, the middle of column c and row r at (c, r).

@@ -1,4 +1,4 @@
-// Sight lines and places of pixels. See agreement_scenes.hpp.
+// Windows and places of pixels. See agreement_scenes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,21 +21,6 @@ FaceWindow AgreementView::window() const {
   const double half = size / 2.0;
   const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
   return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
-}
-
-SightLine AgreementView::sight(int column, int row) const {
-  const std::int32_t x = 2 * column + 1 - size;
-  const std::int32_t y = 2 * row + 1 - size;
-  SightLine line{camera.eye, geometry::vector_of(camera.forward)};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const std::int32_t aside = x * camera.right[a] + y * camera.up[a];
-    if (camera.perspective) {
-      line.along[a] = std::int64_t{unit} * camera.forward[a] + aside;
-    } else {
-      line.from[a] += unit * aside;
-    }
-  }
-  return line;
 }
 
 // A point in lengths of right, up and forward from the eye.

@@ -7,59 +7,95 @@
 #include <cmath>
 #include <cstdint>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/harness/compare_projection.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/aim_camera.hpp"
+#include "host/scene/face_numbers.hpp"
+#include "host/scene/poly_bounds.hpp"
 
 namespace sightline::harness {
 namespace {
 
+namespace oracle = algorithms::oracle;
 using picture::PixelGrid;
 using scene::PolyCamera;
+using scene::PolyPoint;
 using scene::PolyScene;
 
 constexpr int side = 256;
 constexpr std::size_t most_faces = 1000;
+constexpr double least_steps = 16;  // a pixel, of places where sight lines start
 
-std::size_t faces_of(const PolyScene& scene) {
-  std::size_t faces = 0;
-  for (const scene::PolyBody& body : scene.bodies) faces += body.faces.size();
-  return faces;
+// Where the middle of a pixel is on the image plane (PolyCamera).
+picture::PixelPoint image_point(const FaceWindow& window, int column, int row) {
+  return {(column + 0.5 - window.left) / window.scale,
+          (window.top - (window.height - row - 0.5)) / window.scale};
 }
 
-// A point of the image as a direction of whole numbers, to less than a thousandth of a point.
-geometry::Vector3 direction_at(const PolyCamera& camera, double x, double y) {
+std::array<double, 3> unit(const PolyPoint& axis) {
+  const geometry::Vector3 v = geometry::vector_of(axis);
+  const double length = std::sqrt(static_cast<double>(geometry::dot(v, v)));
+  std::array<double, 3> part{};
+  for (std::size_t a = 0; a < 3; ++a) part[a] = static_cast<double>(v[a]) / length;
+  return part;
+}
+
+// The camera's, of length 1.
+struct Axes {
+  explicit Axes(const PolyCamera& camera)
+      : right(unit(camera.right)), up(unit(camera.up)), forward(unit(camera.forward)) {}
+
+  std::array<double, 3> right;
+  std::array<double, 3> up;
+  std::array<double, 3> forward;
+};
+
+// A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
+PixelGrid nearest_in_perspective(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
   constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
-  const auto part = [](const scene::PolyPoint& axis, double times, std::size_t a) {
-    const geometry::Vector3 v = geometry::vector_of(axis);
-    return times * static_cast<double>(v[a]) / std::sqrt(static_cast<double>(geometry::dot(v, v)));
-  };
-  geometry::Vector3 direction{};
-  for (std::size_t a = 0; a < 3; ++a)
-    direction[a] = std::llround(
-        length * (part(camera.forward, 1, a) + part(camera.right, x, a) + part(camera.up, y, a)));
-  return direction;
+  const Axes axes(camera);
+  return oracle::nearest_faces(scene, window.width, window.height, [&](int column, int row) {
+    const auto [x, y] = image_point(window, column, row);
+    oracle::SightLine line{camera.eye, {}};
+    for (std::size_t a = 0; a < 3; ++a)
+      line.along[a] = std::llround(length * (axes.forward[a] + x * axes.right[a] + y * axes.up[a]));
+    return line;
+  });
+}
+
+// Sight lines without perspective start at whole points. So that these are fine ones, the scene is taken as
+// large as coordinates go.
+std::int32_t enlargement(const PolyScene& scene) {
+  return static_cast<std::int32_t>((scene::poly_coordinate_limit - 1) / scene::bounds_of(scene).half_size());
+}
+
+// Everything about the middle of the scene; what starts 2 half sizes before it is before all of it.
+PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
+  const PolyPoint middle = scene::bounds_of(scene).middle();
+  const std::int32_t times = enlargement(scene);
+  PolyScene large = scene;
+  for (PolyPoint& v : large.vertices)
+    for (std::size_t a = 0; a < 3; ++a) v[a] = times * (v[a] - middle[a]);
+  const Axes axes(camera);
+  double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
+  for (std::size_t a = 0; a < 3; ++a) ahead -= axes.forward[a] * (camera.eye[a] - middle[a]);
+  return oracle::nearest_faces(large, window.width, window.height, [&](int column, int row) {
+    const auto [x, y] = image_point(window, column, row);
+    oracle::SightLine line{{}, geometry::vector_of(camera.forward)};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double from =
+          camera.eye[a] - middle[a] + x * axes.right[a] + y * axes.up[a] + ahead * axes.forward[a];
+      line.from[a] = static_cast<std::int32_t>(std::lround(times * from));
+    }
+    return line;
+  });
 }
 
 PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
-  std::vector<std::uint32_t> faces_before;
-  std::uint32_t count = 1;
-  for (const scene::PolyBody& body : scene.bodies) {
-    faces_before.push_back(count);
-    count += static_cast<std::uint32_t>(body.faces.size());
-  }
-  PixelGrid grid(window.width, window.height);
-  for (int row = 0; row < window.height; ++row) {
-    const double y = (window.top - (window.height - row - 0.5)) / window.scale;
-    for (int column = 0; column < window.width; ++column) {
-      const double x = (column + 0.5 - window.left) / window.scale;
-      const auto met = algorithms::oracle::nearest_face(scene, camera.eye, direction_at(camera, x, y));
-      if (met) grid.set(column, row, faces_before[met->body] + static_cast<std::uint32_t>(met->face));
-    }
-  }
-  return grid;
+  return camera.perspective ? nearest_in_perspective(scene, camera, window)
+                            : nearest_in_parallel(scene, camera, window);
 }
 
 // In points of the grid, whose middles are whole numbers, rows from the bottom.
@@ -81,19 +117,21 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
 
 }  // namespace
 
-FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera)
+FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window)
     : scene_(&scene),
       camera_(camera),
-      window_(face_window(scene, camera, side, side, std::nullopt)),
-      faces_(nearest_faces(scene, camera, window_)),
-      edges_(image_of_edges(scene, camera, window_)) {}
+      window_(window),
+      faces_(nearest_faces(scene, camera, window)),
+      edges_(image_of_edges(scene, camera, window)) {}
 
 std::variant<FaceTruth, std::string> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
-  if (!camera.perspective) return std::string("the oracle of sight lines knows views in perspective only");
-  if (const std::size_t faces = faces_of(scene); faces > most_faces)
+  if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
     return fmt::format("{} faces are too many for the oracle of sight lines, which takes {}", faces,
                        most_faces);
-  return FaceTruth(scene, camera);
+  const FaceWindow window = face_window(scene, camera, side, side, std::nullopt);
+  if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
+    return std::string("the image is too small beside the scene's depth for the oracle of sight lines");
+  return FaceTruth(scene, camera, window);
 }
 
 std::variant<ComparedFaces, scene::SceneError> FaceTruth::compared(const FaceAlgorithm& algorithm) const {

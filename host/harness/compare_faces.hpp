@@ -1,8 +1,8 @@
 // Pictures that say which face is seen at each point, against the nearest face found for every point by
-// itself (host/algorithms/oracle/sight_oracle.hpp).
+// itself (host/algorithms/oracle/face_raster.hpp).
 //
-// Left out: views without perspective, and scenes of very many faces, for which that oracle has no answer or
-// none in time.
+// Left out: scenes of very many faces, for which that oracle has no answer in time, and parallel views along
+// scenes that are thousands of times deeper than they are wide.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ class FaceTruth {
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
 
  private:
-  FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera);
+  FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera, const FaceWindow& window);
 
   const scene::PolyScene* scene_;
   scene::PolyCamera camera_;

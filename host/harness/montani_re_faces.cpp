@@ -13,6 +13,7 @@
 #include "host/algorithms/montani_re/region_boundary.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/scene/face_numbers.hpp"
 
 namespace sightline::harness {
 
@@ -62,13 +63,8 @@ scene::SceneError passing_through(const native::FaceSet& set, std::uint32_t firs
 
 class MontaniReScene {
  public:
-  MontaniReScene(const scene::PolyScene& scene, std::int32_t units) : scene_(scene), units_(units) {
-    std::uint32_t next = 1;
-    for (const scene::PolyBody& body : scene.bodies) {
-      first_faces_.push_back(next);
-      next += static_cast<std::uint32_t>(body.faces.size());
-    }
-  }
+  MontaniReScene(const scene::PolyScene& scene, std::int32_t units)
+      : scene_(scene), units_(units), first_faces_(scene::first_face_numbers(scene)) {}
 
   [[nodiscard]] std::variant<FaceView, scene::SceneError> view(const scene::PolyCamera& camera,
                                                                const FaceWindow& window) const {

@@ -22,16 +22,16 @@ struct Distance {
   }
 };
 
-class SightLine {
+class Meetings {
  public:
-  SightLine(const scene::PolyScene& scene, const scene::PolyPoint& eye, const Vector3& direction)
-      : scene_(scene), eye_(eye), direction_(direction) {
+  Meetings(const scene::PolyScene& scene, const SightLine& line)
+      : scene_(scene), eye_(line.from), direction_(line.along) {
     Vector3 aside{};
-    aside[(geometry::dominant_axis(direction) + 1) % 3] = 1;
-    across_ = geometry::cross(direction, aside);
+    aside[(geometry::dominant_axis(direction_) + 1) % 3] = 1;
+    across_ = geometry::cross(direction_, aside);
   }
 
-  [[nodiscard]] std::optional<Distance> meets(const scene::PolyFace& face) const {
+  [[nodiscard]] std::optional<Distance> with(const scene::PolyFace& face) const {
     const Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
     std::int64_t along = geometry::dot(normal, direction_);
     std::int64_t ahead = geometry::dot(normal, geometry::difference(scene_.vertices[face.outline[0]], eye_));
@@ -64,21 +64,20 @@ class SightLine {
   }
 
   const scene::PolyScene& scene_;
-  const scene::PolyPoint& eye_;
-  Vector3 direction_;
+  const scene::PolyPoint eye_;
+  const Vector3 direction_;
   Vector3 across_;  // normal of a plane that holds the line
 };
 
 }  // namespace
 
-std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const scene::PolyPoint& eye,
-                                    const Vector3& direction) {
-  const SightLine line(scene, eye, direction);
+std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line) {
+  const Meetings meetings(scene, line);
   std::optional<MetFace> nearest;
   Distance least;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
-      const auto distance = line.meets(scene.bodies[b].faces[f]);
+      const auto distance = meetings.with(scene.bodies[b].faces[f]);
       if (!distance || (nearest && !distance->less(least))) continue;
       nearest = MetFace{b, f};
       least = *distance;
@@ -88,10 +87,10 @@ std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const scene::
 }
 
 bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye, const scene::PolyPoint& point) {
-  const SightLine line(scene, eye, geometry::difference(point, eye));
+  const Meetings meetings(scene, {eye, geometry::difference(point, eye)});
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
-      const auto distance = line.meets(face);
+      const auto distance = meetings.with(face);
       if (distance && distance->numerator < distance->denominator) return false;
     }
   }

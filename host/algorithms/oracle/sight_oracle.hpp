@@ -6,7 +6,8 @@
 // face exactly counts as on one side of it, always the same, so that of two faces with a common side one is
 // met. Slow and simple: all faces for every line.
 //
-// Sizes, coordinates below 2^18, directions below 2^20: sides of the line 62 bits, distances 61 over 61 bits.
+// Sizes, coordinates of vertices below 2^18: sides of the line and distances are below 2^63 from points below
+// 2^18 along directions below 2^20, and from points below 2^21 along directions below 2^15.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +25,14 @@ struct MetFace {
   friend bool operator==(const MetFace&, const MetFace&) = default;
 };
 
-// The face met first by the line from `eye` along `direction`; of faces met at the same point, the first in
-// the scene's order. The scene is a checked one, the direction not zero (preconditions).
-[[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const scene::PolyPoint& eye,
-                                                  const geometry::Vector3& direction);
+struct SightLine {
+  scene::PolyPoint from{};
+  geometry::Vector3 along{};  // of any length but zero
+};
+
+// The face met first; of faces met at the same point, the first in the scene's order. The scene is a checked
+// one (precondition).
+[[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line);
 
 // No face is met strictly between the eye and the point.
 [[nodiscard]] bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye,

@@ -5,30 +5,21 @@
 #include <cstddef>
 #include <limits>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/scene/face_numbers.hpp"
 
 namespace sightline::harness::report {
 
 namespace {
 
 namespace native = algorithms::montani_re;
+namespace oracle = algorithms::oracle;
 using picture::PixelGrid;
 using scene::PolyPoint;
 using scene::PolyScene;
 
 constexpr std::int32_t before_all = -(1 << 17);
-
-// Numbers of faces over all bodies: that of a body's first.
-std::vector<std::uint32_t> first_faces(const PolyScene& scene) {
-  std::vector<std::uint32_t> firsts;
-  std::uint32_t next = 1;
-  for (const scene::PolyBody& body : scene.bodies) {
-    firsts.push_back(next);
-    next += static_cast<std::uint32_t>(body.faces.size());
-  }
-  return firsts;
-}
 
 double dot(const PolyPoint& a, const std::array<double, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -36,21 +27,6 @@ double dot(const PolyPoint& a, const std::array<double, 3>& b) {
 
 double squared(const PolyPoint& v) {
   return dot(v, {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
-}
-
-// `sight`: eye and direction of the middle of a pixel, by column and row.
-template <class Sight>
-PixelGrid truth_of(const PolyScene& scene, const native::StripeFrame& frame, Sight sight) {
-  const auto firsts = first_faces(scene);
-  PixelGrid grid(frame.width, frame.height);
-  for (int row = 0; row < frame.height; ++row) {
-    for (int column = 0; column < frame.width; ++column) {
-      const auto [eye, direction] = sight(column, row);
-      const auto met = algorithms::oracle::nearest_face(scene, eye, direction);
-      if (met) grid.set(column, row, firsts[met->body] + static_cast<std::uint32_t>(met->face));
-    }
-  }
-  return grid;
 }
 
 std::vector<picture::PixelSegment> edges_of(const PolyScene& scene, const native::StripeFrame& frame) {
@@ -110,10 +86,10 @@ PixelView pixels_along_z(const PolyScene& scene, const PixelParts& parts) {
     view.frame.centre[a] =
         (static_cast<double>(parts.times) * scene.camera.eye[a] - parts.offset[a]) / parts.pixel - first[a];
   }
-  view.truth = truth_of(fine, view.frame, [&](int column, int row) {
+  view.truth = oracle::nearest_faces(fine, view.frame.width, view.frame.height, [&](int column, int row) {
     const PolyPoint eye{parts.pixel * (column + first[0]) + parts.pixel / 2 + parts.offset[0],
                         parts.pixel * (row + first[1]) + parts.pixel / 2 + parts.offset[1], before_all};
-    return std::pair(eye, geometry::Vector3{0, 0, 1});
+    return oracle::SightLine{eye, {0, 0, 1}};
   });
   view.edges = edges_of(scene, view.frame);
   return view;
@@ -149,20 +125,20 @@ PixelView pixels_in_perspective(const PolyScene& scene, const native::FaceSet& s
     shift[a] = static_cast<std::int32_t>(std::lround((low[a] + high[a]) / 2 * view.frame.scale[a]));
     view.frame.centre[a] = size / 2.0 - shift[a];
   }
-  view.truth = truth_of(scene, view.frame, [&](int column, int row) {
+  view.truth = oracle::nearest_faces(scene, view.frame.width, view.frame.height, [&](int column, int row) {
     const std::int64_t x = std::int64_t{step[0]} * (2 * (column + shift[0]) + 1 - size);
     const std::int64_t y = std::int64_t{step[1]} * (2 * (row + shift[1]) + 1 - size);
-    geometry::Vector3 direction{};
+    oracle::SightLine line{camera.eye, {}};
     for (std::size_t a = 0; a < 3; ++a)
-      direction[a] = focal * std::int64_t{camera.forward[a]} + x * camera.right[a] + y * camera.up[a];
-    return std::pair(camera.eye, direction);
+      line.along[a] = focal * std::int64_t{camera.forward[a]} + x * camera.right[a] + y * camera.up[a];
+    return line;
   });
   view.edges = edges_of(scene, view.frame);
   return view;
 }
 
 PixelGrid grid_of(const PolyScene& scene, const native::FaceSet& set, const native::StripeRaster& raster) {
-  const auto firsts = first_faces(scene);
+  const auto firsts = scene::first_face_numbers(scene);
   PixelGrid grid(raster.width, raster.height);
   for (std::size_t i = 0; i < raster.faces.size(); ++i) {
     if (raster.faces[i] == native::none) continue;

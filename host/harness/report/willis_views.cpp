@@ -9,9 +9,8 @@
 #include <random>
 #include <utility>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/geometry/predicates.hpp"
 #include "host/scene/eye_place.hpp"
 #include "host/scene/poly_bounds.hpp"
 
@@ -20,22 +19,11 @@ namespace sightline::harness::report {
 namespace {
 
 namespace willis = algorithms::willis;
-using geometry::Vector3;
 using picture::PixelGrid;
 using picture::PixelSegment;
 using scene::PolyCamera;
 using scene::PolyPoint;
 using scene::PolyScene;
-
-// The sight line of the middle of a point.
-Vector3 direction_of(const PolyCamera& camera, int column, int row, int size) {
-  Vector3 d{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    d[a] = std::int64_t{camera.right[a]} * (2 * column + 1 - size) +
-           std::int64_t{camera.up[a]} * (2 * row + 1 - size) + std::int64_t{camera.forward[a]} * size;
-  }
-  return d;
-}
 
 // Along right, up and forward; in an image 90 degrees wide what is seen has |x|, |y| <= z.
 std::array<double, 3> before_camera(const PolyCamera& camera, const PolyPoint& p) {
@@ -104,24 +92,6 @@ PolyCamera level_camera(const PolyPoint& eye, const PolyPoint& forward) {
 
 }  // namespace
 
-PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, int size) {
-  std::vector<std::uint32_t> first;  // of a body
-  std::uint32_t count = 1;
-  for (const scene::PolyBody& body : scene.bodies) {
-    first.push_back(count);
-    count += static_cast<std::uint32_t>(body.faces.size());
-  }
-  PixelGrid grid(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      const auto met =
-          algorithms::oracle::nearest_face(scene, camera.eye, direction_of(camera, column, row, size));
-      if (met) grid.set(column, row, first[met->body] + static_cast<std::uint32_t>(met->face));
-    }
-  }
-  return grid;
-}
-
 PixelGrid ordered_faces(const willis::Model& model, const PolyCamera& camera, int size,
                         willis::Representatives representatives) {
   const willis::ImageWindow window{size, size, size / 2.0, size / 2.0, size / 2.0};
@@ -153,7 +123,7 @@ double FaceErrors::inside_per_cent() const {
 TrueFaces::TrueFaces(const PolyScene& scene, std::vector<PolyCamera> cameras, int size)
     : cameras_(std::move(cameras)), size_(size) {
   for (const PolyCamera& camera : cameras_) {
-    truths_.push_back(nearest_faces(scene, camera, size));
+    truths_.push_back(algorithms::oracle::nearest_faces(scene, {camera, size, size}));
     edges_.push_back(edges_of(scene, camera, size));
   }
 }

@@ -1,7 +1,7 @@
 // Pictures of faces in Willis's order, held against the nearest face of every point (host/algorithms/oracle).
 //
-// Views are square, 90 degrees wide and high, of cameras whose vectors have one length, so that the sight line
-// of every point is one of integers.
+// Views are square, 90 degrees wide and high, of cameras whose vectors have one length, so that the sight
+// line of every point is one of integers.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,16 @@
 namespace sightline::harness::report {
 
 // Face over all bodies + 1, 0 where there is none. The bottom row first.
-[[nodiscard]] picture::PixelGrid nearest_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                                               int size);
 [[nodiscard]] picture::PixelGrid ordered_faces(const algorithms::willis::Model& model,
                                                const scene::PolyCamera& camera, int size,
                                                algorithms::willis::Representatives representatives = {});
 
 // A random corner of each piece, to stand for it.
-[[nodiscard]] std::vector<std::uint32_t> random_corners(const algorithms::willis::Model& model, std::uint32_t seed);
+[[nodiscard]] std::vector<std::uint32_t> random_corners(const algorithms::willis::Model& model,
+                                                        std::uint32_t seed);
 
-// Points of pictures, and those at which the order is wrong. Within 0.75 points of an edge rounding may choose
-// either side, so there they are counted apart.
+// Points of pictures, and those at which the order is wrong. Within 0.75 points of an edge rounding may
+// choose either side, so there they are counted apart.
 struct FaceErrors {
   std::uint64_t points = 0;
   std::uint64_t inside = 0;  // farther from every edge
@@ -60,7 +59,8 @@ class TrueFaces {
 
 // Level, along the two level axes both ways, from outside the scene at the given height: four, less those
 // whose eye would be beyond the coordinates there are or not in free space.
-[[nodiscard]] std::vector<scene::PolyCamera> cameras_around(const scene::PolyScene& scene, std::int32_t height);
+[[nodiscard]] std::vector<scene::PolyCamera> cameras_around(const scene::PolyScene& scene,
+                                                            std::int32_t height);
 
 // Level, along the two level axes both ways in turn, from random places in free space within the scene's
 // bounds.

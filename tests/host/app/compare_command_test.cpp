@@ -60,7 +60,8 @@ TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
   EXPECT_EQ(sightline({"compare", "saddle", "--along", "z", "--rotate", "80", "--points", "9"}).exit_code, 0);
   const auto end_on = sightline({"compare", "saddle", "--along", "z", "--points", "9"});
   EXPECT_EQ(end_on.exit_code, 4);
-  EXPECT_TRUE(has(end_on.err, "saddle: the column oracle draws the family that is less end-on")) << end_on.err;
+  EXPECT_TRUE(has(end_on.err, "saddle: the column oracle draws the family that is less end-on"))
+      << end_on.err;
 }
 
 TEST_F(CompareCommand, ComparesFacesByPoints) {
@@ -82,14 +83,15 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
   };
   EXPECT_EQ(names_of(document["pictures"]), (std::vector<std::string>{"exact", "jones", "montani-re"}));
   EXPECT_EQ(names_of(document["not_compared"]), (std::vector<std::string>{"plantinga"}));
-  // In parallel projection it is the other way round.
+  // In parallel projection everything applies.
   const auto parallel = sightline({"compare", "boxes-5", "--orthographic", "3,0,4", "--json"});
   ASSERT_EQ(parallel.exit_code, 0) << parallel.err;
   const auto turned = nlohmann::json::parse(parallel.out)["scenes"][0];
   EXPECT_EQ(names_of(turned["pictures"]),
             (std::vector<std::string>{"exact", "jones", "montani-re", "plantinga"}));
-  EXPECT_EQ(names_of(turned["not_compared"]), (std::vector<std::string>{"montani-re", "willis"}));
-  EXPECT_TRUE(turned["faces"].empty());
+  EXPECT_TRUE(turned["not_compared"].empty());
+  EXPECT_EQ(names_of(turned["faces"]), (std::vector<std::string>{"montani-re", "willis"}));
+  for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }
 
 TEST_F(CompareCommand, NamesWhatIsWrong) {

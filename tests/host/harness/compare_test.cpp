@@ -213,6 +213,43 @@ TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
   EXPECT_GT(stripes.metrics.true_length, 0.3 * all_edges);
 }
 
+// The eye of a parallel view is only the origin of the image: within the scene and far beside it the same is
+// seen, and all faces as the nearest ones, those seen end-on too.
+TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
+  const scene::PolyCamera level{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  const scene::PolyCamera oblique{false, {}, {-4, -3, -4}, {4, 0, -4}, {-12, 32, -12}};
+  for (scene::PolyCamera camera : {level, oblique}) {
+    for (const scene::PolyScene& scene : {scene::generate_boxes(8), scene::generate_triangles(8, 3)}) {
+      std::vector<picture::PixelGrid> truths;
+      for (const scene::PolyPoint& eye : {scene::PolyPoint{500, 500, 500}, {-200'000, 7, 99'000}}) {
+        camera.eye = eye;
+        const auto truth = FaceTruth::of(scene, camera);
+        truths.push_back(std::get<FaceTruth>(truth).faces());
+        for (const FaceAlgorithm& algorithm : face_algorithms()) {
+          const auto compared = std::get<FaceTruth>(truth).compared(algorithm);
+          const auto& metrics = std::get<ComparedFaces>(compared).metrics;
+          EXPECT_EQ(metrics.different_inside, 0U) << scene.name << ' ' << algorithm.name;
+          EXPECT_GT(metrics.lit, metrics.pixels / 10) << scene.name;
+          EXPECT_LT(metrics.boundary_pixels, metrics.pixels / 2) << scene.name;
+        }
+      }
+      const picture::PixelMetrics apart = picture::pixel_metrics(truths[0], truths[1], {});
+      EXPECT_LT(apart.different(), apart.pixels / 500) << scene.name;
+    }
+  }
+}
+
+TEST(ComparePolyScene, HasNoFacesOfAnImageTooSmallForItsDepth) {
+  scene::PolyScene scene;
+  scene.vertices = {{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 100'000}, {0, 2, 100'000}, {2, 0, 100'000}};
+  scene.bodies = {{"", true, {{{0, 1, 2}, {}}, {{3, 4, 5}, {}}}}};
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  EXPECT_TRUE(std::holds_alternative<std::string>(FaceTruth::of(scene, camera)));
+  for (scene::PolyPoint& v : scene.vertices) v[2] /= 1000;
+  EXPECT_TRUE(std::holds_alternative<FaceTruth>(FaceTruth::of(scene, camera)));
+}
+
 TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
   SceneComparison comparison;
   EXPECT_TRUE(comparison.agrees());

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/harness/face_algorithms.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -45,24 +45,7 @@ scene::PolyScene scene_of(const Setting& setting) {
 }
 
 picture::PixelGrid nearest_faces(const scene::PolyScene& scene) {
-  std::vector<std::uint32_t> firsts;
-  std::uint32_t next = 1;
-  for (const scene::PolyBody& body : scene.bodies) {
-    firsts.push_back(next);
-    next += static_cast<std::uint32_t>(body.faces.size());
-  }
-  picture::PixelGrid grid(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      geometry::Vector3 direction{};
-      for (std::size_t a = 0; a < 3; ++a)
-        direction[a] = size * scene.camera.forward[a] + (2 * column + 1 - size) * scene.camera.right[a] +
-                       (2 * row + 1 - size) * scene.camera.up[a];
-      const auto met = algorithms::oracle::nearest_face(scene, scene.camera.eye, direction);
-      if (met) grid.set(column, row, firsts[met->body] + static_cast<std::uint32_t>(met->face));
-    }
-  }
-  return grid;
+  return algorithms::oracle::nearest_faces(scene, {scene.camera, size, size});
 }
 
 // Where they are before the eye, in pixels whose middles are at whole numbers.

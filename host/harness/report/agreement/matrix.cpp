@@ -10,6 +10,7 @@
 
 #include "host/harness/report/agreement/pictures.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/scene/face_numbers.hpp"
 
 namespace sightline::harness::report {
 
@@ -57,8 +58,6 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
                    {"run", "Cells", "run", false},
                    {"result", "Result", "", false}};
   for (const auto& [scene, agreement] : scenes) {
-    std::size_t faces = 0;
-    for (const scene::PolyBody& body : scene.scene.bodies) faces += body.faces.size();
     std::size_t perspective = 0;
     for (const AgreementView& view : scene.views) perspective += view.camera.perspective ? 1 : 0;
     std::size_t run = 0;
@@ -67,7 +66,7 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
     const std::size_t listed = listed_cells(scene);
     const bool good = agreement.agrees() && run == listed;
     table.rows.push_back({std::string(scene.name), std::string(scene.title),
-                          count(picture::edges_of(scene.scene).size()), count(faces),
+                          count(picture::edges_of(scene.scene).size()), count(scene::face_count(scene.scene)),
                           count(scene.views.size() - perspective), count(perspective), count(listed),
                           count(run), Verdict{good, good ? "all agree" : "not all agree"}});
   }

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/scene/generate_scene.hpp"
 
 namespace sightline::algorithms::oracle {
@@ -22,13 +28,13 @@ constexpr geometry::Vector3 ahead{0, 0, 1};
 
 TEST(SightOracle, MeetsTheNearestAndLooksThroughHoles) {
   const scene::PolyScene scene = frame_before_square();
-  EXPECT_EQ(nearest_face(scene, {1, 1, 0}, ahead), (MetFace{1, 0}));
-  EXPECT_EQ(nearest_face(scene, {4, 4, 0}, ahead), (MetFace{0, 0}));
-  EXPECT_EQ(nearest_face(scene, {1, 1, 15}, ahead), (MetFace{0, 0}));
-  EXPECT_EQ(nearest_face(scene, {1, 1, 15}, {0, 0, -1}), (MetFace{1, 0}));
-  EXPECT_FALSE(nearest_face(scene, {1, 1, 21}, ahead));
-  EXPECT_FALSE(nearest_face(scene, {9, 1, 0}, ahead));
-  EXPECT_FALSE(nearest_face(scene, {-1, 1, 10}, {1, 0, 0})) << "along the frame";
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 0}, ahead}), (MetFace{1, 0}));
+  EXPECT_EQ(nearest_face(scene, {{4, 4, 0}, ahead}), (MetFace{0, 0}));
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, ahead}), (MetFace{0, 0}));
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, {0, 0, -1}}), (MetFace{1, 0}));
+  EXPECT_FALSE(nearest_face(scene, {{1, 1, 21}, ahead}));
+  EXPECT_FALSE(nearest_face(scene, {{9, 1, 0}, ahead}));
+  EXPECT_FALSE(nearest_face(scene, {{-1, 1, 10}, {1, 0, 0}})) << "along the frame";
 }
 
 TEST(SightOracle, SeesPointsUpToFacesAndThroughHoles) {
@@ -48,13 +54,52 @@ TEST(SightOracle, ALineThroughASideMeetsOneOfItsFaces) {
     scene.bodies = {{"", true, {{{0, 1, 2}, {}}, {{0, 2, 3}, {}}}}};
     if (turned) scene.bodies[0].faces[1].outline = {3, 2, 0};
     for (const std::int32_t at : {1, 3, 5, 7}) {
-      const auto met = nearest_face(scene, {at, at, 0}, ahead);
+      const auto met = nearest_face(scene, {{at, at, 0}, ahead});
       ASSERT_TRUE(met) << at;
       scene::PolyScene without = scene;
       without.bodies[0].faces.erase(without.bodies[0].faces.begin() + static_cast<std::ptrdiff_t>(met->face));
-      EXPECT_FALSE(nearest_face(without, {at, at, 0}, ahead)) << "one side only";
+      EXPECT_FALSE(nearest_face(without, {{at, at, 0}, ahead})) << "one side only";
     }
   }
+}
+
+// From before the middle, by how far a pixel's sight line is from it, in the greater of the two directions:
+// through the hole, on the frame, beside it. Faces are numbered from 1 over all bodies.
+TEST(FaceRaster, NumbersTheNearestFaces) {
+  scene::PolyScene scene = frame_before_square();
+  scene.bodies[0].faces.push_back({{11, 10, 9, 8}, {}});  // number 2, met where number 1 is
+  const scene::PolyCamera camera{true, {4, 4, 0}};
+  scene::PolyCamera parallel = camera;
+  parallel.perspective = false;
+  struct Case {
+    SquareImage image;
+    std::array<std::uint32_t, 5> faces;  // at 1, 3, 5, 7, 9 half pixels from the middle
+  };
+  for (const auto& [image, faces] :
+       {Case{{parallel, 10, 1}, {1, 3, 0, 0, 0}}, Case{{camera, 10, 10}, {1, 3, 0, 0, 0}},
+        Case{{camera, 10, 16}, {1, 1, 3, 0, 0}}}) {
+    const picture::PixelGrid grid = nearest_faces(scene, image);
+    for (int row = 0; row < 10; ++row) {
+      for (int column = 0; column < 10; ++column) {
+        const int halves = std::max(std::abs(2 * column - 9), std::abs(2 * row - 9));
+        EXPECT_EQ(grid.at(column, row), faces[static_cast<std::size_t>(halves / 2)])
+            << image.unit << ": " << column << ' ' << row;
+      }
+    }
+  }
+}
+
+// Rows count from the bottom, columns along `right`.
+TEST(FaceRaster, IsTheRightWayUp) {
+  const scene::PolyScene scene = frame_before_square();
+  const auto face = [&scene](const scene::PolyCamera& camera, int column, int row) {
+    return nearest_faces(scene, {camera, 4, 4}).at(column, row);
+  };
+  // The frame is to the right of the eye and above it.
+  const scene::PolyCamera ahead_of_corner{true, {-2, -2, 6}};
+  EXPECT_EQ(face(ahead_of_corner, 3, 3), 2U);
+  EXPECT_EQ(face(ahead_of_corner, 0, 3), 0U);
+  EXPECT_EQ(face(ahead_of_corner, 3, 0), 0U);
 }
 
 // From the middle of a cube every line meets it, through its edges and corners too.
@@ -64,7 +109,7 @@ TEST(SightOracle, ClosedBodiesHaveNoGaps) {
     for (std::int64_t y = -3; y <= 3; ++y)
       for (std::int64_t z = -3; z <= 3; ++z)
         if (x != 0 || y != 0 || z != 0) {
-          EXPECT_TRUE(nearest_face(walls, {500, 500, 500}, {x, y, z})) << x << y << z;
+          EXPECT_TRUE(nearest_face(walls, {{500, 500, 500}, {x, y, z}})) << x << y << z;
         }
 }
 

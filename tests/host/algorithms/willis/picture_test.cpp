@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "host/algorithms/oracle/sight_oracle.hpp"
+#include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
@@ -28,22 +28,7 @@ Setting setting_at(const scene::PolyPoint& eye, int size) {
 
 // Faces of bodies as they are, without what this algorithm makes of them, numbered from 1.
 picture::PixelGrid nearest_faces(const scene::PolyScene& scene, const Setting& setting) {
-  picture::PixelGrid grid(setting.window.width, setting.window.height);
-  std::vector<std::uint32_t> faces_before;
-  std::uint32_t count = 1;
-  for (const scene::PolyBody& body : scene.bodies) {
-    faces_before.push_back(count);
-    count += static_cast<std::uint32_t>(body.faces.size());
-  }
-  const int size = setting.window.width;
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      const auto met =
-          oracle::nearest_face(scene, setting.camera.eye, {2 * column + 1 - size, 2 * row + 1 - size, size});
-      if (met) grid.set(column, row, faces_before[met->body] + static_cast<std::uint32_t>(met->face));
-    }
-  }
-  return grid;
+  return oracle::nearest_faces(scene, {setting.camera, setting.window.width, setting.window.width});
 }
 
 // Points around which all is one face in the truth, where the picture has another.
