@@ -18,9 +18,6 @@ namespace {
 using picture::PixelGrid;
 using picture::PixelPoint;
 
-constexpr int side = 256;
-// A native drawing's places are multiples of far less than this.
-constexpr double same_place = 0.02;
 
 struct Corner {
   PixelPoint point;
@@ -41,7 +38,7 @@ void for_points(const Triangle& triangle, const Visit& visit) {
   const auto [low_x, high_x] = std::minmax({a.point.x, b.point.x, c.point.x});
   const auto [low_y, high_y] = std::minmax({a.point.y, b.point.y, c.point.y});
   const auto first = [](double low) { return std::max(0, static_cast<int>(std::ceil(low))); };
-  const auto last = [](double high) { return std::min(side - 1, static_cast<int>(std::floor(high))); };
+  const auto last = [](double high) { return std::min(raster_side - 1, static_cast<int>(std::floor(high))); };
   for (int y = first(low_y); y <= last(high_y); ++y) {
     for (int x = first(low_x); x <= last(high_x); ++x) {
       const PixelPoint p{static_cast<double>(x), static_cast<double>(y)};
@@ -122,7 +119,7 @@ class CellsByMiddle {
 PixelGrid nearest_cells(const scene::HeightGrid& grid, const SkalaView& view) {
   const SkalaProjection projection(grid, view);
   const bool rising = rising_diagonals(projection.rotation());
-  PixelGrid cells(side, side);
+  PixelGrid cells(raster_side, raster_side);
   std::vector<double> depths(cells.values.size(), std::numeric_limits<double>::infinity());
   std::uint32_t number = 0;
   for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
@@ -145,7 +142,7 @@ PixelGrid painted_cells(const scene::HeightGrid& grid, const SkalaView& view,
                         const picture::VectorDrawing& drawing) {
   const SkalaProjection projection(grid, view);
   const CellsByMiddle cells(projection, rising_diagonals(projection.rotation()));
-  PixelGrid painted(side, side);
+  PixelGrid painted(raster_side, raster_side);
   for (const picture::DrawingFacet& facet : drawing.facets) {
     std::array<Corner, 4> corners{};
     double x = 0;

@@ -12,6 +12,9 @@
 
 namespace sightline::harness {
 
+// Places nearer than this, in dots, are one: those of a native drawing are multiples of far less.
+inline constexpr double same_place = 0.02;
+
 // The grid is a whole one of at least two by two, the view without zoom (preconditions of both).
 [[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid, const SkalaView& view);
 // The topmost facet of a native drawing of the same view, by the cell it lies on; a facet that lies on none

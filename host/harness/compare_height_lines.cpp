@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "host/harness/compare_height_cells.hpp"
 #include "host/harness/skala_contours.hpp"
 #include "host/harness/skala_projection.hpp"
 #include "host/picture/line_metrics_parts.hpp"
@@ -26,8 +27,6 @@ constexpr std::uint32_t first_contour_layer = 4;  // of a native drawing: host/a
 constexpr std::size_t columns = 257;              // one more for a crossing a rounding beyond the last
 // Differences below are those of the last bits of a projection, in screen units and in depth.
 constexpr double rounding = 1e-9;
-// A native drawing's places are multiples of far less than this.
-constexpr double same_place = 0.02;
 
 std::size_t column_of(double x) {
   return static_cast<std::size_t>(std::clamp(x + 0.5, 0.0, static_cast<double>(columns - 1)));

@@ -23,7 +23,6 @@ using algorithms::oracle::SegmentRole;
 using picture::PixelGrid;
 using picture::PixelSegment;
 
-constexpr int side = algorithms::oracle::raster_columns;
 
 std::vector<Chain> chains_of(const scene::HeightGrid& grid, const SkalaView& view, const ViewChains& chains) {
   if (view.picture == SkalaPicture::contours) return chains.contours(grid, view.levels);
@@ -40,17 +39,17 @@ PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view, bo
   const bool by_cells = contours || view.family == SkalaFamily::both;
   const auto seen = algorithms::oracle::column_picture(
       chains_of(grid, view, chains), by_cells ? chains.cell_tolerance() : chains.slice_tolerance());
-  PixelGrid raster(side, side);
-  for (int x = 0; x < side; ++x) {
+  PixelGrid raster(raster_side, raster_side);
+  for (int x = 0; x < raster_side; ++x) {
     auto lit = seen.lit[static_cast<std::size_t>(x)];
     if (outline) lit |= seen.outline[static_cast<std::size_t>(x)];
-    for (int y = 0; y < side; ++y) raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
+    for (int y = 0; y < raster_side; ++y) raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
   }
   return raster;
 }
 
 PixelGrid lit_points(const core::Raster& raster) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }
@@ -65,8 +64,8 @@ void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint
   for (int along = nearest(a.x); along <= nearest(b.x); ++along) {
     const double place = b.x > a.x ? std::clamp((along - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
     const int across = nearest(a.y + place * (b.y - a.y));
-    const int x = std::clamp(steep ? across : along, 0, side - 1);
-    const int y = std::clamp(steep ? along : across, 0, side - 1);
+    const int x = std::clamp(steep ? across : along, 0, raster_side - 1);
+    const int y = std::clamp(steep ? along : across, 0, raster_side - 1);
     grid.set(x, y, 1);
   }
 }
@@ -87,7 +86,7 @@ picture::VectorDrawing native_drawing(const scene::HeightGrid& heights, const Sk
 }
 
 PixelGrid raster_of_lines(const picture::VectorDrawing& drawing) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   for (const picture::DrawingLine& line : drawing.lines) {
     for (std::uint32_t i = 0; i + 1 < std::max(line.count, 2U); ++i)
       put_line(grid, drawing.points[line.first + i],

@@ -77,7 +77,7 @@ std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyS
   return prepared;
 }
 
-constexpr std::array table{
+constexpr std::array rows{
     FaceAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985); filled",
                   prepare_montani_re_faces},
     FaceAlgorithm{"willis",
@@ -88,13 +88,13 @@ constexpr std::array table{
 }  // namespace
 
 std::span<const FaceAlgorithm> face_algorithms() {
-  return table;
+  return rows;
 }
 
 const FaceAlgorithm* find_face_algorithm(std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(),
+  const auto found = std::find_if(rows.begin(), rows.end(),
                                   [name](const FaceAlgorithm& algorithm) { return algorithm.name == name; });
-  return found != table.end() ? &*found : nullptr;
+  return found != rows.end() ? &*found : nullptr;
 }
 
 FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera, int width, int height,

@@ -9,7 +9,6 @@ namespace sightline::harness::jones {
 
 namespace {
 
-constexpr std::uint32_t clof = 0700004;
 constexpr std::uint32_t stop_word = 0003000;
 // Far longer than the interrupt handler takes to start the display again.
 constexpr core::Duration longest_pause = std::chrono::milliseconds(10);
@@ -19,7 +18,7 @@ void load(Machine& machine, const Program& program, const GuestOptions& options)
   for (const auto& [address, word] : program.core) machine.deposit(address, word);
   if (options.scale)
     machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
-  if (!options.clock) machine.deposit(program.labels.clock, core::Word18(clof));
+  if (!options.clock) machine.deposit(program.labels.clock, core::Word18(clock_off));
   machine.console().set(core::Word18((options.stereo ? 1U : 0U) | (options.immediate ? 2U : 0U)));
   if (!options.switches.empty()) machine.console().schedule(options.switches);
   machine.start(program.labels.start);

@@ -8,7 +8,6 @@
 namespace sightline::harness::jones {
 namespace {
 
-constexpr std::uint32_t clof = 0700004;
 constexpr pdp7::Address vector_pointer = 010;  // auto-index register that reads the vectors of a chain
 constexpr core::Duration time_limit = std::chrono::seconds(600);
 
@@ -87,7 +86,7 @@ GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale)
   machines::Pdp7<core::NoStrokes, PieceWatch> machine(options, nobody, watch);
   for (const auto& [address, word] : program.core) machine.deposit(address, word);
   machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(scale)));
-  machine.deposit(program.labels.clock, core::Word18(clof));
+  machine.deposit(program.labels.clock, core::Word18(clock_off));
   machine.start(program.labels.start);
   machines::Limits limits;
   limits.until = core::Instant(time_limit);

@@ -43,6 +43,9 @@ struct Labels {
   std::uint32_t file_words = 0;  // room of one display file
 };
 
+// The instruction to put at Labels::clock for a program without the clock.
+inline constexpr std::uint32_t clock_off = 0700004;  // CLOF
+
 struct Program {
   std::map<pdp7::Address, core::Word18> core;
   std::map<std::string, std::uint32_t, std::less<>> symbols;  // all tags, for tests of single routines

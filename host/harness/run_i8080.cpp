@@ -20,7 +20,7 @@ namespace {
 using Ports = I8080RunPorts<I8080Devices>;
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
-constexpr core::TStates slice{1 << 25};
+constexpr core::TStates time_between_calls{1 << 25};
 
 // PC behind an OUT of the stub.
 constexpr i8080::Address behind_exit = 0x0002;
@@ -100,7 +100,7 @@ class Run {
   I8080Stop run_slice() {
     machines::I8080Limits limits = job_.limits;
     limits.instructions -= machine_.instructions();
-    if (job_.keep_running) limits.until = std::min(limits.until, machine_.now() + slice);
+    if (job_.keep_running) limits.until = std::min(limits.until, machine_.now() + time_between_calls);
     return stop_of(machine_.run(limits));
   }
 

@@ -13,7 +13,7 @@ namespace sightline::harness {
 namespace {
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
-constexpr std::uint64_t slice = std::uint64_t{1} << 22;
+constexpr std::uint64_t cycles_between_calls = std::uint64_t{1} << 22;
 
 class Tracer {
  public:
@@ -106,7 +106,7 @@ Stop run_to_stop(Machine& machine, const Pdp7Job& job) {
   std::uint64_t left = job.limits.instructions;
   while (true) {
     const core::Instant until = std::min(job.limits.until, move_pen(machine, script));
-    const std::uint64_t now = job.keep_running ? std::min(left, slice) : left;
+    const std::uint64_t now = job.keep_running ? std::min(left, cycles_between_calls) : left;
     const std::uint64_t before = machine.counts().instructions;
     const Stop stop = stop_of(machine.run({now, until}));
     left -= machine.counts().instructions - before;

@@ -17,13 +17,13 @@ void add(SkalaGuestPicture& picture, std::string_view what, std::uint64_t count)
   if (count > 0) picture.faults.push_back({what, count});
 }
 
-constexpr int side = core::Raster::width;
+constexpr int raster_width = core::Raster::width;
 
 // Calls action(x, y) for every place until it returns true.
 template <class Action>
 void for_places(Action action) {
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
+  for (int y = 0; y < raster_width; ++y)
+    for (int x = 0; x < raster_width; ++x)
       if (action(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y))) return;
 }
 

@@ -9,7 +9,7 @@ namespace sightline::harness {
 namespace {
 
 constexpr double height_of_unit = 0.6;
-constexpr double last = 255.0;
+constexpr double last_dot = 255.0;
 constexpr double tie = 1.0 / (1 << 20);
 // Extents below this are the rounding of a picture that has none.
 constexpr double smallest_extent = 1e-12;
@@ -38,8 +38,8 @@ class Fit {
     // Halves, as of heights below.
     const double half = 0.5 * high_ - 0.5 * low_;
     if (!(half > 0.5 * smallest_extent)) return 128.0;
-    const double fitted = last * ((0.5 * value - 0.5 * low_) / half);
-    return zoom == 1.0 ? fitted : last / 2 + zoom * (fitted - last / 2);
+    const double fitted = last_dot * ((0.5 * value - 0.5 * low_) / half);
+    return zoom == 1.0 ? fitted : last_dot / 2 + zoom * (fitted - last_dot / 2);
   }
 
  private:

@@ -25,6 +25,8 @@ struct SineCosine {
 // bit. Any finite angle.
 [[nodiscard]] SineCosine sine_and_cosine(double degrees);
 
+inline constexpr int raster_side = 256;  // dots
+
 // A real screen coordinate as a raster coordinate: rounded once, halves upwards. A millionth of a dot below
 // a half counts as the half, so that points of a symmetric surface do not depend on the last bit of a sine.
 // Beyond +-2^20 the result is +-2^20.

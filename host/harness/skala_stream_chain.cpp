@@ -8,13 +8,13 @@
 namespace sightline::harness {
 namespace {
 
-constexpr int last = 255;
-constexpr std::array<double, 2> borders{0.0, last};
+constexpr int last_place = 255;
+constexpr std::array<double, 2> borders{0.0, last_place};
 
 enum class Side { on_screen, above, below, beside };
 
 bool on_screen(const SkalaVertex& v) {
-  return v.column >= 0 && v.column <= last && v.row >= 0 && v.row <= last;
+  return v.column >= 0 && v.column <= last_place && v.row >= 0 && v.row <= last_place;
 }
 
 bool is_shading(SkalaStep step) {
@@ -45,19 +45,19 @@ class Segment {
 
   [[nodiscard]] Side side(double t) const {
     const double x = between(from_.x, to_.x, t);
-    if (x < 0 || x > last) return Side::beside;
+    if (x < 0 || x > last_place) return Side::beside;
     const double y = between(from_.y, to_.y, t);
-    return y < 0 ? Side::below : y > last ? Side::above : Side::on_screen;
+    return y < 0 ? Side::below : y > last_place ? Side::above : Side::on_screen;
   }
 
   [[nodiscard]] SkalaNode node(double t, Side side, SkalaStep step) const {
     const auto [low, high] = std::minmax(from_.column, to_.column);
     int column = t == 0 ? from_.column : t == 1 ? to_.column : raster_coordinate(between(from_.x, to_.x, t));
-    column = std::clamp(std::clamp(column, low, high), 0, last);
+    column = std::clamp(std::clamp(column, low, high), 0, last_place);
     int row = t == 0 ? from_.row : t == 1 ? to_.row : raster_coordinate(between(from_.y, to_.y, t));
-    if (side != Side::on_screen) row = side == Side::above ? last : 0;
+    if (side != Side::on_screen) row = side == Side::above ? last_place : 0;
     const double level = between(levels_.from, levels_.to, t);
-    return {column, std::clamp(row, 0, last), static_cast<int>(std::floor(level + 0.5)), step, false};
+    return {column, std::clamp(row, 0, last_place), static_cast<int>(std::floor(level + 0.5)), step, false};
   }
 
  private:
@@ -115,12 +115,12 @@ void SkalaChain::segment(const SkalaVertex& from, const SkalaVertex& to, SkalaSt
 
 void SkalaChain::point(const SkalaVertex& vertex, SkalaStep step, int level) {
   end_ = nullptr;
-  if (vertex.column < 0 || vertex.column > last) return;
+  if (vertex.column < 0 || vertex.column > last_place) return;
   if (!on_screen(vertex)) {
     if (step == SkalaStep::test) return;
     if (step == SkalaStep::draw) step = SkalaStep::mask;
   }
-  nodes_.push_back({vertex.column, std::clamp(vertex.row, 0, last), level, step, true});
+  nodes_.push_back({vertex.column, std::clamp(vertex.row, 0, last_place), level, step, true});
 }
 
 SkalaChain SkalaChain::reversed() const {

@@ -11,14 +11,14 @@ namespace {
 using devices::PriorityDisplay;
 using Register = PriorityDisplay::Register;
 constexpr int columns = devices::priority_display::columns;
-constexpr int lines = devices::priority_display::lines;
+constexpr int scan_lines = devices::priority_display::lines;
 constexpr std::uint32_t last_colour = 0xFF'FFFF;
 
 }  // namespace
 
 bool fits_display(const algorithms::willis::FrameSpans& frame,
                   const algorithms::willis::ImageWindow& window) {
-  return window.width == columns && window.height == lines &&
+  return window.width == columns && window.height == scan_lines &&
          frame.surfaces.size() <= PriorityDisplay::usual_surfaces &&
          frame.spans.size() <= PriorityDisplay::usual_spans &&
          std::all_of(frame.surfaces.begin(), frame.surfaces.end(),
@@ -40,11 +40,11 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
   device.write(Register::control, PriorityDisplay::show, display.now);
   // The frame after the one under way, until its blanking begins.
   const core::Duration since = display.now.time_since_epoch() % devices::priority_display::frame;
-  display.now += devices::priority_display::frame - since + devices::priority_display::line * lines;
+  display.now += devices::priority_display::frame - since + devices::priority_display::line * scan_lines;
   device.advance(display.now);
-  picture::PixelGrid faces(columns, lines);
-  for (int row = 0; row < lines; ++row) {
-    const auto line = device.picture().subspan(static_cast<std::size_t>(lines - 1 - row) * columns, columns);
+  picture::PixelGrid faces(columns, scan_lines);
+  for (int row = 0; row < scan_lines; ++row) {
+    const auto line = device.picture().subspan(static_cast<std::size_t>(scan_lines - 1 - row) * columns, columns);
     std::copy(line.begin(), line.end(),
               faces.values.begin() + static_cast<std::ptrdiff_t>(faces.index(0, row)));
   }
