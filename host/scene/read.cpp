@@ -11,6 +11,7 @@
 
 #include "host/scene/builtin.hpp"
 #include "host/scene/check.hpp"
+#include "host/scene/json_text.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -24,15 +25,6 @@ using nlohmann::json;
 constexpr std::size_t longest_name = 40;
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 
-std::string describe(const json& value) {
-  switch (value.type()) {
-    case json::value_t::object: return "an object";
-    case json::value_t::array: return "an array of " + std::to_string(value.size());
-    case json::value_t::string: return "a string";
-    default: return value.dump();
-  }
-}
-
 // Reads values at places ("openings[3].rect"), remembering the first thing that is not as expected. After an
 // error every reader returns a default and the rest of the document is passed over.
 class Reader {
@@ -43,7 +35,7 @@ class Reader {
   [[nodiscard]] const SceneError& error() const { return *error_; }
 
   void expected(const std::string& what, const json& found, const std::string& place) {
-    fail(place, "expected " + what + ", found " + describe(found));
+    fail(place, "expected " + what + ", found " + describe_json(found));
   }
 
   // Field of an object; a null value stands for one that is missing.
@@ -173,10 +165,6 @@ class Reader {
     return result;
   }
 
-  [[nodiscard]] static std::string indexed(const std::string& place, std::size_t i) {
-    return place + "[" + std::to_string(i) + "]";
-  }
-
  private:
   void fail(const std::string& place, const std::string& cause) {
     if (!error_) error_ = SceneError{source_, place, cause};
@@ -196,14 +184,6 @@ class Reader {
   std::optional<SceneError> error_;
 };
 
-SceneError syntax_error(std::string_view source, const std::string& what) {
-  // The library's text is "[...] parse error at line L, column C: cause".
-  const std::size_t line = what.find("line ");
-  const std::size_t colon = what.find(": ", line == std::string::npos ? 0 : line);
-  if (line == std::string::npos || colon == std::string::npos) return {std::string(source), "", what};
-  return {std::string(source), what.substr(line, colon - line), what.substr(colon + 2)};
-}
-
 CellScene read_fields(const json& document, Reader& reader) {
   CellScene scene;
   scene.name = reader.name(reader.field(document, "name", ""), "name");
@@ -216,8 +196,7 @@ CellScene read_fields(const json& document, Reader& reader) {
   const json& lines = reader.field(document, "cell_lines", "");
   if (!reader.array(lines, "cell_lines", boxes.size())) return scene;
   for (std::size_t c = 0; c < boxes.size() && !reader.failed(); ++c) {
-    scene.cells.push_back(
-        {boxes[c], reader.list<Line>(lines[c], Reader::indexed("cell_lines", c), &Reader::line)});
+    scene.cells.push_back({boxes[c], reader.list<Line>(lines[c], indexed("cell_lines", c), &Reader::line)});
   }
   return scene;
 }
@@ -249,7 +228,7 @@ std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, 
   try {
     document = json::parse(json_text);
   } catch (const json::exception& error) {
-    return syntax_error(source, error.what());
+    return json_syntax_error(source, error.what());
   }
   Reader reader(source);
   CellScene scene = read_fields(document, reader);

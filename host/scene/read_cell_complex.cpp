@@ -8,6 +8,7 @@
 
 #include "host/scene/cell_complex_file.hpp"
 #include "host/scene/check_complex.hpp"
+#include "host/scene/json_text.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/read_poly_json.hpp"
 
@@ -24,25 +25,12 @@ constexpr std::int64_t largest_offset = std::int64_t{1} << 59;
 constexpr int deepest_polyhedra = 16;                         // holes, the deepest, are nested 6 levels
 constexpr std::int64_t largest_part = std::int64_t{1} << 60;  // of a place on an edge
 
-std::string describe(const json& value) {
-  switch (value.type()) {
-    case json::value_t::object: return "an object";
-    case json::value_t::array: return "an array of " + std::to_string(value.size());
-    case json::value_t::string: return "a string";
-    default: return value.dump();
-  }
-}
-
 // Writing a document goes down as deep as it is nested, on the stack.
 bool nested_within(const json& value, int levels) {
   return !value.is_structured() ||
          (levels > 0 && std::all_of(value.begin(), value.end(), [levels](const json& inner) {
             return nested_within(inner, levels - 1);
           }));
-}
-
-std::string indexed(const std::string& place, std::size_t i) {
-  return place + "[" + std::to_string(i) + "]";
 }
 
 // Remembers the first thing that is not as expected; the rest of the document is then passed over.
@@ -66,7 +54,7 @@ class Reader {
     if (!error_) error_ = std::move(error);
   }
   void expected(const std::string& what, const json& found, const std::string& place) {
-    fail({"", place, "expected " + what + ", found " + describe(found)});
+    fail({"", place, "expected " + what + ", found " + describe_json(found)});
   }
 
   // Null if it is missing, which is an error.
@@ -113,7 +101,7 @@ class Reader {
   void check_schema(const json& document) {
     const json* const found = field(document, "schema", "");
     if (found != nullptr && *found != schema)
-      fail({"", "schema", "expected \"" + std::string(schema) + "\", found " + describe(*found)});
+      fail({"", "schema", "expected \"" + std::string(schema) + "\", found " + describe_json(*found)});
   }
 
   void read_scene(const json& document) {
@@ -238,14 +226,6 @@ class Reader {
   CellComplexFile file_;
 };
 
-SceneError syntax_error(std::string_view source, const std::string& what) {
-  // The library's text is "[...] parse error at line L, column C: cause".
-  const std::size_t line = what.find("line ");
-  const std::size_t colon = what.find(": ", line == std::string::npos ? 0 : line);
-  if (line == std::string::npos || colon == std::string::npos) return {std::string(source), "", what};
-  return {std::string(source), what.substr(line, colon - line), what.substr(colon + 2)};
-}
-
 }  // namespace
 
 std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view text, std::string_view source) {
@@ -253,7 +233,7 @@ std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view tex
   try {
     document = json::parse(text);
   } catch (const json::exception& error) {
-    return syntax_error(source, error.what());
+    return json_syntax_error(source, error.what());
   }
   return Reader(source).run(document);
 }

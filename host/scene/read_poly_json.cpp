@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "host/scene/json_text.hpp"
 #include "host/scene/poly_import.hpp"
 #include "host/scene/poly_quantise.hpp"
 #include "host/scene/poly_shells.hpp"
@@ -19,19 +20,6 @@ using nlohmann::json;
 
 constexpr std::size_t longest_name = 200;
 constexpr std::int64_t largest_origin = std::int64_t{1} << 30;
-
-std::string describe(const json& value) {
-  switch (value.type()) {
-    case json::value_t::object: return "an object";
-    case json::value_t::array: return "an array of " + std::to_string(value.size());
-    case json::value_t::string: return "a string";
-    default: return value.dump();
-  }
-}
-
-std::string indexed(const std::string& place, std::size_t i) {
-  return place + "[" + std::to_string(i) + "]";
-}
 
 // Remembers the first thing that is not as expected; the rest of the document is then passed over.
 class Reader {
@@ -47,7 +35,7 @@ class Reader {
 
  private:
   void expected(const std::string& what, const json& found, const std::string& place) {
-    if (!error_) error_ = SceneError{source_, place, "expected " + what + ", found " + describe(found)};
+    if (!error_) error_ = SceneError{source_, place, "expected " + what + ", found " + describe_json(found)};
   }
 
   // Null if the field is missing; that is an error if it is required.
@@ -193,14 +181,6 @@ class Reader {
   PolyScene scene_;
 };
 
-SceneError syntax_error(std::string_view source, const std::string& what) {
-  // The library's text is "[...] parse error at line L, column C: cause".
-  const std::size_t line = what.find("line ");
-  const std::size_t colon = what.find(": ", line == std::string::npos ? 0 : line);
-  if (line == std::string::npos || colon == std::string::npos) return {std::string(source), "", what};
-  return {std::string(source), what.substr(line, colon - line), what.substr(colon + 2)};
-}
-
 }  // namespace
 
 std::variant<PolyScene, SceneError> read_poly_json(std::string_view text, std::string_view source) {
@@ -208,7 +188,7 @@ std::variant<PolyScene, SceneError> read_poly_json(std::string_view text, std::s
   try {
     document = json::parse(text);
   } catch (const json::exception& error) {
-    return syntax_error(source, error.what());
+    return json_syntax_error(source, error.what());
   }
   return Reader(source).run(document);
 }
