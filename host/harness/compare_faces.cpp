@@ -34,7 +34,7 @@ picture::PixelPoint image_point(const FaceWindow& window, int column, int row) {
           (window.top - (window.height - row - 0.5)) / window.scale};
 }
 
-std::array<double, 3> unit(const PolyPoint& axis) {
+std::array<double, 3> unit_axis(const PolyPoint& axis) {
   const geometry::Vector3 v = geometry::vector_of(axis);
   const double length = std::sqrt(static_cast<double>(geometry::dot(v, v)));
   std::array<double, 3> part{};
@@ -43,9 +43,9 @@ std::array<double, 3> unit(const PolyPoint& axis) {
 }
 
 // The camera's, of length 1.
-struct Axes {
-  explicit Axes(const PolyCamera& camera)
-      : right(unit(camera.right)), up(unit(camera.up)), forward(unit(camera.forward)) {}
+struct CameraAxes {
+  explicit CameraAxes(const PolyCamera& camera)
+      : right(unit_axis(camera.right)), up(unit_axis(camera.up)), forward(unit_axis(camera.forward)) {}
 
   std::array<double, 3> right;
   std::array<double, 3> up;
@@ -55,7 +55,7 @@ struct Axes {
 // A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
 PixelGrid nearest_in_perspective(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
   constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
-  const Axes axes(camera);
+  const CameraAxes axes(camera);
   return oracle::nearest_faces(scene, window.width, window.height, [&](int column, int row) {
     const auto [x, y] = image_point(window, column, row);
     oracle::SightLine line{camera.eye, {}};
@@ -78,7 +78,7 @@ PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera, 
   PolyScene large = scene;
   for (PolyPoint& v : large.vertices)
     for (std::size_t a = 0; a < 3; ++a) v[a] = times * (v[a] - middle[a]);
-  const Axes axes(camera);
+  const CameraAxes axes(camera);
   double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
   for (std::size_t a = 0; a < 3; ++a) ahead -= axes.forward[a] * (camera.eye[a] - middle[a]);
   return oracle::nearest_faces(large, window.width, window.height, [&](int column, int row) {
