@@ -9,6 +9,7 @@
 
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_builder.hpp"
+#include "tests/host/scene/poly_support.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -28,24 +29,18 @@ PolyScene cube_and_sheet() {
   return builder.take();
 }
 
-std::string found_in(const PolyScene& scene) {
-  std::string text;
-  for (const SceneError& error : check_poly_scene(scene)) text += error.message() + "\n";
-  return text;
-}
-
 TEST(CheckPolyScene, LetsGoodScenesThrough) {
-  EXPECT_EQ(found_in(cube_and_sheet()), "");
+  EXPECT_EQ(problems(cube_and_sheet()), "");
   for (const std::string_view family : generator_names()) {
     const auto scene = generate_scene(family, 3, 7);
-    EXPECT_EQ(found_in(std::get<PolyScene>(scene)), "") << family;
+    EXPECT_EQ(problems(std::get<PolyScene>(scene)), "") << family;
   }
 }
 
 TEST(CheckPolyScene, TheGeneratedSetIsInOrder) {
   for (const GeneratedSceneName& name : generated_set()) {
     const auto scene = generate_scene(name.family, name.size, name.seed);
-    ASSERT_EQ(found_in(std::get<PolyScene>(scene)), "") << std::get<PolyScene>(scene).name;
+    ASSERT_EQ(problems(std::get<PolyScene>(scene)), "") << std::get<PolyScene>(scene).name;
   }
 }
 
@@ -60,7 +55,7 @@ class DamagedPolyScene : public testing::TestWithParam<Damage> {};
 TEST_P(DamagedPolyScene, IsNamed) {
   PolyScene scene = cube_and_sheet();
   GetParam().damage(scene);
-  EXPECT_EQ(found_in(scene), GetParam().found);
+  EXPECT_EQ(problems(scene), GetParam().found);
 }
 
 // Vertices 8..11 are the sheet's outline, 12..15 its hole.
@@ -204,20 +199,11 @@ const Damage kinds[] = {
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPolyScene, testing::ValuesIn(kinds),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// A box within a box: its faces look into the cavity.
 TEST(CheckPolyScene, ACavityFacesInwards) {
-  PolyBuilder builder;
-  builder.add_box("outer", {0, 0, 0}, {10, 10, 10});
-  builder.add_box("inner", {2, 2, 2}, {8, 8, 8});
-  PolyScene scene = builder.take();
-  for (PolyFace face : scene.bodies[1].faces) {
-    std::reverse(face.outline.begin(), face.outline.end());
-    scene.bodies[0].faces.push_back(face);
-  }
-  scene.bodies.pop_back();
-  EXPECT_EQ(found_in(scene), "");
+  PolyScene scene = hollow_box();
+  EXPECT_EQ(problems(scene), "");
   for (VertexIndex v = 8; v < 16; ++v) scene.vertices[v][0] += 100;
-  EXPECT_NE(found_in(scene).find("face 6: is part of a surface turned inside out"), std::string::npos);
+  EXPECT_NE(problems(scene).find("face 6: is part of a surface turned inside out"), std::string::npos);
 }
 
 // A comb of so many teeth that each edge is beside every other one.
@@ -235,8 +221,8 @@ TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
     scene.bodies = {{"", true, {face}}};
     return scene;
   };
-  EXPECT_EQ(found_in(comb(2000)), "");
-  EXPECT_EQ(found_in(comb(20000)), "body 0, face 0: has too many edges side by side to be checked\n");
+  EXPECT_EQ(problems(comb(2000)), "");
+  EXPECT_EQ(problems(comb(20000)), "body 0, face 0: has too many edges side by side to be checked\n");
 }
 
 TEST(CheckPolyScene, LooksForNoMoreThanAHundredErrors) {

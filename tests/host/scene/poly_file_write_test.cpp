@@ -1,7 +1,6 @@
 // OFF, OBJ and JSON: what is written reads as the same scene, as far as the format has words for it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "host/scene/generate_scene.hpp"
-#include "host/scene/poly_builder.hpp"
 #include "host/scene/poly_file.hpp"
 #include "tests/host/scene/poly_support.hpp"
 
@@ -96,17 +94,9 @@ TEST(WritePoly, ObjKeepsBodiesApart) {
   }
 }
 
-// A hollow cube: OFF does not say that its two surfaces are one body.
+// OFF does not say that its two surfaces are one body.
 TEST(WritePoly, ACavitySurvivesOff) {
-  PolyBuilder builder;
-  builder.add_box("outer", {0, 0, 0}, {10, 10, 10});
-  builder.add_box("inner", {2, 2, 2}, {8, 8, 8});
-  PolyScene scene = builder.take();
-  for (PolyFace face : scene.bodies[1].faces) {
-    std::reverse(face.outline.begin(), face.outline.end());
-    scene.bodies[0].faces.push_back(face);
-  }
-  scene.bodies.pop_back();
+  const PolyScene scene = hollow_box();
   for (const bool mend : {false, true}) {
     const PolyImport again = read(written(scene, PolyFormat::off), PolyFormat::off, mend);
     EXPECT_EQ(problems(again.scene), "");

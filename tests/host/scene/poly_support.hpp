@@ -1,12 +1,15 @@
-// Scenes of faces read from text and written to it, and what a check finds in them.
+// Scenes of faces read from text and written to it, what a check finds in them, and one that several tests
+// use.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "host/scene/poly_builder.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/poly_file.hpp"
 
@@ -34,6 +37,20 @@ inline std::string problems(const PolyScene& scene) {
   std::string text;
   for (const SceneError& error : check_poly_scene(scene)) text += error.message() + "\n";
   return text;
+}
+
+// A box within a box, one body: the inner faces, 6 to 11, look into the cavity; their vertices are 8 to 15.
+inline PolyScene hollow_box() {
+  PolyBuilder builder;
+  builder.add_box("outer", {0, 0, 0}, {10, 10, 10});
+  builder.add_box("inner", {2, 2, 2}, {8, 8, 8});
+  PolyScene scene = builder.take();
+  for (PolyFace face : scene.bodies[1].faces) {
+    std::reverse(face.outline.begin(), face.outline.end());
+    scene.bodies[0].faces.push_back(face);
+  }
+  scene.bodies.pop_back();
+  return scene;
 }
 
 }  // namespace sightline::scene
