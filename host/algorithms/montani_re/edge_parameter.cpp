@@ -32,15 +32,9 @@ Rational wide_zero_between(const mpz_class& p, const mpz_class& q) {
   return {numerator.get_si(), denominator.get_si()};
 }
 
-Int128 at_vertex(const Image& image, std::uint32_t line, std::uint32_t vertex) {
-  const ImageLine& l = image.lines()[line];
-  const Vertex& v = image.vertices()[vertex];
-  return l.a * v.x + l.b * v.y + l.c * image.weight(vertex);
-}
-
 Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t other) {
   const ImageLine& line = image.lines()[edge];
-  return zero_between(at_vertex(image, other, line.from), at_vertex(image, other, line.to));
+  return zero_between(image.value_at(other, line.from), image.value_at(other, line.to));
 }
 
 // What is left of an edge after conditions that are linear along it.
@@ -59,8 +53,8 @@ class Part {
   }
   void keep_between(const Image& image, const ImageLine& edge, std::uint32_t west, std::uint32_t east) {
     if (image.perspective()) keep(image.weight(edge.from), image.weight(edge.to));
-    keep(at_vertex(image, west, edge.from), at_vertex(image, west, edge.to));
-    keep(-at_vertex(image, east, edge.from), -at_vertex(image, east, edge.to));
+    keep(image.value_at(west, edge.from), image.value_at(west, edge.to));
+    keep(-image.value_at(east, edge.from), -image.value_at(east, edge.to));
   }
   [[nodiscard]] std::optional<geometry::Interval> interval() const {
     if (!(low_ < high_)) return std::nullopt;

@@ -32,6 +32,21 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
   return normal;
 }
 
+int sign(Int128 n) {
+  return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0);
+}
+
+bool line_between(const Image& image, const Face& f, const Face& g) {
+  for (std::size_t k = 0; k < f.lines.size(); ++k) {
+    if (f.inner_side[k] == 0) continue;
+    if (std::all_of(g.vertices.begin(), g.vertices.end(), [&](std::uint32_t v) {
+          return sign(image.value_at(f.lines[k], v)) != f.inner_side[k];
+        }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int compare(const ImageNumber& a, const ImageNumber& b) {
@@ -39,6 +54,10 @@ int compare(const ImageNumber& a, const ImageNumber& b) {
   const Int128 left = Int128{a.numerator} * b.denominator;
   const Int128 right = Int128{b.numerator} * a.denominator;
   return (left > right ? 1 : 0) - (left < right ? 1 : 0);
+}
+
+bool apart(const Image& image, const Face& f, const Face& g) {
+  return line_between(image, f, g) || line_between(image, g, f);
 }
 
 std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
@@ -91,6 +110,22 @@ void FaceSetBuilder::measure(Face& face) const {
   }
 }
 
+void FaceSetBuilder::find_inner_sides(Face& face) const {
+  face.inner_side.resize(face.lines.size());
+  if (set_.window) return;
+  for (std::size_t k = 0; k < face.lines.size(); ++k) {
+    bool east = false;
+    bool west = false;
+    for (const std::uint32_t v : face.vertices) {
+      const Int128 at = set_.image.value_at(face.lines[k], v);
+      east = east || at > 0;
+      west = west || at < 0;
+      if (east && west) break;
+    }
+    face.inner_side[k] = static_cast<std::int8_t>(east == west ? 0 : east ? 1 : -1);
+  }
+}
+
 bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint32_t index) {
   Face face;
   face.body = body;
@@ -126,6 +161,7 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
   } else {
     face.pcs = trapezoid_pcs(set_.image, face.lines);
   }
+  find_inner_sides(face);
   set_.faces.push_back(std::move(face));
   return true;
 }

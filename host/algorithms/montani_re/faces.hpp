@@ -37,6 +37,8 @@ struct Face {
   std::uint32_t index = 0;  // in its body
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> lines;
+  // Of each line, the sign of a X + b Y + c on the whole image; 0 if it has both, or there is a window.
+  std::vector<std::int8_t> inner_side;
   // normal . p = offset, turned so that the near side is negative. Normal 80 bits, a vertex 119.
   std::array<geometry::Int128, 3> normal{};
   geometry::Int128 offset = 0;
@@ -61,6 +63,10 @@ struct FaceSet {
   std::vector<std::uint32_t> lone;       // lines of edges to be held against the faces by themselves
   std::optional<Window> window;          // what the regions are clipped to
 };
+
+// A line of one of the faces has its face to one side and the other face to the other, so that their images
+// have no area in common. Of convex faces with nothing in common this holds always.
+[[nodiscard]] bool apart(const Image& image, const Face& f, const Face& g);
 
 // Rings of vertices of the image, each ring a closed polygon in the plane of all.
 using Rings = std::vector<std::vector<std::uint32_t>>;
@@ -87,6 +93,7 @@ class FaceSetBuilder {
   // `none` if the image of the edge is a point, or it is not before the eye.
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
+  void find_inner_sides(Face& face) const;
 
   FaceSet set_;
   std::vector<std::vector<KnownLine>> lines_at_;  // by the lower vertex

@@ -116,9 +116,19 @@ int Image::compare(const Ordinate& a, const Ordinate& b) const {
   if (a.first == b.first && a.second == b.second) return 0;
   if (a.high < b.low) return -1;
   if (a.low > b.high) return 1;
+  if (a.second == none && b.second == none) {
+    const Int128 left = Int128{vertices_[a.first].y} * weight(b.first);
+    const Int128 right = Int128{vertices_[b.first].y} * weight(a.first);
+    return (left > right ? 1 : 0) - (left < right ? 1 : 0);
+  }
   const Quotient p = exact(a);
   const Quotient q = exact(b);
   return (p.numerator * q.denominator - q.numerator * p.denominator).sign();
+}
+
+bool Image::made_by(std::uint32_t line, const Ordinate& y) const {
+  if (y.second != none) return y.first == line || y.second == line;
+  return lines_[line].from == y.first || lines_[line].to == y.first;
 }
 
 // At y, X = -(b y + c) / a for both, so that the difference has the sign of p y + q below.
@@ -134,6 +144,8 @@ int Image::order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) 
                        4 * unit * (std::abs(p.value * middle) + std::abs(q.value));
   if (value > error) return 1;
   if (value < -error) return -1;
+  // Nearly all that is not decided by now are lines at the point in which they meet.
+  if (made_by(line, y) && made_by(other, y)) return 0;
   const ImageLine& el = lines_[line];
   const ImageLine& em = lines_[other];
   const Quotient at = exact(y);

@@ -74,6 +74,13 @@ class Image {
     return weight(lines_[line].from) > 0 ? lines_[line].from : lines_[line].to;
   }
 
+  // a x + b y + c w of a vertex (x, y; weight w): 114 bits.
+  [[nodiscard]] geometry::Int128 value_at(std::uint32_t line, std::uint32_t vertex) const {
+    const ImageLine& l = lines_[line];
+    const Vertex& v = vertices_[vertex];
+    return l.a * v.x + l.b * v.y + l.c * weight(vertex);
+  }
+
   // Of a vertex before the eye.
   [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const;
   // Of two lines that are neither parallel nor horizontal.
@@ -94,6 +101,9 @@ class Image {
   [[nodiscard]] Quotient exact(const Ordinate& y) const;
 
  private:
+  // The line passes the point of which y is the ordinate, its end or its crossing with another.
+  [[nodiscard]] bool made_by(std::uint32_t line, const Ordinate& y) const;
+
   bool perspective_;
   std::vector<Vertex> vertices_;
   std::vector<ImageLine> lines_;

@@ -65,7 +65,12 @@ void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations,
     std::sort(before[face].begin(), before[face].end(),
               [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
     for (const std::uint32_t near : before[face]) {
-      subtract(set, result.regions[face], set.faces[near].pcs, result.counts);
+      TrapezoidPcs& region = result.regions[face];
+      if (!region.empty() && apart(set.image, set.faces[face], set.faces[near])) {
+        ++result.counts.subtractions;  // that leaves all
+      } else {
+        subtract(set, region, set.faces[near].pcs, result.counts);
+      }
     }
   }
 }
