@@ -155,6 +155,21 @@ std::string text_of(const files::path& path) {
   return text;
 }
 
+// gnuplot gives up on a plot without a point in it: axes from 0 to 1 then, and words.
+std::string empty_plot(Axis x, Axis y) {
+  for (Axis* axis : {&x, &y}) {
+    axis->logarithmic = false;
+    axis->range = {0, 1};
+  }
+  return axis_commands(x, 'x', std::nullopt) + axis_commands(y, 'y', std::nullopt) +
+         "unset xtics\nunset ytics\nunset key\nset label 'nothing to draw' at graph 0.5,0.5 center\nplot "
+         "NaN\n";
+}
+
+bool in_range(double value, const Axis& axis) {
+  return !axis.range || (value >= axis.range->first && value <= axis.range->second);
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Plot& plot) {
@@ -162,6 +177,7 @@ std::string gnuplot_script(const Plot& plot) {
   const auto zero_y = place_of_zero(plot, plot.y, &PlotPoint::y);
   std::string text;
   std::string curves;
+  bool anything = false;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
     bool labels = false;
@@ -172,6 +188,7 @@ std::string gnuplot_script(const Plot& plot) {
       const auto y = drawn_value(point.y, plot.y, zero_y);
       if (!x || !y) continue;
       empty = false;
+      anything = anything || (in_range(*x, plot.x) && in_range(*y, plot.y));
       labels = labels || !point.label.empty();
       text += fmt::format("{:.17g} {:.17g} {}\n", *x, *y, label_in_data(point.label));
     }
@@ -192,6 +209,7 @@ std::string gnuplot_script(const Plot& plot) {
       "set encoding utf8\nset title {}\nset key {} Left reverse samplen 4\n"
       "set grid xtics ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror\n",
       plot.width, plot.height, in_quotes(plot.title), legend_place(plot));
+  if (!anything) return text + empty_plot(plot.x, plot.y);
   text += axis_commands(plot.x, 'x', zero_x) + axis_commands(plot.y, 'y', zero_y);
   return text + curves + "\n";
 }

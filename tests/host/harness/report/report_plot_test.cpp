@@ -81,12 +81,27 @@ TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
-TEST(ReportPlot, WithoutAPointIsAnError) {
+TEST(ReportPlot, WithoutAPointSaysThatThereIsNothingToDraw) {
   Plot plot = sample_plot();
   plot.curves.erase(plot.curves.begin());
-  const auto drawn = draw_plot(plot);
-  ASSERT_TRUE(std::holds_alternative<ReportError>(drawn));
-  EXPECT_EQ(std::get<ReportError>(drawn).message.substr(0, 26), "plot: gnuplot drew nothing");
+  const auto expect_nothing = [](const Plot& empty, bool nothing) {
+    const auto drawn = draw_plot(empty);
+    ASSERT_TRUE(std::holds_alternative<Figure>(drawn)) << std::get<ReportError>(drawn).message;
+    const auto& bytes = std::get<Figure>(drawn).bytes;
+    const std::string svg(bytes.begin(), bytes.end());
+    EXPECT_EQ(svg.find("nothing to draw") != std::string::npos, nothing) << svg;
+    EXPECT_NE(svg.find("touch here"), std::string::npos) << "the title stays";
+    EXPECT_NE(svg.find("error [px]"), std::string::npos) << "and the axes' names";
+  };
+  expect_nothing(plot, true);
+  plot.curves.clear();
+  expect_nothing(plot, true);
+  plot = sample_plot();
+  expect_nothing(plot, false);
+  plot.x.range = {100, 1000};
+  expect_nothing(plot, true);
+  plot.x.range = {0.01, 1000};
+  expect_nothing(plot, false);
 }
 
 TEST(ReportPlot, AMissingGnuplotIsSaid) {
