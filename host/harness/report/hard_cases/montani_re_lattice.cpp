@@ -58,13 +58,13 @@ bool kept(Combination combination, bool a, bool b) {
   return false;
 }
 
-struct Pair {
+struct RegionPair {
   std::vector<FreemanChain> a;
   std::vector<FreemanChain> b;
 };
 
 // Eighths of a square step.
-std::int64_t counted_area(const Pair& regions, Combination combination, std::int32_t size) {
+std::int64_t counted_area(const RegionPair& regions, Combination combination, std::int32_t size) {
   std::int64_t eighths = 0;
   for (std::int32_t y = 0; y < size; ++y) {
     for (std::int32_t x = 0; x < size; ++x) {
@@ -126,7 +126,7 @@ void add(std::string& text, const std::string& complaint) {
   text += (text.empty() ? "" : "; ") + complaint;
 }
 
-void check(const Pair& regions, const std::array<LatticePcs, 2>& pcs, const LatticeExpected& expected,
+void check(const RegionPair& regions, const std::array<LatticePcs, 2>& pcs, const LatticeExpected& expected,
            std::int32_t size, Findings& wrong) {
   const LatticePcs result = combined(pcs[0], pcs[1], expected.combination);
   const auto loops = corners_of(result);
@@ -194,7 +194,7 @@ MontaniReHardResult run_lattice_case(const MontaniReHardCase& hard) {
     const auto found = regions.find(name);
     return found != regions.end() ? found->second : std::vector<FreemanChain>{};
   };
-  const Pair pair{region("A"), region("B")};
+  const RegionPair pair{region("A"), region("B")};
   const auto a = native::lattice_pcs(pair.a);
   const auto b = native::lattice_pcs(pair.b);
   if (!a || !b) return unusable("a chain does not close");

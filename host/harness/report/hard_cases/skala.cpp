@@ -12,6 +12,7 @@
 #include "host/harness/report/hard_cases/hard_cases.hpp"
 #include "host/harness/skala_guest.hpp"
 #include "host/harness/skala_program.hpp"
+#include "host/harness/skala_projection.hpp"
 #include "host/harness/skala_stream.hpp"
 #include "host/harness/skala_twin.hpp"
 #include "host/scene/read_height_grid.hpp"
@@ -23,7 +24,6 @@ namespace {
 using picture::PixelGrid;
 using scene::HeightGrid;
 
-constexpr int side = algorithms::oracle::raster_columns;
 
 Cell verdict(const std::vector<Complaint>& complaints) {
   std::string text;
@@ -56,9 +56,9 @@ algorithms::skala::View native_view(const SkalaHardCase& hard) {
 
 // Each line as the dots nearest to it.
 PixelGrid dots_of(const picture::VectorDrawing& drawing) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   const auto dot = [](double value) {
-    return std::clamp(static_cast<int>(std::floor(value + 0.5)), 0, side - 1);
+    return std::clamp(static_cast<int>(std::floor(value + 0.5)), 0, raster_side - 1);
   };
   for (const picture::DrawingLine& line : drawing.lines) {
     for (std::uint32_t i = 0; i < line.count; ++i) {
@@ -79,8 +79,8 @@ PixelGrid dots_of(const picture::VectorDrawing& drawing) {
 // Straight on, rims are in one column with the ends of all slices. The raster's order, slices first, hides
 // one of the two there; vectors show both.
 PixelGrid without_outer_columns(PixelGrid grid) {
-  for (int y = 0; y < side; ++y) {
-    for (const int x : {0, side - 1}) grid.set(x, y, 0);
+  for (int y = 0; y < raster_side; ++y) {
+    for (const int x : {0, raster_side - 1}) grid.set(x, y, 0);
   }
   return grid;
 }
@@ -133,7 +133,7 @@ SkalaHardResult run_against_oracle(const SkalaHardCase& hard, const HeightGrid& 
 }
 
 PixelGrid lit_dots(const core::Raster& raster) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }

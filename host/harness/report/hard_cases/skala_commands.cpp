@@ -8,6 +8,7 @@
 #include "host/harness/report/hard_cases/skala.hpp"
 #include "host/harness/skala_guest.hpp"
 #include "host/harness/skala_program.hpp"
+#include "host/harness/skala_projection.hpp"
 #include "host/harness/skala_twin.hpp"
 
 namespace sightline::harness::report {
@@ -17,7 +18,6 @@ namespace {
 namespace oracle = algorithms::oracle;
 using picture::PixelGrid;
 
-constexpr int side = oracle::raster_columns;
 constexpr const char* no_native = "not applicable: draws grids, and lines instead of dots";
 
 std::string_view next_word(std::string_view& text) {
@@ -47,16 +47,16 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
 }
 
 PixelGrid grid_of(const core::Raster& raster) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }
 
 PixelGrid truth_of(const std::vector<oracle::Chain>& chains) {
-  PixelGrid grid(side, side);
+  PixelGrid grid(raster_side, raster_side);
   const auto picture = oracle::column_picture(chains, 0);
-  for (int x = 0; x < side; ++x) {
-    for (int y = 0; y < side; ++y)
+  for (int x = 0; x < raster_side; ++x) {
+    for (int y = 0; y < raster_side; ++y)
       grid.set(x, y, picture.lit[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)] ? 1 : 0);
   }
   return grid;
@@ -121,7 +121,7 @@ class Fan {
 
  private:
   std::vector<std::uint8_t> stream_;
-  PixelGrid truth_{side, side};
+  PixelGrid truth_{raster_side, raster_side};
 };
 
 // 49 lines a screen, none near another.

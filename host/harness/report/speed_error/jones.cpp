@@ -19,7 +19,7 @@ namespace sightline::harness::report {
 
 namespace {
 
-constexpr int most_on_machine = 3;  // fraction bits
+constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array word_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 
 double seconds(core::Duration time) {
@@ -193,7 +193,7 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
   measured.scene = views.name();
   context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
   for (const bool truncate : {false, true}) {
-    for (int f = 0; f <= most_on_machine; ++f) {
+    for (int f = 0; f <= most_machine_fraction; ++f) {
       auto build =
           measure_build(views, {jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate});
       if (auto* const error = std::get_if<ReportError>(&build)) return std::move(*error);

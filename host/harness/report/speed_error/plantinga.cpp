@@ -29,7 +29,7 @@ using native::EdgeStructure;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::array tolerances{0.0, 0.001, 0.01, 0.1, 1.0};
-constexpr std::array steps{0.01, 0.1, 1.0, 3.0, 10.0, 30.0};
+constexpr std::array step_degrees{0.01, 0.1, 1.0, 3.0, 10.0, 30.0};
 
 // Visible parts of an edge, from 0 to 1.
 using Parts = std::vector<std::pair<double, double>>;
@@ -220,7 +220,7 @@ Outcome<std::vector<PlantingaCurve>> measure_plantinga(const Context& context) {
     for (const double tolerance : tolerances)
       curve.tolerances.push_back(tolerance_point(context, studied, truths, tolerance));
     context.progress(fmt::format("{}: steps from frame to frame", name));
-    for (const double step : steps) curve.steps.push_back(step_point(context, studied, truths, step));
+    for (const double step : step_degrees) curve.steps.push_back(step_point(context, studied, truths, step));
     add_baselines(context, studied, truths, curve);
     curves.push_back(std::move(curve));
   }

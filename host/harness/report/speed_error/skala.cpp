@@ -8,6 +8,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/harness/report/speed_error/clock.hpp"
+#include "host/harness/skala_projection.hpp"
 #include "host/harness/skala_stream.hpp"
 #include "host/scene/height_function.hpp"
 
@@ -21,7 +22,6 @@ constexpr std::array functions{"sinc", "peaks", "cosr"};
 constexpr std::array<int, 5> raster_sizes{64, 128, 256, 512, 1024};
 constexpr std::array<int, 6> grid_points{8, 16, 32, 64, 128, 256};
 constexpr std::array<int, 6> level_counts{1, 2, 4, 8, 16, 32};
-constexpr int board = 256;  // dots a side of the 8080's raster
 constexpr std::size_t slices = 33;
 // So few points that they are more than two columns apart on 64 dots too: of nearer ones the host makes
 // curves of dots, which the program draws in another way.
@@ -40,7 +40,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
 struct Order {
   SkalaPicture picture = SkalaPicture::lines;
   int levels = 8;
-  int raster = board;  // dots a side; the program on the 8080 has up to 256
+  int raster = raster_side;  // dots a side; the program on the 8080 has up to 256
   SkalaDevice device = SkalaDevice::ef9365;
   SkalaLink link = SkalaLink::parallel;
 };
@@ -52,7 +52,7 @@ SkalaView view_of(const Order& order) {
   view.device = order.device;
   view.rotation = rotation;
   view.levels = order.levels;
-  view.zoom = static_cast<double>(order.raster) / board;
+  view.zoom = static_cast<double>(order.raster) / raster_side;
   return view;
 }
 
@@ -124,7 +124,7 @@ class Bench {
   void add_native_vectors(std::vector<SkalaPoint>& points, int setting, const scene::HeightGrid& grid,
                           const Order& order, const FinePicture& fine) {
     const native::View view = native_view(order, native::View{}.columns);
-    points.push_back({setting, fine.error_of(native::draw(grid, view), board), {}, {}});
+    points.push_back({setting, fine.error_of(native::draw(grid, view), raster_side), {}, {}});
     later(points, [grid, view] { (void)native::draw(grid, view); });
   }
 
@@ -155,7 +155,7 @@ std::optional<ReportError> measure_rasters(SkalaCurve& curve, Bench& bench) {
     Order order;
     order.raster = raster;
     bench.add_native_dots(curve.native, grid, order, fine);
-    if (raster > board) continue;
+    if (raster > raster_side) continue;
     if (auto error = bench.add_program(curve.program, raster, grid, order, fine)) return error;
   }
   return std::nullopt;
@@ -197,7 +197,7 @@ std::optional<ReportError> measure_boards(const SkalaProgram& program, std::vect
         const auto run = run_guest(program, skala_stream(grid, view_of(order)), order);
         if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
         const auto& guest = std::get<SkalaGuestPicture>(run);
-        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, board)), guest.drawing,
+        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, raster_side)), guest.drawing,
                           guest.total, guest.dots_not_shown});
       }
     }
