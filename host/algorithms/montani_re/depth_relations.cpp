@@ -141,7 +141,7 @@ Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second
   Overlap overlap;
   const Face& f = set.faces[first];
   const Face& g = set.faces[second];
-  if (apart(set.image, f, g)) return overlap;
+  if (placement_of(set.image, f, g) == Placement::apart) return overlap;
   const TrapezoidPcs common = combine(set.image, f.pcs, g.pcs, Operation::intersect);
   if (common.empty()) return overlap;
   overlap.overlaps = true;

@@ -32,19 +32,21 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
   return normal;
 }
 
-int sign(Int128 n) {
-  return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0);
-}
+struct Sides {
+  bool inner = false;  // some corner is on the side of a line where its own face is, or on the other
+  bool outer = false;
+};
 
-bool line_between(const Image& image, const Face& f, const Face& g) {
-  for (std::size_t k = 0; k < f.lines.size(); ++k) {
-    if (f.inner_side[k] == 0) continue;
-    if (std::all_of(g.vertices.begin(), g.vertices.end(), [&](std::uint32_t v) {
-          return sign(image.value_at(f.lines[k], v)) != f.inner_side[k];
-        }))
-      return true;
+Sides sides_of(const Image& image, const Face& face, const Face& other, std::size_t line) {
+  Sides sides;
+  for (const std::uint32_t v : other.vertices) {
+    const Int128 at = image.value_at(face.lines[line], v);
+    const Int128 inward = face.inner_side[line] > 0 ? at : -at;
+    sides.inner = sides.inner || inward > 0;
+    sides.outer = sides.outer || inward < 0;
+    if (sides.inner && sides.outer) break;
   }
-  return false;
+  return sides;
 }
 
 }  // namespace
@@ -56,8 +58,22 @@ int compare(const ImageNumber& a, const ImageNumber& b) {
   return (left > right ? 1 : 0) - (left < right ? 1 : 0);
 }
 
-bool apart(const Image& image, const Face& f, const Face& g) {
-  return line_between(image, f, g) || line_between(image, g, f);
+Placement placement_of(const Image& image, const Face& first, const Face& second) {
+  bool covered = true;
+  for (std::size_t k = 0; k < second.lines.size(); ++k) {
+    if (second.inner_side[k] == 0) {
+      covered = false;
+      continue;
+    }
+    const Sides sides = sides_of(image, second, first, k);
+    if (!sides.inner) return Placement::apart;
+    covered = covered && !sides.outer;
+  }
+  if (covered) return Placement::covered;
+  for (std::size_t k = 0; k < first.lines.size(); ++k) {
+    if (first.inner_side[k] != 0 && !sides_of(image, first, second, k).inner) return Placement::apart;
+  }
+  return Placement::mixed;
 }
 
 std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
@@ -143,6 +159,10 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
     for (Int128& part : face.normal) part = -part;
     face.offset = -face.offset;
   }
+  std::size_t corners = 0;
+  for (const auto& ring : rings) corners += ring.size();
+  face.vertices.reserve(corners);
+  face.lines.reserve(corners);
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t next = ring[i + 1 == ring.size() ? 0 : i + 1];

@@ -64,9 +64,14 @@ struct FaceSet {
   std::optional<Window> window;          // what the regions are clipped to
 };
 
-// A line of one of the faces has its face to one side and the other face to the other, so that their images
-// have no area in common. Of convex faces with nothing in common this holds always.
-[[nodiscard]] bool apart(const Image& image, const Face& f, const Face& g);
+// What can be told of the images of two faces from the sides of lines that corners are on. Of convex faces,
+// without a window, all that are apart or covered are told.
+enum class Placement {
+  apart,    // no area in common
+  covered,  // the second has all of the first
+  mixed     // not known, else
+};
+[[nodiscard]] Placement placement_of(const Image& image, const Face& first, const Face& second);
 
 // Rings of vertices of the image, each ring a closed polygon in the plane of all.
 using Rings = std::vector<std::vector<std::uint32_t>>;

@@ -69,6 +69,10 @@ std::uint32_t Image::add_line(std::uint32_t from, std::uint32_t to) {
   line.b /= divisor;
   line.c /= divisor;
   line.approximate = {static_cast<double>(line.a), static_cast<double>(line.b), static_cast<double>(line.c)};
+  if (!line.horizontal()) {
+    line.slope = -line.approximate[1] / line.approximate[0];
+    line.intercept = -line.approximate[2] / line.approximate[0];
+  }
   lines_.push_back(line);
   return static_cast<std::uint32_t>(lines_.size() - 1);
 }
@@ -112,10 +116,7 @@ Ordinate Image::crossing(std::uint32_t line, std::uint32_t other) const {
   return {value - error, value + error, line, other};
 }
 
-int Image::compare(const Ordinate& a, const Ordinate& b) const {
-  if (a.first == b.first && a.second == b.second) return 0;
-  if (a.high < b.low) return -1;
-  if (a.low > b.high) return 1;
+int Image::compare_exactly(const Ordinate& a, const Ordinate& b) const {
   if (a.second == none && b.second == none) {
     const Int128 left = Int128{vertices_[a.first].y} * weight(b.first);
     const Int128 right = Int128{vertices_[b.first].y} * weight(a.first);
@@ -132,8 +133,9 @@ bool Image::made_by(std::uint32_t line, const Ordinate& y) const {
 }
 
 // At y, X = -(b y + c) / a for both, so that the difference has the sign of p y + q below.
-int Image::order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const {
-  if (line == other) return 0;
+int Image::order_exactly_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const {
+  // Nearly all that is not decided by now are lines at the point in which they meet.
+  if (line == other || (made_by(line, y) && made_by(other, y))) return 0;
   const auto& l = lines_[line].approximate;
   const auto& m = lines_[other].approximate;
   const Estimate p = difference_of_products(m[1], l[0], l[1], m[0]);
@@ -144,8 +146,6 @@ int Image::order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) 
                        4 * unit * (std::abs(p.value * middle) + std::abs(q.value));
   if (value > error) return 1;
   if (value < -error) return -1;
-  // Nearly all that is not decided by now are lines at the point in which they meet.
-  if (made_by(line, y) && made_by(other, y)) return 0;
   const ImageLine& el = lines_[line];
   const ImageLine& em = lines_[other];
   const Quotient at = exact(y);

@@ -17,13 +17,12 @@ using geometry::Point2;
 
 using Rings = std::vector<std::vector<Point2>>;
 
-// A face that can hide, in its own plane; coordinates doubled, so that middles of edges are integers.
+// A face that can hide.
 struct Hider {
   std::size_t body = 0;
+  const scene::PolyFace* face = nullptr;
   geometry::Plane plane;
-  int eye_side = 0;         // 0: edge-on
-  std::size_t dropped = 0;  // axis
-  Rings rings;
+  int eye_side = 0;  // 0: edge-on
 };
 
 Point2 doubled(const scene::PolyPoint& p, std::size_t dropped) {
@@ -48,19 +47,27 @@ Box box_of(const scene::PolyScene& scene, const std::vector<scene::VertexIndex>&
   return box;
 }
 
-Hider hider_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, const scene::PolyFace& face) {
-  Hider flat;
-  flat.plane.normal = scene::ring_normal(scene.vertices, face.outline);
-  flat.plane.offset = geometry::dot(flat.plane.normal, geometry::vector_of(scene.vertices[face.outline[0]]));
-  flat.eye_side = eye_side_of(flat.plane, camera);
-  flat.dropped = geometry::dominant_axis(flat.plane.normal);
+Box box_around(const std::vector<Box>& boxes) {
+  Box around = boxes[0];
+  for (const Box& box : boxes) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      around.low[a] = std::min(around.low[a], box.low[a]);
+      around.high[a] = std::max(around.high[a], box.high[a]);
+    }
+  }
+  return around;
+}
+
+// In the plane of the face, along an axis; coordinates doubled, so that middles of edges are integers.
+Rings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std::size_t dropped) {
+  Rings rings;
   const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
-    auto& points = flat.rings.emplace_back();
-    for (const scene::VertexIndex v : ring) points.push_back(doubled(scene.vertices[v], flat.dropped));
+    auto& points = rings.emplace_back();
+    for (const scene::VertexIndex v : ring) points.push_back(doubled(scene.vertices[v], dropped));
   };
   add(face.outline);
   for (const auto& hole : face.holes) add(hole);
-  return flat;
+  return rings;
 }
 
 bool inside(const Rings& rings, const Point2& p) {
@@ -76,12 +83,15 @@ bool crosses(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 
 // Some of the segment may be in the inside of the face: an end or the middle, or it crosses the outline, or
 // passes a corner of it.
-bool may_run_inside(const Hider& face, const scene::PolyPoint& from, const scene::PolyPoint& to) {
-  const Point2 a = doubled(from, face.dropped);
-  const Point2 b = doubled(to, face.dropped);
+bool may_run_inside(const scene::PolyScene& scene, const Hider& hider, const scene::PolyPoint& from,
+                    const scene::PolyPoint& to) {
+  const std::size_t dropped = geometry::dominant_axis(hider.plane.normal);
+  const Rings rings = flattened(scene, *hider.face, dropped);
+  const Point2 a = doubled(from, dropped);
+  const Point2 b = doubled(to, dropped);
   const Point2 middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2};
-  if (inside(face.rings, a) || inside(face.rings, b) || inside(face.rings, middle)) return true;
-  for (const auto& ring : face.rings) {
+  if (inside(rings, a) || inside(rings, b) || inside(rings, middle)) return true;
+  for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point2& c = ring[i];
       const bool passes = c != a && c != b && geometry::on_segment(a, b, c);
@@ -97,29 +107,44 @@ class LoneEdges {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       const scene::PolyBody& body = scene.bodies[b];
       for (const scene::PolyFace& face : body.faces) {
-        Hider hider = hider_of(scene, camera, face);
-        hider.body = b;
+        Hider hider{b, &face, plane_of(face), 0};
+        hider.eye_side = eye_side_of(hider.plane, camera);
         if (body.sheet && hider.eye_side == 0)
           for_each_edge(face, [this](VertexIndex from, VertexIndex to) { add(from, to); });
         if (hider.eye_side == 0 || (!body.sheet && hider.eye_side < 0)) continue;
-        hiders_.push_back(std::move(hider));
+        hiders_.push_back(hider);
         boxes_.push_back(box_of(scene, face.outline));
       }
     }
   }
 
+  // Most bodies touch few faces of others, or none.
   void add_behind_faces() {
+    constexpr std::size_t few = 8;
     const geometry::BoxTree tree(boxes_);
+    std::vector<Box> face_boxes;
+    std::vector<std::uint32_t> near;
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-      for (const scene::PolyFace& face : scene_.bodies[b].faces) {
-        const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
-        tree.for_each_touching(box_of(scene_, face.outline), [&](std::uint32_t number) {
-          const Hider& hider = hiders_[number];
-          if (hider.body == b && !scene_.bodies[b].sheet) return;
-          for_each_edge(face, [&](VertexIndex from, VertexIndex to) {
-            if (touches_back(hider, normal, from, to)) add(from, to);
-          });
-        });
+      const scene::PolyBody& body = scene_.bodies[b];
+      if (body.faces.empty()) continue;
+      const auto may_hide = [&](std::uint32_t number) { return hiders_[number].body != b || body.sheet; };
+      face_boxes.clear();
+      for (const scene::PolyFace& face : body.faces) face_boxes.push_back(box_of(scene_, face.outline));
+      near.clear();
+      tree.for_each_touching(box_around(face_boxes), [&](std::uint32_t number) {
+        if (may_hide(number)) near.push_back(number);
+      });
+      if (near.empty()) continue;
+      for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, body.faces[f].outline);
+        const auto add_if_behind = [&](std::uint32_t number) {
+          if (may_hide(number)) add_behind(hiders_[number], body.faces[f], normal);
+        };
+        if (near.size() > few) {
+          tree.for_each_touching(face_boxes[f], add_if_behind);
+        } else {
+          for (const std::uint32_t number : near) add_if_behind(number);
+        }
       }
     }
   }
@@ -142,6 +167,18 @@ class LoneEdges {
     for (const auto& hole : face.holes) walk(hole);
   }
 
+  [[nodiscard]] geometry::Plane plane_of(const scene::PolyFace& face) const {
+    const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
+    return {normal, geometry::dot(normal, geometry::vector_of(scene_.vertices[face.outline[0]]))};
+  }
+
+  // Edges of a face that touch the back of a hider.
+  void add_behind(const Hider& hider, const scene::PolyFace& face, const geometry::Vector3& normal) {
+    for_each_edge(face, [&](VertexIndex from, VertexIndex to) {
+      if (touches_back(hider, normal, from, to)) add(from, to);
+    });
+  }
+
   // The edge lies in the plane, and the face to the left of it is beyond it there.
   [[nodiscard]] bool touches_back(const Hider& hider, const geometry::Vector3& normal, VertexIndex from,
                                   VertexIndex to) const {
@@ -151,7 +188,7 @@ class LoneEdges {
     const geometry::Vector3 inward = geometry::cross(normal, geometry::difference(b, a));
     geometry::Int128 beyond = 0;  // 40 and 60 bits
     for (std::size_t k = 0; k < 3; ++k) beyond += geometry::Int128{inward[k]} * hider.plane.normal[k];
-    return (beyond > 0 ? 1 : beyond < 0 ? -1 : 0) * hider.eye_side < 0 && may_run_inside(hider, a, b);
+    return (beyond > 0 ? 1 : beyond < 0 ? -1 : 0) * hider.eye_side < 0 && may_run_inside(scene_, hider, a, b);
   }
 
   void add(VertexIndex from, VertexIndex to) {

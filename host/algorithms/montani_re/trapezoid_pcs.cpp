@@ -6,136 +6,134 @@
 #include <utility>
 
 namespace sightline::algorithms::montani_re {
-namespace {
 
-class Combination {
- public:
-  Combination(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b, Operation operation)
-      : image_(image), a_(a), b_(b), operation_(operation) {}
+void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
+  result_.bands.clear();
+  result_.sides.clear();
+  run(a, b);
+  std::swap(a, result_);
+}
 
-  TrapezoidPcs run() {
-    std::size_t i = 0;
-    std::size_t j = 0;
-    const Ordinate* reached = nullptr;
-    while (i < a_.bands.size() || j < b_.bands.size()) {
-      const bool need_a = operation_ != Operation::unite && i == a_.bands.size();
-      const bool need_b = operation_ == Operation::intersect && j == b_.bands.size();
-      if (need_a || need_b) break;
-      const Band* a = i < a_.bands.size() ? &a_.bands[i] : nullptr;
-      const Band* b = j < b_.bands.size() ? &b_.bands[j] : nullptr;
-      const Ordinate* from_a = a == nullptr ? nullptr : later(a->low, reached);
-      const Ordinate* from_b = b == nullptr ? nullptr : later(b->low, reached);
-      const int first = from_a == nullptr ? 1 : from_b == nullptr ? -1 : image_.compare(*from_a, *from_b);
-      const bool in_a = first <= 0;
-      const bool in_b = first >= 0;
-      const Ordinate* low = in_a ? from_a : from_b;
-      const Ordinate* high = earlier(a == nullptr ? nullptr
-                                     : in_a       ? &a->high
-                                                  : &a->low,
-                                     b == nullptr ? nullptr
-                                     : in_b       ? &b->high
-                                                  : &b->low);
-      append(*low, *high, in_a ? a_.sides_of(*a) : std::span<const Side>{},
-             in_b ? b_.sides_of(*b) : std::span<const Side>{});
-      if (in_a && image_.compare(a->high, *high) == 0) ++i;
-      if (in_b && image_.compare(b->high, *high) == 0) ++j;
-      reached = high;
+void Combiner::run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const Ordinate* reached = nullptr;
+  while (i < a_pcs.bands.size() || j < b_pcs.bands.size()) {
+    const bool need_a = operation_ != Operation::unite && i == a_pcs.bands.size();
+    const bool need_b = operation_ == Operation::intersect && j == b_pcs.bands.size();
+    if (need_a || need_b) break;
+    const Band* a = i < a_pcs.bands.size() ? &a_pcs.bands[i] : nullptr;
+    const Band* b = j < b_pcs.bands.size() ? &b_pcs.bands[j] : nullptr;
+    const Ordinate* from_a = a == nullptr ? nullptr : later(a->low, reached);
+    const Ordinate* from_b = b == nullptr ? nullptr : later(b->low, reached);
+    const int first = from_a == nullptr ? 1 : from_b == nullptr ? -1 : image_.compare(*from_a, *from_b);
+    const bool in_a = first <= 0;
+    const bool in_b = first >= 0;
+    const Ordinate* low = in_a ? from_a : from_b;
+    const Ordinate* high = earlier(a == nullptr ? nullptr
+                                   : in_a       ? &a->high
+                                                : &a->low,
+                                   b == nullptr ? nullptr
+                                   : in_b       ? &b->high
+                                                : &b->low);
+    append(*low, *high, in_a ? a_pcs.sides_of(*a) : std::span<const Side>{},
+           in_b ? b_pcs.sides_of(*b) : std::span<const Side>{});
+    if (in_a && image_.compare(a->high, *high) == 0) ++i;
+    if (in_b && image_.compare(b->high, *high) == 0) ++j;
+    reached = high;
+  }
+}
+
+const Ordinate* Combiner::later(const Ordinate& low, const Ordinate* reached) const {
+  return reached != nullptr && image_.compare(*reached, low) > 0 ? reached : &low;
+}
+
+const Ordinate* Combiner::earlier(const Ordinate* one, const Ordinate* other) const {
+  if (one == nullptr || other == nullptr) return one == nullptr ? other : one;
+  return image_.compare(*one, *other) <= 0 ? one : other;
+}
+
+void Combiner::append(const Ordinate& low, const Ordinate& high, std::span<const Side> a,
+                      std::span<const Side> b) {
+  if (a.empty() && operation_ != Operation::unite) return;
+  if (b.empty() && operation_ == Operation::intersect) return;
+  if (a.empty() || b.empty()) {
+    append_band(image_, result_, low, high, a.empty() ? b : a);
+    return;
+  }
+  Ordinate from = low;
+  for (;;) {
+    merge(from, high, a, b);
+    const Ordinate* crossing = nullptr;
+    Ordinate lowest;
+    for (std::size_t k = 0; k + 1 < row_.size(); ++k) {
+      const std::uint32_t west = row_[k].side.line;
+      const std::uint32_t east = row_[k + 1].side.line;
+      if (row_[k].of_a == row_[k + 1].of_a || image_.order_at(west, east, high) <= 0) continue;
+      const Ordinate here = image_.crossing(west, east);
+      if (crossing == nullptr || image_.compare(here, lowest) < 0) lowest = here;
+      crossing = &lowest;
     }
-    return std::move(result_);
+    toggle(from, high);
+    append_band(image_, result_, from, crossing != nullptr ? lowest : high, out_);
+    if (crossing == nullptr) return;
+    from = lowest;
   }
+}
 
- private:
-  struct Member {
-    Side side;
-    bool of_a = false;
-  };
-
-  [[nodiscard]] const Ordinate* later(const Ordinate& low, const Ordinate* reached) const {
-    return reached != nullptr && image_.compare(*reached, low) > 0 ? reached : &low;
-  }
-  [[nodiscard]] const Ordinate* earlier(const Ordinate* one, const Ordinate* other) const {
-    if (one == nullptr || other == nullptr) return one == nullptr ? other : one;
-    return image_.compare(*one, *other) <= 0 ? one : other;
-  }
-
-  void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b) {
-    if (a.empty() && operation_ != Operation::unite) return;
-    if (b.empty() && operation_ == Operation::intersect) return;
-    if (a.empty() || b.empty()) {
-      append_band(image_, result_, low, high, a.empty() ? b : a);
-      return;
+// Both rows in the order just above `from`.
+void Combiner::merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a,
+                     std::span<const Side> b) {
+  row_.resize(a.size() + b.size());
+  std::size_t i = 0;
+  std::size_t j = 0;
+  bool coincide = false;
+  while (i < a.size() || j < b.size()) {
+    bool take_a = j == b.size();
+    bool equal = false;
+    if (!take_a && i < a.size()) {
+      int order = image_.order_at(a[i].line, b[j].line, from);
+      if (order == 0) order = image_.order_at(a[i].line, b[j].line, high);
+      take_a = order <= 0;
+      equal = order == 0;
     }
-    Ordinate from = low;
-    for (;;) {
-      merge(from, high, a, b);
-      const Ordinate* crossing = nullptr;
-      Ordinate lowest;
-      for (std::size_t k = 0; k + 1 < row_.size(); ++k) {
-        const std::uint32_t west = row_[k].side.line;
-        const std::uint32_t east = row_[k + 1].side.line;
-        if (row_[k].of_a == row_[k + 1].of_a || image_.order_at(west, east, high) <= 0) continue;
-        const Ordinate here = image_.crossing(west, east);
-        if (crossing == nullptr || image_.compare(here, lowest) < 0) lowest = here;
-        crossing = &lowest;
+    row_[i + j] = {take_a ? a[i] : b[j], take_a, coincide};
+    ++(take_a ? i : j);
+    coincide = equal;
+  }
+}
+
+// The sides of the result: sides that coincide are passed at once.
+void Combiner::toggle(const Ordinate& from, const Ordinate& high) {
+  out_.clear();
+  bool in_a = false;
+  bool in_b = false;
+  for (std::size_t k = 0; k < row_.size();) {
+    const bool before = kept(operation_, in_a, in_b);
+    std::size_t end = k;
+    const Member* side = &row_[k];
+    bool own = false;
+    do {
+      (row_[end].of_a ? in_a : in_b) ^= true;
+      if (row_[end].of_a) {
+        side = &row_[end];
+        own = own || row_[end].side.own;
       }
-      toggle(from, high);
-      append_band(image_, result_, from, crossing != nullptr ? lowest : high, out_);
-      if (crossing == nullptr) return;
-      from = lowest;
-    }
+      ++end;
+    } while (end < row_.size() && coincides(end, from, high));
+    if (kept(operation_, in_a, in_b) != before) out_.push_back({side->side.line, own});
+    k = end;
   }
+}
 
-  // Both rows in the order just above `from`.
-  void merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a, std::span<const Side> b) {
-    row_.clear();
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() || j < b.size()) {
-      bool take_a = j == b.size();
-      if (!take_a && i < a.size()) {
-        int order = image_.order_at(a[i].line, b[j].line, from);
-        if (order == 0) order = image_.order_at(a[i].line, b[j].line, high);
-        take_a = order <= 0;
-      }
-      row_.push_back(take_a ? Member{a[i], true} : Member{b[j], false});
-      ++(take_a ? i : j);
-    }
-  }
-
-  // The sides of the result: sides that coincide are passed at once.
-  void toggle(const Ordinate& from, const Ordinate& high) {
-    out_.clear();
-    bool in_a = false;
-    bool in_b = false;
-    for (std::size_t k = 0; k < row_.size();) {
-      const bool before = kept(operation_, in_a, in_b);
-      std::size_t end = k;
-      const Member* side = &row_[k];
-      bool own = false;
-      do {
-        (row_[end].of_a ? in_a : in_b) ^= true;
-        if (row_[end].of_a) {
-          side = &row_[end];
-          own = own || row_[end].side.own;
-        }
-        ++end;
-      } while (end < row_.size() && image_.order_at(row_[k].side.line, row_[end].side.line, from) == 0 &&
-               image_.order_at(row_[k].side.line, row_[end].side.line, high) == 0);
-      if (kept(operation_, in_a, in_b) != before) out_.push_back({side->side.line, own});
-      k = end;
-    }
-  }
-
-  const Image& image_;
-  const TrapezoidPcs& a_;
-  const TrapezoidPcs& b_;
-  Operation operation_;
-  TrapezoidPcs result_;
-  std::vector<Member> row_;
-  std::vector<Side> out_;
-};
-
-}  // namespace
+// A side with the one before it.
+bool Combiner::coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const {
+  const Member& west = row_[k - 1];
+  const Member& east = row_[k];
+  if (west.of_a != east.of_a) return east.coincides;
+  return image_.order_at(west.side.line, east.side.line, from) == 0 &&
+         image_.order_at(west.side.line, east.side.line, high) == 0;
+}
 
 void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
                  std::span<const Side> sides) {
@@ -162,6 +160,8 @@ TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> li
   };
   std::vector<Span> spans;
   std::vector<Ordinate> levels;
+  spans.reserve(lines.size());
+  levels.reserve(2 * lines.size());
   for (const std::uint32_t line : lines) {
     if (image.lines()[line].horizontal()) continue;
     Span span{line, image.ordinate_of(image.lines()[line].from), image.ordinate_of(image.lines()[line].to)};
@@ -177,7 +177,10 @@ TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> li
                   [&image](const Ordinate& a, const Ordinate& b) { return image.compare(a, b) == 0; }),
       levels.end());
   TrapezoidPcs pcs;
+  pcs.bands.reserve(levels.size());
+  pcs.sides.reserve(2 * levels.size());
   std::vector<Side> sides;
+  sides.reserve(spans.size());
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
     sides.clear();
     for (const Span& span : spans) {
@@ -195,7 +198,9 @@ TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> li
 }
 
 TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b, Operation operation) {
-  return Combination(image, a, b, operation).run();
+  TrapezoidPcs result = a;
+  Combiner{image, operation}(result, b);
+  return result;
 }
 
 std::vector<TrapezoidPcs> components(const Image& image, const TrapezoidPcs& pcs) {

@@ -60,7 +60,36 @@ enum class Operation { unite, intersect, subtract };
   }
   return false;
 }
-// A side is own in the result if it is one of a's.
+
+// a becomes the result. A side is own in it if it is one of a's. One combiner is for many operations in turn,
+// which is faster than as many calls of combine().
+class Combiner {
+ public:
+  Combiner(const Image& image, Operation operation) : image_(image), operation_(operation) {}
+
+  void operator()(TrapezoidPcs& a, const TrapezoidPcs& b);
+
+ private:
+  struct Member {
+    Side side;
+    bool of_a = false;
+    bool coincides = false;  // with the one before, if that is of the other region
+  };
+
+  void run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs);
+  void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
+  void merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
+  void toggle(const Ordinate& from, const Ordinate& high);
+  [[nodiscard]] bool coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const;
+  [[nodiscard]] const Ordinate* later(const Ordinate& low, const Ordinate* reached) const;
+  [[nodiscard]] const Ordinate* earlier(const Ordinate* one, const Ordinate* other) const;
+
+  const Image& image_;
+  Operation operation_;
+  TrapezoidPcs result_;
+  std::vector<Member> row_;
+  std::vector<Side> out_;
+};
 [[nodiscard]] TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b,
                                    Operation operation);
 

@@ -44,11 +44,31 @@ class CycleCutter {
   std::vector<double> areas_;  // of what both cover; negative: not known yet
 };
 
-void subtract(const FaceSet& set, TrapezoidPcs& region, const TrapezoidPcs& other, RegionCounts& counts) {
-  if (region.empty()) return;
-  ++counts.subtractions;
-  region = combine(set.image, region, other, Operation::subtract);
-}
+// Takes regions away from others, and counts that.
+class Subtraction {
+ public:
+  Subtraction(const FaceSet& set, RegionCounts& counts)
+      : set_(set), counts_(counts), subtract_(set.image, Operation::subtract) {}
+
+  void operator()(TrapezoidPcs& region, const TrapezoidPcs& other) {
+    if (region.empty()) return;
+    ++counts_.subtractions;
+    subtract_(region, other);
+  }
+  // What is left of a face, and another face.
+  void operator()(TrapezoidPcs& region, std::uint32_t face, std::uint32_t near) {
+    if (region.empty()) return;
+    const Placement placement = placement_of(set_.image, set_.faces[face], set_.faces[near]);
+    if (placement == Placement::mixed) return (*this)(region, set_.faces[near].pcs);
+    ++counts_.subtractions;
+    if (placement == Placement::covered) region = {};
+  }
+
+ private:
+  const FaceSet& set_;
+  RegionCounts& counts_;
+  Combiner subtract_;
+};
 
 // Every face less those before it in the list that are its neighbours in the relations, nearest first.
 void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result) {
@@ -61,26 +81,21 @@ void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations,
   for (const Relation& relation : relations) {
     if (rank[relation.near] < rank[relation.far]) before[relation.far].push_back(relation.near);
   }
+  Subtraction subtract(set, result.counts);
   for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
     std::sort(before[face].begin(), before[face].end(),
               [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
-    for (const std::uint32_t near : before[face]) {
-      TrapezoidPcs& region = result.regions[face];
-      if (!region.empty() && apart(set.image, set.faces[face], set.faces[near])) {
-        ++result.counts.subtractions;  // that leaves all
-      } else {
-        subtract(set, region, set.faces[near].pcs, result.counts);
-      }
-    }
+    for (const std::uint32_t near : before[face]) subtract(result.regions[face], face, near);
   }
 }
 
 void hide_by_silhouette(const FaceSet& set, VisibleRegions& result) {
   TrapezoidPcs silhouette;
+  Subtraction subtract(set, result.counts);
   for (const PriorityClass& members : result.list.classes()) {
     for (const std::uint32_t face : members) {
       TrapezoidPcs& region = result.regions[face];
-      subtract(set, region, silhouette, result.counts);
+      subtract(region, silhouette);
       silhouette = combine(set.image, silhouette, region, Operation::unite);
     }
   }
@@ -111,14 +126,15 @@ ListedFaces listed_faces(const FaceSet& set) {
   result.list =
       priority_list(static_cast<std::uint32_t>(set.faces.size()), result.relations,
                     [&cutter](std::span<const std::uint32_t> on_cycles) { return cutter(on_cycles); });
+  result.faces.reserve(set.faces.size());
   for (const Face& face : set.faces) result.faces.push_back(face.pcs);
+  Subtraction subtract(set, result.counts);
   for (const std::uint32_t r : cutter.cut) {
     const Relation& relation = result.relations[r];
-    subtract(set, result.faces[relation.far], set.faces[relation.near].pcs, result.counts);
+    subtract(result.faces[relation.far], relation.far, relation.near);
   }
   result.counts.mutual_parts = depth.hidden.size();
-  for (const HiddenPart& part : depth.hidden)
-    subtract(set, result.faces[part.face], part.part, result.counts);
+  for (const HiddenPart& part : depth.hidden) subtract(result.faces[part.face], part.part);
   return result;
 }
 
