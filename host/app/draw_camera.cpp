@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/aim_camera.hpp"
 #include "host/scene/eye_place.hpp"
 #include "host/scene/poly_bounds.hpp"
 
@@ -58,14 +57,6 @@ void refuse_together(const CameraArguments& arguments) {
     throw Failure(ExitCode::usage, "expected --forward, --right and --up together, or none of them");
 }
 
-scene::SceneFrame frame_argument(const std::string& text, const scene::PolyCamera& camera) {
-  scene::SceneFrame frame = frame_of(camera);
-  if (text.empty()) return frame;
-  frame.downwards = text.size() == 2;
-  frame.vertical = static_cast<std::size_t>(text.back() - 'x');
-  return frame;
-}
-
 scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCamera camera) {
   camera.forward = direction_argument("--forward", arguments.forward, scene::camera_vector_limit);
   camera.right = direction_argument("--right", arguments.right, scene::camera_vector_limit);
@@ -83,7 +74,7 @@ scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCam
 }
 
 scene::PolyCamera aimed(const CameraArguments& arguments, const scene::PolyScene& scene) {
-  const scene::SceneFrame frame = frame_argument(arguments.vertical, scene.camera);
+  const scene::SceneFrame frame = frame_of(arguments, scene);
   if (!arguments.orthographic.empty()) {
     return aimed_camera(
         frame, bounds_of(scene).middle(),
@@ -126,6 +117,14 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}))
       ->type_name("AXIS")
       ->group("View");
+}
+
+scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene) {
+  scene::SceneFrame frame = scene::frame_of(scene.camera);
+  if (arguments.vertical.empty()) return frame;
+  frame.downwards = arguments.vertical.size() == 2;
+  frame.vertical = static_cast<std::size_t>(arguments.vertical.back() - 'x');
+  return frame;
 }
 
 scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,

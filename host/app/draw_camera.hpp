@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/app/command.hpp"
+#include "host/scene/aim_camera.hpp"
 #include "host/scene/poly_scene.hpp"
 
 namespace sightline::app {
@@ -27,6 +28,10 @@ inline constexpr const char* camera_help =
     "what\na unit stands for). Without options the scene is looked at as its file says, or from above and "
     "one side. "
     "--eye\nalone looks at the middle of the scene, or, from inside it, the way the scene's own view does.\n";
+
+// How the scene's coordinates are meant: as --vertical says, else as the scene's own camera does. Not as the
+// camera asked for: one that looks steeply down has the horizontal for its up.
+[[nodiscard]] scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene);
 
 // The scene's own camera changed as the options say; in free space, unless the camera is orthographic.
 // `source` names the scene in errors. Failure usage: options that contradict each other or are no vectors.

@@ -17,7 +17,6 @@
 #include "host/app/face_shades.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/picture/apng.hpp"
-#include "host/scene/aim_camera.hpp"
 #include "host/scene/eye_place.hpp"
 #include "host/scene/poly_bounds.hpp"
 
@@ -84,8 +83,8 @@ void name_not_solved(const harness::PreparedFaces& prepared) {
 }
 
 // Once around the middle of the scene at the eye's height and distance, looking at it.
-scene::PolyCamera camera_around(const scene::PolyCamera& start, const scene::PolyPoint& middle, double part) {
-  const scene::SceneFrame frame = scene::frame_of(start);
+scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::PolyCamera& start,
+                                const scene::PolyPoint& middle, double part) {
   const std::size_t u = (frame.vertical + 1) % 3;
   const std::size_t v = (frame.vertical + 2) % 3;
   const double angle = 2 * std::numbers::pi * part;
@@ -103,10 +102,12 @@ picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& sourc
                    const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
                    const harness::FaceWindow& window) {
   const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
+  const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   const auto shades = face_shades(source.scene);
   picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
   for (int i = 0; i < arguments.frames; ++i) {
-    const scene::PolyCamera camera = camera_around(start, middle, static_cast<double>(i) / arguments.frames);
+    const scene::PolyCamera camera =
+        camera_around(frame, start, middle, static_cast<double>(i) / arguments.frames);
     bool below = true;
     for (const std::int32_t c : camera.eye) below = below && std::abs(c) < scene::poly_coordinate_limit;
     std::optional<scene::SceneError> error;
@@ -114,7 +115,8 @@ picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& sourc
     if (!below || error) {
       throw Failure(ExitCode::bad_input,
                     fmt::format("{}: frame {} of the flight: {}", source.name, i,
-                                error ? error->message() : "the eye leaves the coordinates there are"));
+                                error ? error->message() + "; --eye says where the flight begins"
+                                      : std::string("the eye leaves the coordinates there are")));
     }
     const auto view = faces_checked(prepared.view(camera, window), source);
     const auto added =
@@ -172,7 +174,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
   Output file(arguments.output);
   harness::FaceOptions options = arguments.options;
-  options.vertical = scene::frame_of(camera).vertical;
+  options.vertical = frame_of(arguments.camera, source.scene).vertical;
   const auto prepared = faces_checked(algorithm.prepare(source.scene, options), source);
   name_not_solved(prepared);
   constexpr double usual_field = 60;
@@ -223,8 +225,10 @@ void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, 
   command.add_option("--depth", arguments->options.depth, "Cut no surface more often than this")
       ->check(CLI::Range(0, 1000))
       ->default_str("30");
-  command.add_flag("--plan", arguments->options.plan,
-                   "Measure in plan, as the paper does: walls only, seen from between their feet and tops");
+  command.add_flag(
+      "--plan", arguments->options.plan,
+      "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between "
+      "their feet and tops");
   command.add_flag("--rule90", arguments->options.rule90,
                    "The paper's rule that normals be within 90 degrees, which is wrong");
   command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");

@@ -15,9 +15,9 @@ std::optional<std::string> plan_error(const Model& model, const scene::PolyCamer
   const std::int32_t height = camera.eye[model.vertical];
   for (const Surface& wall : model.pieces) {
     if (height >= wall.low && height <= wall.high) continue;
-    return "in plan the eye is between the feet and the tops of all walls: found height " +
-           std::to_string(height) + ", expected " + std::to_string(wall.low) + " to " +
-           std::to_string(wall.high);
+    return std::string("in plan the eye is between the feet and the tops of all walls: found ") +
+           "xyz"[model.vertical] + " = " + std::to_string(height) + ", expected " + std::to_string(wall.low) +
+           " to " + std::to_string(wall.high) + " of a wall";
   }
   return std::nullopt;
 }

@@ -90,6 +90,26 @@ TEST_F(WillisCommand, APlanNeedsFewerPieces) {
   expect_refused(4, "triangles-5", "t.png", {"--plan"}, "body 0 face 0");
 }
 
+// The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from among the
+// roofs, more down than forward.
+TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
+  const Arguments steep{"--eye", "9973,701,-4001", "--look-at", "9973,-20000,9000"};
+  Arguments plan = steep;
+  plan.emplace_back("--plan");
+  EXPECT_EQ(summary("prisms-9", "steep.png", plan)["model"]["surfaces"], 36);
+  expect_refused(4, "prisms-9", "t.png", {"--plan", "--vertical", "z"}, "body 0 face 0");
+  expect_refused(4, "prisms-9", "t.png", {"--plan", "--eye", "9973,9701,-4001"},
+                 "found y = 9701, expected 0 to ");
+
+  // The frames of a flight are level pictures: had it turned about another axis, it would have met the ground.
+  Arguments flight = steep;
+  flight.insert(flight.end(), {"--frames", "6", "--pixels", "40x40"});
+  EXPECT_EQ(draw("prisms-9", "level.apng", flight).exit_code, 0);
+  EXPECT_EQ(draw("prisms-9", "same.apng", {"--eye", "9973,701,-4001", "--frames", "6", "--pixels", "40x40"}).exit_code,
+            0);
+  EXPECT_EQ(read("level.apng"), read("same.apng")) << "a flight looks at the middle of the scene";
+}
+
 TEST_F(WillisCommand, WhatIsLeftOverIsNamedAndDrawnAllTheSame) {
   const auto uncut = draw("boxes-8", "c.png", {"--depth", "0", "--json"});
   EXPECT_EQ(uncut.exit_code, 0);
