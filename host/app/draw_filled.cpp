@@ -93,6 +93,7 @@ ExitCode draw_filled(const harness::FaceAlgorithm& algorithm, const FillArgument
   if (format == DrawingFormat::hpgl)
     throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
+  if (format == DrawingFormat::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
   harness::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = filled_checked(algorithm.prepare(picture.source.scene, options), picture.source);

@@ -149,6 +149,7 @@ ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArgume
     return draw_filled(*harness::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, camera, arguments.field, arguments.output, arguments.json}, format);
   }
+  Output file(arguments.output.file);
   const harness::LineView view = view_of(algorithm, source, camera);
   picture::LinePicture drawn = view.picture;
   picture::LinePicture edges = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
@@ -158,7 +159,7 @@ ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArgume
   }
   write_drawing(picture::line_drawing(drawn, source.scene, camera, field_of(arguments, format),
                                       arguments.hidden ? &edges : nullptr),
-                arguments.output, format, source.name);
+                arguments.output, format, source.name, file);
   if (arguments.json) print_summary(algorithm, arguments, source, camera, view, drawn.pieces.size());
   return ExitCode::ok;
 }

@@ -36,9 +36,31 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
                 fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
 }
 
+std::optional<DrawingFormat> format_of(const std::string& file) {
+  const std::size_t dot = file.rfind('.');
+  std::string ending = dot == std::string::npos ? std::string() : file.substr(dot);
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".svg") return DrawingFormat::svg;
+  if (ending == ".png") return DrawingFormat::png;
+  if (ending == ".plt" || ending == ".hpgl") return DrawingFormat::hpgl;
+  return std::nullopt;
+}
+
+void refuse_sizes_of_others(const DrawOutput& output, DrawingFormat format) {
+  constexpr std::string_view on_paper = "a name that ends in .svg, .plt or .hpgl";
+  if (format != DrawingFormat::png) {
+    refuse_option(output, "--pixels", "a name that ends in .png");
+  } else {
+    refuse_option(output, "--size", on_paper);
+    refuse_option(output, "--margin", on_paper);
+  }
+  if (format != DrawingFormat::svg) refuse_option(output, "--pen", "a name that ends in .svg");
+}
+
 }  // namespace
 
 void add_draw_output_options(CLI::App& command, DrawOutput& output) {
+  output.command = &command;
   command
       .add_option("-o,--output", output.file,
                   "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
@@ -60,7 +82,17 @@ void add_draw_output_options(CLI::App& command, DrawOutput& output) {
       ->type_name("WxH");
 }
 
+void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
+  if (output.command->count(option) > 0)
+    throw Failure(ExitCode::usage, fmt::format("{}: found without {}", option, needed));
+}
+
 DrawingFormat settled(DrawOutput& output) {
+  const auto format = format_of(output.file);
+  if (!format)
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: expected a name that ends in .svg, .png, .plt or .hpgl", output.file));
+  refuse_sizes_of_others(output, *format);
   const auto [width, height] = size_argument("--size", output.size, static_cast<int>(widest_paper));
   output.paper.width = width;
   output.paper.height = height;
@@ -76,17 +108,13 @@ DrawingFormat settled(DrawOutput& output) {
   const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
   output.image.width = columns;
   output.image.height = rows;
-  const auto ends = [&](std::string_view ending) { return output.file.ends_with(ending); };
-  if (ends(".svg")) return DrawingFormat::svg;
-  if (ends(".png")) return DrawingFormat::png;
-  if (ends(".plt") || ends(".hpgl")) return DrawingFormat::hpgl;
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: expected a name that ends in .svg, .png, .plt or .hpgl", output.file));
+  return *format;
 }
 
 void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
-                   const std::string& title) {
-  Output file(output.file);
+                   const std::string& title, Output& file) {
+  if (drawing.lines.empty() && drawing.facets.empty())
+    warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
   if (format == DrawingFormat::svg) {
     file.write(std::string_view(svg_of(drawing, output.paper, title)));
   } else if (format == DrawingFormat::hpgl) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host/app/command.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -12,6 +13,7 @@ namespace sightline::app {
 enum class DrawingFormat { svg, png, hpgl };
 
 struct DrawOutput {
+  const CLI::App* command = nullptr;  // whose options these are
   std::string file;
   picture::Paper paper;          // SVG and HP-GL
   std::string size = "200x200";  // of the paper, millimetres
@@ -22,11 +24,16 @@ struct DrawOutput {
 // --output, --size, --margin, --pen, --pixels.
 void add_draw_output_options(CLI::App& command, DrawOutput& output);
 
-// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl. Failure usage.
+// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, in small or capital letters. Failure
+// usage, also of a size that the format does not have.
 [[nodiscard]] DrawingFormat settled(DrawOutput& output);
 
-// The file is there whole or not at all. Failure io.
+// Failure usage if `option` was given: it means nothing without what `needed` names.
+void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
+
+// Into output.file, opened before the drawing was made. It is there whole or not at all. Failure io. A
+// drawing of nothing is warned about.
 void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
-                   const std::string& title);
+                   const std::string& title, Output& file);
 
 }  // namespace sightline::app

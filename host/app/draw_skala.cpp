@@ -31,8 +31,10 @@ constexpr const char* draw_skala_examples =
     "      a shaded surface\n\n"
     "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) "
     "or a "
-    "file: CSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole. --slices and "
-    "--points say how finely\na function is sampled; a file has its own size. The drawing is stretched to "
+    "file: CSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole; or gnuplot's x y "
+    "z "
+    "blocks, the least y in front. --slices and --points say how finely\na function is sampled; a file has "
+    "its own size. The drawing is stretched to "
     "the "
     "paper.\n";
 
@@ -87,9 +89,14 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   const DrawingFormat format = settled(arguments.output);
   if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
     throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
+  if (view.subject != Subject::contours) {
+    refuse_option(arguments.output, "--levels", "--picture contours");
+    refuse_option(arguments.output, "--net", "--picture contours");
+  }
   const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
+  Output file(arguments.output.file);
   const picture::VectorDrawing drawing = algorithms::skala::draw(function.grid, view);
-  write_drawing(drawing, arguments.output, format, function.name);
+  write_drawing(drawing, arguments.output, format, function.name, file);
   if (arguments.json) print_skala_drawing(arguments, function, drawing);
   return ExitCode::ok;
 }
