@@ -22,9 +22,10 @@ std::string_view link_name(harness::SkalaLink link) {
   return link == harness::SkalaLink::serial ? "serial" : "parallel";
 }
 
-// The paper gives both figures for lines on a raster display.
+// The paper gives both figures for lines on a raster display, 60 slices of 33 points.
 bool in_the_paper(const SkalaOrder& order) {
-  return order.view.picture == harness::SkalaPicture::lines && is_raster(order.view.device);
+  return order.view.picture == harness::SkalaPicture::lines && is_raster(order.view.device) &&
+         order.view.visibility && order.grid.slices() == 60 && order.grid.points() == 33;
 }
 
 std::string plotter_lines(const SkalaOrder& order, const SkalaOutcome& outcome) {

@@ -53,6 +53,18 @@ TEST_F(SkalaCommand, WritesAPictureAndSaysWhatItCost) {
   EXPECT_EQ(picture.channels, 3);
 }
 
+// A figure of the paper stands only beside the picture it was given for.
+TEST_F(SkalaCommand, ThePapersFiguresAreOfItsPicture) {
+  const std::vector<Arguments> others{{"skala", "lines", "sinc", "--slices", "20"},
+                                      {"skala", "lines", "sinc", "--no-visibility"},
+                                      {"skala", "lines", "sinc", "--device", "minigraf"}};
+  for (const Arguments& other : others) {
+    const Ran ran = sightline(other);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_FALSE(has(ran.out, "the paper")) << ran.out;
+  }
+}
+
 TEST_F(SkalaCommand, JsonFields) {
   const json r = report({"lines", "rogers", "--slices", "20", "--points", "17"});
   EXPECT_EQ(r.at("schema"), "sightline/skala/1");
