@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <system_error>
 
 namespace sightline::app {
@@ -103,6 +104,15 @@ std::uint32_t octal_argument(std::string_view option, std::string_view text, std
                   fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
   }
   return value;
+}
+
+std::string why_no_whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc{} && after == end) return {};
+  return fmt::format("found \"{}\", expected a whole number from 0 to {}", text,
+                     std::numeric_limits<std::uint64_t>::max());
 }
 
 void require_finite(const char* option, double value) {

@@ -79,6 +79,10 @@ class Output {
 [[nodiscard]] std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
                                            std::string_view what);
 
+// The option parser takes -1 for the largest number there is, and that for all that are larger: a check for
+// options whose numbers have no other bounds. Nothing if `text` is a whole number from 0 to 2^64 - 1.
+[[nodiscard]] std::string why_no_whole_number(const std::string& text);
+
 // The option parser takes nan and inf for numbers: a Failure usage for them.
 void require_finite(const char* option, double value);
 

@@ -77,8 +77,11 @@ void add_scene_generate(CLI::App& scene_command, ExitCode& exit_code) {
   CLI::App* const command = scene_command.add_subcommand("generate", "Write a scene of a random family");
   const auto arguments = std::make_shared<GenerateArguments>();
   command->add_option("FAMILY", arguments->family, "One of those below")->required();
-  command->add_option("SIZE", arguments->size, "How many of what: see below")->required();
+  command->add_option("SIZE", arguments->size, "How many of what: see below")
+      ->check(why_no_whole_number)
+      ->required();
   command->add_option("--seed", arguments->seed, "Another seed, another scene")
+      ->check(why_no_whole_number)
       ->capture_default_str()
       ->type_name("N");
   command

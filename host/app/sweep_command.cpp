@@ -201,6 +201,7 @@ void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::Range(std::uint64_t{1}, most_views))
       ->type_name("N");
   command->add_option("--seed", arguments->seed, "Another seed, other views")
+      ->check(why_no_whole_number)
       ->capture_default_str()
       ->type_name("N");
   command->add_option("--shard", arguments->shard, "Only the I-th of N parts of the views")
