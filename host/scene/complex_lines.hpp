@@ -47,6 +47,8 @@ class ComplexLines {
     [[nodiscard]] std::size_t size() const { return count_; }
     [[nodiscard]] bool empty() const { return count_ == 0; }
     ComplexLine operator[](std::size_t i) const { return (*lines_)[first_ + i]; }
+    // The number of line i's edge, without looking up its part.
+    [[nodiscard]] std::uint32_t edge(std::size_t i) const { return lines_->lines_[first_ + i].edge; }
     [[nodiscard]] Iterator begin() const { return {*lines_, first_}; }
     [[nodiscard]] Iterator end() const { return {*lines_, first_ + count_}; }
 

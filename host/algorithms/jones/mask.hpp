@@ -22,32 +22,15 @@ struct MaskSide {
   typename Arithmetic::Ray corner;  // with the next side
 };
 
-// What is left of a mask on the not negative side of `line`, perhaps nothing. It is the mask itself if
-// nothing is cut off, and else lies in `left`, which only grows, so that no clip costs more than it writes;
-// `image` gives the image of the plane with a number, which `line` is for `plane`.
+// As clip_mask, of a mask with corners on both sides of `line`, whose signs are given.
 template <class Arithmetic, class Image>
-std::span<const MaskSide<Arithmetic>> clip_mask(std::span<const MaskSide<Arithmetic>> mask,
-                                                std::uint32_t plane, const typename Arithmetic::Line& line,
-                                                const Image& image, std::vector<std::int8_t>& signs,
-                                                std::vector<MaskSide<Arithmetic>>& left) {
+std::span<const MaskSide<Arithmetic>> cut_mask(std::span<const MaskSide<Arithmetic>> mask,
+                                               std::uint32_t plane, const typename Arithmetic::Line& line,
+                                               const Image& image, std::span<const std::int8_t> signs,
+                                               std::vector<MaskSide<Arithmetic>>& left) {
   const std::size_t count = mask.size();
   // A side gives way to two at most. (Of a mask that is convex only one does; but complexes come from files.)
   if (left.size() < 2 * count) left.resize(2 * count);
-  if (signs.size() < count) signs.resize(count);
-  bool inside = false;
-  bool outside = false;
-  bool on = mask.front().plane == plane;
-  const bool first_on = on;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool next_on = i + 1 == count ? first_on : mask[i + 1].plane == plane;
-    const int sign = on || next_on ? 0 : Arithmetic::side(line, mask[i].corner);
-    on = next_on;
-    signs[i] = static_cast<std::int8_t>(sign);
-    inside = inside || sign > 0;
-    outside = outside || sign < 0;
-  }
-  if (!inside) return {};
-  if (!outside) return mask;
   std::size_t kept = 0;
   std::int8_t before = signs[count - 1];
   for (std::size_t i = 0; i < count; ++i) {
@@ -66,6 +49,30 @@ std::span<const MaskSide<Arithmetic>> clip_mask(std::span<const MaskSide<Arithme
     left[i].corner = Arithmetic::meet(line, image(next.plane));
   }
   return {left.data(), kept};
+}
+
+// What is left of a mask on the not negative side of `line`, perhaps nothing. It is the mask itself if
+// nothing is cut off, and else lies in `left`, which only grows, so that no clip costs more than it writes;
+// `image` gives the image of the plane with a number, which `line` is for `plane`.
+template <class Arithmetic, class Image>
+inline std::span<const MaskSide<Arithmetic>> clip_mask(std::span<const MaskSide<Arithmetic>> mask,
+                                                       std::uint32_t plane,
+                                                       const typename Arithmetic::Line& line,
+                                                       const Image& image, std::vector<std::int8_t>& signs,
+                                                       std::vector<MaskSide<Arithmetic>>& left) {
+  const std::size_t count = mask.size();
+  if (signs.size() < count) signs.resize(count);
+  unsigned inside = 0;
+  unsigned outside = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int sign = Arithmetic::side(line, mask[i].corner);
+    signs[i] = static_cast<std::int8_t>(sign);
+    inside |= static_cast<unsigned>(sign > 0);
+    outside |= static_cast<unsigned>(sign < 0);
+  }
+  if (inside == 0) return {};
+  if (outside == 0) return mask;
+  return cut_mask<Arithmetic>(mask, plane, line, image, signs, left);
 }
 
 }  // namespace sightline::algorithms::jones

@@ -62,11 +62,16 @@ class Search {
     void draw_outer_faces();
     [[nodiscard]] bool walk();
     void visit(const Waiting& waiting);
+    void take_mask(const Waiting& waiting);
     [[nodiscard]] bool may_see(const geometry::Box& box) const;
-    void draw_line(const scene::ComplexLine& line, std::span<const Side> mask);
+    void see_all();
+    template <class Part>
+    void draw_line(std::uint32_t edge, const Part& part);
+    void draw_rest(std::uint32_t edge, Stretch<Number> left);
+    [[nodiscard]] bool hidden(const geometry::Vector3& from, const geometry::Vector3& to);
     void look_out(const Waiting& waiting, std::uint32_t opening);
-    void look_through(std::uint32_t opening, scene::CellNumber beyond, std::uint32_t depth);
-    [[nodiscard]] bool faces_eye(std::uint32_t opening, bool from_negative_side);
+    void look_through(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
+    [[nodiscard]] bool faces_eye(std::uint32_t number, bool from_negative_side);
     void make_planes(const scene::ComplexOpening& opening, Met::Opening& state);
     [[nodiscard]] std::span<const Side> first_mask(std::uint32_t first_plane, std::uint32_t count);
     [[nodiscard]] std::span<const Side> clipped(std::span<const Side> mask, std::uint32_t plane);
@@ -75,7 +80,10 @@ class Search {
   std::vector<SightPlane<Number>> planes_;  // [0]: before the eye, in perspective
   std::vector<Waiting> waiting_;
   std::vector<Side> waiting_sides_;
-  std::vector<Side> mask_;  // of the cell visited
+  std::vector<Side> mask_;                       // of the cell visited
+  std::vector<SightPlane<Number>> mask_planes_;  // its sides', or what is before the eye
+  std::vector<std::size_t> cutting_sides_;       // of the mask, for the line at hand, with room for all
+  std::size_t cutting_ = 0;                      // how many of them count
   std::vector<Side> cut_;
   std::vector<Side> cut_again_;
   std::vector<std::int8_t> signs_;
@@ -93,14 +101,13 @@ std::variant<View, Error> Search<Arithmetic>::run(const PreparedComplex& prepare
   waiting_sides_.clear();
   fragments_.clear();
   Pass pass{prepared, met, Sight(camera), *this, {}};
-  SightPlane<Number>& before_eye = planes_.emplace_back();
-  for (std::size_t a = 0; a < 3; ++a) before_eye.normal[a] = camera.forward[a];
+  planes_.push_back(pass.sight.template before_eye<Number>());
   if (start.outside) {
+    pass.see_all();
     pass.draw_outer_faces();
-    mask_.clear();
     for (const std::uint32_t number : prepared.entrances()) {
-      const auto& cells = prepared.complex().openings[number].cells;
-      pass.look_through(number, cells[0] == scene::outside ? cells[1] : cells[0], 0);
+      const bool from_negative_side = prepared.complex().openings[number].cells[0] == scene::outside;
+      if (pass.faces_eye(number, from_negative_side)) pass.look_through(number, from_negative_side, 0);
     }
   }
   for (const scene::CellNumber cell : start.cells) waiting_.push_back({cell, 1, waiting_sides_.size(), 0});
@@ -109,15 +116,6 @@ std::variant<View, Error> Search<Arithmetic>::run(const PreparedComplex& prepare
   if (!picture) return Error::no_complex;
   pass.counts.number_bits = 8 * sizeof(Number);
   return View{std::move(*picture), pass.counts};
-}
-
-// From outside, what lies in a face of the outer box that is not turned away is seen without an opening.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::draw_outer_faces() {
-  for (const OuterFace& face : prepared.outer_faces()) {
-    if (sight.eye_value(face.plane) < 0) continue;
-    for (const std::uint32_t edge : face.edges) draw_line({edge, 0, 1}, {});
-  }
 }
 
 // False if a sight line passes more cells than there are.
@@ -134,9 +132,7 @@ bool Search<Arithmetic>::Pass::walk() {
 
 template <class Arithmetic>
 void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
-  const auto first = search.waiting_sides_.begin() + static_cast<std::ptrdiff_t>(waiting.first_side);
-  search.mask_.assign(first, first + static_cast<std::ptrdiff_t>(waiting.side_count));
-  search.waiting_sides_.resize(waiting.first_side);
+  take_mask(waiting);
   ++counts.visits;
   counts.depth = std::max<std::uint64_t>(counts.depth, waiting.depth);
   if (met.cells[waiting.cell] != met.view) {
@@ -148,13 +144,20 @@ void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
   const auto lines = complex.lines_of(cell);
   const auto openings = complex.openings_of(cell);
   const CrowdedCell* const crowded = prepared.crowded(waiting.cell);
+  const auto draw = [&](std::size_t i) {
+    draw_line(lines.edge(i), [&] {
+      const scene::ComplexLine line = lines[i];
+      return Stretch<Number>{{line.low.numerator(), line.low.denominator()},
+                             {line.high.numerator(), line.high.denominator()}};
+    });
+  };
   if (crowded == nullptr) {
-    for (const scene::ComplexLine line : lines) draw_line(line, search.mask_);
+    for (std::size_t i = 0; i < lines.size(); ++i) draw(i);
     for (std::size_t i = openings.size(); i-- > 0;) look_out(waiting, openings[i]);
     return;
   }
   const auto meets = [this](const geometry::Box& box) { return may_see(box); };
-  crowded->lines.for_each_that(meets, [&](std::uint32_t i) { draw_line(lines[i], search.mask_); });
+  crowded->lines.for_each_that(meets, draw);
   search.met_openings_.clear();
   crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.met_openings_.push_back(i); });
   std::sort(search.met_openings_.begin(), search.met_openings_.end(), std::greater<>());
@@ -164,59 +167,21 @@ void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
 template <class Arithmetic>
 void Search<Arithmetic>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
   const auto& cells = prepared.complex().openings[opening].cells;
-  const scene::CellNumber beyond = cells[0] == waiting.cell ? cells[1] : cells[0];
-  if (beyond != scene::outside) look_through(opening, beyond, waiting.depth);
+  const bool from_negative_side = cells[0] == waiting.cell;
+  if (cells[from_negative_side ? 1 : 0] == scene::outside) return;
+  if (faces_eye(opening, from_negative_side)) look_through(opening, from_negative_side, waiting.depth);
 }
 
-// False if the box lies beyond one side of the mask at hand.
+// Lets the cell beyond an opening that faces the eye wait if anything of it is seen through the opening and
+// the mask at hand.
 template <class Arithmetic>
-bool Search<Arithmetic>::Pass::may_see(const geometry::Box& box) const {
-  const auto beyond = [&](const SightPlane<Number>& plane) {
-    scene::PolyPoint corner{};
-    for (std::size_t a = 0; a < 3; ++a) corner[a] = plane.normal[a] < 0 ? box.low[a] : box.high[a];
-    return plane.at(sight.from_eye(corner)) < 0;
-  };
-  if (search.mask_.empty()) return !sight.perspective() || !beyond(search.planes_[0]);
-  return std::none_of(search.mask_.begin(), search.mask_.end(),
-                      [&](const Side& side) { return beyond(search.planes_[side.plane]); });
-}
-
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::draw_line(const scene::ComplexLine& line, std::span<const Side> mask) {
-  ++counts.lines_clipped;
-  const scene::CellComplex& complex = prepared.complex();
-  const scene::ComplexEdge& edge = complex.edges[line.edge];
-  const geometry::Vector3 from = sight.from_eye(complex.vertices[edge.from]);
-  const geometry::Vector3 to = sight.from_eye(complex.vertices[edge.to]);
-  Stretch<Number> stretch{{line.low.numerator(), line.low.denominator()},
-                          {line.high.numerator(), line.high.denominator()}};
-  if (mask.empty() && sight.perspective()) {
-    const SightPlane<Number>& before_eye = search.planes_[0];
-    if (!stretch.keep_not_negative(before_eye.at(from), before_eye.at(to))) return;
-  }
-  // What hid the last line is likely to hide this one.
-  std::size_t side = search.hiding_side_ < mask.size() ? search.hiding_side_ : 0;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const SightPlane<Number>& plane = search.planes_[mask[side].plane];
-    if (!stretch.keep_not_negative(plane.at(from), plane.at(to))) {
-      search.hiding_side_ = side;
-      return;
-    }
-    if (++side == mask.size()) side = 0;
-  }
-  if (!less(stretch.low, stretch.high)) return;
-  ++counts.fragments;
-  search.fragments_.add(line.edge, stretch);
-}
-
-// Lets the cell beyond wait if anything of it is seen through the opening and the mask at hand.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::look_through(std::uint32_t number, scene::CellNumber beyond,
+void Search<Arithmetic>::Pass::look_through(std::uint32_t number, bool from_negative_side,
                                             std::uint32_t depth) {
   const scene::ComplexOpening& opening = prepared.complex().openings[number];
-  if (!faces_eye(number, opening.cells[1] == beyond)) return;
   ++counts.openings_tested;
-  const std::uint32_t first = met.openings[number].first_plane;
+  Met::Opening& state = met.openings[number];
+  if (state.first_plane == 0) make_planes(opening, state);
+  const std::uint32_t first = state.first_plane;
   std::span<const Side> left = search.mask_;
   if (left.empty()) {
     left = first_mask(first, opening.side_count);
@@ -227,34 +192,35 @@ void Search<Arithmetic>::Pass::look_through(std::uint32_t number, scene::CellNum
   if (left.empty()) return;
   ++counts.masks;
   counts.mask_sides = std::max<std::uint64_t>(counts.mask_sides, left.size());
+  const scene::CellNumber beyond = opening.cells[from_negative_side ? 1 : 0];
   search.waiting_.push_back({beyond, depth + 1, search.waiting_sides_.size(), left.size()});
   search.waiting_sides_.insert(search.waiting_sides_.end(), left.begin(), left.end());
 }
 
 // The eye is off the opening's plane, on its negative side or on the other.
 template <class Arithmetic>
-bool Search<Arithmetic>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
-  const scene::ComplexOpening& opening = prepared.complex().openings[number];
+inline bool Search<Arithmetic>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
   Met::Opening& state = met.openings[number];
   if (state.view != met.view) {
-    state = {met.view, 0, geometry::sign(sight.eye_value(prepared.planes()[opening.plane]))};
+    const std::uint32_t plane = prepared.complex().openings[number].plane;
+    state = {met.view, 0, geometry::sign(sight.eye_value(prepared.planes()[plane]))};
   }
-  if (state.eye_side != (from_negative_side ? -1 : 1)) return false;
-  if (state.first_plane == 0) make_planes(opening, state);
-  return true;
+  return state.eye_side == (from_negative_side ? -1 : 1);
 }
 
 // In the order in which they go round as a mask does.
 template <class Arithmetic>
 void Search<Arithmetic>::Pass::make_planes(const scene::ComplexOpening& opening, Met::Opening& state) {
-  state.first_plane = static_cast<std::uint32_t>(search.planes_.size());
+  const std::size_t first = search.planes_.size();
+  state.first_plane = static_cast<std::uint32_t>(first);
   const geometry::Plane& plane = prepared.planes()[opening.plane];
   const std::int64_t eye = sight.eye_value(plane);
   const auto sides = prepared.complex().sides_of(opening);
+  search.planes_.resize(first + sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const scene::HalfSpace& side = sides[eye < 0 ? i : sides.size() - 1 - i];
-    search.planes_.push_back(
-        sight.template through<Number>(plane, eye, prepared.planes()[side.plane], side.turned));
+    search.planes_[first + i] =
+        sight.template through<Number>(plane, eye, prepared.planes()[side.plane], side.turned);
   }
 }
 
@@ -294,3 +260,5 @@ extern template class Search<MediumArithmetic>;
 extern template class Search<WideArithmetic>;
 
 }  // namespace sightline::algorithms::jones
+
+#include "host/algorithms/jones/search_lines.hpp"  // IWYU pragma: export

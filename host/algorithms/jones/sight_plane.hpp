@@ -3,7 +3,7 @@
 // The side is where the planes P (of the opening) and Q (of the side) cross. With p and q their values at the
 // eye, P(x) q - Q(x) p vanishes at the eye and on the side, and within the opening's plane it is -Q(x) p: so
 // neither is the side worked out nor anything divided. In an orthographic view the eye is infinitely far
-// against forward: its values become p = -P.normal . forward and so on, and the plane gets an offset.
+// against forward: its values become p = -P.normal . forward and so on.
 //
 // Image: in perspective a plane is the line of its normal among the directions of sight. Orthographic: points
 // are moved along forward until one coordinate vanishes, one of which forward has a component, the largest;
@@ -19,14 +19,14 @@
 
 namespace sightline::algorithms::jones {
 
-// Not negative at points y, counted from the eye, that are seen on the inner side: normal . y >= offset.
+// Not negative at points that are seen on the inner side: normal . point >= offset.
 template <class Number>
 struct SightPlane {
   std::array<Number, 3> normal{};
   Number offset{};
 
-  [[nodiscard]] Number at(const geometry::Vector3& y) const {
-    return normal[0] * y[0] + normal[1] * y[1] + normal[2] * y[2] - offset;
+  [[nodiscard]] Number at(const geometry::Vector3& point) const {
+    return normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2] - offset;
   }
 };
 
@@ -64,7 +64,15 @@ class Sight {
     const Number q = Number{eye_value(side)} * direction;
     SightPlane<Number> sight;
     for (std::size_t a = 0; a < 3; ++a) sight.normal[a] = plane.normal[a] * q - side.normal[a] * p;
-    if (!perspective_) sight.offset = side.at(eye_) * p - plane.at(eye_) * q;
+    sight.offset =
+        perspective_ ? at_eye<Number>(sight.normal) : Number{plane.offset} * q - Number{side.offset} * p;
+    return sight;
+  }
+  // What is not behind the eye, in perspective.
+  template <class Number>
+  [[nodiscard]] SightPlane<Number> before_eye() const {
+    SightPlane<Number> sight{{forward_[0], forward_[1], forward_[2]}, {}};
+    sight.offset = at_eye<Number>(sight.normal);
     return sight;
   }
 
@@ -75,6 +83,11 @@ class Sight {
   }
 
  private:
+  template <class Number>
+  [[nodiscard]] Number at_eye(const std::array<Number, 3>& normal) const {
+    return normal[0] * eye_[0] + normal[1] * eye_[1] + normal[2] * eye_[2];
+  }
+
   bool perspective_;
   geometry::Point3 eye_;
   geometry::Vector3 forward_;

@@ -25,6 +25,18 @@ struct Fraction {
              .sign() < 0;
 }
 
+// A quantity goes linearly from a to b: nowhere positive, and somewhere negative (hides); somewhere negative
+// (cuts). Bit by bit, without a branch: of lines in masks the signs are not to be foreseen, and guessing them
+// wrong costs more than the arithmetic. |a|, |b| below the greatest number.
+template <class Number>
+[[nodiscard]] bool hides(const Number& a, const Number& b) {
+  return ((a - 1) & (b - 1) & (a | b)) < 0;
+}
+template <class Number>
+[[nodiscard]] bool cuts(const Number& a, const Number& b) {
+  return (a | b) < 0;
+}
+
 template <class Number>
 struct Stretch {
   Fraction<Number> low;

@@ -1,0 +1,105 @@
+// The search's part that draws: lines held against the mask at hand. Included by search.hpp alone.
+//
+// The planes of the mask's sides are put next to each other when a cell's turn comes, since each of its lines
+// goes through them. Most lines are hidden: that is found out first, and nothing else of them is looked at.
+#pragma once
+
+#include "host/algorithms/jones/search.hpp"
+
+namespace sightline::algorithms::jones {
+
+template <class Arithmetic>
+void Search<Arithmetic>::Pass::take_mask(const Waiting& waiting) {
+  see_all();
+  if (waiting.side_count == 0) return;
+  const auto first = search.waiting_sides_.begin() + static_cast<std::ptrdiff_t>(waiting.first_side);
+  search.mask_.assign(first, first + static_cast<std::ptrdiff_t>(waiting.side_count));
+  search.waiting_sides_.resize(waiting.first_side);
+  search.mask_planes_.clear();
+  for (const Side& side : search.mask_) search.mask_planes_.push_back(search.planes_[side.plane]);
+  if (search.cutting_sides_.size() < waiting.side_count) search.cutting_sides_.resize(waiting.side_count);
+}
+
+// The mask at hand is all before the eye.
+template <class Arithmetic>
+void Search<Arithmetic>::Pass::see_all() {
+  search.mask_.clear();
+  search.mask_planes_.clear();
+  if (search.cutting_sides_.empty()) search.cutting_sides_.resize(1);
+  if (sight.perspective()) search.mask_planes_.push_back(search.planes_[0]);
+}
+
+// part() gives the line as a stretch of its edge; most lines are hidden without looking at it.
+template <class Arithmetic>
+template <class Part>
+inline void Search<Arithmetic>::Pass::draw_line(std::uint32_t number, const Part& part) {
+  ++counts.lines_clipped;
+  const scene::CellComplex& complex = prepared.complex();
+  const scene::ComplexEdge& edge = complex.edges[number];
+  const geometry::Vector3 from = geometry::vector_of(complex.vertices[edge.from]);
+  const geometry::Vector3 to = geometry::vector_of(complex.vertices[edge.to]);
+  if (!hidden(from, to)) draw_rest(number, part());
+}
+
+// Of a stretch of an edge, what the cutting sides leave.
+template <class Arithmetic>
+void Search<Arithmetic>::Pass::draw_rest(std::uint32_t number, Stretch<Number> left) {
+  const scene::CellComplex& complex = prepared.complex();
+  const geometry::Vector3 from = geometry::vector_of(complex.vertices[complex.edges[number].from]);
+  const geometry::Vector3 to = geometry::vector_of(complex.vertices[complex.edges[number].to]);
+  for (const std::size_t side : std::span(search.cutting_sides_).first(search.cutting_)) {
+    const SightPlane<Number>& plane = search.mask_planes_[side];
+    left.keep_not_negative(plane.at(from), plane.at(to));
+  }
+  if (!less(left.low, left.high)) return;
+  ++counts.fragments;
+  search.fragments_.add(number, left);
+}
+
+// One side of the mask hides the edge; else the first cutting_ of cutting_sides_ are those that hide part of
+// it.
+template <class Arithmetic>
+inline bool Search<Arithmetic>::Pass::hidden(const geometry::Vector3& from, const geometry::Vector3& to) {
+  const SightPlane<Number>* const planes = search.mask_planes_.data();
+  const std::size_t count = search.mask_planes_.size();
+  std::size_t* const sides = search.cutting_sides_.data();
+  std::size_t cutting = 0;
+  // What hid the last line is likely to hide this one.
+  std::size_t side = search.hiding_side_ < count ? search.hiding_side_ : 0;
+  for (std::size_t left = count; left > 0; --left) {
+    const Number a = planes[side].at(from);
+    const Number b = planes[side].at(to);
+    if (hides(a, b)) {
+      search.hiding_side_ = side;
+      return true;
+    }
+    sides[cutting] = side;
+    cutting += cuts(a, b) ? 1 : 0;
+    if (++side == count) side = 0;
+  }
+  search.cutting_ = cutting;
+  return false;
+}
+
+// False if the box lies beyond one side of the mask at hand.
+template <class Arithmetic>
+bool Search<Arithmetic>::Pass::may_see(const geometry::Box& box) const {
+  const auto beyond = [&](const SightPlane<Number>& plane) {
+    scene::PolyPoint corner{};
+    for (std::size_t a = 0; a < 3; ++a) corner[a] = plane.normal[a] < 0 ? box.low[a] : box.high[a];
+    return plane.at(geometry::vector_of(corner)) < 0;
+  };
+  return std::none_of(search.mask_planes_.begin(), search.mask_planes_.end(), beyond);
+}
+
+// From outside, what lies in a face of the outer box that is not turned away is seen without an opening.
+template <class Arithmetic>
+void Search<Arithmetic>::Pass::draw_outer_faces() {
+  for (const OuterFace& face : prepared.outer_faces()) {
+    if (sight.eye_value(face.plane) < 0) continue;
+    for (const std::uint32_t edge : face.edges)
+      draw_line(edge, [] { return Stretch<Number>{{0, 1}, {1, 1}}; });
+  }
+}
+
+}  // namespace sightline::algorithms::jones
