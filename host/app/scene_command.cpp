@@ -1,25 +1,21 @@
 // See scene_command.hpp.
 #include "host/app/scene_command.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
-#include <vector>
 
 #include "host/app/scene_argument.hpp"
+#include "host/app/scene_check.hpp"
 #include "host/app/scene_compartment_command.hpp"
 #include "host/app/scene_generate_command.hpp"
+#include "host/app/scene_info.hpp"
 #include "host/app/scene_poly_command.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/encode.hpp"
-#include "host/scene/read.hpp"
 #include "host/scene/tape.hpp"
 
 namespace sightline::app {
@@ -34,19 +30,6 @@ struct SceneArguments {
   std::string output = "-";
   bool json = false;
 };
-
-void print_json(const ordered_json& document) {
-  write_stdout(document.dump(2) + "\n");
-}
-
-scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
-  auto result = scene::encode(scene);
-  if (auto* error = std::get_if<scene::SceneError>(&result)) {
-    error->source = source;
-    throw Failure(ExitCode::bad_input, error->message());
-  }
-  return std::get<scene::EncodedScene>(std::move(result));
-}
 
 // --- tape
 
@@ -106,31 +89,26 @@ constexpr const char* check_examples =
     "cell; the\n"
     "default view is in a cell. Of polyhedra: faces are planar and simple, holes inside them, solids closed "
     "and facing\n"
-    "outwards, no vertex twice or for nothing, the camera's eye in free space.\n"
+    "outwards, no vertex twice or for nothing, the camera's eye in free space. Of cells cut by `sightline "
+    "scene\n"
+    "compartment`: the polyhedra, and that cells and openings are a possible cutting of the space between "
+    "them.\n"
     "A scene with errors ends with exit code 4.\n";
-
-std::vector<scene::SceneError> errors_of(const SceneText& file) {
-  const auto read = scene::read_cell_scene(file.text, file.name);
-  if (const auto* error = std::get_if<scene::SceneError>(&read)) return {*error};
-  auto errors = scene::check_scene(std::get<scene::CellScene>(read));
-  for (scene::SceneError& error : errors) error.source = file.name;
-  return errors;
-}
 
 ExitCode check(const SceneArguments& arguments) {
   const SceneText file = read_scene_text(arguments.scene);
-  if (file.polyhedra) return check_poly_file(file, arguments.json);
-  const auto errors = errors_of(file);
+  const auto [errors, changes] = check_scene_text(file);
   if (arguments.json) {
     ordered_json document{
-        {"schema", "sightline/scene-check/1"}, {"scene", arguments.scene}, {"possible", errors.empty()}};
+        {"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
     document["errors"] = ordered_json::array();
     for (const auto& error : errors)
       document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
-    print_json(document);
+    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
   } else {
     for (const auto& error : errors) complain(error.message());
-    if (errors.empty()) write_stdout(arguments.scene + ": a possible scene\n");
+    tell(changes);
+    if (errors.empty()) write_stdout(file.name + ": a possible scene\n");
   }
   return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
 }
@@ -151,60 +129,9 @@ constexpr const char* info_examples =
     "  sightline scene info street4\n"
     "      how many cells, openings and lines, and how much of core they take\n"
     "  sightline scene info --json street4\n"
-    "      the same as one JSON document\n";
-
-std::string text_of(const geometry::Point& p) {
-  return fmt::format("{},{},{}", p[0], p[1], p[2]);
-}
-
-std::string text_of(const geometry::Box& box) {
-  return fmt::format("x {}..{}  y {}..{}  z {}..{}", box.low[0], box.high[0], box.low[1], box.high[1],
-                     box.low[2], box.high[2]);
-}
-
-ordered_json json_of(const geometry::Box& box) {
-  return ordered_json::array({box.low, box.high});
-}
-
-void info(const SceneArguments& arguments) {
-  const SceneText file = read_scene_text(arguments.scene);
-  if (file.polyhedra) {
-    describe_poly_file(file, arguments.json);
-    return;
-  }
-  const scene::CellScene scene = load_scene(file.text, file.name);
-  const scene::EncodedScene core = encoded(scene, arguments.scene);
-  std::size_t lines = 0;
-  for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
-  if (arguments.json) {
-    print_json({{"schema", "sightline/scene-info/1"},
-                {"name", scene.name},
-                {"cells", scene.cells.size()},
-                {"openings", scene.openings.size()},
-                {"solids", scene.solids.size()},
-                {"walls", scene.walls.size()},
-                {"cell_lines", lines},
-                {"outer", json_of(scene.outer)},
-                {"default_view", scene.default_view},
-                {"initial_cell", core.initial_cell},
-                {"eye_limits", json_of(core.eye_limits)},
-                {"words", core.words.size()},
-                {"cell_words", core.cell_words},
-                {"opening_words", core.opening_words}});
-    return;
-  }
-  write_stdout(fmt::format("name           {}\n", scene.name));
-  write_stdout(fmt::format("cells          {}, with {} lines\n", scene.cells.size(), lines));
-  write_stdout(fmt::format("openings       {}\n", scene.openings.size()));
-  write_stdout(fmt::format("matter         {} solids, {} walls\n", scene.solids.size(), scene.walls.size()));
-  write_stdout(fmt::format("outer box      {}\n", text_of(scene.outer)));
-  write_stdout(
-      fmt::format("default view   {}, in cell {}\n", text_of(scene.default_view), core.initial_cell));
-  write_stdout(fmt::format("eye may move   {}\n", text_of(core.eye_limits)));
-  write_stdout(fmt::format("words of core  {} of {} (cells {}, openings {}, header {})\n", core.words.size(),
-                           scene::core_words, core.cell_words, core.opening_words,
-                           scene::scene_header_words));
-}
+    "      the same as one JSON document\n"
+    "  sightline scene info part.cells.json\n"
+    "      of cells cut by `sightline scene compartment`, and of the polyhedra they were made of\n";
 
 void add_info(CLI::App& parent, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
@@ -213,7 +140,7 @@ void add_info(CLI::App& parent, ExitCode& exit_code) {
   command->add_flag("--json", arguments->json, "One JSON document instead of lines");
   command->footer(info_examples);
   command->callback([arguments, &exit_code] {
-    info(*arguments);
+    describe_scene_text(read_scene_text(arguments->scene), arguments->json);
     exit_code = ExitCode::ok;
   });
 }
@@ -233,7 +160,8 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
   command->callback([arguments, &exit_code] {
     const auto names = scene::builtin_scene_names();
     if (arguments->json) {
-      print_json({{"schema", "sightline/scene-list/1"}, {"scenes", names}});
+      const ordered_json document{{"schema", "sightline/scene-list/1"}, {"scenes", names}};
+      write_stdout(document.dump(2) + "\n");
     } else {
       for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
     }

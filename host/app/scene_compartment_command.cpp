@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include <string_view>
 #include <variant>
 
+#include "host/app/scene_info.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/scene/cell_complex_file.hpp"
 #include "host/scene/check_complex.hpp"
@@ -33,7 +33,8 @@ constexpr const char* compartment_examples =
     "      how many cells, openings and lines there are\n"
     "  sightline scene compartment part.off -o part.cells.json\n"
     "      the cells themselves: planes, half-spaces, openings, parts of edges; and the scene, so that\n"
-    "      `sightline draw jones part.cells.json -o part.svg` draws it without cutting it again\n\n"
+    "      `sightline draw jones part.cells.json -o part.svg` draws it without cutting it again, and\n"
+    "      `sightline scene check` and `info` know it\n\n"
     "grid grows boxes between faces parallel to the axes, up to ten million units of the grid; bsp cuts "
     "space "
     "by the\n"
@@ -47,15 +48,9 @@ const std::map<std::string, scene::CompartmentMethod> method_names{
     {"grid", scene::CompartmentMethod::grid},
     {"bsp", scene::CompartmentMethod::bsp}};
 
-const char* method_name(scene::CompartmentMethod method) {
-  return method == scene::CompartmentMethod::bsp ? "bsp" : "grid";
-}
-
 void describe(const CompartmentArguments& arguments, const scene::Compartments& result) {
   const scene::CellComplex& complex = result.complex;
-  const auto outer = std::count_if(complex.openings.begin(), complex.openings.end(), [](const auto& opening) {
-    return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
-  });
+  const std::size_t outer = openings_outside(complex);
   if (arguments.json) {
     const nlohmann::ordered_json document{{"schema", "sightline/scene-compartment/1"},
                                           {"scene", arguments.scene},

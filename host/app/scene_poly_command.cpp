@@ -4,37 +4,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/scene/builtin.hpp"
-#include "host/scene/eye_place.hpp"
 #include "host/scene/poly_check.hpp"
 #include "host/scene/poly_file.hpp"
 #include "host/scene/poly_from_cells.hpp"
-#include "host/scene/poly_shells.hpp"
 #include "host/scene/read_poly_json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 scene::PolyFormat input_format(const std::string& file) {
   return scene::poly_format_of(file).value_or(scene::PolyFormat::json);
-}
-
-std::variant<scene::PolyImport, scene::SceneError> read_file(const SceneText& file, bool mend) {
-  return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
 }
 
 struct ConvertArguments {
@@ -62,13 +50,15 @@ void convert(const ConvertArguments& arguments) {
   if (arguments.mend && (file.builtin || input_format(file.name) == scene::PolyFormat::json)) {
     throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
   }
-  if (!file.polyhedra) {
-    write_scene(scene::poly_scene_of(load_scene(file.text, file.name)), file.name, arguments.output);
-    return;
+  if (file.kind == SceneKind::polyhedra) {
+    const scene::PolyImport import = load_poly_file(file, arguments.mend);
+    tell(import.report);
+    write_scene(import.scene, file.name, arguments.output);
+  } else {
+    const bool cut = file.kind == SceneKind::cell_complex;
+    write_scene(cut ? load_cell_complex(file).scene : scene::poly_scene_of(load_scene(file.text, file.name)),
+                file.name, arguments.output);
   }
-  const scene::PolyImport import = load_poly_file(file, arguments.mend);
-  tell(import.report);
-  write_scene(import.scene, file.name, arguments.output);
 }
 
 }  // namespace
@@ -105,8 +95,12 @@ void tell(const scene::PolyImportReport& report) {
     warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
 }
 
+std::variant<scene::PolyImport, scene::SceneError> read_poly_text(const SceneText& file, bool mend) {
+  return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
+}
+
 scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
-  auto read = read_file(file, mend);
+  auto read = read_poly_text(file, mend);
   if (const auto* error = std::get_if<scene::SceneError>(&read))
     throw Failure(ExitCode::bad_input, error->message());
   auto import = std::get<scene::PolyImport>(std::move(read));
@@ -120,101 +114,27 @@ scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
   return import;
 }
 
+scene::CellComplexFile load_cell_complex(const SceneText& file) {
+  auto read = scene::read_cell_complex(file.text, file.name);
+  if (const auto* error = std::get_if<scene::SceneError>(&read))
+    throw Failure(ExitCode::bad_input, error->message());
+  return std::get<scene::CellComplexFile>(std::move(read));
+}
+
 SceneText read_scene_text(const std::string& name_or_file) {
   if (const auto generated = generated_scene(name_or_file)) {
     auto text = scene::write_poly(*generated, scene::PolyFormat::json);
-    return {name_or_file, std::get<std::string>(std::move(text)), false, true};
+    return {name_or_file, std::get<std::string>(std::move(text)), false, SceneKind::polyhedra};
   }
   require_scene_exists(name_or_file);
   if (const auto builtin = scene::builtin_scene_text(name_or_file))
-    return {name_or_file, std::string(*builtin), true, false};
-  SceneText file{name_or_file, read_input_text(name_or_file), false, false};
-  file.polyhedra = input_format(file.name) != scene::PolyFormat::json || scene::is_poly_json(file.text);
+    return {name_or_file, std::string(*builtin), true, SceneKind::cells};
+  SceneText file{name_or_file, read_input_text(name_or_file), false, SceneKind::cells};
+  if (scene::is_cell_complex(file.text))
+    file.kind = SceneKind::cell_complex;
+  else if (input_format(file.name) != scene::PolyFormat::json || scene::is_poly_json(file.text))
+    file.kind = SceneKind::polyhedra;
   return file;
-}
-
-ExitCode check_poly_file(const SceneText& file, bool json) {
-  const auto read = read_file(file, false);
-  std::vector<scene::SceneError> errors;
-  if (const auto* error = std::get_if<scene::SceneError>(&read)) {
-    errors.push_back(*error);
-  } else {
-    const scene::PolyScene& scene = std::get<scene::PolyImport>(read).scene;
-    errors = scene::check_poly_scene(scene);
-    // Where the eye is, is known only among bodies that are in order.
-    if (errors.empty()) {
-      if (auto eye = scene::eye_error(scene, scene.camera)) errors.push_back(std::move(*eye));
-    }
-  }
-  for (scene::SceneError& error : errors) error.source = file.name;
-  if (json) {
-    ordered_json document{
-        {"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
-    document["errors"] = ordered_json::array();
-    for (const auto& error : errors)
-      document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
-    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-  } else {
-    for (const auto& error : errors) complain(error.message());
-    if (const auto* import = std::get_if<scene::PolyImport>(&read)) tell(import->report);
-    if (errors.empty()) write_stdout(file.name + ": a possible scene\n");
-  }
-  return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
-}
-
-void describe_poly_file(const SceneText& file, bool json) {
-  const scene::PolyImport import = load_poly_file(file, false);
-  const scene::PolyScene& scene = import.scene;
-  std::size_t faces = 0;
-  std::size_t holes = 0;
-  std::size_t edges = 0;
-  scene::PolyPoint low = scene.vertices.at(0);
-  scene::PolyPoint high = low;
-  for (const scene::PolyBody& body : scene.bodies) {
-    faces += body.faces.size();
-    for (const scene::PolyFace& face : body.faces) holes += face.holes.size();
-    const auto sides = scene::face_edges(body);
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      edges += i == 0 || !sides[i].same_edge(sides[i - 1]) ? 1U : 0U;
-  }
-  for (const scene::PolyPoint& p : scene.vertices) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  const auto& report = import.report;
-  if (json) {
-    const ordered_json document{{"schema", "sightline/scene-info/1"},
-                                {"name", scene.name},
-                                {"vertices", scene.vertices.size()},
-                                {"edges", edges},
-                                {"faces", faces},
-                                {"holes", holes},
-                                {"bodies", scene.bodies.size()},
-                                {"sheets", report.sheets},
-                                {"bounds", ordered_json::array({low, high})},
-                                {"step", scene.step},
-                                {"origin", scene.origin},
-                                {"quantised", report.quantised},
-                                {"largest_shift", report.largest_shift},
-                                {"split_faces", report.split_faces},
-                                {"largest_deviation", report.largest_deviation}};
-    write_stdout(document.dump(2) + "\n");
-    return;
-  }
-  tell(report);
-  write_stdout(fmt::format("name           {}\n", scene.name));
-  write_stdout(fmt::format("vertices       {}\nedges          {}\n", scene.vertices.size(), edges));
-  write_stdout(fmt::format("faces          {}, with {} holes\n", faces, holes));
-  write_stdout(fmt::format("bodies         {} solids, {} sheets\n", scene.bodies.size() - report.sheets,
-                           report.sheets));
-  write_stdout(fmt::format("bounds         x {}..{}  y {}..{}  z {}..{}\n", low[0], high[0], low[1], high[1],
-                           low[2], high[2]));
-  write_stdout(fmt::format("step           {}\n", scene.step));
-  write_stdout(fmt::format("camera         {} at {},{},{}\n",
-                           scene.camera.perspective ? "perspective" : "orthographic", scene.camera.eye[0],
-                           scene.camera.eye[1], scene.camera.eye[2]));
 }
 
 void add_scene_convert(CLI::App& scene_command, ExitCode& exit_code) {

@@ -14,7 +14,6 @@
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_poly_command.hpp"
 #include "host/scene/builtin.hpp"
-#include "host/scene/cell_complex_file.hpp"
 #include "host/scene/generate_scene.hpp"
 #include "host/scene/poly_from_cells.hpp"
 
@@ -65,14 +64,11 @@ SceneSource load_scene_source(const std::string& name) {
   if (auto generated = generated_scene(name))
     return {name, std::nullopt, std::move(*generated), std::nullopt};
   const SceneText file = read_scene_text(name);
-  if (scene::is_cell_complex(file.text)) {
-    auto cells = scene::read_cell_complex(file.text, file.name);
-    if (const auto* error = std::get_if<scene::SceneError>(&cells))
-      throw Failure(ExitCode::bad_input, error->message());
-    auto& [scene, compartments] = std::get<scene::CellComplexFile>(cells);
+  if (file.kind == SceneKind::cell_complex) {
+    auto [scene, compartments] = load_cell_complex(file);
     return {name, std::nullopt, std::move(scene), std::move(compartments.complex)};
   }
-  if (file.polyhedra) {
+  if (file.kind == SceneKind::polyhedra) {
     scene::PolyImport import = load_poly_file(file, false);
     tell(import.report);
     return {name, std::nullopt, std::move(import.scene), std::nullopt};

@@ -15,6 +15,7 @@
 #include <functional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "host/scene/cell_complex.hpp"
 #include "host/scene/cell_scene.hpp"
@@ -33,8 +34,13 @@ struct CellComplexFile {
 void write_cell_complex(const PolyScene& scene, const Compartments& compartments,
                         const std::function<void(std::string_view)>& write);
 
-// The first error: of the form, of the scene (check_poly_scene), or of the cells (check_complex, which does
-// not notice a missing part of an edge). A syntax error names line and column.
+// All errors there are of the first kind found: of the form (the first alone), of the scene
+// (check_poly_scene), or of the cells (check_complex, which does not notice a missing part of an edge). A
+// syntax error names line and column.
+using CheckedCellComplex = std::variant<CellComplexFile, std::vector<SceneError>>;
+[[nodiscard]] CheckedCellComplex check_cell_complex(std::string_view json, std::string_view source);
+
+// The first of these errors.
 [[nodiscard]] std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view json,
                                                                           std::string_view source);
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "host/scene/cell_complex_file.hpp"
 #include "host/scene/check_complex.hpp"
@@ -38,28 +40,32 @@ class Reader {
  public:
   explicit Reader(std::string_view source) : source_(source) {}
 
-  std::variant<CellComplexFile, SceneError> run(const json& document) {
+  CheckedCellComplex run(const json& document) {
     if (!document.is_object()) expected("an object", document, "");
     check_schema(document);
     read_scene(document);
     read(document);
     check();
-    if (error_) return std::move(*error_);
+    if (failed()) return std::move(errors_);
     return std::move(file_);
   }
 
  private:
-  void fail(SceneError error) {
-    error.source = source_;
-    if (!error_) error_ = std::move(error);
+  [[nodiscard]] bool failed() const { return !errors_.empty(); }
+  // What follows from the first error is none of the file's.
+  void fail(std::vector<SceneError> errors) {
+    if (failed()) return;
+    errors_ = std::move(errors);
+    for (SceneError& error : errors_) error.source = source_;
   }
+  void fail(SceneError error) { fail(std::vector{std::move(error)}); }
   void expected(const std::string& what, const json& found, const std::string& place) {
     fail({"", place, "expected " + what + ", found " + describe_json(found)});
   }
 
   // Null if it is missing, which is an error.
   const json* field(const json& object, const char* name, const std::string& place) {
-    if (error_) return nullptr;
+    if (failed()) return nullptr;
     if (!object.is_object()) {
       expected("an object", object, place);
       return nullptr;
@@ -70,13 +76,13 @@ class Reader {
     return nullptr;
   }
   bool is_array(const json& value, const std::string& place, std::optional<std::size_t> size = std::nullopt) {
-    if (error_) return false;
+    if (failed()) return false;
     if (value.is_array() && (!size || value.size() == *size)) return true;
     expected(size ? "an array of " + std::to_string(*size) : "an array", value, place);
     return false;
   }
   std::int64_t integer(const json& value, const std::string& place, std::int64_t low, std::int64_t high) {
-    if (error_) return low;
+    if (failed()) return low;
     const bool fits =
         value.is_number_unsigned()
             ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::max<std::int64_t>(high, 0))
@@ -95,7 +101,7 @@ class Reader {
     const json* const list = field(object, name, place);
     const std::string path = place.empty() ? std::string(name) : place + "." + name;
     if (list == nullptr || !is_array(*list, path)) return;
-    for (std::size_t i = 0; i < list->size() && !error_; ++i) each_one((*list)[i], indexed(path, i));
+    for (std::size_t i = 0; i < list->size() && !failed(); ++i) each_one((*list)[i], indexed(path, i));
   }
 
   void check_schema(const json& document) {
@@ -113,7 +119,8 @@ class Reader {
     if (auto* error = std::get_if<SceneError>(&scene)) return fail(in_polyhedra(std::move(*error)));
     file_.scene = std::get<PolyScene>(std::move(scene));
     auto errors = check_poly_scene(file_.scene);
-    if (!errors.empty()) fail(in_polyhedra(std::move(errors.front())));
+    for (SceneError& error : errors) error = in_polyhedra(std::move(error));
+    fail(std::move(errors));
   }
   static SceneError in_polyhedra(SceneError error) {
     error.place = error.place.empty() ? "polyhedra" : "polyhedra: " + error.place;
@@ -131,7 +138,7 @@ class Reader {
     if (outer == nullptr || !is_array(*outer, "outer", 2)) return;
     complex.outer = {point((*outer)[0], "outer[0]"), point((*outer)[1], "outer[1]")};
     for (std::size_t a = 0; a < 3; ++a)
-      if (!error_ && complex.outer.low[a] >= complex.outer.high[a])
+      if (!failed() && complex.outer.low[a] >= complex.outer.high[a])
         fail({"", "outer", "expected a box with an inside"});
     each(document, "edges", "", [&](const json& value, const std::string& place) {
       if (!is_array(value, place, 2)) return;
@@ -216,26 +223,30 @@ class Reader {
   }
 
   void check() {
-    if (error_) return;
-    auto errors = check_complex(file_.compartments.complex, file_.scene);
-    if (!errors.empty()) fail(std::move(errors.front()));
+    if (!failed()) fail(check_complex(file_.compartments.complex, file_.scene));
   }
 
   std::string source_;
-  std::optional<SceneError> error_;
+  std::vector<SceneError> errors_;
   CellComplexFile file_;
 };
 
 }  // namespace
 
-std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view text, std::string_view source) {
+CheckedCellComplex check_cell_complex(std::string_view text, std::string_view source) {
   json document;
   try {
     document = json::parse(text);
   } catch (const json::exception& error) {
-    return json_syntax_error(source, error.what());
+    return std::vector{json_syntax_error(source, error.what())};
   }
   return Reader(source).run(document);
+}
+
+std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view text, std::string_view source) {
+  auto checked = check_cell_complex(text, source);
+  if (auto* errors = std::get_if<std::vector<SceneError>>(&checked)) return std::move(errors->front());
+  return std::get<CellComplexFile>(std::move(checked));
 }
 
 bool is_cell_complex(std::string_view text) {

@@ -1,5 +1,6 @@
 // `sightline scene compartment`: counts, the file of cells, methods, and what is refused.
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/host/app/command_line.hpp"
 
@@ -47,6 +48,81 @@ TEST_F(SceneCompartmentCommand, CellsAreDrawnWithoutTheScene) {
   EXPECT_EQ(bad.exit_code, 4);
   EXPECT_TRUE(has(bad.err, "bad.cells.json: openings[0].plane: expected an integer 0..")) << bad.err;
   EXPECT_FALSE(exists("x.svg"));
+}
+
+TEST_F(SceneCompartmentCommand, InfoKnowsTheFile) {
+  const json counts =
+      json::parse(sightline({"scene", "compartment", "boxes-5", "--json", "-o", "b.cells.json"}).out);
+  const Ran ran = sightline({"scene", "info", "--json", "b.cells.json"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const json info = json::parse(ran.out);
+  EXPECT_EQ(info.at("schema"), "sightline/scene-info/1");
+  for (const char* same : {"method", "cells", "openings", "openings_outside", "planes"})
+    EXPECT_EQ(info.at(same), counts.at(same)) << same;
+  EXPECT_EQ(info.at("cell_lines"), counts.at("lines"));
+  EXPECT_EQ(info.at("outer"), json::parse(read("b.cells.json")).at("outer"));
+  // All that is said of the scene itself.
+  const json scene = json::parse(sightline({"scene", "info", "--json", "boxes-5"}).out);
+  for (const char* same :
+       {"name", "vertices", "edges", "faces", "holes", "bodies", "sheets", "bounds", "step"})
+    EXPECT_EQ(info.at(same), scene.at(same)) << same;
+  const std::string text = sightline({"scene", "info", "b.cells.json"}).out;
+  for (const std::string& part : {"faces          " + info.at("faces").dump() + ", with 0 holes",
+                                  "cells          " + info.at("cells").dump() + ", with " +
+                                      info.at("cell_lines").dump() + " lines; by grid",
+                                  "openings       " + info.at("openings").dump() + ", " +
+                                      info.at("openings_outside").dump() + " of them",
+                                  std::string("outer box      x ")})
+    EXPECT_TRUE(has(text, part)) << part << '\n' << text;
+  // It is a scene for all others, too.
+  EXPECT_EQ(sightline({"scene", "convert", "b.cells.json"}).out,
+            sightline({"scene", "convert", "boxes-5"}).out);
+}
+
+TEST_F(SceneCompartmentCommand, CheckNamesEverythingThatIsWrong) {
+  ASSERT_EQ(sightline({"scene", "compartment", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
+  const Ran good = sightline({"scene", "check", "b.cells.json"});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_EQ(good.out, "b.cells.json: a possible scene\n");
+  const auto written = json::parse(read("b.cells.json"));
+  const auto check = [this](json changed) {
+    // The schema first, by which the file is known.
+    changed.erase("schema");
+    write("bad.cells.json", "{\"schema\":\"sightline/cell-complex/2\"," + changed.dump().substr(1));
+    const Ran ran = sightline({"scene", "check", "--json", "bad.cells.json"});
+    EXPECT_EQ(ran.exit_code, 4);
+    const Ran lines = sightline({"scene", "check", "bad.cells.json"});
+    EXPECT_EQ(lines.exit_code, 4);
+    EXPECT_EQ(lines.out, "");
+    const json report = json::parse(ran.out);
+    EXPECT_FALSE(report.at("possible"));
+    for (const json& error : report.at("errors"))
+      EXPECT_TRUE(has(lines.err, "bad.cells.json: " + error.at("place").get<std::string>() + ": " +
+                                     error.at("cause").get<std::string>()))
+          << error << lines.err;
+    return report.at("errors");
+  };
+  json form = written;
+  form["openings"][0]["plane"] = 1'000'000;
+  EXPECT_EQ(check(form).size(), 1U);
+  EXPECT_EQ(check(form)[0].at("place"), "openings[0].plane");
+  EXPECT_EQ(sightline({"scene", "info", "bad.cells.json"}).exit_code, 4);
+  json turned = written;
+  for (const int opening : {0, 1})
+    std::swap(turned["openings"][opening]["cells"][0], turned["openings"][opening]["cells"][1]);
+  EXPECT_EQ(check(turned).size(), 4U);  // of either cell
+  EXPECT_EQ(check(turned)[3].at("place"), "opening 1");
+  json scene = written;
+  for (const int vertex : {0, 9}) {
+    json& x = scene["polyhedra"]["vertices"][vertex][0];
+    x = x.get<int>() + 1;
+  }
+  EXPECT_EQ(check(scene).size(), 2U);  // faces that are not planar any more
+  EXPECT_EQ(check(scene)[1].at("place"), "polyhedra: body 1 \"box 1\", face 0");
+  json eye = written;
+  eye["polyhedra"]["camera"]["eye"] = written["polyhedra"]["vertices"][0];
+  EXPECT_EQ(check(eye).size(), 1U);
+  EXPECT_TRUE(has(check(eye)[0].at("cause").get<std::string>(), "eye")) << check(eye);
 }
 
 TEST_F(SceneCompartmentCommand, Methods) {
