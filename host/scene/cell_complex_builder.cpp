@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -61,20 +62,24 @@ geometry::Box outer_box_of(const PolyScene& scene) {
   return box;
 }
 
-// Counted and placed by their lower vertex, which few share, so that only short runs are left to be sorted.
+// Counted and placed by their lower vertex, which few share, so that only short runs are left to be sorted;
+// of each run the different ones are moved up to those before.
 std::vector<ComplexEdge> complex_edges_of(const PolyScene& scene) {
-  std::vector<std::size_t> starts(scene.vertices.size() + 1, 0);
-  for_each_side(scene, [&](VertexIndex from, VertexIndex) { ++starts[from + 1]; });
-  for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
-  std::vector<ComplexEdge> edges(starts.back());
-  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  std::vector<std::uint32_t> next(scene.vertices.size() + 1, 0);  // by vertex, where its next edge goes
+  for_each_side(scene, [&](VertexIndex from, VertexIndex) { ++next[from + 1]; });
+  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+  std::vector<ComplexEdge> edges(next.back());
   for_each_side(scene, [&](VertexIndex from, VertexIndex to) { edges[next[from]++] = {from, to}; });
   const auto place = [&](std::size_t i) { return edges.begin() + static_cast<std::ptrdiff_t>(i); };
-  for (std::size_t v = 0; v + 1 < starts.size(); ++v) {
-    std::sort(place(starts[v]), place(starts[v + 1]),
+  auto kept = edges.begin();
+  std::size_t first = 0;
+  for (std::size_t v = 0; v + 1 < next.size(); first = next[v++]) {
+    std::sort(place(first), place(next[v]),
               [](const ComplexEdge& a, const ComplexEdge& b) { return a.to < b.to; });
+    for (auto edge = place(first); edge != place(next[v]); ++edge)
+      if (edge == place(first) || edge->to != std::prev(kept)->to) *kept++ = *edge;
   }
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  edges.erase(kept, edges.end());
   edges.shrink_to_fit();
   return edges;
 }
@@ -177,6 +182,11 @@ void CellComplexBuilder::expect_lines(const std::vector<std::uint32_t>& count_by
 void CellComplexBuilder::reserve(std::size_t cells, std::size_t bounds) {
   complex_.cells.reserve(cells);
   complex_.bounds.reserve(bounds);
+}
+
+void CellComplexBuilder::reserve_openings(std::size_t openings, std::size_t sides) {
+  complex_.openings.reserve(openings);
+  complex_.sides.reserve(sides);
 }
 
 // Every expected line has come, so that a cell's lines end where the next one goes.

@@ -59,6 +59,7 @@ class CellComplexBuilder {
   void expect_lines(const std::vector<std::uint32_t>& count_by_cell);
   // Room for this many, so that nothing is moved while a large complex grows.
   void reserve(std::size_t cells, std::size_t bounds);
+  void reserve_openings(std::size_t openings, std::size_t sides);
 
   // So far: for what needs the planes, the edges or the cells while it adds.
   [[nodiscard]] const CellComplex& complex() const { return complex_; }

@@ -35,11 +35,12 @@ std::optional<SceneError> fault_of_faces(const PolyScene& scene) {
 }
 
 std::optional<SceneError> fault_of_size(const GridPlanes& planes, const GridOptions& options) {
-  if (planes.all_units() <= static_cast<double>(options.most_units)) return std::nullopt;
+  const std::size_t most_units = std::min(options.most_units, GridSpace::most_units);
+  if (planes.all_units() <= static_cast<double>(most_units)) return std::nullopt;
   return SceneError{"", "",
                     "a grid of " + std::to_string(planes.units(0)) + " x " + std::to_string(planes.units(1)) +
                         " x " + std::to_string(planes.units(2)) + " units, expected at most " +
-                        std::to_string(options.most_units)};
+                        std::to_string(most_units)};
 }
 
 Box box_of(const GridPlanes& planes, const GridCell& cell) {
@@ -156,6 +157,7 @@ std::variant<CellComplex, SceneError> compartment_grid(const PolyScene& scene, c
   CellComplexBuilder builder(scene, outer);
   add_lines(builder, space.planes(), cells);
   builder.reserve(cells.cells().size(), 6 * cells.cells().size());
+  builder.reserve_openings(8 * cells.cells().size(), 4 * 8 * cells.cells().size());
   for (const GridCell& cell : cells.cells()) add_box_cell(builder, box_of(space.planes(), cell));
   if (auto fault = add_openings(builder, space, cells, options)) return *fault;
   return builder.take();

@@ -67,10 +67,11 @@ void GridOpenings::gather_covers(const Meeting& meeting) {
       covers_.push_back(face);
       return;
     }
-    space_.for_each_part(unit, meeting.axis, [&](Rectangle part) {
+    space_.for_each_part(unit, meeting.axis, [&](const auto& sides) {
+      Rectangle part = face;
       for (std::size_t k = 0; k < 2; ++k) {
-        part.sides[k] = {std::max(part.sides[k].low, face.sides[k].low),
-                         std::min(part.sides[k].high, face.sides[k].high)};
+        part.sides[k] = {std::max(sides[k].low, face.sides[k].low),
+                         std::min(sides[k].high, face.sides[k].high)};
       }
       covers_.push_back(part);
     });

@@ -119,7 +119,23 @@ void GridSpace::fill_solids(const PolyScene& scene) {
   sums.for_each_inside([&](std::size_t unit) { state_[unit] |= solid_bit; });
 }
 
+// For a rectangle of every two corners, which are enough: what is never used costs no memory, but growing
+// would cost it twice.
+void GridSpace::reserve_parts(const PolyScene& scene) {
+  std::size_t corners = 0;
+  for (const PolyBody& body : scene.bodies) {
+    if (!body.sheet) continue;
+    for (const PolyFace& face : body.faces) {
+      corners += face.outline.size();
+      for (const auto& hole : face.holes) corners += hole.size();
+    }
+  }
+  rectangles_.reserve(corners / 2);
+  parts_.reserve(corners / 2);
+}
+
 void GridSpace::add_sheets(const PolyScene& scene) {
+  reserve_parts(scene);
   for (const PolyBody& body : scene.bodies) {
     if (!body.sheet) continue;
     for (const PolyFace& face : body.faces)
@@ -144,17 +160,17 @@ void GridSpace::add_sheet_rectangle(const Rectangle& rectangle) {
       if (whole_v && rectangle.sides[0].contains(unit_span(planes_, u, unit[u]))) {
         state_[here] = static_cast<std::uint8_t>(state_[here] | 1U << (first_whole_bit + rectangle.axis));
       } else {
-        parts_.push_back({here * 3 + rectangle.axis, static_cast<std::uint32_t>(rectangles_.size())});
+        parts_.push_back({face_of(here, rectangle.axis), static_cast<std::uint32_t>(rectangles_.size())});
         in_part = true;
       }
     }
   }
-  if (in_part) rectangles_.push_back(rectangle);
+  if (in_part) rectangles_.push_back(rectangle.sides);
 }
 
-std::size_t GridSpace::first_part_of(std::size_t face) const {
+std::size_t GridSpace::first_part_of(std::uint32_t face) const {
   const auto place = std::lower_bound(parts_.begin(), parts_.end(), face,
-                                      [](const Part& part, std::size_t f) { return part.face < f; });
+                                      [](const Part& part, std::uint32_t f) { return part.face < f; });
   return static_cast<std::size_t>(place - parts_.begin());
 }
 

@@ -46,6 +46,9 @@ class GridPlanes {
 
 class GridSpace {
  public:
+  static constexpr std::size_t most_units = 0xFFFFFFFF / 3;  // so that their faces are numbered in 32 bits
+
+  // Of planes that make at most so many.
   GridSpace(const PolyScene& scene, GridPlanes planes);
 
   [[nodiscard]] const GridPlanes& planes() const { return planes_; }
@@ -62,13 +65,13 @@ class GridSpace {
   [[nodiscard]] bool closed(std::size_t unit, std::size_t axis) const {
     return (state_[unit] >> (first_whole_bit + axis) & 1U) != 0;
   }
-  // If no rectangle covers all of that face: those that cover part of it, not cut at the unit's borders.
+  // If no rectangle covers all of that face: visit(sides) for those that cover part of it, not cut at the
+  // unit's borders.
   template <class Visit>
   void for_each_part(std::size_t unit, std::size_t axis, Visit visit) const {
-    for (std::size_t i = first_part_of(unit * 3 + axis); i < parts_.size(); ++i) {
-      if (parts_[i].face != unit * 3 + axis) break;
+    const std::uint32_t face = face_of(unit, axis);
+    for (std::size_t i = first_part_of(face); i < parts_.size() && parts_[i].face == face; ++i)
       visit(rectangles_[parts_[i].rectangle]);
-    }
   }
 
  private:
@@ -76,21 +79,28 @@ class GridSpace {
   static constexpr unsigned first_part_bit = 1;
   static constexpr unsigned first_whole_bit = 4;
 
-  // A unit's high face on an axis (3 unit + axis) and a rectangle that covers part of it.
+  using Sides = std::array<geometry::Span, 2>;
+
+  // A unit's high face on an axis and a rectangle that covers part of it. A building of a million rooms has
+  // millions, as it has rectangles: what a face tells is not kept with them.
   struct Part {
-    std::size_t face = 0;
+    std::uint32_t face = 0;
     std::uint32_t rectangle = 0;
   };
 
+  [[nodiscard]] static std::uint32_t face_of(std::size_t unit, std::size_t axis) {
+    return static_cast<std::uint32_t>(unit * 3 + axis);
+  }
   void fill_solids(const PolyScene& scene);
+  void reserve_parts(const PolyScene& scene);
   void add_sheets(const PolyScene& scene);
   void add_sheet_rectangle(const geometry::Rectangle& rectangle);
-  [[nodiscard]] std::size_t first_part_of(std::size_t face) const;
+  [[nodiscard]] std::size_t first_part_of(std::uint32_t face) const;
 
   GridPlanes planes_;
   std::vector<std::uint8_t> state_;
-  std::vector<geometry::Rectangle> rectangles_;  // those that cover a unit's face in part
-  std::vector<Part> parts_;                      // ascending by face
+  std::vector<Sides> rectangles_;  // those that cover a unit's face in part
+  std::vector<Part> parts_;        // ascending by face
 };
 
 }  // namespace sightline::scene
