@@ -2,6 +2,7 @@
 
 #include <gmpxx.h>
 
+#include <cassert>
 #include <utility>
 
 namespace sightline::algorithms::montani_re {
@@ -23,12 +24,17 @@ mpz_class big(const Image::Number& n) {
   return negative ? mpz_class(-value) : value;
 }
 
+// As zero_between. Both numbers are longer than the fraction, which is one of where an edge meets a line of
+// the image. There p and p - q are, but for a common factor, determinants of three vectors of the scene (the
+// edge's end and two points of the other edge, from the eye; or the direction of sight and two differences
+// of points), or what separates an end from the border of a window: less than 2^60 in lowest terms.
 Rational wide_zero_between(const mpz_class& p, const mpz_class& q) {
   mpz_class numerator = p;
   mpz_class denominator = p - q;
   const mpz_class divisor = gcd(numerator, denominator);
   numerator /= divisor;
   denominator /= divisor;
+  assert(numerator.fits_slong_p() && denominator.fits_slong_p());
   return {numerator.get_si(), denominator.get_si()};
 }
 

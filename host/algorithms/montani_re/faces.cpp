@@ -32,21 +32,45 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
   return normal;
 }
 
-struct Sides {
-  bool inner = false;  // some corner is on the side of a line where its own face is, or on the other
-  bool outer = false;
+// Some corner of another face, or all of them, or none, on the side of a line where the line's own face is.
+class Half {
+ public:
+  Half(const Image& image, const Face& face, std::size_t k)
+      : image_(image), line_(face.lines[k]), east_(face.inner_side[k] > 0) {}
+
+  [[nodiscard]] bool holds_any(const Face& other) const {
+    return std::any_of(other.vertices.begin(), other.vertices.end(),
+                       [this](std::uint32_t v) { return inward(v) > 0; });
+  }
+  [[nodiscard]] bool holds_all(const Face& other) const {
+    return std::all_of(other.vertices.begin(), other.vertices.end(),
+                       [this](std::uint32_t v) { return inward(v) >= 0; });
+  }
+
+ private:
+  [[nodiscard]] Int128 inward(std::uint32_t vertex) const {
+    const Int128 at = image_.value_at(line_, vertex);
+    return east_ ? at : -at;
+  }
+
+  const Image& image_;
+  std::uint32_t line_;
+  bool east_;
 };
 
-Sides sides_of(const Image& image, const Face& face, const Face& other, std::size_t line) {
-  Sides sides;
-  for (const std::uint32_t v : other.vertices) {
-    const Int128 at = image.value_at(face.lines[line], v);
-    const Int128 inward = face.inner_side[line] > 0 ? at : -at;
-    sides.inner = sides.inner || inward > 0;
-    sides.outer = sides.outer || inward < 0;
-    if (sides.inner && sides.outer) break;
+// All of the other face is beyond a line of the face.
+bool beside(const Image& image, const Face& face, const Face& other) {
+  for (std::size_t k = 0; k < face.lines.size(); ++k) {
+    if (face.inner_side[k] != 0 && !Half(image, face, k).holds_any(other)) return true;
   }
-  return sides;
+  return false;
+}
+
+bool covers(const Image& image, const Face& face, const Face& other) {
+  for (std::size_t k = 0; k < face.lines.size(); ++k) {
+    if (face.inner_side[k] == 0 || !Half(image, face, k).holds_all(other)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -59,21 +83,8 @@ int compare(const ImageNumber& a, const ImageNumber& b) {
 }
 
 Placement placement_of(const Image& image, const Face& first, const Face& second) {
-  bool covered = true;
-  for (std::size_t k = 0; k < second.lines.size(); ++k) {
-    if (second.inner_side[k] == 0) {
-      covered = false;
-      continue;
-    }
-    const Sides sides = sides_of(image, second, first, k);
-    if (!sides.inner) return Placement::apart;
-    covered = covered && !sides.outer;
-  }
-  if (covered) return Placement::covered;
-  for (std::size_t k = 0; k < first.lines.size(); ++k) {
-    if (first.inner_side[k] != 0 && !sides_of(image, first, second, k).inner) return Placement::apart;
-  }
-  return Placement::mixed;
+  if (beside(image, second, first) || beside(image, first, second)) return Placement::apart;
+  return covers(image, second, first) ? Placement::covered : Placement::mixed;
 }
 
 std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
@@ -81,12 +92,14 @@ std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
   if (set_.image.weight(v) <= 0 && set_.image.weight(w) <= 0) return none;
   const std::uint32_t from = std::min(v, w);
   const std::uint32_t to = std::max(v, w);
-  if (lines_at_.size() <= from) lines_at_.resize(from + std::size_t{1});
-  for (const KnownLine& known : lines_at_[from]) {
-    if (known.to == to) return known.line;
+  if (last_line_at_.size() <= from) last_line_at_.resize(set_.image.vertices().size(), none);
+  for (std::uint32_t known = last_line_at_[from]; known != none; known = line_before_[known]) {
+    if (set_.edges[known].to == to) return known;
   }
   const std::uint32_t line = set_.image.add_line(from, to);
-  lines_at_[from].push_back({to, line});
+  line_before_.resize(line, none);
+  line_before_.push_back(last_line_at_[from]);
+  last_line_at_[from] = line;
   set_.edges.push_back({from, to});
   return line;
 }

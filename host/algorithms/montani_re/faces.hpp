@@ -91,17 +91,14 @@ class FaceSetBuilder {
   [[nodiscard]] FaceSet take();
 
  private:
-  struct KnownLine {
-    std::uint32_t to = 0;
-    std::uint32_t line = 0;
-  };
   // `none` if the image of the edge is a point, or it is not before the eye.
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
   void find_inner_sides(Face& face) const;
 
   FaceSet set_;
-  std::vector<std::vector<KnownLine>> lines_at_;  // by the lower vertex
+  std::vector<std::uint32_t> last_line_at_;  // by the lower vertex
+  std::vector<std::uint32_t> line_before_;   // by the line, at the same lower vertex
 };
 
 // Vertices keep the scene's numbers. The scene is a checked one (precondition). An error names a face that

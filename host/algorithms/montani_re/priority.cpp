@@ -87,12 +87,20 @@ class Table {
         live_(relations.size(), 1),
         minimum_(faces),
         maximum_(faces),
-        of_(faces) {
+        first_(faces + std::size_t{1}),
+        of_(2 * relations.size()) {
+    for (const Relation& relation : relations) {
+      ++minimum_[relation.near];
+      ++maximum_[relation.far];
+    }
+    std::vector<std::uint32_t> fill(faces);
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      fill[f] = first_[f];
+      first_[f + std::size_t{1}] = first_[f] + minimum_[f] + maximum_[f];
+    }
     for (std::uint32_t r = 0; r < relations.size(); ++r) {
-      ++minimum_[relations[r].near];
-      ++maximum_[relations[r].far];
-      of_[relations[r].near].push_back(r);
-      of_[relations[r].far].push_back(r);
+      of_[fill[relations[r].near]++] = r;
+      of_[fill[relations[r].far]++] = r;
     }
   }
 
@@ -106,7 +114,7 @@ class Table {
     --maximum_[relations_[relation].far];
   }
   void remove_face(std::uint32_t face) {
-    for (const std::uint32_t relation : of_[face]) remove(relation);
+    for (std::uint32_t k = first_[face]; k < first_[face + std::size_t{1}]; ++k) remove(of_[k]);
   }
 
   [[nodiscard]] std::vector<std::uint32_t> on_cycles() const {
@@ -124,7 +132,8 @@ class Table {
   std::vector<std::uint8_t> live_;
   std::vector<std::uint32_t> minimum_;  // NMIN: relations "<", faces it hides
   std::vector<std::uint32_t> maximum_;  // NMAX: relations ">", faces that hide it
-  std::vector<std::vector<std::uint32_t>> of_;
+  std::vector<std::uint32_t> first_;    // into of_, by face
+  std::vector<std::uint32_t> of_;       // relations
 };
 
 }  // namespace

@@ -64,10 +64,12 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
     builder.add_vertex({p[frame.axes[0]], p[frame.axes[1]], frame.turned ? -depth : depth});
   }
   if (window != nullptr) builder.clip_to(*window);
+  Rings rings;  // their room is kept from face to face
   for_each_face(scene, camera, [&](std::size_t b, std::size_t f) {
     const scene::PolyFace& face = scene.bodies[b].faces[f];
-    Rings rings{face.outline};
-    rings.insert(rings.end(), face.holes.begin(), face.holes.end());
+    rings.resize(1 + face.holes.size());
+    rings[0] = face.outline;
+    std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
     builder.add_face(rings, static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(f));
   });
   for (const picture::LineEdge& edge : lone) builder.add_lone_edge(edge.from, edge.to);

@@ -7,6 +7,11 @@
 
 namespace sightline::algorithms::montani_re {
 
+Combiner::Combiner(const Image& image, Operation operation) : image_(image), operation_(operation) {
+  for (std::size_t in = 0; in < kept_.size(); ++in)
+    kept_[in] = kept(operation, (in & inside_a) != 0, (in & inside_b) != 0);
+}
+
 void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
   result_.bands.clear();
   result_.sides.clear();
@@ -106,23 +111,17 @@ void Combiner::merge(const Ordinate& from, const Ordinate& high, std::span<const
 // The sides of the result: sides that coincide are passed at once.
 void Combiner::toggle(const Ordinate& from, const Ordinate& high) {
   out_.clear();
-  bool in_a = false;
-  bool in_b = false;
-  for (std::size_t k = 0; k < row_.size();) {
-    const bool before = kept(operation_, in_a, in_b);
-    std::size_t end = k;
-    const Member* side = &row_[k];
-    bool own = false;
-    do {
-      (row_[end].of_a ? in_a : in_b) ^= true;
-      if (row_[end].of_a) {
-        side = &row_[end];
-        own = own || row_[end].side.own;
-      }
-      ++end;
-    } while (end < row_.size() && coincides(end, from, high));
-    if (kept(operation_, in_a, in_b) != before) out_.push_back({side->side.line, own});
-    k = end;
+  std::size_t in = 0;
+  for (std::size_t k = 0; k < row_.size(); ++k) {
+    const bool before = kept_[in];
+    Side side{row_[k].side.line, row_[k].of_a && row_[k].side.own};
+    in ^= row_[k].of_a ? inside_a : inside_b;
+    for (; k + 1 < row_.size() && coincides(k + 1, from, high); ++k) {
+      const Member& next = row_[k + 1];
+      in ^= next.of_a ? inside_a : inside_b;
+      if (next.of_a) side = {next.side.line, side.own || next.side.own};
+    }
+    if (kept_[in] != before) out_.push_back(side);
   }
 }
 

@@ -9,6 +9,8 @@
 // their number is even and not 0; bands that touch differ in their sides.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -65,7 +67,7 @@ enum class Operation { unite, intersect, subtract };
 // which is faster than as many calls of combine().
 class Combiner {
  public:
-  Combiner(const Image& image, Operation operation) : image_(image), operation_(operation) {}
+  Combiner(const Image& image, Operation operation);
 
   void operator()(TrapezoidPcs& a, const TrapezoidPcs& b);
 
@@ -75,6 +77,9 @@ class Combiner {
     bool of_a = false;
     bool coincides = false;  // with the one before, if that is of the other region
   };
+
+  static constexpr std::size_t inside_a = 1;
+  static constexpr std::size_t inside_b = 2;
 
   void run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs);
   void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
@@ -86,6 +91,7 @@ class Combiner {
 
   const Image& image_;
   Operation operation_;
+  std::array<bool, 4> kept_{};  // by inside_a and inside_b
   TrapezoidPcs result_;
   std::vector<Member> row_;
   std::vector<Side> out_;

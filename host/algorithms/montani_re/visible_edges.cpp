@@ -31,8 +31,12 @@ class EdgePieces {
 
   [[nodiscard]] picture::LinePicture picture() const {
     picture::LinePicture picture;
-    std::vector<std::uint32_t> order(seen_.size());
-    for (std::uint32_t line = 0; line < order.size(); ++line) order[line] = line;
+    std::vector<std::uint32_t> order;
+    order.reserve(seen_.size());
+    for (std::uint32_t line = 0; line < seen_.size(); ++line) {
+      if (!seen_[line].empty()) order.push_back(line);
+    }
+    picture.pieces.reserve(order.size());
     std::sort(order.begin(), order.end(),
               [this](std::uint32_t a, std::uint32_t b) { return set_.edges[a] < set_.edges[b]; });
     for (const std::uint32_t line : order) {

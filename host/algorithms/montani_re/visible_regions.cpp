@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 
 #include "host/algorithms/montani_re/depth_relations.hpp"
@@ -73,19 +74,28 @@ class Subtraction {
 // Every face less those before it in the list that are its neighbours in the relations, nearest first.
 void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result) {
   std::vector<std::uint32_t> rank(set.faces.size());
-  std::uint32_t next = 0;
+  std::vector<std::uint32_t> by_rank;
+  by_rank.reserve(set.faces.size());
   for (const PriorityClass& members : result.list.classes()) {
-    for (const std::uint32_t face : members) rank[face] = next++;
+    for (const std::uint32_t face : members) {
+      rank[face] = static_cast<std::uint32_t>(by_rank.size());
+      by_rank.push_back(face);
+    }
   }
-  std::vector<std::vector<std::uint32_t>> before(set.faces.size());
+  // The ranks of those before a face, from first[face] on.
+  std::vector<std::uint32_t> first(set.faces.size() + 1);
+  for (const Relation& relation : relations)
+    if (rank[relation.near] < rank[relation.far]) ++first[relation.far];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> before(first.back());
   for (const Relation& relation : relations) {
-    if (rank[relation.near] < rank[relation.far]) before[relation.far].push_back(relation.near);
+    if (rank[relation.near] < rank[relation.far]) before[--first[relation.far]] = rank[relation.near];
   }
   Subtraction subtract(set, result.counts);
   for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
-    std::sort(before[face].begin(), before[face].end(),
-              [&rank](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
-    for (const std::uint32_t near : before[face]) subtract(result.regions[face], face, near);
+    const std::span nearer(before.data() + first[face], before.data() + first[face + std::size_t{1}]);
+    std::sort(nearer.begin(), nearer.end());
+    for (const std::uint32_t near : nearer) subtract(result.regions[face], face, by_rank[near]);
   }
 }
 
