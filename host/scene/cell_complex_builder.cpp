@@ -196,6 +196,7 @@ void CellComplexBuilder::find_expected_lines() {
   for (std::size_t c = 0; c < complex_.cells.size(); ++c) {
     complex_.cells[c].first_line = first;
     complex_.cells[c].line_count = next_lines_[c] - first;
+    complex_.lines.sort_by_edge(first, next_lines_[c]);
     first = next_lines_[c];
   }
 }

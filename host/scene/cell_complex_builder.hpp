@@ -50,7 +50,8 @@ class CellComplexBuilder {
   // `beyond`. Cells may be added later.
   void add_opening(const HalfSpace& near, CellNumber within, CellNumber beyond,
                    std::span<const HalfSpace> sides);
-  // Part of edge number `edge` on a cell's closure; low < high. A cell keeps its lines in the order given.
+  // Part of edge number `edge` on a cell's closure; low < high. A cell keeps its lines in the order given,
+  // or, if they are expected, by edge, of which it then has one part each.
   void add_line(CellNumber cell, std::uint32_t edge, const geometry::Rational& low,
                 const geometry::Rational& high);
 

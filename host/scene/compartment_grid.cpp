@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/scene/cell_complex_boxes.hpp"
 #include "host/scene/cell_complex_builder.hpp"
@@ -113,11 +116,27 @@ void for_each_part(const GridPlanes& planes, const GridCells& cells, std::size_t
   }
 }
 
-// visit(edge number, axis, cell, low, high) for all edges.
+// The edges, band by band of so many units along y, each band ascending. Cells are numbered along x first:
+// with neighbours come those a whole row away, and of a large building more rows than the machine can keep at
+// hand.
+std::vector<std::uint32_t> edges_in_bands(const CellComplex& complex, const GridPlanes& planes) {
+  constexpr std::uint32_t band_units = 64;
+  const auto band_of = [&](const ComplexEdge& edge) {
+    return planes.unit_of(1, complex.vertices[edge.from][1]) / band_units;
+  };
+  std::vector<std::uint32_t> next(planes.units(1) / band_units + 2, 0);
+  for (const ComplexEdge& edge : complex.edges) ++next[band_of(edge) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<std::uint32_t> order(complex.edges.size());
+  for (std::uint32_t e = 0; e < order.size(); ++e) order[next[band_of(complex.edges[e])]++] = e;
+  return order;
+}
+
+// visit(edge number, axis, cell, low, high) for all edges in this order.
 template <class Visit>
-void for_each_line(const CellComplex& complex, const GridPlanes& planes, const GridCells& cells,
-                   Visit visit) {
-  for (std::uint32_t e = 0; e < complex.edges.size(); ++e) {
+void for_each_line(const CellComplex& complex, std::span<const std::uint32_t> order, const GridPlanes& planes,
+                   const GridCells& cells, Visit visit) {
+  for (const std::uint32_t e : order) {
     const PolyPoint& from = complex.vertices[complex.edges[e].from];
     const PolyPoint& to = complex.vertices[complex.edges[e].to];
     const std::size_t axis = from[0] != to[0] ? 0 : from[1] != to[1] ? 1 : 2;
@@ -130,11 +149,12 @@ void for_each_line(const CellComplex& complex, const GridPlanes& planes, const G
 
 void add_lines(CellComplexBuilder& builder, const GridPlanes& planes, const GridCells& cells) {
   const CellComplex& complex = builder.complex();
+  const std::vector<std::uint32_t> order = edges_in_bands(complex, planes);
   std::vector<std::uint32_t> counts(cells.cells().size(), 0);
-  for_each_line(complex, planes, cells,
+  for_each_line(complex, order, planes, cells,
                 [&](std::uint32_t, std::size_t, CellNumber cell, auto...) { ++counts[cell]; });
   builder.expect_lines(counts);
-  for_each_line(complex, planes, cells,
+  for_each_line(complex, order, planes, cells,
                 [&](std::uint32_t e, std::size_t axis, CellNumber cell, std::int32_t low, std::int32_t high) {
                   add_axis_line(builder, e, axis, cell, low, high);
                 });

@@ -1,6 +1,8 @@
 // See complex_lines.hpp.
 #include "host/scene/complex_lines.hpp"
 
+#include <algorithm>
+
 namespace sightline::scene {
 namespace {
 
@@ -28,6 +30,12 @@ std::uint32_t ComplexLines::part_of(const ComplexLine& line) {
     parts_.push_back(part);
   }
   return recent;
+}
+
+void ComplexLines::sort_by_edge(std::size_t first, std::size_t end) {
+  const auto place = [this](std::size_t i) { return lines_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto before = [](const Line& a, const Line& b) { return a.edge < b.edge; };
+  if (!std::is_sorted(place(first), place(end), before)) std::sort(place(first), place(end), before);
 }
 
 }  // namespace sightline::scene

@@ -74,6 +74,8 @@ class ComplexLines {
   void resize(std::size_t size) { lines_.resize(size); }
   void reserve(std::size_t size) { lines_.reserve(size); }
   void swap(std::size_t i, std::size_t j) { std::swap(lines_[i], lines_[j]); }
+  // Of lines first .. end - 1, no two of one edge; quick if they are in order.
+  void sort_by_edge(std::size_t first, std::size_t end);
 
  private:
   struct Part {
