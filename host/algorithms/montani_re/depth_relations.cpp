@@ -137,10 +137,8 @@ class PairTests {
 // the exact ones are looked up.
 struct Extents {
   std::uint32_t face = 0;
-  double low_x = 0;
-  double high_x = 0;
-  double low_y = 0;
-  double high_y = 0;
+  std::array<double, 2> low{};
+  std::array<double, 2> high{};
 };
 
 std::vector<Extents> extents_by_lowest_x(const FaceSet& set) {
@@ -148,11 +146,12 @@ std::vector<Extents> extents_by_lowest_x(const FaceSet& set) {
   extents.reserve(set.faces.size());
   for (std::uint32_t i = 0; i < set.faces.size(); ++i) {
     const Face& face = set.faces[i];
-    extents.push_back({i, face.low[0].approximate, face.high[0].approximate, face.low[1].approximate,
-                       face.high[1].approximate});
+    extents.push_back({i,
+                       {face.low[0].approximate, face.low[1].approximate},
+                       {face.high[0].approximate, face.high[1].approximate}});
   }
   std::sort(extents.begin(), extents.end(), [&set](const Extents& a, const Extents& b) {
-    if (a.low_x != b.low_x) return a.low_x < b.low_x;
+    if (a.low[0] != b.low[0]) return a.low[0] < b.low[0];
     const int x = compare(set.faces[a.face].low[0], set.faces[b.face].low[0]);
     return x != 0 ? x < 0 : a.face < b.face;
   });
@@ -186,8 +185,9 @@ Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second
 
 DepthRelations depth_relations(const FaceSet& set) {
   const std::vector<Extents> extents = extents_by_lowest_x(set);
-  // Of a face, nowhere above the low end of another on this axis.
-  const auto ends = [&set](const Extents& a, const Extents& b, std::size_t axis) {
+  // The first ends on an axis before the second begins.
+  const auto before = [&set](const Extents& a, const Extents& b, std::size_t axis) {
+    if (a.high[axis] != b.low[axis]) return a.high[axis] < b.low[axis];
     return compare(set.faces[a.face].high[axis], set.faces[b.face].low[axis]) <= 0;
   };
   PairTests tests(set);
@@ -196,11 +196,11 @@ DepthRelations depth_relations(const FaceSet& set) {
     std::uint64_t apart_in_y = 0;
     for (std::size_t j = i + 1; j < extents.size(); ++j) {
       const Extents& b = extents[j];
-      if (b.low_x >= a.high_x && ends(a, b, 0)) {
+      if (before(a, b, 0)) {
         tests.decided(1);
         break;  // and so for all that follow
       }
-      if ((b.low_y >= a.high_y && ends(a, b, 1)) || (a.low_y >= b.high_y && ends(b, a, 1))) {
+      if (before(a, b, 1) || before(b, a, 1)) {
         ++apart_in_y;
       } else {
         tests.decide(a.face, b.face);

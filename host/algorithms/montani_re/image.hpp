@@ -6,7 +6,7 @@
 // perspective, else (x, y). A vertex that is not before the eye (z <= 0 in perspective) has no image, but the
 // lines through it have: window.hpp. Sizes, |x|, |y|, |z| < 2^37: a line's coefficients 75 bits, an ordinate
 // 151 over 151 bits, both questions 303 bits. They are answered in floating point where its error bound
-// allows, else by integers of 320 bits.
+// allows, or by the point's name where the lines meet in it, else by integers of 320 bits.
 #pragma once
 
 #include <array>
