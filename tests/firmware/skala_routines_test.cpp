@@ -11,6 +11,7 @@
 #include "tests/firmware/skala_machine.hpp"
 #include "tests/firmware/skala_reference.hpp"
 #include "tests/firmware/skala_streams.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::skala_test {
 namespace {
@@ -64,8 +65,9 @@ TEST(SkalaLines, AreHiddenBetweenTheMasks) {
 
 TEST(SkalaLines, InAllDirections) {
   std::vector<std::pair<int, int>> deltas;
-  for (int dx = -13; dx <= 13; ++dx)
-    for (int dy = -13; dy <= 13; ++dy) deltas.emplace_back(dx, dy);
+  constexpr int step = tests::effort(1, 4);
+  for (int dx = -13; dx <= 13; dx += step)
+    for (int dy = -13; dy <= 13; dy += step) deltas.emplace_back(dx, dy);
   for (const int a : {-127, -126, -64, -1, 0, 1, 63, 126, 127})
     for (const int b : {-127, -100, -2, 0, 1, 99, 127}) {
       deltas.emplace_back(a, b);
@@ -152,28 +154,28 @@ void compare(const StreamKind& kind, std::uint32_t seed) {
 }
 
 TEST(SkalaStreams, OnTheEf9365) {
-  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+  for (std::uint32_t seed = 0; seed < tests::effort(400U, 20U); ++seed) {
     compare({0, seed % 5 != 0, false, seed % 2 == 0}, seed);
     if (HasFatalFailure()) return;
   }
 }
 
 TEST(SkalaStreams, WithSilhouettes) {
-  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+  for (std::uint32_t seed = 0; seed < tests::effort(200U, 10U); ++seed) {
     compare({0, true, true, seed % 4 == 0}, 1000 + seed);
     if (HasFatalFailure()) return;
   }
 }
 
 TEST(SkalaStreams, OnTheAlt256) {
-  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+  for (std::uint32_t seed = 0; seed < tests::effort(60U, 4U); ++seed) {
     compare({1, seed % 4 != 0, seed % 3 == 0, seed % 2 == 0}, 2000 + seed);
     if (HasFatalFailure()) return;
   }
 }
 
 TEST(SkalaStreams, OnThePlotters) {
-  for (std::uint32_t seed = 0; seed < 16; ++seed) {
+  for (std::uint32_t seed = 0; seed < tests::effort(16U, 2U); ++seed) {
     compare({2 + static_cast<int>(seed % 2), seed % 8 > 1, seed % 3 == 0, seed % 4 < 2}, 3000 + seed);
     if (HasFatalFailure()) return;
   }

@@ -22,6 +22,7 @@
 #include "host/scene/poly_file.hpp"
 #include "tests/host/algorithms/agreement/agreement.hpp"
 #include "tests/host/algorithms/agreement/random_scene.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::algorithms {
 namespace {
@@ -86,7 +87,7 @@ class Everyone {
 TEST(AgreementFuzz, RandomScenesAreSeenAlikeByAll) {
   constexpr int views = 8;
   const std::uint32_t first = number_from("SIGHTLINE_FUZZ_SEED", 1);
-  const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", 60);
+  const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", tests::effort(60U, 15U));
   std::uint32_t looked = 0;
   Shares shares;
   for (std::uint32_t seed = first; seed - first < scenes; ++seed) {
