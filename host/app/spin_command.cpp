@@ -10,6 +10,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,8 @@ constexpr const char* spin_examples =
     "Examples:\n"
     "  sightline spin part.off -o part.apng\n"
     "      one turn, a frame every 3 degrees\n"
+    "  sightline spin part.obj --vertical z -o part.apng\n"
+    "      a file whose z points up\n"
     "  sightline spin part.off --events part.events --step 1 -o part.apng\n"
     "      the events of the turn are kept in a file, and read from it the next time\n";
 
@@ -39,12 +42,27 @@ struct SpinOptions {
   std::string scene;
   std::string out;
   std::string events;
+  std::string vertical = "y";
   double step = 3;
   double tolerance = 0;
   int size = 480;
   int rate = 25;
   bool wire = false;
 };
+
+// Turned as a solid body is, so that the axis named points up: the turn is about y.
+scene::PolyScene stood_up(scene::PolyScene scene, std::string_view vertical) {
+  const auto turned = [vertical](const scene::PolyPoint& p) -> scene::PolyPoint {
+    if (vertical == "x") return {-p[1], p[0], p[2]};
+    if (vertical == "-x") return {p[1], -p[0], p[2]};
+    if (vertical == "-y") return {-p[0], -p[1], p[2]};
+    if (vertical == "z") return {p[0], p[2], -p[1]};
+    if (vertical == "-z") return {p[0], -p[2], p[1]};
+    return p;
+  };
+  for (scene::PolyPoint& vertex : scene.vertices) vertex = turned(vertex);
+  return scene;
+}
 
 native::EventList study(const native::RotationModel& model, const SpinOptions& options) {
   ProgressLine line;
@@ -122,12 +140,17 @@ class Sheet {
 };
 
 void spin(const SpinOptions& options) {
+  if (!options.out.ends_with(".apng") && !options.out.ends_with(".png")) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: expected a name that ends in .apng or .png", options.out));
+  }
   const SceneSource source = load_scene_source(options.scene);
-  if (const auto reason = native::why_not(source.scene)) {
+  const scene::PolyScene scene = stood_up(source.scene, options.vertical);
+  if (const auto reason = native::why_not(scene)) {
     throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
   }
   Output output(options.out);
-  const native::RotationModel model(source.scene);
+  const native::RotationModel model(scene);
   const native::EventList list = events_of(model, options);
   native::EdgeStructureGraph graph(list);
   native::FrameMaker frames(model);
@@ -170,6 +193,10 @@ void add_spin_command(CLI::App& app, ExitCode&) {
       ->add_option("--events", options->events,
                    "Read the events of the turn from this file; if there is none, find and keep them in it")
       ->type_name("FILE");
+  command->add_option("--vertical", options->vertical, "Which axis points up, such as z or -y")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}))
+      ->type_name("AXIS")
+      ->capture_default_str();
   command->add_option("--step", options->step, "Degrees from frame to frame")
       ->type_name("DEGREES")
       ->check(CLI::Range(0.05, 180.0))

@@ -1,6 +1,8 @@
 // `sightline spin` and `sightline draw plantinga`: pictures, event files kept and found again, and what a
 // user gets wrong.
+#include <array>
 #include <cstddef>
+#include <sstream>
 
 #include "tests/host/app/command_line.hpp"
 
@@ -39,6 +41,44 @@ TEST_F(SpinCommand, WritesAnAnimatedPicture) {
       sightline({"spin", "two.off", "--step", "30", "--size", "64", "--wire", "-o", "wire.apng"}).exit_code,
       0);
   EXPECT_NE(read("wire.apng"), read("two.apng")) << "what is hidden shows in the wire frame";
+}
+
+// A model that stands on another axis turns as the one that stands on y: the columns say where the x, y and z of
+// that one are in the file, the signs which way.
+TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
+  write_models();
+  const sightline::test::Arguments sizes{"--step", "90", "--size", "64"};
+  const auto spin = [&](sightline::test::Arguments arguments) {
+    arguments.insert(arguments.begin(), "spin");
+    arguments.insert(arguments.end(), sizes.begin(), sizes.end());
+    return sightline(arguments);
+  };
+  ASSERT_EQ(spin({"two.off", "-o", "y.apng"}).exit_code, 0);
+  struct Standing {
+    const char* vertical;
+    std::array<std::size_t, 3> from;
+    std::array<int, 3> sign;
+  };
+  for (const Standing& standing : {Standing{"x", {1, 0, 2}, {1, -1, 1}}, Standing{"-x", {1, 0, 2}, {-1, 1, 1}},
+                                   Standing{"-y", {0, 1, 2}, {-1, -1, 1}}, Standing{"z", {0, 2, 1}, {1, -1, 1}},
+                                   Standing{"-z", {0, 2, 1}, {1, 1, -1}}}) {
+    std::istringstream model(read("two.off"));
+    std::string line;
+    std::string turned;
+    for (int number = 0; std::getline(model, line); ++number) {
+      std::array<int, 3> p{};
+      std::istringstream row(line);
+      if (number >= 2 && number < 10 && row >> p[0] >> p[1] >> p[2]) {
+        line.clear();
+        for (std::size_t a = 0; a < 3; ++a) line += std::to_string(standing.sign[a] * p[standing.from[a]]) + ' ';
+      }
+      turned += line + '\n';
+    }
+    write("turned.off", turned);
+    const auto ran = spin({"turned.off", "--vertical", standing.vertical, "-o", "turned.apng"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(read("turned.apng"), read("y.apng")) << standing.vertical;
+  }
 }
 
 TEST_F(SpinCommand, KeepsEventsAndFindsThemAgain) {
@@ -96,6 +136,7 @@ TEST_F(SpinCommand, NamesWhatIsWrong) {
       {{"spin", "nowhere.off", "-o", "a.apng"}, 5, "nowhere.off"},
       {{"spin", "bad.off", "-o", "a.apng"}, 4, "bad.off"},
       {{"spin", "two.off"}, 2, "--output"},
+      {{"spin", "two.off", "-o", "two.svg"}, 2, "two.svg: expected a name that ends in .apng or .png"},
       {{"spin", "two.off", "--step", "0", "-o", "a.apng"}, 2, "--step"},
       {{"spin", "two.off", "--tolerance", "nan", "-o", "a.apng"}, 2, "--tolerance"},
       {{"spin", "two.off", "-o", "no/folder/a.apng"}, 5, "no/folder/a.apng"},
