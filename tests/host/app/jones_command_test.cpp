@@ -149,6 +149,22 @@ TEST_F(JonesCommand, AFolderThatCannotBeMade) {
   EXPECT_TRUE(has(ran.err, "file/pictures")) << ran.err;
 }
 
+// What `draw jones` takes and the old program does not: the answer names the one that does.
+TEST_F(JonesCommand, ScenesWithoutCells) {
+  write("tent.off", "OFF\n4 4 0\n0 0 0\n9 1 0\n4 9 1\n3 2 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  ASSERT_EQ(sightline({"scene", "convert", "tent.off", "-o", "tent.json"}).exit_code, 0);
+  ASSERT_EQ(sightline({"scene", "compartment", "tent.off", "-o", "tent.cells.json"}).exit_code, 0);
+  for (const char* scene : {"tent.off", "tent.json", "tent.cells.json", "rooms-3"}) {
+    for (const Arguments& arguments : {Arguments{"jones", scene}, Arguments{"scene", "tape", scene}}) {
+      const Ran ran = sightline(arguments);
+      EXPECT_EQ(ran.exit_code, scene == std::string("rooms-3") ? 2 : 4) << ran.err;
+      EXPECT_TRUE(has(ran.err, std::string(scene) + ": found ")) << ran.err;
+      EXPECT_TRUE(has(ran.err, "`sightline draw jones` takes all scenes")) << ran.err;
+      EXPECT_EQ(ran.out, "");
+    }
+  }
+}
+
 TEST_F(JonesCommand, ScenesThatAreNoScenes) {
   json scene = scene_of("house");
   scene["cells"].push_back(scene["cells"][0]);
