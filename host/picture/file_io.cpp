@@ -1,6 +1,10 @@
 // See file_io.hpp.
 #include "host/picture/file_io.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -26,6 +30,42 @@ std::string follow_links(const std::string& path) {
 
 constexpr int most_partial_files = 100;
 
+std::string partial_name(const std::string& target, int attempt) {
+  return target + ".partial" + (attempt == 0 ? std::string() : std::to_string(attempt));
+}
+
+// What a file without a name can be linked by.
+std::string name_of_open(int file) {
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
+// A file without a name beside `target`: a program that is killed leaves nothing of it behind. None where
+// there are no such files, or no way to name them later; then a file with a name has to do, target.partial.
+std::FILE* open_nameless(const std::string& target) {
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  const int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0) return nullptr;
+  std::FILE* const stream = ::access(name_of_open(file).c_str(), F_OK) == 0 ? ::fdopen(file, "wb") : nullptr;
+  if (stream == nullptr) ::close(file);
+  return stream;
+}
+
+bool is_nameless(int file) {
+  struct stat status {};
+  return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0;
+}
+
+// The name it has now; none if it could not be given one, and errno.
+std::string given_name(int file, const std::string& target) {
+  for (int attempt = 0; attempt < most_partial_files; ++attempt) {
+    std::string partial = partial_name(target, attempt);
+    if (::linkat(AT_FDCWD, name_of_open(file).c_str(), AT_FDCWD, partial.c_str(), AT_SYMLINK_FOLLOW) == 0)
+      return partial;
+    if (errno != EEXIST) break;
+  }
+  return {};
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path, std::string target, std::string partial, std::FILE* file)
@@ -47,14 +87,18 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   std::string target = follow_links(path);
   std::error_code failed;
   const auto status = std::filesystem::status(target, failed);
+  if (failed == std::errc::filename_too_long) return system_error(path, "cannot write", ENAMETOOLONG);
   if (std::filesystem::is_directory(status)) return system_error(path, "cannot write", EISDIR);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     std::FILE* file = std::fopen(target.c_str(), "wb");
     if (file == nullptr) return system_error(path, "cannot write", errno);
     return AtomicFile(path, std::move(target), std::string(), file);
   }
+  if (std::FILE* const file = open_nameless(target); file != nullptr) {
+    return AtomicFile(path, std::move(target), std::string(), file);
+  }
   for (int attempt = 0; attempt < most_partial_files; ++attempt) {
-    std::string partial = target + ".partial" + (attempt == 0 ? std::string() : std::to_string(attempt));
+    std::string partial = partial_name(target, attempt);
     if (std::FILE* file = std::fopen(partial.c_str(), "wbx"); file != nullptr) {
       return AtomicFile(path, std::move(target), std::move(partial), file);
     }
@@ -79,6 +123,12 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
 
 Result<Done> AtomicFile::commit() {
   if (file_ == nullptr) return system_error(path_, "cannot write", EBADF);
+  errno = 0;
+  if (std::fflush(file_.get()) != 0 && failure_ == 0) failure_ = errno != 0 ? errno : EIO;
+  if (failure_ == 0 && partial_.empty() && is_nameless(::fileno(file_.get()))) {
+    partial_ = given_name(::fileno(file_.get()), target_);
+    if (partial_.empty()) failure_ = errno;
+  }
   errno = 0;
   if (std::fclose(file_.release()) != 0 && failure_ == 0) failure_ = errno != 0 ? errno : EIO;
   if (failure_ != 0) return system_error(path_, "cannot write", failure_);

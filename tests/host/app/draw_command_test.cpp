@@ -177,6 +177,27 @@ TEST_F(DrawCommand, AnEmptyDrawingIsWarnedAbout) {
   EXPECT_EQ(sightline({"draw", "exact", "boxes-2", "-o", "b.svg"}).err, "");
 }
 
+// In the middle of long work: nothing is left behind, and what was there before is there still.
+TEST_F(DrawCommand, CtrlCLeavesEverythingAsItWas) {
+  const int nameless = open(path(".").c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (nameless < 0) GTEST_SKIP() << "this file system has no files without a name";
+  close(nameless);
+  write("old.svg", "as it was");
+  for (const char* file : {"old.svg", "new.svg"}) {
+    const auto stopped =
+        sightline({"draw", "oracle", "boxes-20000", "-o", file}, "", std::chrono::milliseconds(700));
+    EXPECT_EQ(stopped.exit_code, 1000 + SIGINT) << stopped.err;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"old.svg"}));
+  EXPECT_EQ(read("old.svg"), "as it was");
+
+  ASSERT_EQ(sightline({"draw", "exact", "boxes-2", "-o", "old.svg"}).exit_code, 0);
+  EXPECT_TRUE(read("old.svg").ends_with("</svg>\n"));
+  write("plain", "");
+  EXPECT_EQ(std::filesystem::status(path("old.svg")).permissions(),
+            std::filesystem::status(path("plain")).permissions());
+}
+
 TEST_F(DrawCommand, APlaceThatCannotBeWritten) {
   EXPECT_EQ(sightline({"draw", "skala", "sinc", "-o", "nowhere/s.svg"}).exit_code, 5);
   EXPECT_EQ(sightline({"draw", "skala", "missing.csv", "-o", "s.svg"}).exit_code, 5);
