@@ -184,6 +184,21 @@ TEST(CompartmentGrid, EdgesAreCovered) {
   }
 }
 
+// Of a building of more rows than are gone through at once, in which walls lie on two such bands.
+TEST(CompartmentGrid, LinesStandByEdge) {
+  const auto cut = compartment_grid(generate_big_rooms(130));
+  const CellComplex& complex = std::get<CellComplex>(cut);
+  std::size_t unordered = 0;
+  std::size_t lines = 0;
+  for (const ComplexCell& cell : complex.cells) {
+    const auto row = complex.lines_of(cell);
+    lines += row.size();
+    for (std::size_t i = 1; i < row.size(); ++i) unordered += row.edge(i - 1) < row.edge(i) ? 0 : 1;
+  }
+  EXPECT_EQ(unordered, 0U);
+  EXPECT_EQ(lines, complex.lines.size());
+}
+
 TEST(FreeRectangles, CoverWhatIsFreeOnce) {
   SceneRandom random(11);
   FreeRectangles free;
