@@ -91,14 +91,14 @@ ScreenFrame fitted_frame(const LinePicture& picture, const scene::PolyScene& sce
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
   }
-  constexpr double side = 1023;
+  constexpr double last_place = 1023;
   constexpr double margin = 24;
   ScreenFrame frame;
   frame.near = wide.near;
   if (!(low.x <= high.x)) return frame;  // nothing is seen
-  frame.scale = (side - 2 * margin) / std::max({high.x - low.x, high.y - low.y, 1e-9});
-  frame.centre = {side / 2 - frame.scale * (low.x + high.x) / 2,
-                  side / 2 - frame.scale * (low.y + high.y) / 2};
+  frame.scale = (last_place - 2 * margin) / std::max({high.x - low.x, high.y - low.y, 1e-9});
+  frame.centre = {last_place / 2 - frame.scale * (low.x + high.x) / 2,
+                  last_place / 2 - frame.scale * (low.y + high.y) / 2};
   return frame;
 }
 

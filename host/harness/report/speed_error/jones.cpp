@@ -20,7 +20,7 @@ namespace sightline::harness::report {
 namespace {
 
 constexpr int most_machine_fraction = 3;  // fraction bits
-constexpr std::array word_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
+constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 
 double seconds(core::Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -112,7 +112,7 @@ void measure_twins(const SceneViews& views, JonesMeasured& measured) {
       measured.fractions.push_back(
           measure_twin(views, {jones::NumberKind::fixed_point, jones::longest_word, f, truncate}));
   }
-  for (const int bits : word_lengths)
+  for (const int bits : tried_lengths)
     measured.words.push_back(
         measure_twin(views, {jones::NumberKind::fixed_point, bits, most_complete(views, bits), false}));
   for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float})

@@ -28,7 +28,7 @@ using native::EdgeIndex;
 using native::EdgeStructure;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr std::array tolerances{0.0, 0.001, 0.01, 0.1, 1.0};
+constexpr std::array tried_tolerances{0.0, 0.001, 0.01, 0.1, 1.0};
 constexpr std::array step_degrees{0.01, 0.1, 1.0, 3.0, 10.0, 30.0};
 
 // Visible parts of an edge, from 0 to 1.
@@ -217,7 +217,7 @@ Outcome<std::vector<PlantingaCurve>> measure_plantinga(const Context& context) {
     const auto truths = truths_of(studied.model, context.full ? 2000 : 500);
     PlantingaCurve curve;
     curve.model = name;
-    for (const double tolerance : tolerances)
+    for (const double tolerance : tried_tolerances)
       curve.tolerances.push_back(tolerance_point(context, studied, truths, tolerance));
     context.progress(fmt::format("{}: steps from frame to frame", name));
     for (const double step : step_degrees) curve.steps.push_back(step_point(context, studied, truths, step));
