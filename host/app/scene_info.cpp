@@ -123,7 +123,7 @@ ordered_json polyhedra_json(const scene::PolyScene& scene) {
 void write_polyhedra(const scene::PolyScene& scene) {
   const PolyCounts counts(scene);
   const scene::PolyBounds bounds = scene::bounds_of(scene);
-  write_stdout(fmt::format("name           {}\n", scene.name));
+  if (!scene.name.empty()) write_stdout(fmt::format("name           {}\n", scene.name));
   write_stdout(fmt::format("vertices       {}\nedges          {}\n", scene.vertices.size(), counts.edges));
   write_stdout(fmt::format("faces          {}, with {} holes\n", scene::face_count(scene), counts.holes));
   write_stdout(fmt::format("bodies         {} solids, {} sheets\n", scene.bodies.size() - counts.sheets,

@@ -21,8 +21,8 @@ namespace sightline::app {
 
 namespace {
 
-scene::PolyFormat input_format(const std::string& file) {
-  return scene::poly_format_of(file).value_or(scene::PolyFormat::json);
+scene::PolyFormat input_format(const SceneText& file) {
+  return scene::poly_format_of(file.name, file.text);
 }
 
 struct ConvertArguments {
@@ -47,7 +47,7 @@ constexpr const char* convert_examples =
 
 void convert(const ConvertArguments& arguments) {
   const SceneText file = read_scene_text(arguments.scene);
-  if (arguments.mend && (file.builtin || input_format(file.name) == scene::PolyFormat::json)) {
+  if (arguments.mend && (file.builtin || input_format(file) == scene::PolyFormat::json)) {
     throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
   }
   if (file.kind == SceneKind::polyhedra) {
@@ -81,9 +81,12 @@ void write_scene(const scene::PolyScene& scene, const std::string& source, const
 }
 
 void tell(const scene::PolyImportReport& report) {
-  if (report.quantised)
+  if (report.quantised && report.largest_shift > 0) {
     warn(
         fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));
+  } else if (report.quantised) {
+    warn(fmt::format("coordinates are counted in steps of {}", report.step));
+  }
   if (report.split_faces > 0) {
     warn(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
                      report.split_faces, report.largest_deviation));
@@ -96,7 +99,7 @@ void tell(const scene::PolyImportReport& report) {
 }
 
 std::variant<scene::PolyImport, scene::SceneError> read_poly_text(const SceneText& file, bool mend) {
-  return scene::read_poly(file.text, file.name, input_format(file.name), {mend});
+  return scene::read_poly(file.text, file.name, input_format(file), {mend});
 }
 
 scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
@@ -126,13 +129,13 @@ SceneText read_scene_text(const std::string& name_or_file) {
     auto text = scene::write_poly(*generated, scene::PolyFormat::json);
     return {name_or_file, std::get<std::string>(std::move(text)), false, SceneKind::polyhedra};
   }
-  require_scene_exists(name_or_file);
+  if (name_or_file != "-") require_scene_exists(name_or_file);
   if (const auto builtin = scene::builtin_scene_text(name_or_file))
     return {name_or_file, std::string(*builtin), true, SceneKind::cells};
-  SceneText file{name_or_file, read_input_text(name_or_file), false, SceneKind::cells};
+  SceneText file{shown_name(name_or_file), read_input_text(name_or_file), false, SceneKind::cells};
   if (scene::is_cell_complex(file.text))
     file.kind = SceneKind::cell_complex;
-  else if (input_format(file.name) != scene::PolyFormat::json || scene::is_poly_json(file.text))
+  else if (input_format(file) != scene::PolyFormat::json || scene::is_poly_json(file.text))
     file.kind = SceneKind::polyhedra;
   return file;
 }

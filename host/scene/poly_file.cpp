@@ -160,6 +160,23 @@ std::optional<PolyFormat> poly_format_of(std::string_view file) {
   return std::nullopt;
 }
 
+PolyFormat poly_format_of(std::string_view file, std::string_view text) {
+  if (const auto named = poly_format_of(file)) return *named;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t word = line.find_first_not_of(" \t\r");
+    if (word != std::string_view::npos && line[word] != '#') {
+      const std::string_view begins = line.substr(word);
+      if (begins.starts_with("OFF")) return PolyFormat::off;
+      for (const std::string_view obj : {"v ", "o ", "g ", "vn ", "vt ", "mtllib "})
+        if (begins.starts_with(obj)) return PolyFormat::obj;
+      return PolyFormat::json;
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return PolyFormat::json;
+}
+
 std::variant<PolyImport, SceneError> read_poly(std::string_view text, std::string_view source,
                                                PolyFormat format, const PolyImportOptions& options) {
   if (format == PolyFormat::json) {

@@ -14,6 +14,8 @@ enum class PolyFormat { off, obj, json };
 
 // By the end of the file's name, .off, .obj or .json in small or capital letters.
 [[nodiscard]] std::optional<PolyFormat> poly_format_of(std::string_view file);
+// As above, and for any other name by what the text begins with: OFF, or a line of OBJ; else JSON.
+[[nodiscard]] PolyFormat poly_format_of(std::string_view file, std::string_view text);
 
 // The scene is not checked. JSON is not quantised, nor mended.
 [[nodiscard]] std::variant<PolyImport, SceneError> read_poly(std::string_view text, std::string_view source,

@@ -15,7 +15,7 @@ namespace {
 using geometry::Box;
 using geometry::Point2;
 
-using Rings = std::vector<std::vector<Point2>>;
+using PointRings = std::vector<std::vector<Point2>>;
 
 // A face that can hide.
 struct Hider {
@@ -59,8 +59,8 @@ Box box_around(const std::vector<Box>& boxes) {
 }
 
 // In the plane of the face, along an axis; coordinates doubled, so that middles of edges are integers.
-Rings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std::size_t dropped) {
-  Rings rings;
+PointRings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std::size_t dropped) {
+  PointRings rings;
   const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
     auto& points = rings.emplace_back();
     for (const scene::VertexIndex v : ring) points.push_back(doubled(scene.vertices[v], dropped));
@@ -70,7 +70,7 @@ Rings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std:
   return rings;
 }
 
-bool inside(const Rings& rings, const Point2& p) {
+bool inside(const PointRings& rings, const Point2& p) {
   if (geometry::locate_in_ring(rings[0], p) <= 0) return false;
   return std::all_of(rings.begin() + 1, rings.end(),
                      [&p](const auto& hole) { return geometry::locate_in_ring(hole, p) < 0; });
@@ -86,7 +86,7 @@ bool crosses(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 bool may_run_inside(const scene::PolyScene& scene, const Hider& hider, const scene::PolyPoint& from,
                     const scene::PolyPoint& to) {
   const std::size_t dropped = geometry::dominant_axis(hider.plane.normal);
-  const Rings rings = flattened(scene, *hider.face, dropped);
+  const PointRings rings = flattened(scene, *hider.face, dropped);
   const Point2 a = doubled(from, dropped);
   const Point2 b = doubled(to, dropped);
   const Point2 middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2};

@@ -39,6 +39,25 @@ TEST_F(ScenePolyCommand, RoundingIsReported) {
   const Ran check = sightline({"scene", "check", "f.off"});
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_TRUE(has(check.err, "rounded to a step of")) << check.err;
+  write("f.off", "OFF\n3 1 0\n0 0 0.25\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Ran exact = sightline({"scene", "check", "f.off"});
+  EXPECT_TRUE(has(exact.err, "counted in steps of 0.01")) << exact.err;
+}
+
+TEST_F(ScenePolyCommand, AFormatIsToldByTheTextWhereTheNameDoesNot) {
+  write("off.txt", "# a triangle\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write("obj.txt", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* file : {"off.txt", "obj.txt"}) {
+    const Ran info = sightline({"scene", "info", file});
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_TRUE(has(info.out, "vertices       3")) << info.out;
+    EXPECT_FALSE(has(info.out, "name"));
+  }
+  EXPECT_EQ(sightline({"draw", "exact", "-", "-o", "t.svg"}, read("obj.txt")).exit_code, 0);
+  EXPECT_TRUE(exists("t.svg"));
+  EXPECT_TRUE(has(sightline({"scene", "info", "-"}, "{").err, "standard input: line 1"));
+  write("nothing.txt", "words\n");
+  EXPECT_TRUE(has(sightline({"scene", "info", "nothing.txt"}).err, "syntax error"));
 }
 
 TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
