@@ -41,7 +41,7 @@ std::variant<PreparedScene, scene::SceneError> prepare_oracle(const scene::PolyS
   return prepared;
 }
 
-namespace native = algorithms::jones;
+namespace native_jones = algorithms::jones;
 
 // A walker serves one view at a time: those that have none to serve wait here.
 class JonesScene {
@@ -51,13 +51,13 @@ class JonesScene {
   [[nodiscard]] const scene::CellComplex& complex() const { return complex_; }
 
   std::variant<LineView, scene::SceneError> view(const scene::PolyCamera& camera) {
-    native::Walker walker = take();
+    native_jones::Walker walker = take();
     auto result = walker.visible_edges(camera);
     give_back(std::move(walker));
-    if (const auto* error = std::get_if<native::Error>(&result))
+    if (const auto* error = std::get_if<native_jones::Error>(&result))
       return scene::SceneError{"", "jones", std::string(message(*error))};
-    auto& seen = std::get<native::View>(result);
-    const native::Counts& c = seen.counts;
+    auto& seen = std::get<native_jones::View>(result);
+    const native_jones::Counts& c = seen.counts;
     return LineView{std::move(seen.picture),
                     {{"visits", c.visits},
                      {"cells", c.cells},
@@ -70,22 +70,22 @@ class JonesScene {
   }
 
  private:
-  native::Walker take() {
+  native_jones::Walker take() {
     const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return native::Walker(prepared_);
-    native::Walker walker = std::move(idle_.back());
+    if (idle_.empty()) return native_jones::Walker(prepared_);
+    native_jones::Walker walker = std::move(idle_.back());
     idle_.pop_back();
     return walker;
   }
-  void give_back(native::Walker walker) {
+  void give_back(native_jones::Walker walker) {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(walker));
   }
 
   scene::CellComplex complex_;
-  native::PreparedComplex prepared_;
+  native_jones::PreparedComplex prepared_;
   std::mutex mutex_;
-  std::vector<native::Walker> idle_;
+  std::vector<native_jones::Walker> idle_;
 };
 
 PreparedScene prepare_jones_cells(scene::CellComplex complex) {

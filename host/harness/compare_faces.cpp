@@ -24,7 +24,7 @@ using scene::PolyCamera;
 using scene::PolyPoint;
 using scene::PolyScene;
 
-constexpr int side = 256;
+constexpr int points_a_side = 256;
 constexpr std::size_t most_faces = 1000;
 constexpr double least_steps = 16;  // a pixel, of places where sight lines start
 
@@ -105,7 +105,7 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
   frame.scale = window.scale;
   frame.centre = {window.left - 0.5, window.height - window.top - 0.5};
   frame.low = -1;
-  frame.high = side;
+  frame.high = points_a_side;
   frame.near = 1e-6;
   std::vector<picture::PixelSegment> segments;
   for (const picture::LineEdge& edge : picture::edges_of(scene)) {
@@ -128,7 +128,7 @@ std::variant<FaceTruth, std::string> FaceTruth::of(const PolyScene& scene, const
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
     return fmt::format("{} faces are too many for the oracle of sight lines, which takes {}", faces,
                        most_faces);
-  const FaceWindow window = face_window(scene, camera, side, side, std::nullopt);
+  const FaceWindow window = face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
     return std::string("the image is too small beside the scene's depth for the oracle of sight lines");
   return FaceTruth(scene, camera, window);

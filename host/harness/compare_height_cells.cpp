@@ -18,7 +18,6 @@ namespace {
 using picture::PixelGrid;
 using picture::PixelPoint;
 
-
 struct Corner {
   PixelPoint point;
   double depth = 0;

@@ -23,7 +23,6 @@ using algorithms::oracle::SegmentRole;
 using picture::PixelGrid;
 using picture::PixelSegment;
 
-
 std::vector<Chain> chains_of(const scene::HeightGrid& grid, const SkalaView& view, const ViewChains& chains) {
   if (view.picture == SkalaPicture::contours) return chains.contours(grid, view.levels);
   if (view.picture == SkalaPicture::surface) return chains.slices(SegmentRole::shade, SegmentRole::rim);

@@ -60,9 +60,10 @@ machines::SkalaConfiguration configuration_for(std::span<const std::uint8_t> str
 }
 
 template <class Ports>
-class Run {
+class GuestPicture {
  public:
-  Run(const SkalaProgram& program, std::span<const std::uint8_t> stream, const SkalaGuestOptions& options)
+  GuestPicture(const SkalaProgram& program, std::span<const std::uint8_t> stream,
+               const SkalaGuestOptions& options)
       : program_(program),
         blocks_(block_ends(stream)),
         ports_(std::make_unique<Ports>(configuration_for(stream, options))),
@@ -145,8 +146,8 @@ class Run {
 
 SkalaGuestPicture run_skala_guest(const SkalaProgram& program, std::span<const std::uint8_t> stream,
                                   const SkalaGuestOptions& options) {
-  if (is_raster(options.device)) return Run<SkalaRasterPorts>(program, stream, options).picture();
-  return Run<SkalaPlotterPorts>(program, stream, options).picture();
+  if (is_raster(options.device)) return GuestPicture<SkalaRasterPorts>(program, stream, options).picture();
+  return GuestPicture<SkalaPlotterPorts>(program, stream, options).picture();
 }
 
 }  // namespace sightline::harness

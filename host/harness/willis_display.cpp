@@ -10,7 +10,7 @@ namespace {
 
 using devices::PriorityDisplay;
 using Register = PriorityDisplay::Register;
-constexpr int columns = devices::priority_display::columns;
+constexpr int display_columns = devices::priority_display::columns;
 constexpr int scan_lines = devices::priority_display::lines;
 constexpr std::uint32_t last_colour = 0xFF'FFFF;
 
@@ -18,7 +18,7 @@ constexpr std::uint32_t last_colour = 0xFF'FFFF;
 
 bool fits_display(const algorithms::willis::FrameSpans& frame,
                   const algorithms::willis::ImageWindow& window) {
-  return window.width == columns && window.height == scan_lines &&
+  return window.width == display_columns && window.height == scan_lines &&
          frame.surfaces.size() <= PriorityDisplay::usual_surfaces &&
          frame.spans.size() <= PriorityDisplay::usual_spans &&
          std::all_of(frame.surfaces.begin(), frame.surfaces.end(),
@@ -42,9 +42,10 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
   const core::Duration since = display.now.time_since_epoch() % devices::priority_display::frame;
   display.now += devices::priority_display::frame - since + devices::priority_display::line * scan_lines;
   device.advance(display.now);
-  picture::PixelGrid faces(columns, scan_lines);
+  picture::PixelGrid faces(display_columns, scan_lines);
   for (int row = 0; row < scan_lines; ++row) {
-    const auto line = device.picture().subspan(static_cast<std::size_t>(scan_lines - 1 - row) * columns, columns);
+    const auto line = device.picture().subspan(
+        static_cast<std::size_t>(scan_lines - 1 - row) * display_columns, display_columns);
     std::copy(line.begin(), line.end(),
               faces.values.begin() + static_cast<std::ptrdiff_t>(faces.index(0, row)));
   }

@@ -14,7 +14,7 @@ namespace sightline::picture {
 namespace {
 
 constexpr std::int64_t margin = 10'000;     // micrometres
-constexpr std::int64_t half_dash = 10;      // micrometres
+constexpr std::int64_t half_pen_dash = 10;  // micrometres
 constexpr const char* pen_width = "0.300";  // millimetres
 
 class Dots {
@@ -70,9 +70,9 @@ class Sheet {
 void append_polyline(std::string& text, const Sheet& sheet, const PenPath& path) {
   text += "    <polyline points=\"";
   if (path.corners.size() == 1) {
-    sheet.append(text, path.corners.front(), -half_dash);
+    sheet.append(text, path.corners.front(), -half_pen_dash);
     text += ' ';
-    sheet.append(text, path.corners.front(), half_dash);
+    sheet.append(text, path.corners.front(), half_pen_dash);
   } else {
     for (std::size_t i = 0; i < path.corners.size(); ++i) {
       if (i > 0) text += ' ';

@@ -23,13 +23,14 @@ bool one_step_apart(LatticePoint a, LatticePoint b) {
   return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) == 1;
 }
 
-int sign(int value) {
+int direction_of(int value) {
   return (value > 0) - (value < 0);
 }
 
 // Does b -> c go on in the direction of a -> b? Both run along one of the eight directions of the lattice.
 bool straight(LatticePoint a, LatticePoint b, LatticePoint c) {
-  return sign(b.x - a.x) == sign(c.x - b.x) && sign(b.y - a.y) == sign(c.y - b.y);
+  return direction_of(b.x - a.x) == direction_of(c.x - b.x) &&
+         direction_of(b.y - a.y) == direction_of(c.y - b.y);
 }
 
 // Middle of point `index` of the 1024, in tenths of a micrometre, rounded to the nearest.

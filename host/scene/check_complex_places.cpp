@@ -105,7 +105,7 @@ class PlaceChecker {
   std::vector<ScenePart> parts_;
 };
 
-std::string text_of(const HomogeneousPoint& p) {
+std::string place_text(const HomogeneousPoint& p) {
   std::string text = "(";
   for (std::size_t a = 0; a < 3; ++a) {
     text += (a > 0 ? ", " : "") +
@@ -203,12 +203,12 @@ void PlaceChecker::check_place() {
   const auto solid = in_solid(place);
   if (!cells || !solid) return;
   if (*solid && !cells->empty())
-    problems_.add("cell", cells->front(), "has " + text_of(place) + " of a solid in it");
+    problems_.add("cell", cells->front(), "has " + place_text(place) + " of a solid in it");
   if (*solid) return;
-  if (cells->empty()) problems_.add("cells", "none has the free point " + text_of(place) + " in it");
+  if (cells->empty()) problems_.add("cells", "none has the free point " + place_text(place) + " in it");
   if (cells->size() > 1) {
     problems_.add("cell", (*cells)[1],
-                  "has " + text_of(place) + " in it, as has cell " + std::to_string(cells->front()));
+                  "has " + place_text(place) + " in it, as has cell " + std::to_string(cells->front()));
   }
   if (cells->size() != 1) return;
   for (int ray = 0; ray < rays_a_place; ++ray) check_ray(cells->front(), place);
@@ -264,12 +264,13 @@ void PlaceChecker::check_face_point(CellNumber cell, std::uint32_t plane, const 
   }
   if (openings.size() > 1) {
     problems_.add("opening", openings[1],
-                  "has " + text_of(point) + " in it, as has opening " + std::to_string(openings[0]));
+                  "has " + place_text(point) + " in it, as has opening " + std::to_string(openings[0]));
   } else if (!openings.empty() && opaque) {
-    problems_.add("opening", openings[0], "has " + text_of(point) + " of a face of the scene in it");
+    problems_.add("opening", openings[0], "has " + place_text(point) + " of a face of the scene in it");
   } else if (openings.empty() && !opaque) {
-    problems_.add("cell", cell,
-                  "ends at " + text_of(point) + " where there is neither an opening nor a face of the scene");
+    problems_.add(
+        "cell", cell,
+        "ends at " + place_text(point) + " where there is neither an opening nor a face of the scene");
   }
 }
 

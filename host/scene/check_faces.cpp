@@ -22,10 +22,10 @@ struct Patch {
   std::array<Span, 2> sides;
 };
 
-using Planes = std::map<std::pair<std::size_t, std::int32_t>, std::vector<Patch>>;
+using PatchesByPlane = std::map<std::pair<std::size_t, std::int32_t>, std::vector<Patch>>;
 
-Planes patches_by_plane(const CellScene& scene) {
-  Planes planes;
+PatchesByPlane patches_by_plane(const CellScene& scene) {
+  PatchesByPlane planes;
   const auto add = [&](Kind kind, std::size_t number, const Rectangle& r) {
     planes[{r.axis, r.at}].push_back({kind, number, r.sides});
   };
@@ -54,7 +54,7 @@ std::string name_of(const Patch& patch) {
 // One face of one cell, and the patches on it.
 class Face {
  public:
-  Face(const CellScene& scene, std::size_t cell, std::size_t axis, bool high, const Planes& planes)
+  Face(const CellScene& scene, std::size_t cell, std::size_t axis, bool high, const PatchesByPlane& planes)
       : cell_(cell), high_(high), face_(geometry::face_of(scene.cells[cell].box, axis, high)) {
     const auto plane = planes.find({axis, face_.at});
     if (plane == planes.end()) return;
@@ -145,7 +145,7 @@ class Face {
 }  // namespace
 
 void check_faces(const CellScene& scene, Problems& problems) {
-  const Planes planes = patches_by_plane(scene);
+  const PatchesByPlane planes = patches_by_plane(scene);
   for (std::size_t cell = 0; cell < scene.cells.size(); ++cell) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const bool high : {false, true}) {

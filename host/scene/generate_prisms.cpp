@@ -17,8 +17,8 @@ namespace sightline::scene {
 namespace {
 
 using geometry::Int128;
-using PlanPoint = std::array<std::int64_t, 2>;  // x, z
-using Rectangle = std::array<PlanPoint, 4>;     // counterclockwise in (x, z)
+using PlanPoint = std::array<std::int64_t, 2>;   // x, z
+using PlanRectangle = std::array<PlanPoint, 4>;  // counterclockwise in (x, z)
 
 constexpr std::int32_t unit = 200;
 
@@ -46,13 +46,13 @@ bool cross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const Pla
   return apart(turn_at(a, b, c), turn_at(a, b, d)) && apart(turn_at(c, d, a), turn_at(c, d, b));
 }
 
-bool contains(const Rectangle& r, const PlanPoint& p) {
+bool contains(const PlanRectangle& r, const PlanPoint& p) {
   for (std::size_t i = 0; i < 4; ++i)
     if (turn_at(r[i], r[(i + 1) % 4], p) < 0) return false;
   return true;
 }
 
-bool boxes_near(const Rectangle& r, const Rectangle& s, std::int64_t gap) {
+bool boxes_near(const PlanRectangle& r, const PlanRectangle& s, std::int64_t gap) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto less = [axis](const PlanPoint& a, const PlanPoint& b) { return a[axis] < b[axis]; };
     const auto [r_low, r_high] = std::minmax_element(r.begin(), r.end(), less);
@@ -62,7 +62,7 @@ bool boxes_near(const Rectangle& r, const Rectangle& s, std::int64_t gap) {
   return true;
 }
 
-bool too_near(const Rectangle& r, const Rectangle& s, std::int64_t gap) {
+bool too_near(const PlanRectangle& r, const PlanRectangle& s, std::int64_t gap) {
   if (!boxes_near(r, s, gap)) return false;
   if (contains(r, s[0]) || contains(s, r[0])) return true;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -77,7 +77,7 @@ bool too_near(const Rectangle& r, const Rectangle& s, std::int64_t gap) {
   return false;
 }
 
-Rectangle some_rectangle(SceneRandom& random, std::int32_t side) {
+PlanRectangle some_rectangle(SceneRandom& random, std::int32_t side) {
   constexpr std::array<std::array<std::int32_t, 2>, 8> turns{
       {{4, 3}, {3, 4}, {12, 5}, {5, 12}, {1, 0}, {15, 8}, {24, 7}, {1, 1}}};
   const auto& [c, s] = turns[static_cast<std::size_t>(random.mod(turns.size()))];
@@ -89,7 +89,7 @@ Rectangle some_rectangle(SceneRandom& random, std::int32_t side) {
   return {{{x, z}, {x + w * c, z + w * s}, {x + w * c - h * s, z + w * s + h * c}, {x - h * s, z + h * c}}};
 }
 
-void add_prism(PolyBuilder& builder, std::string name, const Rectangle& ring, std::int32_t height) {
+void add_prism(PolyBuilder& builder, std::string name, const PlanRectangle& ring, std::int32_t height) {
   const auto vertex = [&](std::size_t i, std::int32_t y) {
     const PlanPoint& p = ring[i % ring.size()];
     return builder.vertex({static_cast<std::int32_t>(p[0]), y, static_cast<std::int32_t>(p[1])});
@@ -116,10 +116,11 @@ PolyScene generate_prisms(std::size_t n, std::uint64_t seed, std::int32_t gap) {
   while (static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks) * prisms_in_block < n) ++blocks;
   const std::int32_t side = prism_block * blocks;
   PolyBuilder builder;
-  std::vector<Rectangle> placed;
+  std::vector<PlanRectangle> placed;
   while (placed.size() < n) {
-    const Rectangle r = some_rectangle(random, side);
-    if (std::any_of(placed.begin(), placed.end(), [&](const Rectangle& s) { return too_near(r, s, gap); }))
+    const PlanRectangle r = some_rectangle(random, side);
+    if (std::any_of(placed.begin(), placed.end(),
+                    [&](const PlanRectangle& s) { return too_near(r, s, gap); }))
       continue;
     add_prism(builder, "prism " + std::to_string(placed.size()), r, 10 * unit);
     placed.push_back(r);

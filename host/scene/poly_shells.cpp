@@ -43,7 +43,7 @@ struct BodyShell {
 };
 
 BodyShell shell_of(const std::vector<PolyPoint>& vertices, const std::vector<PolyBody>& bodies,
-               std::size_t number) {
+                   std::size_t number) {
   const PolyBody& body = bodies[number];
   BodyShell shell{number, enclosed_volume(vertices, body), vertices[body.faces[0].outline[0]], {}};
   shell.high = shell.low;

@@ -10,13 +10,13 @@ namespace {
 
 using geometry::Point2;
 
-struct Corner {
+struct EarCorner {
   VertexIndex vertex = 0;
   Point2 at{};
 };
-using Corners = std::vector<Corner>;
+using Corners = std::vector<EarCorner>;
 
-const Corner& after(const Corners& ring, std::size_t i) {
+const EarCorner& after(const Corners& ring, std::size_t i) {
   return ring[i + 1 == ring.size() ? 0 : i + 1];
 }
 
@@ -26,11 +26,11 @@ bool in_triangle(const Point2& a, const Point2& b, const Point2& c, const Point2
 }
 
 bool is_ear(const Corners& ring, std::size_t i) {
-  const Corner& a = ring[i == 0 ? ring.size() - 1 : i - 1];
-  const Corner& b = ring[i];
-  const Corner& c = after(ring, i);
+  const EarCorner& a = ring[i == 0 ? ring.size() - 1 : i - 1];
+  const EarCorner& b = ring[i];
+  const EarCorner& c = after(ring, i);
   if (geometry::turn(a.at, b.at, c.at) <= 0) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](const Corner& other) {
+  return std::none_of(ring.begin(), ring.end(), [&](const EarCorner& other) {
     return other.at != a.at && other.at != b.at && other.at != c.at &&
            in_triangle(a.at, b.at, c.at, other.at);
   });
@@ -62,7 +62,7 @@ bool leaves_inwards(const Corners& ring, std::size_t i, const Point2& to) {
 bool join(Corners& ring, const Corners& hole, const std::vector<Corners>& holes) {
   const std::size_t start = static_cast<std::size_t>(
       std::max_element(hole.begin(), hole.end(),
-                       [](const Corner& a, const Corner& b) { return a.at < b.at; }) -
+                       [](const EarCorner& a, const EarCorner& b) { return a.at < b.at; }) -
       hole.begin());
   const Point2& from = hole[start].at;
   const auto blocked_by = [&](const Corners& edges, const Point2& to) {
@@ -104,7 +104,7 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> clip_ears(Corners ring) {
       ++tried;
       continue;
     }
-    const Corner& before = ring[at == 0 ? ring.size() - 1 : at - 1];
+    const EarCorner& before = ring[at == 0 ? ring.size() - 1 : at - 1];
     triangles.push_back({before.vertex, ring[at].vertex, after(ring, at).vertex});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
     tried = 0;

@@ -36,9 +36,9 @@ bool nested_within(const json& value, int levels) {
 }
 
 // Remembers the first thing that is not as expected; the rest of the document is then passed over.
-class Reader {
+class ComplexReader {
  public:
-  explicit Reader(std::string_view source) : source_(source) {}
+  explicit ComplexReader(std::string_view source) : source_(source) {}
 
   CheckedCellComplex run(const json& document) {
     if (!document.is_object()) expected("an object", document, "");
@@ -240,7 +240,7 @@ CheckedCellComplex check_cell_complex(std::string_view text, std::string_view so
   } catch (const json::exception& error) {
     return std::vector{json_syntax_error(source, error.what())};
   }
-  return Reader(source).run(document);
+  return ComplexReader(source).run(document);
 }
 
 std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view text, std::string_view source) {

@@ -18,13 +18,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_scene_name = 200;
 constexpr std::int64_t largest_origin = std::int64_t{1} << 30;
 
 // Remembers the first thing that is not as expected; the rest of the document is then passed over.
-class Reader {
+class PolyReader {
  public:
-  explicit Reader(std::string_view source) : source_(source) {}
+  explicit PolyReader(std::string_view source) : source_(source) {}
 
   std::variant<PolyScene, SceneError> run(const json& document) {
     if (!document.is_object()) expected("an object", document, "");
@@ -77,9 +77,10 @@ class Reader {
   std::string name(const json& value, const std::string& place) {
     const auto* text = value.get_ptr<const std::string*>();
     const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
-    if (text != nullptr && text->size() <= longest_name && std::all_of(text->begin(), text->end(), printable))
+    if (text != nullptr && text->size() <= longest_scene_name &&
+        std::all_of(text->begin(), text->end(), printable))
       return *text;
-    expected("a string of up to " + std::to_string(longest_name) + " printable ASCII characters", value,
+    expected("a string of up to " + std::to_string(longest_scene_name) + " printable ASCII characters", value,
              place);
     return {};
   }
@@ -190,7 +191,7 @@ std::variant<PolyScene, SceneError> read_poly_json(std::string_view text, std::s
   } catch (const json::exception& error) {
     return json_syntax_error(source, error.what());
   }
-  return Reader(source).run(document);
+  return PolyReader(source).run(document);
 }
 
 bool is_poly_json(std::string_view text) {

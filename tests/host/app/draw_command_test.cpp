@@ -155,12 +155,14 @@ TEST_F(DrawCommand, WrongUsage) {
 
 // What an option cannot do for this picture is not passed over in silence.
 TEST_F(DrawCommand, OptionsOfOtherPictures) {
-  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--pixels", "90x70"}, "--pixels: found without");
+  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--pixels", "90x70"},
+                     "--pixels: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--size", "90x70"}, "--size: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--margin", "5"}, "--margin: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--pen", "1"}, "--pen: found without");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--levels", "5"}, "--picture contours");
-  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--net", "--picture", "surface"}, "--net: found");
+  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--net", "--picture", "surface"},
+                     "--net: found");
 }
 
 TEST_F(DrawCommand, EndingsInCapitals) {
@@ -170,8 +172,8 @@ TEST_F(DrawCommand, EndingsInCapitals) {
 }
 
 TEST_F(DrawCommand, AnEmptyDrawingIsWarnedAbout) {
-  const auto away = sightline({"draw", "exact", "boxes-2", "--eye", "-9000,0,0", "--look-at", "-9900,0,0", "--field",
-                               "20", "-o", "a.svg"});
+  const auto away = sightline({"draw", "exact", "boxes-2", "--eye", "-9000,0,0", "--look-at", "-9900,0,0",
+                               "--field", "20", "-o", "a.svg"});
   EXPECT_EQ(away.exit_code, 0);
   EXPECT_TRUE(has(away.err, "a.svg: the drawing is empty, nothing is in view")) << away.err;
   EXPECT_EQ(sightline({"draw", "exact", "boxes-2", "-o", "b.svg"}).err, "");

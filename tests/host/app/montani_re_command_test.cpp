@@ -88,7 +88,8 @@ TEST_F(MontaniReCommand, WhatAUserGetsWrong) {
     EXPECT_TRUE(files().empty());
   };
   expect_usage_error({"montani-re", "boxes-3", "--fill", "-o", "m.plt"}, ".svg or .png");
-  expect_usage_error({"montani-re", "boxes-3", "--fill", "--stripe", "2", "-o", "m.svg"}, "--stripe: found without");
+  expect_usage_error({"montani-re", "boxes-3", "--fill", "--stripe", "2", "-o", "m.svg"},
+                     "--stripe: found without");
   expect_usage_error({"montani-re", "boxes-3", "--fill", "--stripe", "3", "-o", "m.png"}, "--stripe");
   expect_usage_error({"montani-re", "boxes-3", "--stripe", "2", "-o", "m.png"}, "--fill");
   expect_usage_error({"montani-re", "boxes-3", "--fill", "--hidden", "-o", "m.svg"}, "--hidden");

@@ -73,15 +73,17 @@ TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
   EXPECT_EQ(sightline({"scene", "check", "."}).exit_code, 5);
   EXPECT_EQ(sightline({"scene", "generate", "castles", "1"}).exit_code, 2);
   EXPECT_EQ(sightline({"scene", "generate", "rooms", "1000"}).exit_code, 2);
-  const std::vector<sightline::test::Arguments> no_numbers{{"scene", "generate", "boxes", "-1"},
-                                                           {"scene", "generate", "boxes", "3", "--seed", "-1"},
-                                                           {"scene", "generate", "boxes", "3", "--seed", "18446744073709551616"},
-                                                           {"sweep", "boxes-2", "--views", "1", "--seed", "-7"}};
+  const std::vector<sightline::test::Arguments> no_numbers{
+      {"scene", "generate", "boxes", "-1"},
+      {"scene", "generate", "boxes", "3", "--seed", "-1"},
+      {"scene", "generate", "boxes", "3", "--seed", "18446744073709551616"},
+      {"sweep", "boxes-2", "--views", "1", "--seed", "-7"}};
   for (const auto& arguments : no_numbers) {
     const Ran ran = sightline(arguments);
     EXPECT_EQ(ran.exit_code, 2) << arguments.back();
     EXPECT_EQ(ran.out, "");
-    EXPECT_TRUE(has(ran.err, "found \"" + arguments.back() + "\", expected a whole number from 0 to 18446744073709551615"))
+    EXPECT_TRUE(has(ran.err, "found \"" + arguments.back() +
+                                 "\", expected a whole number from 0 to 18446744073709551615"))
         << ran.err;
   }
   EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "x.ply"}).exit_code, 2);

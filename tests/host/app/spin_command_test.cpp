@@ -43,8 +43,8 @@ TEST_F(SpinCommand, WritesAnAnimatedPicture) {
   EXPECT_NE(read("wire.apng"), read("two.apng")) << "what is hidden shows in the wire frame";
 }
 
-// A model that stands on another axis turns as the one that stands on y: the columns say where the x, y and z of
-// that one are in the file, the signs which way.
+// A model that stands on another axis turns as the one that stands on y: the columns say where the x, y and z
+// of that one are in the file, the signs which way.
 TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
   write_models();
   const sightline::test::Arguments sizes{"--step", "90", "--size", "64"};
@@ -59,9 +59,10 @@ TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
     std::array<std::size_t, 3> from;
     std::array<int, 3> sign;
   };
-  for (const Standing& standing : {Standing{"x", {1, 0, 2}, {1, -1, 1}}, Standing{"-x", {1, 0, 2}, {-1, 1, 1}},
-                                   Standing{"-y", {0, 1, 2}, {-1, -1, 1}}, Standing{"z", {0, 2, 1}, {1, -1, 1}},
-                                   Standing{"-z", {0, 2, 1}, {1, 1, -1}}}) {
+  for (const Standing& standing :
+       {Standing{"x", {1, 0, 2}, {1, -1, 1}}, Standing{"-x", {1, 0, 2}, {-1, 1, 1}},
+        Standing{"-y", {0, 1, 2}, {-1, -1, 1}}, Standing{"z", {0, 2, 1}, {1, -1, 1}},
+        Standing{"-z", {0, 2, 1}, {1, 1, -1}}}) {
     std::istringstream model(read("two.off"));
     std::string line;
     std::string turned;
@@ -70,7 +71,8 @@ TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
       std::istringstream row(line);
       if (number >= 2 && number < 10 && row >> p[0] >> p[1] >> p[2]) {
         line.clear();
-        for (std::size_t a = 0; a < 3; ++a) line += std::to_string(standing.sign[a] * p[standing.from[a]]) + ' ';
+        for (std::size_t a = 0; a < 3; ++a)
+          line += std::to_string(standing.sign[a] * p[standing.from[a]]) + ' ';
       }
       turned += line + '\n';
     }

@@ -47,8 +47,8 @@ class WillisCommand : public sightline::test::CommandLine {
     }
     return found;
   }
-  void expect_refused(int exit_code, const std::string& scene, const std::string& output, const Arguments& more,
-                      std::string_view what) {
+  void expect_refused(int exit_code, const std::string& scene, const std::string& output,
+                      const Arguments& more, std::string_view what) {
     const auto ran = draw(scene, output, more);
     EXPECT_EQ(ran.exit_code, exit_code) << what << ": " << ran.err;
     EXPECT_TRUE(has(ran.err, what)) << ran.err;
@@ -90,8 +90,8 @@ TEST_F(WillisCommand, APlanNeedsFewerPieces) {
   expect_refused(4, "triangles-5", "t.png", {"--plan"}, "body 0 face 0");
 }
 
-// The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from among the
-// roofs, more down than forward.
+// The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from
+// among the roofs, more down than forward.
 TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
   const Arguments steep{"--eye", "9973,701,-4001", "--look-at", "9973,-20000,9000"};
   Arguments plan = steep;
@@ -101,11 +101,13 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
   expect_refused(4, "prisms-9", "t.png", {"--plan", "--eye", "9973,9701,-4001"},
                  "found y = 9701, expected 0 to ");
 
-  // The frames of a flight are level pictures: had it turned about another axis, it would have met the ground.
+  // The frames of a flight are level pictures: had it turned about another axis, it would have met the
+  // ground.
   Arguments flight = steep;
   flight.insert(flight.end(), {"--frames", "6", "--pixels", "40x40"});
   EXPECT_EQ(draw("prisms-9", "level.apng", flight).exit_code, 0);
-  EXPECT_EQ(draw("prisms-9", "same.apng", {"--eye", "9973,701,-4001", "--frames", "6", "--pixels", "40x40"}).exit_code,
+  EXPECT_EQ(draw("prisms-9", "same.apng", {"--eye", "9973,701,-4001", "--frames", "6", "--pixels", "40x40"})
+                .exit_code,
             0);
   EXPECT_EQ(read("level.apng"), read("same.apng")) << "a flight looks at the middle of the scene";
 }
@@ -113,8 +115,9 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
 TEST_F(WillisCommand, WhatIsLeftOverIsNamedAndDrawnAllTheSame) {
   const auto uncut = draw("boxes-8", "c.png", {"--depth", "0", "--json"});
   EXPECT_EQ(uncut.exit_code, 0);
-  EXPECT_TRUE(has(uncut.err, "warning: body 0 (box 0) face 0 and body 2 (box 2) face 0 could not be separated: the "
-                             "limit of depth\n"))
+  EXPECT_TRUE(has(uncut.err,
+                  "warning: body 0 (box 0) face 0 and body 2 (box 2) face 0 could not be separated: the "
+                  "limit of depth\n"))
       << uncut.err;
   const json made = json::parse(uncut.out);
   EXPECT_EQ(made["model"]["pieces"], 48);
@@ -146,7 +149,8 @@ TEST_F(WillisCommand, AFlightIsAnAnimatedPng) {
   ASSERT_TRUE(file.starts_with("\x89PNG\r\n\x1a\n"));
   const std::size_t control = file.find("acTL");
   ASSERT_NE(control, std::string::npos);
-  EXPECT_EQ(file.substr(control + 4, 8), std::string("\0\0\0\7\0\0\0\0", 8)) << "seven frames, again and again";
+  EXPECT_EQ(file.substr(control + 4, 8), std::string("\0\0\0\7\0\0\0\0", 8))
+      << "seven frames, again and again";
   std::size_t frames = 0;
   for (std::size_t at = file.find("fcTL"); at != std::string::npos; at = file.find("fcTL", at + 1)) ++frames;
   EXPECT_EQ(frames, 7U);

@@ -1,7 +1,7 @@
 // How wrong the pictures of Jones's program are: what the twin draws in 18-bit arithmetic against the exact
 // visibility of the scene, over many views. The bound is one per cent of the true length, counting what is
-// missing and what is too much where it is more than a point away. It holds for the sum over a thousand views,
-// not for a few: one line a little over a point off is already two per cent of a street.
+// missing and what is too much where it is more than a point away. It holds for the sum over a thousand
+// views, not for a few: one line a little over a point off is already two per cent of a street.
 //
 // Half of the views are from the scene's own initial cell, half from any cell of the scene.
 #include <gtest/gtest.h>

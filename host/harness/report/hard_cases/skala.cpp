@@ -24,7 +24,6 @@ namespace {
 using picture::PixelGrid;
 using scene::HeightGrid;
 
-
 Cell verdict(const std::vector<Complaint>& complaints) {
   std::string text;
   for (const Complaint& complaint : complaints) {

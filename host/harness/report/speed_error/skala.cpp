@@ -197,8 +197,8 @@ std::optional<ReportError> measure_boards(const SkalaProgram& program, std::vect
         const auto run = run_guest(program, skala_stream(grid, view_of(order)), order);
         if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
         const auto& guest = std::get<SkalaGuestPicture>(run);
-        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, raster_side)), guest.drawing,
-                          guest.total, guest.dots_not_shown});
+        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, raster_side)),
+                          guest.drawing, guest.total, guest.dots_not_shown});
       }
     }
   }

@@ -1,5 +1,7 @@
 // Numbers: C. Montani, M. Re, "Vector and Raster Hidden Surface Removal Using Parallel Connected Stripes",
 // IEI Pisa, Nota interna B85-08, sections 1, 3, 4 and 5.
+#include "host/harness/report/montani_re_growth.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/harness/report/montani_re_growth.hpp"
-#include "host/harness/report/timing/paper_numbers.hpp"
 #include "host/harness/report/timing/montani_re.hpp"
+#include "host/harness/report/timing/paper_numbers.hpp"
 
 namespace sightline::harness::report {
 

@@ -12,8 +12,8 @@
 
 #include "host/algorithms/willis/sight_lines.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/harness/report/timing/paper_numbers.hpp"
 #include "host/harness/report/speed_error/clock.hpp"
+#include "host/harness/report/timing/paper_numbers.hpp"
 #include "host/harness/report/timing/willis_pictures.hpp"
 #include "host/harness/report/willis_scenes.hpp"
 #include "host/harness/willis_display.hpp"

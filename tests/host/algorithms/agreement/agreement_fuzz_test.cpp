@@ -1,10 +1,10 @@
 // Random scenes from random cameras by the oracle, `exact`, native Jones by grid and by BSP, and every other
-// algorithm of the table of lines: equal as that table says. A difference is shrunk and saved as a scene file,
-// its own camera the one it shows from.
+// algorithm of the table of lines: equal as that table says. A difference is shrunk and saved as a scene
+// file, its own camera the one it shows from.
 //
 // Algorithms may refuse: scenes and views beforehand, and faces that pass through each other, which random
-// scenes are full of, when they meet them. How often each did draw is counted, so that refusing is no way out.
-// Fast by default; SIGHTLINE_FUZZ_SCENES=n tries n scenes, SIGHTLINE_FUZZ_SEED=s those from seed s on.
+// scenes are full of, when they meet them. How often each did draw is counted, so that refusing is no way
+// out. Fast by default; SIGHTLINE_FUZZ_SCENES=n tries n scenes, SIGHTLINE_FUZZ_SEED=s those from seed s on.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -68,7 +68,8 @@ class Everyone {
       ++share.views;
       const auto seen = view(camera);
       if (const auto* const error = std::get_if<scene::SceneError>(&seen)) {
-        if (error->cause.find("pass through each other") == std::string::npos) text += error->message() + "\n";
+        if (error->cause.find("pass through each other") == std::string::npos)
+          text += error->message() + "\n";
         continue;
       }
       ++share.drawn;

@@ -1,10 +1,9 @@
 // Part 5: a cell for every pair, and failures by name.
-#include "host/harness/report/agreement/matrix.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "host/harness/report/agreement/matrix.hpp"
 #include "host/harness/report/agreement/pictures.hpp"
 
 namespace sightline::harness::report {
@@ -34,7 +33,7 @@ TEST(AgreementMatrix, SaysOfEveryPairWhatItDid) {
   EXPECT_EQ(std::get<Verdict>(table.rows[0][1]), (Verdict{true, "pieces"}));
   EXPECT_EQ(std::get<Verdict>(table.rows[0][2]), (Verdict{false, "differs"}));
   EXPECT_EQ(std::get<Verdict>(table.rows[1][2]), (Verdict{false, "not run"}));
-  EXPECT_EQ(std::get<std::string>(table.rows[2][1]), "n/a");  // exact and skala
+  EXPECT_EQ(std::get<std::string>(table.rows[2][1]), "n/a");                          // exact and skala
   EXPECT_EQ(std::get<Verdict>(table.rows[8][1]), (Verdict{true, "pieces, pixels"}));  // oracle and montani-re
 }
 

@@ -1,5 +1,7 @@
 // Montani and Re in the report: no hard case is missing and what claims to be exact is right in every one,
 // the paper's tables come out, and the measures of stripes know a square and say no where they must.
+#include "host/harness/report/hard_cases/montani_re.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <string>
 #include <variant>
 
-#include "host/harness/report/hard_cases/montani_re.hpp"
 #include "host/harness/report/hard_cases/montani_re_lattice.hpp"
 #include "host/harness/report/montani_re_growth.hpp"
 #include "host/harness/report/montani_re_pixels.hpp"

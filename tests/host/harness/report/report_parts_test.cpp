@@ -103,11 +103,9 @@ TEST(ReportTiming, ShowsEveryRun) {
       EXPECT_FALSE(figure.alternative.empty()) << figure.id;
     }
   }
-  EXPECT_EQ(pictures, (std::map<std::string, std::size_t>{
-                          {"jones-phosphor", 5},
-                          {"jones-screens", 5},
-                          {"skala-rasters", 24},
-                          {"willis-pictures", 3}}));
+  EXPECT_EQ(pictures,
+            (std::map<std::string, std::size_t>{
+                {"jones-phosphor", 5}, {"jones-screens", 5}, {"skala-rasters", 24}, {"willis-pictures", 3}}));
 }
 
 // Fig. 6 gives the layout: what the words of all openings come to is counted apart from the assembler.

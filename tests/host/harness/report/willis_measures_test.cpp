@@ -43,7 +43,8 @@ TEST(WillisTiming, HasThePapersNumbersAndWhatTheRuleCosts) {
   std::string said;
   for (const auto& row : tables.at("willis-paper").rows)
     said += shown_text(row[1]) + ' ' + shown_text(row[2]) + '\n';
-  for (const char* const words : {"25 per second\" 25\n", "about 2%\" 1.69\n", "about 65%\" 65.28\n", "5.1416"})
+  for (const char* const words :
+       {"25 per second\" 25\n", "about 2%\" 1.69\n", "about 65%\" 65.28\n", "5.1416"})
     EXPECT_NE(said.find(words), std::string::npos) << words << " in " << said;
   const Table& scenes = tables.at("willis-scenes");
   for (std::size_t row = 0; row < scenes.rows.size(); ++row) {
@@ -93,7 +94,8 @@ TEST(WillisSpeedError, CutsGoOnUntilNothingIsLeftOverAndThenNothingIsWrong) {
   }
   // A town of the kind whose figures are published, 0.06 and 0.49 % with nothing cut.
   const WillisPoint& uncut = curves[0].points[0];
-  const double per_cent = 100.0 * static_cast<double>(uncut.lines.wrong) / static_cast<double>(uncut.lines.with_two);
+  const double per_cent =
+      100.0 * static_cast<double>(uncut.lines.wrong) / static_cast<double>(uncut.lines.with_two);
   EXPECT_GT(per_cent, 0.02);
   EXPECT_LT(per_cent, 2);
   const auto tables = tables_of(willis_error_blocks(curves));

@@ -67,7 +67,8 @@ TEST(WillisViews, FacesChangeOnlyNextToEdges) {
   for (std::size_t view = 0; view < truth.cameras().size(); ++view) {
     picture::PixelGrid moved = truth.truth(view);
     for (int row = 0; row < 64; ++row)
-      for (int column = 0; column + 1 < 64; ++column) moved.set(column, row, truth.truth(view).at(column + 1, row));
+      for (int column = 0; column + 1 < 64; ++column)
+        moved.set(column, row, truth.truth(view).at(column + 1, row));
     const FaceErrors errors = truth.errors_of(moved, view);
     EXPECT_GT(errors.wrong_on_edges, 0U);
     EXPECT_LE(errors.wrong_inside, errors.wrong_on_edges) << view;
