@@ -1,4 +1,5 @@
 // `sightline scene compartment`: counts, the file of cells, methods, and what is refused.
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -108,12 +109,12 @@ TEST_F(SceneCompartmentCommand, CheckNamesEverythingThatIsWrong) {
   EXPECT_EQ(check(form)[0].at("place"), "openings[0].plane");
   EXPECT_EQ(sightline({"scene", "info", "bad.cells.json"}).exit_code, 4);
   json turned = written;
-  for (const int opening : {0, 1})
+  for (const std::size_t opening : {0U, 1U})
     std::swap(turned["openings"][opening]["cells"][0], turned["openings"][opening]["cells"][1]);
   EXPECT_EQ(check(turned).size(), 4U);  // of either cell
   EXPECT_EQ(check(turned)[3].at("place"), "opening 1");
   json scene = written;
-  for (const int vertex : {0, 9}) {
+  for (const std::size_t vertex : {0U, 9U}) {
     json& x = scene["polyhedra"]["vertices"][vertex][0];
     x = x.get<int>() + 1;
   }
