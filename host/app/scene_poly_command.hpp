@@ -11,13 +11,13 @@
 
 namespace sightline::app {
 
-// SCENE, read once: it may be a pipe. A generated scene is the JSON that `scene generate` would write of it.
 enum class SceneKind {
   cells,         // of the PDP-7 program; all that is nothing else
-  polyhedra,     // the name ends in .off or .obj, or it is JSON with bodies
+  polyhedra,     // OFF or OBJ by its name or beginning, or JSON with bodies
   cell_complex,  // as `scene compartment` writes it
 };
 
+// SCENE, read once: it may be a pipe. A generated scene is the JSON that `scene generate` would write of it.
 struct SceneText {
   std::string name;
   std::string text;

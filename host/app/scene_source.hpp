@@ -13,7 +13,8 @@ namespace sightline::app {
 
 inline constexpr std::string_view scene_source_help =
     "A built-in scene (see `sightline scene list`), a JSON, OFF or OBJ file (- for standard input), or "
-    "FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate --help`)";
+    "FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
+    "--help`)";
 
 struct SceneSource {
   std::string name;                           // as it was asked for
