@@ -1,34 +1,44 @@
-# sightline_test(NAME name SOURCES a.cpp ... LIBRARIES target ... [LABEL slow] [AS_ONE] [RUNS program])
+# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [RUNS program])
+#   One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
+#   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
 #   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
-#   SIGHTLINE_COMMAND    is, of a test that RUNS a program, the path of it
-#   LABEL release_only: only where code is optimised; AS_ONE: run by one process, sharing what takes long to make
+#   SIGHTLINE_COMMAND    is, for tests that RUN a program, the path of that program
+#   RELEASE_ONLY: tests that need optimised code to end in a few seconds; they are not built with sanitizers.
+#   AS_ONE: the program runs once for all its tests, because they share what takes long to prepare.
 # What is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
   set(SIGHTLINE_TEST_OPTIONS -O1)
 endif()
 
-function(sightline_test)
-  cmake_parse_arguments(ARG "AS_ONE" "NAME;LABEL;RUNS" "SOURCES;LIBRARIES" ${ARGN})
-  if(NOT ARG_LABEL)
-    set(ARG_LABEL fast)
+function(sightline_tests)
+  cmake_parse_arguments(ARG "AS_ONE" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES" ${ARGN})
+  if(ARG_FAST)
+    sightline_test_program(${ARG_NAME}_test fast "${ARG_FAST}")
   endif()
-  if(ARG_LABEL STREQUAL "release_only" AND SIGHTLINE_SANITIZE)
-    return()
+  if(ARG_SLOW)
+    sightline_test_program(${ARG_NAME}_slow_test slow "${ARG_SLOW}")
   endif()
-  add_executable(${ARG_NAME} ${ARG_SOURCES})
-  target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
-  target_precompile_headers(${ARG_NAME} REUSE_FROM sightline_test_headers)
-  target_compile_options(${ARG_NAME} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
+  if(ARG_RELEASE_ONLY AND NOT SIGHTLINE_SANITIZE)
+    sightline_test_program(${ARG_NAME}_release_test release_only "${ARG_RELEASE_ONLY}")
+  endif()
+endfunction()
+
+# Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE) it reads.
+function(sightline_test_program program label sources)
+  add_executable(${program} ${sources})
+  target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
+  target_precompile_headers(${program} REUSE_FROM sightline_test_headers)
+  target_compile_options(${program} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
   if(ARG_RUNS)
-    target_compile_definitions(${ARG_NAME} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
-    add_dependencies(${ARG_NAME} ${ARG_RUNS})
+    target_compile_definitions(${program} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
+    add_dependencies(${program} ${ARG_RUNS})
   endif()
   # With checks in every line a program takes long to begin: once for all of its tests.
   if(ARG_AS_ONE OR SIGHTLINE_SANITIZE)
-    add_test(NAME ${ARG_NAME} COMMAND ${ARG_NAME})
-    set_tests_properties(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900)
+    add_test(NAME ${program} COMMAND ${program})
+    set_tests_properties(${program} PROPERTIES LABELS ${label} TIMEOUT 900)
   else()
-    gtest_discover_tests(${ARG_NAME} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${program} PROPERTIES LABELS ${label} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
   endif()
 endfunction()

@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "host/app/asm_command.hpp"
+#include "host/app/commands/asm.hpp"
 #include "host/app/command.hpp"
-#include "host/app/compare_command.hpp"
-#include "host/app/demo_command.hpp"
-#include "host/app/disasm_command.hpp"
-#include "host/app/draw_command.hpp"
+#include "host/app/commands/compare.hpp"
+#include "host/app/commands/demo.hpp"
+#include "host/app/commands/disasm.hpp"
+#include "host/app/commands/draw.hpp"
 #include "host/app/help_formatter.hpp"
-#include "host/app/jones_command.hpp"
-#include "host/app/report_command.hpp"
-#include "host/app/run_command.hpp"
-#include "host/app/scene_command.hpp"
-#include "host/app/skala_command.hpp"
-#include "host/app/spin_command.hpp"
-#include "host/app/sweep_command.hpp"
+#include "host/app/commands/jones.hpp"
+#include "host/app/commands/report.hpp"
+#include "host/app/commands/run.hpp"
+#include "host/app/commands/scene.hpp"
+#include "host/app/commands/skala.hpp"
+#include "host/app/commands/spin.hpp"
+#include "host/app/commands/sweep.hpp"
 
 namespace {
 

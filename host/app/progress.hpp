@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string_view>
 
-#include "host/harness/run_pdp7.hpp"
+#include "host/guests/run/pdp7.hpp"
 
 namespace sightline::app {
 

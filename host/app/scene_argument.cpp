@@ -10,12 +10,12 @@
 #include <variant>
 
 #include "host/app/command.hpp"
-#include "host/scene/builtin.hpp"
-#include "host/scene/cell_complex_file.hpp"
-#include "host/scene/generate_scene.hpp"
-#include "host/scene/poly_file.hpp"
-#include "host/scene/read.hpp"
-#include "host/scene/read_poly_json.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/read/poly_file.hpp"
+#include "host/scene/read/cell_scene.hpp"
+#include "host/scene/read/poly_json.hpp"
 
 namespace sightline::app {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "host/geometry/box.hpp"
-#include "host/scene/cell_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::app {
 

@@ -12,10 +12,10 @@
 
 #include "host/app/command.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/app/scene_poly_command.hpp"
-#include "host/scene/builtin.hpp"
-#include "host/scene/generate_scene.hpp"
-#include "host/scene/poly_from_cells.hpp"
+#include "host/app/commands/scene_poly.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
 
 namespace sightline::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "host/scene/cell_complex.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
 

@@ -9,7 +9,7 @@
 
 #include "host/picture/line_picture.hpp"
 #include "host/picture/vector_drawing.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::picture {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/geometry/rational.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::picture {
 

@@ -14,7 +14,7 @@
 
 #include "host/geometry/integer.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::picture {
 

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::picture {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <variant>
 
-#include "host/scene/compartment_grid.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/cells/grid/decompose.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline {
 namespace {

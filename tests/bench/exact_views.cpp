@@ -6,7 +6,7 @@
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline {
 namespace {

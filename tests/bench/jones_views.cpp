@@ -6,11 +6,11 @@
 #include <string>
 #include <variant>
 
-#include "host/harness/jones_guest.hpp"
-#include "host/harness/jones_program.hpp"
-#include "host/scene/builtin.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/read.hpp"
+#include "host/guests/jones/guest.hpp"
+#include "host/guests/jones/program.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/read/cell_scene.hpp"
 
 namespace sightline {
 namespace {

@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "host/algorithms/montani_re/visible_edges.hpp"
-#include "host/harness/report/montani_re_growth.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/report/montani_re_growth.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline {
 namespace {

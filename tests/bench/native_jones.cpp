@@ -7,12 +7,12 @@
 #include <variant>
 
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/scene/compartment_bsp.hpp"
-#include "host/scene/compartment_grid.hpp"
-#include "host/scene/generate_house_beside.hpp"
-#include "host/scene/generate_scene.hpp"
-#include "host/scene/poly_from_cells.hpp"
-#include "host/scene/read.hpp"
+#include "host/scene/cells/bsp/decompose.hpp"
+#include "host/scene/cells/grid/decompose.hpp"
+#include "host/scene/generate/house_beside.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/cell_scene.hpp"
 
 namespace sightline {
 namespace {

@@ -17,7 +17,7 @@
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/table_1.hpp"
 #include "host/picture/file_io.hpp"
-#include "host/scene/poly_file.hpp"
+#include "host/scene/read/poly_file.hpp"
 
 namespace sightline {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/algorithms/skala/surface.hpp"
-#include "host/scene/height_function.hpp"
+#include "host/scene/heights/function.hpp"
 
 namespace sightline {
 namespace {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "host/harness/skala_guest.hpp"
-#include "host/harness/skala_program.hpp"
-#include "host/harness/skala_stream.hpp"
-#include "host/harness/skala_twin.hpp"
-#include "host/scene/height_function.hpp"
+#include "host/guests/skala/guest.hpp"
+#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/stream.hpp"
+#include "host/guests/skala/twin/twin.hpp"
+#include "host/scene/heights/function.hpp"
 
 namespace sightline {
 namespace {

@@ -7,8 +7,8 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/harness/willis_display.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/algorithms/registry/willis_display.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline {
 namespace {

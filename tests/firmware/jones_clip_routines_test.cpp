@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "host/harness/jones_twin_mask.hpp"
+#include "host/guests/jones/twin/mask.hpp"
 #include "tests/firmware/jones_routine.hpp"
-#include "tests/host/harness/dice.hpp"
+#include "tests/support/dice.hpp"
 
 namespace sightline::harness::jones {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emulators/machines/pdp7.hpp"
-#include "host/harness/jones_guest.hpp"
+#include "host/guests/jones/guest.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_scenes.hpp"

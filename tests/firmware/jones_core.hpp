@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "host/harness/jones_program.hpp"
-#include "host/harness/jones_twin.hpp"
-#include "host/scene/cell_scene.hpp"
+#include "host/guests/jones/program.hpp"
+#include "host/guests/jones/twin/twin.hpp"
+#include "host/scene/model/cell_scene.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
 namespace sightline::harness::jones {

@@ -7,7 +7,7 @@
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/type340/vector_generator.hpp"
-#include "host/harness/jones_twin_arithmetic.hpp"
+#include "host/guests/jones/twin/arithmetic.hpp"
 
 namespace sightline::harness::jones {
 

@@ -12,12 +12,12 @@
 #include "host/algorithms/oracle/drawn_error.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/harness/jones_guest.hpp"
+#include "host/guests/jones/guest.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
-#include "tests/host/harness/dice.hpp"
-#include "tests/host/harness/jones_drawing.hpp"
+#include "tests/support/dice.hpp"
+#include "tests/host/guests/jones/drawing.hpp"
 #include "tests/support/approve_png.hpp"
 
 namespace sightline::harness::jones {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/cell_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::harness::jones {
 

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/scene/cell_complex_file.hpp"
-#include "host/scene/eye_place.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/model/eye_place.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "host/scene/height_expression.hpp"
+#include "host/scene/heights/expression.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <variant>
 
-#include "host/harness/skala_stream.hpp"
-#include "host/scene/read_height_grid.hpp"
+#include "host/guests/skala/stream.hpp"
+#include "host/scene/heights/read_grid.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
-#include "host/scene/poly_check.hpp"
-#include "host/scene/poly_file.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
 
 namespace sightline::fuzz {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <variant>
 
-#include "host/scene/eye_place.hpp"
-#include "host/scene/poly_check.hpp"
-#include "host/scene/read_poly_json.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/poly_json.hpp"
 #include "tests/host/algorithms/agreement/agreement.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "host/app/command.hpp"
-#include "host/app/run_scripts.hpp"
+#include "host/app/commands/run_scripts.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/scene/check.hpp"
-#include "host/scene/read.hpp"
-#include "host/scene/tape.hpp"
+#include "host/scene/check/cell_scene.hpp"
+#include "host/scene/read/cell_scene.hpp"
+#include "host/guests/jones/tape.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;

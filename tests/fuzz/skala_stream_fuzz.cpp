@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "host/harness/skala_twin.hpp"
+#include "host/guests/skala/twin/twin.hpp"
 
 namespace {
 

@@ -22,14 +22,21 @@ set(RULES
   "host/algorithms/plantinga=host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/geometry,host/scene,host/picture"
   "host/algorithms/willis=host/geometry,host/scene,host/picture"
-  "host/harness=host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm,firmware"
-  "host/harness/report=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/app=host/harness,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+  "host/algorithms/registry=host/algorithms,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
+  "host/harness="
+  "host/guests/run=host/picture,emulators,tools/image,tools/disasm"
+  "host/guests/jones=host/geometry,host/scene,host/picture,host/algorithms/oracle,emulators,tools/asm,tools/image"
+  "host/guests/jones/twin=host/guests/jones,host/geometry,host/scene,host/picture,emulators/core,emulators/type340/words.hpp"
+  "host/guests/skala=host/guests/run,host/geometry,host/scene,host/picture,emulators,tools/asm,tools/image"
+  "host/guests/skala/twin=host/guests/skala,host/geometry,host/scene,host/picture,emulators/core"
+  "host/compare=host/harness,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
+  "host/report=host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
+  "host/app=host/harness,host/report,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES
   "png.h=host/picture"
-  "nlohmann/=host/scene,host/harness,host/app"
+  "nlohmann/=host/scene,host/compare,host/report,host/app"
   "muParser=host/scene"
   "CLI/=host/app,tools"
   "gtest/=tests"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/asm/i8080_lexer.hpp"
-#include "tools/asm/i8080_pass.hpp"
+#include "tools/asm/i8080/lexer.hpp"
+#include "tools/asm/i8080/pass.hpp"
 #include "tools/asm/symbol_table.hpp"
 
 namespace sightline::assembler {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "emulators/pdp7/isa.hpp"
-#include "tools/asm/pdp7_pass.hpp"
+#include "tools/asm/pdp7/pass.hpp"
 #include "tools/image/error.hpp"
 
 namespace sightline::assembler {

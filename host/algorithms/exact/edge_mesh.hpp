@@ -10,7 +10,7 @@
 
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
 

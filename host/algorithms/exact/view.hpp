@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
 

@@ -14,7 +14,7 @@
 
 #include "host/algorithms/exact/edge_mesh.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
 

@@ -6,7 +6,7 @@
 
 #include "host/geometry/box.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/cell_complex.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::algorithms::jones {
 

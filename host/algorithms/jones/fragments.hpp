@@ -12,7 +12,7 @@
 #include "host/algorithms/jones/sight_plane.hpp"
 #include "host/algorithms/jones/stretch.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/cell_complex.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::algorithms::jones {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/scene/cell_complex.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::algorithms::jones {
 

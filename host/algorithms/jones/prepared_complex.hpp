@@ -12,7 +12,7 @@
 #include "host/algorithms/jones/cell_index.hpp"
 #include "host/algorithms/jones/crowded_cells.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/cell_complex.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::algorithms::jones {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "host/algorithms/jones/prepared_complex.hpp"
-#include "host/scene/cell_complex.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::jones {
 

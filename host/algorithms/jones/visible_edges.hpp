@@ -32,8 +32,8 @@
 
 #include "host/algorithms/jones/prepared_complex.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/cell_complex.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::jones {
 

@@ -7,7 +7,7 @@
 
 #include "host/geometry/box_tree.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/poly_triangulate.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {

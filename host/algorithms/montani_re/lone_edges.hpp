@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::montani_re {
 

@@ -5,7 +5,7 @@
 
 #include "host/algorithms/montani_re/lone_edges.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/poly_triangulate.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {

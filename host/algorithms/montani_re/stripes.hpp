@@ -14,7 +14,7 @@
 
 #include "host/algorithms/montani_re/priority.hpp"
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::montani_re {
 

@@ -12,8 +12,8 @@
 
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::montani_re {
 

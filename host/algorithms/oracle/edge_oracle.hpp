@@ -16,7 +16,7 @@
 #pragma once
 
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 

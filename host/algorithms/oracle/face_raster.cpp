@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "host/scene/face_numbers.hpp"
+#include "host/scene/model/face_numbers.hpp"
 
 namespace sightline::algorithms::oracle {
 

@@ -6,14 +6,14 @@
 
 #include "host/algorithms/oracle/sight_oracle.hpp"
 #include "host/picture/pixel_metrics.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 
 // The sight line of the middle of a pixel, rows from the bottom.
 using PixelSight = std::function<SightLine(int column, int row)>;
 
-// Numbers of faces over all bodies (host/scene/face_numbers.hpp), 0 where none is met. The scene is a checked
+// Numbers of faces over all bodies (host/scene/model/face_numbers.hpp), 0 where none is met. The scene is a checked
 // one, no line's direction zero (preconditions).
 [[nodiscard]] picture::PixelGrid nearest_faces(const scene::PolyScene& scene, int width, int height,
                                                const PixelSight& sight);

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/scene/cell_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/geometry/integer.hpp"
-#include "host/scene/poly_triangulate.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::oracle {
 namespace {

@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 

@@ -21,7 +21,7 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
-#include "host/scene/cell_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 

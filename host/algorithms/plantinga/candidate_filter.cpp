@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "host/scene/poly_triangulate.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {

@@ -7,7 +7,7 @@
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::plantinga {
 

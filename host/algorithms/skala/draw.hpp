@@ -11,7 +11,7 @@
 
 #include "host/algorithms/skala/view.hpp"
 #include "host/picture/vector_drawing.hpp"
-#include "host/scene/height_grid.hpp"
+#include "host/scene/heights/grid.hpp"
 
 namespace sightline::algorithms::skala {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "host/algorithms/skala/view.hpp"
-#include "host/scene/height_grid.hpp"
+#include "host/scene/heights/grid.hpp"
 
 namespace sightline::algorithms::skala {
 

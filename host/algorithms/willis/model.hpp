@@ -16,8 +16,8 @@
 #include "host/algorithms/willis/boundary.hpp"
 #include "host/algorithms/willis/order_cells.hpp"
 #include "host/algorithms/willis/surface.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/algorithms/willis/surface.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

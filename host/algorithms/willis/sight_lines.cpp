@@ -9,8 +9,8 @@
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/eye_place.hpp"
-#include "host/scene/poly_bounds.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_bounds.hpp"
 
 namespace sightline::algorithms::willis {
 

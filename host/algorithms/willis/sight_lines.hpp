@@ -7,7 +7,7 @@
 #include <span>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

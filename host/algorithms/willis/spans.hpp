@@ -16,7 +16,7 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/picture/pixel_metrics.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

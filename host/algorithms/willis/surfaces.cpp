@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "host/scene/poly_triangulate.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::willis {
 

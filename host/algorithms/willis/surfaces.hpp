@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host/algorithms/willis/surface.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "host/scene/poly_builder.hpp"
+#include "host/scene/model/poly_builder.hpp"
 
 namespace sightline::picture {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <variant>
 
-#include "host/scene/poly_builder.hpp"
-#include "host/scene/poly_check.hpp"
-#include "host/scene/poly_file.hpp"
+#include "host/scene/model/poly_builder.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
 
 namespace sightline::scene {
 

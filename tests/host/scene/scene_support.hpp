@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "host/scene/builtin.hpp"
-#include "host/scene/read.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/cell_scene.hpp"
 
 namespace sightline::scene {
 

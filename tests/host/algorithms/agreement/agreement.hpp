@@ -11,8 +11,8 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
-#include "host/scene/compartment_bsp.hpp"
-#include "host/scene/compartment_grid.hpp"
+#include "host/scene/cells/bsp/decompose.hpp"
+#include "host/scene/cells/grid/decompose.hpp"
 
 namespace sightline::algorithms {
 

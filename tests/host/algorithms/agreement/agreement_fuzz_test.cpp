@@ -16,10 +16,10 @@
 #include <variant>
 #include <vector>
 
-#include "host/harness/algorithms.hpp"
-#include "host/harness/shrink_scene.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "tests/support/shrink_scene.hpp"
 #include "host/picture/file_io.hpp"
-#include "host/scene/poly_file.hpp"
+#include "host/scene/read/poly_file.hpp"
 #include "tests/host/algorithms/agreement/agreement.hpp"
 #include "tests/host/algorithms/agreement/random_scene.hpp"
 #include "tests/support/effort.hpp"

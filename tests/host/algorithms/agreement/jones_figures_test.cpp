@@ -9,8 +9,8 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/picture/line_picture_image.hpp"
-#include "host/scene/compartment.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/cells/decompose.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline::algorithms {
 namespace {

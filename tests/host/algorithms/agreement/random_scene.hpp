@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/eye_place.hpp"
-#include "host/scene/poly_bounds.hpp"
-#include "host/scene/poly_builder.hpp"
-#include "host/scene/poly_check.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_builder.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms {
 

@@ -11,7 +11,7 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/geometry/interval_set.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms {
 

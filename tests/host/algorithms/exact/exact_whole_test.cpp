@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "host/picture/line_picture_image.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 
 namespace sightline::algorithms {

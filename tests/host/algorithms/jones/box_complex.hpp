@@ -11,10 +11,10 @@
 
 #include "host/geometry/box.hpp"
 #include "host/geometry/rational.hpp"
-#include "host/scene/cell_complex.hpp"
-#include "host/scene/cell_complex_builder.hpp"
-#include "host/scene/cell_scene.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/cells/builder.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
 #include "tests/host/algorithms/jones/box_complex.hpp"
 
 namespace sightline::algorithms {

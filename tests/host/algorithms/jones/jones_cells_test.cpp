@@ -8,8 +8,8 @@
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/scene/builtin.hpp"
-#include "host/scene/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
 #include "tests/host/algorithms/jones/box_complex.hpp"
 #include "tests/host/scene/scene_support.hpp"
 

@@ -7,8 +7,8 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/prepared_complex.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/scene/compartment.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/cells/decompose.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline::algorithms {
 namespace {

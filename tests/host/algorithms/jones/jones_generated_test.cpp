@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/scene/compartment_bsp.hpp"
-#include "host/scene/compartment_grid.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/cells/bsp/decompose.hpp"
+#include "host/scene/cells/grid/decompose.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 
 namespace sightline::algorithms {

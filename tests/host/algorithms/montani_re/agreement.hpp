@@ -8,7 +8,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/picture/line_picture_image.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 
 namespace sightline::algorithms::montani_re {

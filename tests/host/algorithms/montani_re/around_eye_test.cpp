@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "host/algorithms/montani_re/pyramids.hpp"
-#include "host/scene/builtin.hpp"
-#include "host/scene/eye_place.hpp"
-#include "host/scene/poly_from_cells.hpp"
-#include "host/scene/read.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/cell_scene.hpp"
 #include "tests/host/algorithms/montani_re/agreement.hpp"
 
 namespace sightline::algorithms::montani_re {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "host/scene/read_poly_json.hpp"
+#include "host/scene/read/poly_json.hpp"
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
 
 namespace sightline::algorithms::montani_re {

@@ -11,7 +11,7 @@
 
 #include "host/algorithms/montani_re/pyramids.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
 
 namespace sightline::algorithms::montani_re {

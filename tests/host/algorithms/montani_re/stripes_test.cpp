@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
 
 namespace sightline::algorithms::montani_re {

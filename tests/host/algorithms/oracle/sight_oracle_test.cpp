@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "host/algorithms/oracle/face_raster.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 
 namespace sightline::algorithms::oracle {
 namespace {

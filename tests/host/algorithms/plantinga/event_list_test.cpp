@@ -10,7 +10,7 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/plantinga/turning_scenes.hpp"
 
 namespace sightline::algorithms::plantinga {

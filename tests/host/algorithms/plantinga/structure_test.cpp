@@ -7,7 +7,7 @@
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/plantinga/turning_scenes.hpp"
 
 namespace sightline::algorithms::plantinga {

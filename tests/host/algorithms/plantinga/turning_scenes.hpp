@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "host/picture/file_io.hpp"
-#include "host/scene/poly_builder.hpp"
-#include "host/scene/poly_file.hpp"
-#include "host/scene/poly_scene.hpp"
+#include "host/scene/model/poly_builder.hpp"
+#include "host/scene/read/poly_file.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::plantinga {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/scene/height_function.hpp"
+#include "host/scene/heights/function.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/scene/height_function.hpp"
+#include "host/scene/heights/function.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/algorithms/skala/walk.hpp"
-#include "host/scene/height_function.hpp"
+#include "host/scene/heights/function.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/sight_lines.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
 
 namespace sightline::algorithms::willis {

@@ -7,7 +7,7 @@
 
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/scene/generate_scene.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/willis/walls.hpp"
 
 namespace sightline::algorithms::willis {

@@ -9,7 +9,7 @@
 
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/surface.hpp"
-#include "host/scene/poly_builder.hpp"
+#include "host/scene/model/poly_builder.hpp"
 
 namespace sightline::algorithms::willis {
 

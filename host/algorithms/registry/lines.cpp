@@ -1,0 +1,170 @@
+// See lines.hpp.
+#include "host/algorithms/registry/lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <utility>
+
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/jones/visible_edges.hpp"
+#include "host/algorithms/montani_re/visible_edges.hpp"
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/picture/line_picture_image.hpp"
+#include "host/scene/cells/decompose.hpp"
+
+namespace sightline::harness {
+
+namespace {
+
+std::optional<std::string> applies(const scene::PolyScene&) {
+  return std::nullopt;
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_exact(const scene::PolyScene& scene) {
+  const auto mesh =
+      std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
+  PreparedScene prepared;
+  prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
+  prepared.view = [mesh](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    return LineView{algorithms::exact::visible_edges(*mesh, camera), {}};
+  };
+  return prepared;
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_oracle(const scene::PolyScene& scene) {
+  PreparedScene prepared;
+  prepared.view = [&scene](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    return LineView{algorithms::oracle::visible_edges(scene, camera), {}};
+  };
+  return prepared;
+}
+
+namespace native_jones = algorithms::jones;
+
+// A walker serves one view at a time: those that have none to serve wait here.
+class JonesScene {
+ public:
+  explicit JonesScene(scene::CellComplex complex) : complex_(std::move(complex)), prepared_(complex_) {}
+
+  [[nodiscard]] const scene::CellComplex& complex() const { return complex_; }
+
+  std::variant<LineView, scene::SceneError> view(const scene::PolyCamera& camera) {
+    native_jones::Walker walker = take();
+    auto result = walker.visible_edges(camera);
+    give_back(std::move(walker));
+    if (const auto* error = std::get_if<native_jones::Error>(&result))
+      return scene::SceneError{"", "jones", std::string(message(*error))};
+    auto& seen = std::get<native_jones::View>(result);
+    const native_jones::Counts& c = seen.counts;
+    return LineView{std::move(seen.picture),
+                    {{"visits", c.visits},
+                     {"cells", c.cells},
+                     {"openings_tested", c.openings_tested},
+                     {"masks", c.masks},
+                     {"lines_clipped", c.lines_clipped},
+                     {"fragments", c.fragments},
+                     {"depth", c.depth},
+                     {"mask_sides", c.mask_sides}}};
+  }
+
+ private:
+  native_jones::Walker take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return native_jones::Walker(prepared_);
+    native_jones::Walker walker = std::move(idle_.back());
+    idle_.pop_back();
+    return walker;
+  }
+  void give_back(native_jones::Walker walker) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(walker));
+  }
+
+  scene::CellComplex complex_;
+  native_jones::PreparedComplex prepared_;
+  std::mutex mutex_;
+  std::vector<native_jones::Walker> idle_;
+};
+
+PreparedScene prepare_jones_cells(scene::CellComplex complex) {
+  const auto cells = std::make_shared<JonesScene>(std::move(complex));
+  PreparedScene prepared;
+  prepared.counts = {{"cells", cells->complex().cells.size()},
+                     {"openings", cells->complex().openings.size()}};
+  prepared.view = [cells](const scene::PolyCamera& camera) { return cells->view(camera); };
+  return prepared;
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolyScene& scene) {
+  auto complex = scene::compartment(scene);
+  if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
+  return prepare_jones_cells(std::get<scene::CellComplex>(std::move(complex)));
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::PolyScene& scene) {
+  PreparedScene prepared;
+  prepared.view = [&scene](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    auto result = algorithms::montani_re::visible_edges(scene, camera);
+    if (auto* error = std::get_if<scene::SceneError>(&result)) return std::move(*error);
+    auto& seen = std::get<algorithms::montani_re::LineView>(result);
+    const algorithms::montani_re::RegionCounts& c = seen.counts;
+    return LineView{std::move(seen.picture),
+                    {{"relations", c.relations},
+                     {"spurious_relations", c.spurious},
+                     {"cycles_cut", c.cuts},
+                     {"mutual_parts", c.mutual_parts},
+                     {"subtractions", c.subtractions},
+                     {"sides", c.sides}}};
+  };
+  return prepared;
+}
+
+std::variant<PreparedScene, scene::SceneError> prepare_plantinga(const scene::PolyScene& scene) {
+  const auto turning = std::make_shared<algorithms::plantinga::TurningScene>(scene);
+  PreparedScene prepared;
+  prepared.counts = {{"edges", turning->model().edges().size()}, {"faces", turning->model().faces().size()}};
+  prepared.view = [turning](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+    const auto sight = algorithms::plantinga::sight_of(camera);
+    if (!sight) return scene::SceneError{"", "camera", "its line of sight is not parallel to y = 0"};
+    return LineView{turning->view(*sight), {}};
+  };
+  return prepared;
+}
+
+constexpr std::array table{
+    LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
+                  prepare_exact},
+    LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
+                  applies, prepare_jones, false, nullptr, prepare_jones_cells},
+    LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
+                  applies, prepare_montani_re, true},
+    LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
+                  prepare_oracle},
+    LineAlgorithm{"plantinga",
+                  "One moment of a turn about the vertical, after Plantinga, Seales and Dyer (1990), exact",
+                  algorithms::plantinga::why_not, prepare_plantinga, false,
+                  algorithms::plantinga::why_not_view},
+};
+
+}  // namespace
+
+std::span<const LineAlgorithm> line_algorithms() {
+  return table;
+}
+
+bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,
+            const picture::LinePicture& exact, const scene::PolyScene& scene,
+            const scene::PolyCamera& camera) {
+  return drawn == exact ||
+         (algorithm.same_by_image && image_set(drawn, scene, camera) == image_set(exact, scene, camera));
+}
+
+const LineAlgorithm* find_line_algorithm(std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [name](const LineAlgorithm& algorithm) { return algorithm.name == name; });
+  return found != table.end() ? &*found : nullptr;
+}
+
+}  // namespace sightline::harness

@@ -1,0 +1,157 @@
+#include "host/algorithms/registry/montani_re_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "host/algorithms/montani_re/pyramids.hpp"
+#include "host/algorithms/montani_re/region_boundary.hpp"
+#include "host/algorithms/montani_re/stripes.hpp"
+#include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/scene/model/face_numbers.hpp"
+
+namespace sightline::harness {
+
+namespace {
+
+namespace native = algorithms::montani_re;
+
+native::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWindow& window) {
+  return {native::pixels_a_unit(camera, window.scale),
+          {window.left, window.height - window.top},
+          window.width,
+          window.height};
+}
+
+// What the frame shows and `beyond` of its size more on all sides, rounded outwards.
+native::WindowBounds bounds_of(const native::StripeFrame& frame, bool perspective, double beyond) {
+  constexpr double limit = 0x1p36;
+  const std::array<std::int32_t, 2> size{frame.width, frame.height};
+  std::array<std::array<double, 2>, 2> places{};
+  double most = 1;
+  for (std::size_t a = 0; a < 2; ++a) {
+    places[a] = {(-beyond * size[a] - frame.centre[a]) / frame.scale[a],
+                 ((1 + beyond) * size[a] - frame.centre[a]) / frame.scale[a]};
+    most = std::max({most, std::abs(places[a][0]), std::abs(places[a][1])});
+  }
+  native::WindowBounds bounds;
+  bounds.unit = 1;
+  while (perspective && bounds.unit < (std::int64_t{1} << 30) &&
+         most * 2 * static_cast<double>(bounds.unit) < limit)
+    bounds.unit *= 2;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const auto scaled = [&](double place) {
+      return std::clamp(place * static_cast<double>(bounds.unit), -limit, limit);
+    };
+    bounds.low[a] = static_cast<std::int64_t>(std::floor(scaled(places[a][0])));
+    bounds.high[a] = static_cast<std::int64_t>(std::ceil(scaled(places[a][1])));
+  }
+  return bounds;
+}
+
+scene::SceneError passing_through(const native::FaceSet& set, std::uint32_t first, std::uint32_t second) {
+  const auto name = [&set](std::uint32_t f) {
+    return "face " + std::to_string(set.faces[f].index) + " of body " + std::to_string(set.faces[f].body);
+  };
+  return {"", "montani-re", name(first) + " and " + name(second) + " pass through each other"};
+}
+
+class MontaniReScene {
+ public:
+  MontaniReScene(const scene::PolyScene& scene, std::int32_t units)
+      : scene_(scene), units_(units), first_faces_(scene::first_face_numbers(scene)) {}
+
+  [[nodiscard]] std::variant<FaceView, scene::SceneError> view(const scene::PolyCamera& camera,
+                                                               const FaceWindow& window) const {
+    const native::StripeFrame frame = frame_of(camera, window);
+    // Corners are moved by up to four pixels: borders are kept well away from what is shown.
+    const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
+    const bool past_eye = native::face_past_eye(scene_, camera).has_value();
+    const native::FaceSet set = native::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
+    const native::ListedFaces listed = native::listed_faces(set);
+    if (listed.interpenetrating)
+      return passing_through(set, listed.interpenetrating->first, listed.interpenetrating->second);
+    const native::StripeRaster raster =
+        native::raster_by_difference(set.image, listed.list, listed.faces, frame, units_);
+    FaceView view;
+    view.faces = picture::PixelGrid(window.width, window.height);
+    for (std::size_t i = 0; i < raster.faces.size(); ++i)
+      if (raster.faces[i] != native::none) view.faces.values[i] = number(set.faces[raster.faces[i]]);
+    view.counts = {{"faces", set.faces.size()},
+                   {"relations", listed.counts.relations},
+                   {"cycles_cut", listed.counts.cuts},
+                   {"sides", raster.sides}};
+    return view;
+  }
+
+  [[nodiscard]] std::variant<FaceRegions, scene::SceneError> regions(const scene::PolyCamera& camera,
+                                                                     const FaceWindow& window) const {
+    const native::StripeFrame frame = frame_of(camera, window);
+    const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 0);
+    const native::FaceSet set = native::faces_seen(scene_, camera, {}, &bounds);
+    const native::VisibleRegions seen = native::visible_regions(set);
+    if (seen.interpenetrating)
+      return passing_through(set, seen.interpenetrating->first, seen.interpenetrating->second);
+    FaceRegions regions;
+    std::uint64_t corners = 0;
+    std::uint64_t holes = 0;
+    for (std::size_t f = 0; f < set.faces.size(); ++f) {
+      FaceRegion region{number(set.faces[f]), {}};
+      for (const native::RegionLoop& loop : native::boundary_of(set.image, seen.regions[f])) {
+        if (native::signed_area(set.image, loop) < 0) ++holes;
+        corners += loop.size();
+        region.loops.push_back(placed(set.image, loop, frame));
+      }
+      if (!region.loops.empty()) regions.regions.push_back(std::move(region));
+    }
+    regions.counts = {
+        {"faces", set.faces.size()},  {"relations", seen.counts.relations}, {"cycles_cut", seen.counts.cuts},
+        {"sides", seen.counts.sides}, {"regions", regions.regions.size()},  {"holes", holes},
+        {"corners", corners}};
+    return regions;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t number(const native::Face& face) const {
+    return first_faces_[face.body] + face.index;
+  }
+
+  static std::vector<picture::PixelPoint> placed(const native::Image& image, const native::RegionLoop& loop,
+                                                 const native::StripeFrame& frame) {
+    std::vector<picture::PixelPoint> points;
+    for (const native::RegionCorner& corner : loop) {
+      const auto p = native::approximate_point(image, corner);
+      points.push_back({frame.centre[0] + frame.scale[0] * p[0], frame.centre[1] + frame.scale[1] * p[1]});
+    }
+    return points;
+  }
+
+  const scene::PolyScene& scene_;
+  std::int32_t units_;
+  std::vector<std::uint32_t> first_faces_;  // by body
+};
+
+}  // namespace
+
+std::variant<PreparedFaces, scene::SceneError> prepare_montani_re_faces(const scene::PolyScene& scene,
+                                                                        const FaceOptions& options) {
+  const auto found = std::find(stripe_thicknesses.begin(), stripe_thicknesses.end(), options.stripe);
+  if (found == stripe_thicknesses.end())
+    return scene::SceneError{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
+  const auto made = std::make_shared<const MontaniReScene>(scene, static_cast<std::int32_t>(16 / *found));
+  PreparedFaces prepared;
+  prepared.view = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
+    return made->view(camera, window);
+  };
+  prepared.regions = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
+    return made->regions(camera, window);
+  };
+  return prepared;
+}
+
+}  // namespace sightline::harness

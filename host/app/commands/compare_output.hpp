@@ -1,0 +1,27 @@
+// What `sightline compare` says of a comparison: a table for people, a JSON value for programs, and overlays.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host/compare/heights.hpp"
+#include "host/compare/scenes.hpp"
+
+namespace sightline::app {
+
+[[nodiscard]] std::string compare_table(const harness::SceneComparison& comparison);
+[[nodiscard]] std::string compare_table(const std::string& name, const harness::HeightComparison& comparison);
+
+[[nodiscard]] nlohmann::ordered_json compare_json(const harness::SceneComparison& comparison);
+[[nodiscard]] nlohmann::ordered_json compare_json(const std::string& name,
+                                                  const harness::HeightComparison& comparison);
+
+// DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture; the directory is made. Returns the paths.
+// Failure io.
+std::vector<std::string> write_overlays(const std::string& directory,
+                                        const harness::SceneComparison& comparison);
+std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
+                                        const harness::HeightComparison& comparison);
+
+}  // namespace sightline::app

@@ -1,0 +1,150 @@
+#include "host/app/commands/demo.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/app/commands/demo_comparison.hpp"
+#include "host/app/commands/jones_session.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/app/commands/skala_demo.hpp"
+#include "host/scene/read/builtin.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace jones = harness::jones;
+using nlohmann::ordered_json;
+
+constexpr const char* demo_examples =
+    "Examples:\n"
+    "  sightline demo\n"
+    "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
+    "eight functions as lines, surfaces and contours; the pictures go to out/; then both held against "
+    "oracles\n"
+    "  sightline demo -o pictures --json\n"
+    "      the same, the tables as one JSON document\n";
+
+struct DemoArguments {
+  std::string directory = "out";
+  bool json = false;
+};
+
+struct Row {
+  std::string scene;
+  bool eae = false;
+  std::size_t cells = 0;
+  std::uint32_t words = 0;
+  jones::GuestView view;
+  double refreshes = 0;
+};
+
+Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae,
+              const std::string& directory) {
+  jones::ProgramOptions program_options;
+  program_options.eae = eae;
+  const jones::Program program = assembled(scene, name, program_options);
+  jones::GuestOptions options;
+  options.eae = eae;
+  if (eae) options.photograph = photograph_time;  // the pictures are the same without
+  const jones::GuestRun run = jones::run_guest(program, options);
+  if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
+  if (eae) {
+    write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);
+  }
+  return {name,
+          eae,
+          program.scene.cell_addresses.size(),
+          program.words_used,
+          run.views.back(),
+          refreshes_per_second(run)};
+}
+
+std::string table_of(const std::vector<Row>& rows) {
+  std::string text = "Jones 1971 on the PDP-7 with a Type 340 display\n";
+  text += fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
+                      "segments", "words of core", "refreshes/s");
+  for (const Row& row : rows) {
+    text +=
+        fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
+                    seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells),
+                    row.view.pieces, fmt::format("{}/{}", row.words, scene::core_words), row.refreshes);
+  }
+  text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
+  return text;
+}
+
+ordered_json document_of(const std::vector<Row>& rows, const std::string& directory) {
+  ordered_json document{{"schema", "sightline/demo/1"}, {"pictures", directory}};
+  document["views"] = ordered_json::array();
+  for (const Row& row : rows) {
+    document["views"].push_back({{"scene", row.scene},
+                                 {"eae", row.eae},
+                                 {"status", jones::name(row.view.status)},
+                                 {"emulated_ns", row.view.time.count()},
+                                 {"cells_read", row.view.distinct_cells},
+                                 {"cells", row.cells},
+                                 {"segments", row.view.pieces},
+                                 {"core_words_used", row.words},
+                                 {"refreshes_per_second", row.refreshes}});
+  }
+  return document;
+}
+
+ExitCode run_demo(const DemoArguments& arguments) {
+  std::vector<Row> rows;
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::CellScene scene = load_scene(std::string(name));
+    for (const bool eae : {true, false})
+      rows.push_back(run_scene(std::string(name), scene, eae, arguments.directory));
+  }
+  const SkalaDemo skala = run_skala_demo(arguments.directory);
+  const DemoComparison comparison = compare_for_demo();
+  if (arguments.json) {
+    ordered_json document = document_of(rows, arguments.directory);
+    add_skala_demo(document, skala);
+    add_demo_comparison(document, comparison);
+    // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
+    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  } else {
+    write_stdout(table_of(rows));
+    write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala));
+    write_stdout("\nBoth against their oracles, and the native algorithms beside them\n" +
+                 demo_comparison_table(comparison));
+    write_stdout(
+        fmt::format("\nPictures are in {}/: SCENE-phosphor.png the screen, SCENE.png every point, SCENE.svg "
+                    "for drawing\nprograms; FUNCTION-lines.png, -surface.png, -contours.png, "
+                    "{}-calcomp.hpgl for plotters. The whole story: sightline report.\n",
+                    arguments.directory, skala.plotted));
+  }
+  ExitCode code = ExitCode::ok;
+  for (const Row& row : rows) {
+    if (row.view.status == jones::Status::complete) continue;
+    complain(fmt::format("{}: the view stopped: {}", row.scene, jones::name(row.view.status)));
+    code = ExitCode::guest_failed;
+  }
+  if (!comparison.agrees()) {
+    complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+    code = ExitCode::differs;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("demo", "Run both machines on all their scenes and functions, and compare");
+  const auto arguments = std::make_shared<DemoArguments>();
+  command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "One JSON document instead of the table");
+  command->footer(demo_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_demo(*arguments); });
+}
+
+}  // namespace sightline::app

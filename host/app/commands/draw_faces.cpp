@@ -1,0 +1,240 @@
+// See draw_faces.hpp.
+#include "host/app/commands/draw_faces.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "host/app/commands/draw_camera.hpp"
+#include "host/app/commands/face_shades.hpp"
+#include "host/app/scene_source.hpp"
+#include "host/picture/apng.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_bounds.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+struct DrawFacesArguments {
+  std::string scene;
+  CameraArguments camera;
+  std::optional<double> field;
+  harness::FaceOptions options;
+  std::string output;
+  std::string pixels = "512x512";
+  std::string picture = "faces";
+  int frames = 100;
+  bool json = false;
+};
+
+std::string draw_faces_footer(std::string_view algorithm) {
+  return fmt::format(
+      "Examples:\n"
+      "  sightline draw {0} town-100 -o town.png\n"
+      "      a generated town, filled\n"
+      "  sightline draw {0} boxes-30 --picture lines --pixels 1024x1024 -o boxes.png\n"
+      "      lines where one face ends and another begins\n"
+      "  sightline draw {0} town-35 --frames 125 -o flight.apng\n"
+      "      once around the scene in five seconds of 25 frames, for a browser\n\n"
+      "{1}Surfaces that could not be separated, and may be drawn in the wrong order, are named on standard "
+      "error.\n",
+      algorithm, camera_help);
+}
+
+std::pair<int, int> faces_size(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x') {
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec == std::errc{} && second.ptr == end && width >= 1 && height >= 1 &&
+        width <= picture::png_size_limit && height <= picture::png_size_limit)
+      return {width, height};
+  }
+  throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
+                                             text, picture::png_size_limit));
+}
+
+template <class Value>
+Value faces_checked(std::variant<Value, scene::SceneError> result, const SceneSource& source) {
+  if (auto* error = std::get_if<scene::SceneError>(&result)) {
+    error->source = source.name;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  return std::get<0>(std::move(result));
+}
+
+void name_not_solved(const harness::PreparedFaces& prepared) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < prepared.not_solved.size() && i < most; ++i) warn(prepared.not_solved[i]);
+  if (prepared.not_solved.size() > most)
+    warn(fmt::format("and {} more pairs of faces that could not be separated",
+                     prepared.not_solved.size() - most));
+}
+
+// Once around the middle of the scene at the eye's height and distance, looking at it.
+scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::PolyCamera& start,
+                                const scene::PolyPoint& middle, double part) {
+  const std::size_t u = (frame.vertical + 1) % 3;
+  const std::size_t v = (frame.vertical + 2) % 3;
+  const double angle = 2 * std::numbers::pi * part;
+  const double du = start.eye[u] - middle[u];
+  const double dv = start.eye[v] - middle[v];
+  scene::PolyPoint eye = start.eye;
+  eye[u] = static_cast<std::int32_t>(std::lround(middle[u] + du * std::cos(angle) - dv * std::sin(angle)));
+  eye[v] = static_cast<std::int32_t>(std::lround(middle[v] + du * std::sin(angle) + dv * std::cos(angle)));
+  scene::PolyPoint direction{};
+  for (std::size_t a = 0; a < 3; ++a) direction[a] = middle[a] - eye[a];
+  return scene::aimed_camera(frame, eye, direction);
+}
+
+picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
+                   const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
+                   const harness::FaceWindow& window) {
+  const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
+  const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
+  const auto shades = face_shades(source.scene);
+  picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
+  for (int i = 0; i < arguments.frames; ++i) {
+    const scene::PolyCamera camera =
+        camera_around(frame, start, middle, static_cast<double>(i) / arguments.frames);
+    bool below = true;
+    for (const std::int32_t c : camera.eye) below = below && std::abs(c) < scene::poly_coordinate_limit;
+    std::optional<scene::SceneError> error;
+    if (below) error = scene::eye_error(source.scene, camera);
+    if (!below || error) {
+      throw Failure(ExitCode::bad_input,
+                    fmt::format("{}: frame {} of the flight: {}", source.name, i,
+                                error ? error->message() + "; --eye says where the flight begins"
+                                      : std::string("the eye leaves the coordinates there are")));
+    }
+    const auto view = faces_checked(prepared.view(camera, window), source);
+    const auto added =
+        writer.add(arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, shades));
+    if (!added) throw Failure(ExitCode::io, added.error().message());
+  }
+  auto bytes = writer.finish();
+  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  return std::move(*bytes);
+}
+
+picture::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource& source,
+                          const harness::FaceView& view) {
+  const auto bytes = picture::encode_png(
+      arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, face_shades(source.scene)),
+      {{"Title", source.name}, {"Software", "sightline"}});
+  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  return *bytes;
+}
+
+void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments,
+                         const SceneSource& source, const harness::PreparedFaces& prepared,
+                         const std::vector<harness::FaceCount>& counts) {
+  using nlohmann::ordered_json;
+  const auto object = [](const std::vector<harness::FaceCount>& list) {
+    ordered_json result = ordered_json::object();
+    for (const auto& count : list) result[std::string(count.name)] = count.value;
+    return result;
+  };
+  const ordered_json document{
+      {"schema", "sightline/draw/1"},        {"algorithm", algorithm.name},      {"scene", source.name},
+      {"output", arguments.output},          {"model", object(prepared.counts)}, {"counts", object(counts)},
+      {"not_separated", prepared.not_solved}};
+  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {
+  const bool flight = arguments.output.ends_with(".apng");
+  if (!flight && !arguments.output.ends_with(".png")) {
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
+  }
+  const auto [width, height] = faces_size(arguments.pixels);
+  const SceneSource source = load_scene_source(arguments.scene);
+  const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
+  if (arguments.field) {
+    require_finite("--field", *arguments.field);
+    if (!(*arguments.field > 0) || (camera.perspective && *arguments.field > 170))
+      throw Failure(ExitCode::usage,
+                    fmt::format("--field: found {}, expected {}", *arguments.field,
+                                camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
+  }
+  if (flight && !camera.perspective)
+    throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
+  Output file(arguments.output);
+  harness::FaceOptions options = arguments.options;
+  options.vertical = frame_of(arguments.camera, source.scene).vertical;
+  const auto prepared = faces_checked(algorithm.prepare(source.scene, options), source);
+  name_not_solved(prepared);
+  constexpr double usual_field = 60;
+  const auto extent = flight && !arguments.field ? std::optional(usual_field) : arguments.field;
+  const harness::FaceWindow window = harness::face_window(source.scene, camera, width, height, extent);
+  std::vector<harness::FaceCount> counts;
+  if (flight) {
+    file.write(std::span<const std::uint8_t>(fly(arguments, source, prepared, camera, window)));
+  } else {
+    const auto view = faces_checked(prepared.view(camera, window), source);
+    counts = view.counts;
+    file.write(std::span<const std::uint8_t>(draw_still(arguments, source, view)));
+  }
+  file.commit();
+  if (arguments.json) print_faces_summary(algorithm, arguments, source, prepared, counts);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<DrawFacesArguments>();
+  command.add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
+  command
+      .add_option("-o,--output", arguments->output,
+                  "The picture, .png, or a flight once around the scene, .apng")
+      ->required()
+      ->type_name("FILE");
+  add_camera_options(command, arguments->camera);
+  command
+      .add_option("--field", arguments->field,
+                  "Show this much across the shorter side, straight ahead: degrees, or scene units with "
+                  "--orthographic")
+      ->default_str("everything, or 60 degrees of a flight")
+      ->type_name("ANGLE")
+      ->group("View");
+  command
+      .add_option("--pixels", arguments->pixels,
+                  "Size of the image; 512x512 is made by the priority display itself")
+      ->capture_default_str()
+      ->type_name("WxH");
+  command.add_option("--picture", arguments->picture, "Faces filled, or lines between them")
+      ->check(CLI::IsMember({"faces", "lines"}))
+      ->capture_default_str();
+  command.add_option("--frames", arguments->frames, "Of a flight, 25 a second")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command.add_option("--depth", arguments->options.depth, "Cut no surface more often than this")
+      ->check(CLI::Range(0, 1000))
+      ->default_str("30");
+  command.add_flag(
+      "--plan", arguments->options.plan,
+      "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between "
+      "their feet and tops");
+  command.add_flag("--rule90", arguments->options.rule90,
+                   "The paper's rule that normals be within 90 degrees, which is wrong");
+  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.footer(draw_faces_footer(algorithm.name));
+  command.callback(
+      [arguments, &algorithm, &exit_code] { exit_code = run_draw_faces(algorithm, *arguments); });
+}
+
+}  // namespace sightline::app

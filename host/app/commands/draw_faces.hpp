@@ -1,0 +1,13 @@
+// `sightline draw ALGORITHM SCENE` for the algorithms that say which face is seen at each point: a picture of
+// filled faces, of their outlines, or a flight as animated PNG.
+#pragma once
+
+#include "host/app/command.hpp"
+#include "host/algorithms/registry/faces.hpp"
+
+namespace sightline::app {
+
+// The algorithm is one of the table's, which does not end.
+void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, ExitCode& exit_code);
+
+}  // namespace sightline::app

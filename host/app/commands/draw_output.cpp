@@ -1,0 +1,131 @@
+#include "host/app/commands/draw_output.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "host/picture/png.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+constexpr double widest_paper = 10'000;  // millimetres
+
+std::optional<int> whole(std::string_view text, int most) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > most)
+    return std::nullopt;
+  return value;
+}
+
+std::pair<int, int> size_argument(const char* option, const std::string& text, int most) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const auto width = whole(std::string_view(text).substr(0, cross), most);
+    const auto height = whole(std::string_view(text).substr(cross + 1), most);
+    if (width && height) return {*width, *height};
+  }
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
+}
+
+std::optional<DrawingFormat> format_of(const std::string& file) {
+  const std::size_t dot = file.rfind('.');
+  std::string ending = dot == std::string::npos ? std::string() : file.substr(dot);
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".svg") return DrawingFormat::svg;
+  if (ending == ".png") return DrawingFormat::png;
+  if (ending == ".plt" || ending == ".hpgl") return DrawingFormat::hpgl;
+  return std::nullopt;
+}
+
+void refuse_sizes_of_others(const DrawOutput& output, DrawingFormat format) {
+  constexpr std::string_view on_paper = "a name that ends in .svg, .plt or .hpgl";
+  if (format != DrawingFormat::png) {
+    refuse_option(output, "--pixels", "a name that ends in .png");
+  } else {
+    refuse_option(output, "--size", on_paper);
+    refuse_option(output, "--margin", on_paper);
+  }
+  if (format != DrawingFormat::svg) refuse_option(output, "--pen", "a name that ends in .svg");
+}
+
+}  // namespace
+
+void add_draw_output_options(CLI::App& command, DrawOutput& output) {
+  output.command = &command;
+  command
+      .add_option("-o,--output", output.file,
+                  "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")
+      ->capture_default_str()
+      ->type_name("WxH");
+  command.add_option("--margin", output.paper.margin, "Around the drawing in mm, for .svg, .plt and .hpgl")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("MM");
+  command.add_option("--pen", output.paper.pen, "Width of a line in mm, for .svg")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 10.0))
+      ->type_name("MM");
+  command.add_option("--pixels", output.pixels, "Size of the image, for .png")
+      ->capture_default_str()
+      ->type_name("WxH");
+}
+
+void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
+  if (output.command->count(option) > 0)
+    throw Failure(ExitCode::usage, fmt::format("{}: found without {}", option, needed));
+}
+
+DrawingFormat settled(DrawOutput& output) {
+  const auto format = format_of(output.file);
+  if (!format)
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: expected a name that ends in .svg, .png, .plt or .hpgl", output.file));
+  refuse_sizes_of_others(output, *format);
+  const auto [width, height] = size_argument("--size", output.size, static_cast<int>(widest_paper));
+  output.paper.width = width;
+  output.paper.height = height;
+  // The ranges of the options let through what is no number.
+  if (!std::isfinite(output.paper.margin) || !std::isfinite(output.paper.pen)) {
+    throw Failure(ExitCode::usage, fmt::format("{}: found no number, expected millimetres",
+                                               std::isfinite(output.paper.pen) ? "--margin" : "--pen"));
+  }
+  if (2 * output.paper.margin >= std::min(width, height)) {
+    throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
+                                               output.paper.margin, output.size));
+  }
+  const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
+  output.image.width = columns;
+  output.image.height = rows;
+  return *format;
+}
+
+void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
+                   const std::string& title, Output& file) {
+  if (drawing.lines.empty() && drawing.facets.empty())
+    warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
+  if (format == DrawingFormat::svg) {
+    file.write(std::string_view(svg_of(drawing, output.paper, title)));
+  } else if (format == DrawingFormat::hpgl) {
+    file.write(std::string_view(hpgl_of(drawing, output.paper)));
+  } else {
+    const auto bytes =
+        picture::encode_png(image_of(drawing, output.image), {{"Title", title}, {"Software", "sightline"}});
+    if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+    file.write(std::span<const std::uint8_t>(*bytes));
+  }
+  file.commit();
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,135 @@
+#include "host/app/commands/draw_skala.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/algorithms/skala/draw.hpp"
+#include "host/app/commands/draw_output.hpp"
+#include "host/app/commands/skala_options.hpp"
+#include "host/app/commands/skala_source.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using algorithms::skala::Family;
+using algorithms::skala::Subject;
+
+constexpr const char* draw_skala_examples =
+    "Examples:\n"
+    "  sightline draw skala sinc -o sinc.svg\n"
+    "      slices of a function by name, in layers for a drawing program\n"
+    "  sightline draw skala heights.csv --along both --rotate 120 -o net.plt\n"
+    "      the net of a grid file, for a plotter\n"
+    "  sightline draw skala --function \"sin(x)*cos(z)\" --picture contours --levels 12 -o map.png\n"
+    "      contours of a function of your own\n"
+    "  sightline draw skala peaks --points 512 --slices 512 --picture surface --pixels 2000x1500 -o p.png\n"
+    "      a shaded surface\n\n"
+    "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) "
+    "or a "
+    "file: CSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole; or gnuplot's x y "
+    "z "
+    "blocks, the least y in front. --slices and --points say how finely\na function is sampled; a file has "
+    "its own size. The drawing is stretched to "
+    "the "
+    "paper.\n";
+
+struct DrawSkalaArguments {
+  SkalaSource source;
+  algorithms::skala::View view;
+  std::string picture;
+  std::string along;
+  bool json = false;
+  bool no_visibility = false;
+  bool no_rims = false;
+  DrawOutput output;
+};
+
+// By the names the options take; empty: not given.
+Subject subject_named(const std::string& name) {
+  if (name == "surface") return Subject::surface;
+  return name == "contours" ? Subject::contours : Subject::lines;
+}
+
+Family slices_named(const std::string& name) {
+  if (name.empty()) return Family::automatic;
+  if (name == "both") return Family::both;
+  return name == "x" ? Family::along_x : Family::along_z;
+}
+
+void print_skala_drawing(const DrawSkalaArguments& arguments, const SkalaFunction& function,
+                         const picture::VectorDrawing& drawing) {
+  using nlohmann::ordered_json;
+  const ordered_json document{
+      {"schema", "sightline/draw/1"},
+      {"algorithm", "skala"},
+      {"scene", function.name},
+      {"output", arguments.output.file},
+      {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
+      {"slices", function.grid.slices()},
+      {"points", function.grid.points()},
+      {"rotation", arguments.view.rotation},
+      {"elevation", arguments.view.elevation},
+      {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
+  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+ExitCode run_draw_skala(DrawSkalaArguments arguments) {
+  algorithms::skala::View& view = arguments.view;
+  view.subject = subject_named(arguments.picture);
+  view.family = slices_named(arguments.along);
+  require_angles(view.rotation, view.elevation);
+  view.visibility = !arguments.no_visibility;
+  view.rims = !arguments.no_rims;
+  const DrawingFormat format = settled(arguments.output);
+  if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
+    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
+  if (view.subject != Subject::contours) {
+    refuse_option(arguments.output, "--levels", "--picture contours");
+    refuse_option(arguments.output, "--net", "--picture contours");
+  }
+  const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
+  Output file(arguments.output.file);
+  const picture::VectorDrawing drawing = algorithms::skala::draw(function.grid, view);
+  write_drawing(drawing, arguments.output, format, function.name, file);
+  if (arguments.json) print_skala_drawing(arguments, function, drawing);
+  return ExitCode::ok;
+}
+
+void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
+  algorithms::skala::View& view = arguments.view;
+  add_picture_option(command, arguments.picture, "What is drawn");
+  command.add_option("--along", arguments.along, "Slices along x, along z or both")
+      ->check(CLI::IsMember({"x", "z", "both"}))
+      ->default_str("the less end-on");
+  add_angle_options(command, view.rotation, view.elevation);
+  add_levels_option(command, view.levels);
+  command.add_flag("--net", view.net, "Contours: draw the net of all cells, too");
+  command.add_flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
+  command.add_flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
+  command.add_flag("--no-visibility", arguments.no_visibility, "Draw what is hidden, too");
+  command.add_option("--columns", view.columns, "Of the masks: how finely hidden parts are found")
+      ->capture_default_str()
+      ->check(CLI::Range(algorithms::skala::fewest_columns, algorithms::skala::most_columns));
+}
+
+}  // namespace
+
+void add_draw_skala(CLI::App& command, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<DrawSkalaArguments>();
+  arguments->view.rotation = 30;
+  command.add_option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
+  add_function_options(command, arguments->source, "65", "65");
+  add_view_options(command, *arguments);
+  add_draw_output_options(command, arguments->output);
+  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.footer(draw_skala_examples);
+  command.callback([arguments, &exit_code] { exit_code = run_draw_skala(*arguments); });
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,24 @@
+// Colours for the faces of a scene, and pictures in them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/picture/image.hpp"
+#include "host/picture/pixel_metrics.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::app {
+
+using Shade = std::array<std::uint8_t, 3>;  // red, green, blue
+
+// By face number over all bodies: a hue for every body, lit from above and one side.
+[[nodiscard]] std::vector<Shade> face_shades(const scene::PolyScene& scene);
+
+// Of face numbers + 1; 0 is sky.
+[[nodiscard]] picture::Image shaded(const picture::PixelGrid& faces, const std::vector<Shade>& shades);
+// Black where the number changes, white elsewhere.
+[[nodiscard]] picture::Image outlined(const picture::PixelGrid& faces);
+
+}  // namespace sightline::app

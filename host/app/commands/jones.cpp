@@ -1,0 +1,194 @@
+#include "host/app/commands/jones.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "host/app/eae_option.hpp"
+#include "host/app/commands/jones_session.hpp"
+#include "host/app/commands/run_scripts.hpp"
+#include "host/app/scene_argument.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace jones = harness::jones;
+using nlohmann::ordered_json;
+
+constexpr const char* jones_examples =
+    "Examples:\n"
+    "  sightline jones roberts -o pictures\n"
+    "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
+    "  sightline jones street4 --no-eae --at 120,90,60 --scale 700\n"
+    "      another view, without the extended arithmetic element\n\n"
+    "This is the old program itself, on scenes of cells. `sightline draw jones` draws any scene by its "
+    "method "
+    "with a program of today.\n\n"
+    "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed "
+    "and\n"
+    "steals cycles. --switches takes a script of lines `SECONDS OCTAL` for the AC switches: 400000 left, "
+    "200000\n"
+    "right, 100000 up, 040000 down, 020000 in, 010000 out, 004000 bigger, 002000 smaller, 2 lines at once,\n"
+    "1 stereo pair; they take effect between views. Seconds are emulated. A picture below 30 refreshes a "
+    "second\n"
+    "flickers. Pictures: SCENE.png (one pass, every point), SCENE-phosphor.png (the screen), SCENE.svg.\n";
+
+struct JonesArguments {
+  std::string scene;
+  bool no_eae = false;
+  unsigned fraction = 1;
+  bool truncate = false;
+  std::string at;
+  std::optional<int> scale;
+  std::string switches;
+  bool stereo = false;
+  bool immediate = false;
+  int views = 2;
+  std::string directory = "out";
+  bool json = false;
+};
+
+constexpr double flicker_limit = 30.0;
+
+jones::Program program_for(const scene::CellScene& scene, const JonesArguments& arguments) {
+  jones::ProgramOptions options;
+  options.eae = !arguments.no_eae;
+  options.fraction_bits = arguments.fraction;
+  options.truncate = arguments.truncate;
+  if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
+  return assembled(scene, arguments.scene, options);
+}
+
+jones::GuestOptions guest_options(const JonesArguments& arguments) {
+  jones::GuestOptions options;
+  options.eae = !arguments.no_eae;
+  options.scale = arguments.scale;
+  options.stereo = arguments.stereo;
+  options.immediate = arguments.immediate;
+  options.views = arguments.views;
+  options.photograph = photograph_time;
+  if (!arguments.switches.empty()) {
+    options.switches =
+        read_switch_script(read_input_text(arguments.switches), shown_name(arguments.switches));
+    // The modes asked for on the command line stay up whatever else the script does.
+    const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
+    for (auto& setting : options.switches) setting.switches = setting.switches | modes;
+  }
+  return options;
+}
+
+ordered_json document_of(const JonesArguments& arguments, const jones::Program& program,
+                         const jones::GuestRun& run, const std::vector<std::string>& pictures) {
+  ordered_json document{{"schema", "sightline/jones/1"},
+                        {"scene", arguments.scene},
+                        {"eae", !arguments.no_eae},
+                        {"fraction_bits", arguments.fraction},
+                        {"truncated", arguments.truncate},
+                        {"eye", program.scene.eye},
+                        {"cells", program.scene.cell_addresses.size()},
+                        {"core_words_used", program.words_used},
+                        {"refreshes_per_second", refreshes_per_second(run)},
+                        {"flicker", refreshes_per_second(run) < flicker_limit}};
+  document["views"] = ordered_json::array();
+  for (const jones::GuestView& view : run.views) {
+    document["views"].push_back({{"status", jones::name(view.status)},
+                                 {"emulated_ns", view.time.count()},
+                                 {"instructions", view.instructions},
+                                 {"stolen_cycles", view.stolen_cycles},
+                                 {"cells_read", view.distinct_cells},
+                                 {"visits", view.visits},
+                                 {"openings_tested", view.openings_tested},
+                                 {"lines_clipped", view.lines_clipped},
+                                 {"segments", view.pieces},
+                                 {"display_words", view.display_file.size()}});
+  }
+  document["pictures"] = pictures;
+  return document;
+}
+
+std::string summary_of(const JonesArguments& arguments, const jones::Program& program,
+                       const jones::GuestRun& run) {
+  const jones::GuestView& view = run.views.back();
+  const auto& eye = program.scene.eye;
+  std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
+                                 arguments.no_eae ? "without" : "with");
+  for (std::size_t n = 0; n < run.views.size(); ++n)
+    text += fmt::format("view {}           {:.3f} s{}\n", n + 1, seconds(run.views[n].time),
+                        n == 0 ? " (display dark)" : " (picture being refreshed)");
+  text += fmt::format("status           {}\n", jones::name(view.status));
+  text += fmt::format("instructions     {}\n", view.instructions);
+  text += fmt::format("cells read       {} of {}, {} visits\n", view.distinct_cells,
+                      program.scene.cell_addresses.size(), view.visits);
+  text += fmt::format("openings tested  {}\n", view.openings_tested);
+  text += fmt::format("lines clipped    {}\n", view.lines_clipped);
+  text += fmt::format("segments         {}\n", view.pieces);
+  text += fmt::format("display words    {}\n", view.display_file.size());
+  text += fmt::format("core used        {} of {} words\n", program.words_used, scene::core_words);
+  if (run.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
+  text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
+                      refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");
+  return text;
+}
+
+ExitCode run_jones(const JonesArguments& arguments) {
+  const scene::CellScene scene = load_scene(arguments.scene);
+  const jones::Program program = program_for(scene, arguments);
+  const jones::GuestRun result = jones::run_guest(program, guest_options(arguments));
+  if (result.timed_out || result.views.empty()) {
+    complain(fmt::format("{}: the program did not complete a view in {:.0f} emulated seconds",
+                         arguments.scene, seconds(result.emulated)));
+    return ExitCode::guest_failed;
+  }
+  const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
+                                             title_of(scene.name, !arguments.no_eae), result);
+  if (arguments.json) {
+    write_stdout(document_of(arguments, program, result, pictures).dump(2) + "\n");
+  } else {
+    write_stdout(summary_of(arguments, program, result));
+    for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
+  }
+  const jones::Status status = result.views.back().status;
+  if (status == jones::Status::complete) return ExitCode::ok;
+  complain(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
+                       jones::name(status)));
+  return ExitCode::guest_failed;
+}
+
+}  // namespace
+
+void add_jones_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the emulated PDP-7");
+  const auto arguments = std::make_shared<JonesArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
+  add_eae_options(*command, arguments->no_eae);
+  command->add_option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 3));
+  command->add_flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
+  command->add_option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
+      ->default_str("the scene's own view")
+      ->type_name("X,Y,Z");
+  command->add_option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
+      ->default_str("512")
+      ->check(CLI::Range(64, 4096));
+  command->add_option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
+      ->type_name("SCRIPT");
+  command->add_flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
+  command->add_flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
+  command->add_option("--views", arguments->views, "How many views to compute; the last is shown")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "One JSON document instead of the summary");
+  command->footer(jones_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_jones(*arguments); });
+}
+
+}  // namespace sightline::app

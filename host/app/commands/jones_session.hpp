@@ -1,0 +1,36 @@
+// What `sightline jones` and `sightline demo` share: the program assembled for a scene, what is said of a
+// run, and the files it leaves - one complete pass of the display as a crisp raster and as a drawing, and a
+// photograph of the screen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/guests/jones/guest.hpp"
+#include "host/guests/jones/program.hpp"
+
+namespace sightline::app {
+
+// `source` names the scene in errors. Failure bad_input: the eye is nowhere, or the scene does not fit into
+// core.
+[[nodiscard]] harness::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
+                                                const harness::jones::ProgramOptions& options);
+
+// "house, Jones 1971 on the PDP-7 with EAE": the title of its pictures.
+[[nodiscard]] std::string title_of(const std::string& scene_name, bool eae);
+
+[[nodiscard]] double seconds(core::Duration time);
+// 0 if no refresh was seen.
+[[nodiscard]] double refreshes_per_second(const harness::jones::GuestRun& run);
+
+// What the photograph needs: the shutter stands open this long.
+inline constexpr core::Duration photograph_time = std::chrono::milliseconds(200);
+
+// Writes DIRECTORY/STEM.png, -phosphor.png and .svg; makes the directory. Returns the paths. Failure io.
+std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,
+                                              const std::string& title, const harness::jones::GuestRun& run);
+
+// A scene's name as part of a file name: anything but letters, digits, - and _ becomes _.
+[[nodiscard]] std::string file_stem(const std::string& scene_name);
+
+}  // namespace sightline::app

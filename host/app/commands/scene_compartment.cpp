@@ -1,0 +1,116 @@
+// See scene_compartment.hpp. The file it writes is that of host/scene/read/cell_complex_file.hpp.
+#include "host/app/commands/scene_compartment.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "host/app/commands/scene_info.hpp"
+#include "host/app/scene_source.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/check/cell_complex.hpp"
+#include "host/scene/cells/decompose.hpp"
+
+namespace sightline::app {
+namespace {
+
+struct CompartmentArguments {
+  std::string scene;
+  std::string method = "auto";
+  std::string output;
+  bool json = false;
+};
+
+constexpr const char* compartment_examples =
+    "Examples:\n"
+    "  sightline scene compartment boxes-100\n"
+    "      how many cells, openings and lines there are\n"
+    "  sightline scene compartment part.off -o part.cells.json\n"
+    "      the cells themselves: planes, half-spaces, openings, parts of edges; and the scene, so that\n"
+    "      `sightline draw jones part.cells.json -o part.svg` draws it without cutting it again, and\n"
+    "      `sightline scene check` and `info` know it\n\n"
+    "grid grows boxes between faces parallel to the axes, up to ten million units of the grid; bsp cuts "
+    "space "
+    "by the\n"
+    "planes of the faces of any polyhedra; auto takes grid where it can. The result is checked: exit code 1 "
+    "if "
+    "it is\n"
+    "not a possible one.\n";
+
+const std::map<std::string, scene::CompartmentMethod> method_names{
+    {"auto", scene::CompartmentMethod::automatic},
+    {"grid", scene::CompartmentMethod::grid},
+    {"bsp", scene::CompartmentMethod::bsp}};
+
+void describe(const CompartmentArguments& arguments, const scene::Compartments& result) {
+  const scene::CellComplex& complex = result.complex;
+  const std::size_t outer = openings_outside(complex);
+  if (arguments.json) {
+    const nlohmann::ordered_json document{{"schema", "sightline/scene-compartment/1"},
+                                          {"scene", arguments.scene},
+                                          {"method", method_name(result.method)},
+                                          {"cells", complex.cells.size()},
+                                          {"openings", complex.openings.size()},
+                                          {"openings_outside", outer},
+                                          {"lines", complex.lines.size()},
+                                          {"edges", complex.edges.size()},
+                                          {"planes", complex.planes.size()}};
+    write_stdout(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return;
+  }
+  write_stdout(fmt::format("method    {}\n", method_name(result.method)));
+  write_stdout(fmt::format("cells     {}\n", complex.cells.size()));
+  write_stdout(fmt::format("openings  {}, {} of them to outside\n", complex.openings.size(), outer));
+  write_stdout(fmt::format("lines     {}, parts of {} edges\n", complex.lines.size(), complex.edges.size()));
+  write_stdout(fmt::format("planes    {}\n", complex.planes.size()));
+}
+
+ExitCode run_compartment(const CompartmentArguments& arguments) {
+  std::unique_ptr<Output> output;
+  if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
+  const SceneSource source = load_scene_source(arguments.scene);
+  auto result = scene::compartments_of(source.scene, method_names.at(arguments.method));
+  if (auto* error = std::get_if<scene::SceneError>(&result)) {
+    error->source = arguments.scene;
+    throw Failure(ExitCode::bad_input, error->message());
+  }
+  const auto& compartments = std::get<scene::Compartments>(result);
+  const auto errors = scene::check_complex(compartments.complex, source.scene);
+  for (const scene::SceneError& error : errors) complain(error.message());
+  if (!errors.empty()) return ExitCode::differs;
+  if (output) {
+    scene::write_cell_complex(source.scene, compartments,
+                              [&](std::string_view text) { output->write(text); });
+    output->commit();
+  }
+  if (!output || !output->is_stdout()) describe(arguments, compartments);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_scene_compartment_command(CLI::App& scene_command, ExitCode& exit_code) {
+  CLI::App* const command =
+      scene_command.add_subcommand("compartment", "Cut a scene's free space into cells and openings");
+  const auto arguments = std::make_shared<CompartmentArguments>();
+  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
+  command->add_option("--method", arguments->method, "How space is cut")
+      ->check(CLI::IsMember({"auto", "grid", "bsp"}))
+      ->capture_default_str()
+      ->type_name("METHOD");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Where the cells go as JSON; - is standard output, without the counts")
+      ->type_name("FILE");
+  command->add_flag("--json", arguments->json, "The counts as one JSON document");
+  command->footer(compartment_examples);
+  command->callback([arguments, &exit_code] { exit_code = run_compartment(*arguments); });
+}
+
+}  // namespace sightline::app

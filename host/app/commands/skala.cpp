@@ -1,0 +1,177 @@
+#include "host/app/commands/skala.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "host/app/commands/skala_options.hpp"
+#include "host/app/commands/skala_report.hpp"
+#include "host/app/commands/skala_session.hpp"
+#include "host/app/commands/skala_source.hpp"
+#include "host/scene/heights/function.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using harness::SkalaDevice;
+using harness::SkalaLink;
+using harness::SkalaPicture;
+using picture::RasterPalette;
+
+constexpr const char* skala_examples =
+    "Examples:\n"
+    "  sightline skala lines sinc -o pictures\n"
+    "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in a second; the paper: "
+    "about two\n"
+    "  sightline skala lines peaks --both --elevate 45\n"
+    "      slices along x and along z, cell by cell\n"
+    "  sightline skala surface --function \"sin(sqrt(x*x+z*z))\" --domain -9:9\n"
+    "      a shaded surface of a function of your own, in eight greys\n"
+    "  sightline skala contours heights.csv --levels 12 --net\n"
+    "      contours of a grid file, with the net of its cells\n"
+    "  sightline skala lines rogers --device calcomp -o plot\n"
+    "      step by step on a drum plotter: rogers.png, .svg and .hpgl\n\n";
+
+std::string footer() {
+  return fmt::format(
+      "{}FUNCTION is a name ({})\nor a file: CSV, gnuplot's matrix (the first line in front) or its x y z "
+      "blocks (the "
+      "least y in\nfront). Every picture is compared with a native twin of the program before it is written. "
+      "Seconds are\nthose of the emulated 8080. `sightline draw skala` draws by the same method with a "
+      "program "
+      "of today.\n",
+      skala_examples, scene::height_function_names());
+}
+
+struct SkalaArguments {
+  SkalaSource source;
+  SkalaOrder order;
+  std::string device = "raster";
+  std::string link = "parallel";
+  std::string palette;  // empty: the usual one
+  bool no_visibility = false;
+  SkalaSlices slices;
+  std::int64_t clock = core::ClockRate{}.hertz;
+  int scale = 3;
+  std::string directory = "out";
+  bool json = false;
+};
+
+// By the names the option takes.
+SkalaDevice device_named(const std::string& name) {
+  if (name == "alt256") return SkalaDevice::alt256;
+  if (name == "calcomp") return SkalaDevice::calcomp;
+  return name == "minigraf" ? SkalaDevice::minigraf : SkalaDevice::ef9365;
+}
+
+ExitCode run_skala(SkalaArguments arguments) {
+  SkalaOrder& order = arguments.order;
+  require_angles(order.view.rotation, order.view.elevation);
+  require_finite("--zoom", order.view.zoom);
+  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.picture));
+  order.name = function.name;
+  order.grid = std::move(function.grid);
+  order.clock.hertz = arguments.clock;
+  order.view.visibility = !arguments.no_visibility;
+  order.view.family = family_of(arguments.slices);
+  order.view.device = device_named(arguments.device);
+  if (arguments.link == "serial") order.link = SkalaLink::serial;
+  const SkalaOutcome outcome = run_skala_order(harness::assemble_skala_program(), order);
+  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
+  if (!arguments.palette.empty())
+    files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
+  const auto pictures = write_skala_pictures(files, order, outcome);
+  write_stdout(arguments.json ? skala_document(order, outcome, pictures)
+                              : skala_summary(order, outcome, pictures));
+  return ExitCode::ok;
+}
+
+void add_skala_source_options(CLI::App& command, SkalaArguments& arguments) {
+  command.add_option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
+  const scene::GridSize usual = usual_grid_size(arguments.order.view.picture);
+  add_function_options(command, arguments.source, std::to_string(usual.slices), std::to_string(usual.points));
+}
+
+void add_view_options(CLI::App& command, SkalaArguments& arguments) {
+  harness::SkalaView& view = arguments.order.view;
+  add_angle_options(command, view.rotation, view.elevation);
+  command.add_option("--zoom", view.zoom, "Enlarge about the middle")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0))
+      ->type_name("F");
+  if (view.picture != SkalaPicture::contours) {
+    add_slices_options(command, arguments.slices);
+    // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
+    if (view.picture == SkalaPicture::surface) command.get_option("--both")->description("");
+    return;
+  }
+  command.add_flag("--both", arguments.slices.both);
+  add_levels_option(command, view.levels);
+  command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
+}
+
+void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
+  command.add_option("--device", arguments.device, "A raster board or a plotter")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"raster", "alt256", "calcomp", "minigraf"}))
+      ->type_name("NAME");
+  command.add_flag("--no-visibility", arguments.no_visibility,
+                   "Draw everything: the program without its test");
+  command.add_option("--link", arguments.link, "From the host computer; serial is 9600 baud")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"parallel", "serial"}))
+      ->type_name("NAME");
+  command
+      .add_option("--clock", arguments.clock, "The processor's clock in Hz; the programs are timed for 3 MHz")
+      ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{100'000}, std::int64_t{100'000'000}))
+      ->type_name("HZ");
+}
+
+void add_output_options(CLI::App& command, SkalaArguments& arguments) {
+  command.add_option("--palette", arguments.palette, "Of the PNG")
+      ->default_str("grey for surfaces, else colour")
+      ->check(CLI::IsMember({"colour", "grey"}))
+      ->type_name("NAME");
+  command.add_option("--scale", arguments.scale, "Pixels a point in the PNG")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 32));
+  command.add_option("-o,--output", arguments.directory, "Folder for the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command.add_flag("--json", arguments.json, "One JSON document instead of the summary");
+}
+
+void add_picture(CLI::App& parent, const char* name, const char* description, SkalaPicture picture,
+                 ExitCode& exit_code) {
+  CLI::App* const command = parent.add_subcommand(name, description);
+  const auto arguments = std::make_shared<SkalaArguments>();
+  arguments->order.view.picture = picture;
+  arguments->order.view.rotation = 30;
+  add_skala_source_options(*command, *arguments);
+  add_view_options(*command, *arguments);
+  add_machine_options(*command, *arguments);
+  add_output_options(*command, *arguments);
+  command->footer(footer());
+  command->callback([arguments, &exit_code] { exit_code = run_skala(*arguments); });
+}
+
+}  // namespace
+
+void add_skala_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* const command = app.add_subcommand(
+      "skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
+  command->require_subcommand(1);
+  add_picture(*command, "lines", "Slices of a surface with hidden lines removed", SkalaPicture::lines,
+              exit_code);
+  add_picture(*command, "surface", "A shaded surface with hidden parts removed", SkalaPicture::surface,
+              exit_code);
+  add_picture(*command, "contours", "Contour lines on a surface with hidden parts removed",
+              SkalaPicture::contours, exit_code);
+  command->footer(footer());
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,104 @@
+#include "host/app/commands/skala_demo.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/scene/heights/function.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using harness::SkalaPicture;
+using nlohmann::ordered_json;
+
+constexpr std::string_view plotted_function = "rogers";
+
+SkalaOutcome drawn(const harness::SkalaProgram& program, const scene::HeightFunction& function,
+                   SkalaPicture picture, harness::SkalaDevice device, const std::string& directory,
+                   std::string_view suffix) {
+  SkalaOrder order;
+  order.name = function.name;
+  order.grid = scene::sample(
+      function, picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+  order.view.picture = picture;
+  order.view.device = device;
+  order.view.rotation = 30;
+  order.measure_visibility = picture == SkalaPicture::lines && device == harness::SkalaDevice::ef9365;
+  const SkalaOutcome outcome = run_skala_order(program, order);
+  write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
+                       order, outcome);
+  return outcome;
+}
+
+double seconds(const SkalaOutcome& outcome) {
+  return seconds_at(core::ClockRate{}, outcome.picture.drawing);
+}
+
+ordered_json json_of(const SkalaOutcome& outcome) {
+  return {{"t_states", outcome.picture.drawing.count()},
+          {"seconds", seconds(outcome)},
+          {"visibility_cost_per_cent",
+           outcome.visibility_cost ? ordered_json(*outcome.visibility_cost) : ordered_json(nullptr)},
+          {"points_walked", outcome.points_walked},
+          {"points_lit", outcome.points_lit}};
+}
+
+}  // namespace
+
+SkalaDemo run_skala_demo(const std::string& directory) {
+  const harness::SkalaProgram program = harness::assemble_skala_program();
+  SkalaDemo demo;
+  for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
+    const auto raster = [&](SkalaPicture picture, std::string_view suffix) {
+      return drawn(program, function, picture, harness::SkalaDevice::ef9365, directory, suffix);
+    };
+    demo.rows.push_back({std::string(function.name), raster(SkalaPicture::lines, "lines"),
+                         raster(SkalaPicture::surface, "surface"),
+                         raster(SkalaPicture::contours, "contours")});
+  }
+  demo.plotted = plotted_function;
+  demo.plot = drawn(program, *scene::height_function(plotted_function), SkalaPicture::lines,
+                    harness::SkalaDevice::calcomp, directory, "calcomp");
+  return demo;
+}
+
+std::string skala_demo_table(const SkalaDemo& demo) {
+  std::string text = fmt::format("{:<11}{:>10}{:>13}{:>10}{:>10}{:>12}{:>12}\n", "function", "lines s",
+                                 "visibility", "walked", "lit", "surface s", "contours s");
+  for (const SkalaDemoRow& row : demo.rows) {
+    text += fmt::format(
+        "{:<11}{:>10.3f}{:>13}{:>10}{:>10}{:>12.3f}{:>12.3f}\n", row.function, seconds(row.lines),
+        row.lines.visibility_cost ? fmt::format("{:+.1f} %", *row.lines.visibility_cost) : "none",
+        row.lines.points_walked, row.lines.points_lit, seconds(row.surface), seconds(row.contours));
+  }
+  text +=
+      "Seconds of the emulated 8080 at 3 MHz, 60 slices of 33 points rotated 30 degrees (contours 33 by 33); "
+      "the\n"
+      "paper: about 2 s, about 15 % for the visibility.\n";
+  const harness::SkalaPlotterWork& work = demo.plot.plotter;
+  text += fmt::format("{} on the CalComp 565: {:.0f} s, {} steps, {} pen lifts.\n", demo.plotted,
+                      std::chrono::duration<double>(work.time).count(),
+                      work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
+  return text;
+}
+
+void add_skala_demo(ordered_json& document, const SkalaDemo& demo) {
+  document["skala"] = ordered_json::array();
+  for (const SkalaDemoRow& row : demo.rows) {
+    document["skala"].push_back({{"function", row.function},
+                                 {"lines", json_of(row.lines)},
+                                 {"surface", json_of(row.surface)},
+                                 {"contours", json_of(row.contours)}});
+  }
+  const harness::SkalaPlotterWork& work = demo.plot.plotter;
+  document["skala_plot"] = {{"function", demo.plotted},
+                            {"device", "CalComp 565"},
+                            {"seconds", std::chrono::duration<double>(work.time).count()},
+                            {"pen_lifts", work.pen_lifts},
+                            {"steps_pen_down", work.steps_pen_down},
+                            {"steps_pen_up", work.steps_pen_up}};
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,34 @@
+// The 8080's part of `sightline demo`: the eight functions of every figure as lines, as shaded surfaces and
+// as contours on the raster board, and one of them on a plotter.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host/app/commands/skala_session.hpp"
+
+namespace sightline::app {
+
+struct SkalaDemoRow {
+  std::string function;
+  SkalaOutcome lines;
+  SkalaOutcome surface;
+  SkalaOutcome contours;
+};
+
+struct SkalaDemo {
+  std::vector<SkalaDemoRow> rows;
+  std::string plotted;  // the function on the CalComp
+  SkalaOutcome plot;
+};
+
+// Writes FUNCTION-lines.png, -surface.png, -contours.png and the plotter's files into `directory`. Fails as
+// run_skala_order does.
+[[nodiscard]] SkalaDemo run_skala_demo(const std::string& directory);
+
+[[nodiscard]] std::string skala_demo_table(const SkalaDemo& demo);
+// Adds "skala" and "skala_plot".
+void add_skala_demo(nlohmann::ordered_json& document, const SkalaDemo& demo);
+
+}  // namespace sightline::app

@@ -1,0 +1,50 @@
+// The options that say which function of two variables is drawn and how it is looked at: the same ones in
+// `sightline skala`, `draw skala` and `compare`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/app/commands/skala_source.hpp"
+#include "host/guests/skala/view.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sightline::app {
+
+// How finely a function is sampled unless the options say so: as in the figures of the paper.
+[[nodiscard]] constexpr scene::GridSize usual_grid_size(harness::SkalaPicture picture) {
+  return picture == harness::SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+}
+
+// --function, --domain, --slices and --points. `slices` and `points` are what help says is usual.
+void add_function_options(CLI::App& command, SkalaSource& source, const std::string& slices,
+                          const std::string& points);
+
+// --rotate and --elevate. The defaults are those the angles have.
+void add_angle_options(CLI::App& command, double& rotation, double& elevation);
+// Failure usage: an angle that is no number.
+void require_angles(double rotation, double elevation);
+
+// --both and --along, which exclude each other.
+struct SkalaSlices {
+  bool both = false;
+  std::string along;  // "x" or "z"; empty: the less end-on
+};
+void add_slices_options(CLI::App& command, SkalaSlices& slices);
+[[nodiscard]] harness::SkalaFamily family_of(const SkalaSlices& slices);
+
+// "lines", "surface" or "contours"
+[[nodiscard]] std::string_view picture_name(harness::SkalaPicture picture);
+
+// --picture: "lines", "surface" or "contours"; empty: not given, lines.
+void add_picture_option(CLI::App& command, std::string& picture, const std::string& help);
+
+// --levels; the second without a default of its own.
+void add_levels_option(CLI::App& command, int& levels);
+void add_levels_option(CLI::App& command, std::optional<int>& levels);
+
+}  // namespace sightline::app

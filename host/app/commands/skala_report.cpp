@@ -1,0 +1,132 @@
+#include "host/app/commands/skala_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace sightline::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+double plotter_seconds(core::Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+std::string megahertz(core::ClockRate clock) {
+  return fmt::format("{:g} MHz", static_cast<double>(clock.hertz) / 1e6);
+}
+
+std::string_view link_name(harness::SkalaLink link) {
+  return link == harness::SkalaLink::serial ? "serial" : "parallel";
+}
+
+// The paper gives both figures for lines on a raster display, 60 slices of 33 points.
+bool in_the_paper(const SkalaOrder& order) {
+  return order.view.picture == harness::SkalaPicture::lines && is_raster(order.view.device) &&
+         order.view.visibility && order.grid.slices() == 60 && order.grid.points() == 33;
+}
+
+std::string plotter_lines(const SkalaOrder& order, const SkalaOutcome& outcome) {
+  if (is_raster(order.view.device)) return {};
+  const harness::SkalaPlotterWork& work = outcome.plotter;
+  return fmt::format(
+      "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
+      work.pen_lifts, plotter_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
+}
+
+// The program looks once for the EF9365 board: that nobody answers is no finding.
+bool is_the_look_for_a_board(const harness::SkalaUnanswered& port) {
+  constexpr std::uint8_t ef9365_status = 0x40;
+  return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
+}
+
+std::string port_lines(const SkalaOutcome& outcome) {
+  std::string text;
+  for (const harness::SkalaUnanswered& port : outcome.picture.unanswered)
+    if (!is_the_look_for_a_board(port))
+      text += fmt::format("unanswered       port {:02X}: reads {}, writes {}\n", port.port, port.reads,
+                          port.writes);
+  return text;
+}
+
+ordered_json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
+  ordered_json machine{{"device", std::string(name_of(order.view.device))},
+                       {"link", std::string(link_name(order.link))},
+                       {"clock_hz", order.clock.hertz}};
+  machine["unanswered_ports"] = ordered_json::array();
+  for (const harness::SkalaUnanswered& port : outcome.picture.unanswered)
+    machine["unanswered_ports"].push_back(
+        {{"port", port.port}, {"reads", port.reads}, {"writes", port.writes}});
+  return machine;
+}
+
+}  // namespace
+
+std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
+                          const std::vector<std::string>& pictures) {
+  const harness::SkalaGuestPicture& picture = outcome.picture;
+  std::string text = fmt::format(
+      "{}, {}{}: {} slices of {} points, rotated {:g}, elevation {:g}\n"
+      "machine          8080 at {}, {}, {} link\n",
+      order.name, name_of(order.view.picture), order.view.visibility ? "" : " without the visibility test",
+      order.grid.slices(), order.grid.points(), order.view.rotation, order.view.elevation,
+      megahertz(order.clock), name_of(order.view.device), link_name(order.link));
+  const auto seconds_of = [&](core::TStates time) { return seconds_at(order.clock, time); };
+  text += fmt::format("drawing          {} T-states, {:.3f} s at {}{}\n", picture.drawing.count(),
+                      seconds_of(picture.drawing), megahertz(order.clock),
+                      in_the_paper(order) ? " (the paper: about 2 s)" : "");
+  text += fmt::format("with receipt     {} T-states, {:.3f} s: {} bytes of commands in {} block{}\n",
+                      picture.total.count(), seconds_of(picture.total), outcome.bytes, picture.blocks,
+                      picture.blocks == 1 ? "" : "s");
+  if (outcome.visibility_cost) {
+    text += fmt::format("visibility       {:+.1f} per cent of the time without{}\n", *outcome.visibility_cost,
+                        in_the_paper(order) ? " (the paper: about 15)" : "");
+  }
+  text +=
+      fmt::format("points walked    {}\npoints lit       {}\n", outcome.points_walked, outcome.points_lit);
+  if (picture.dots_not_shown > 0)
+    text += fmt::format("not shown        {} dots in the rows above 239\n", picture.dots_not_shown);
+  text += plotter_lines(order, outcome) + port_lines(outcome);
+  for (const std::string& path : pictures) text += fmt::format("picture          {}\n", path);
+  return text;
+}
+
+std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
+                           const std::vector<std::string>& pictures) {
+  const harness::SkalaGuestPicture& picture = outcome.picture;
+  ordered_json document{{"schema", "sightline/skala/1"},
+                        {"function", order.name},
+                        {"picture", std::string(name_of(order.view.picture))},
+                        {"slices", order.grid.slices()},
+                        {"points", order.grid.points()},
+                        {"rotation", order.view.rotation},
+                        {"elevation", order.view.elevation},
+                        {"zoom", order.view.zoom},
+                        {"visibility", order.view.visibility},
+                        {"machine", machine_of(order, outcome)},
+                        {"status", std::string(text_of(picture.status))},
+                        {"t_states", picture.drawing.count()},
+                        {"seconds", seconds_at(order.clock, picture.drawing)},
+                        {"total_t_states", picture.total.count()},
+                        {"instructions", picture.instructions},
+                        {"command_bytes", outcome.bytes},
+                        {"blocks", picture.blocks},
+                        {"points_walked", outcome.points_walked},
+                        {"points_lit", outcome.points_lit},
+                        {"dots_not_shown", picture.dots_not_shown}};
+  document["visibility_cost_per_cent"] =
+      outcome.visibility_cost ? ordered_json(*outcome.visibility_cost) : ordered_json(nullptr);
+  if (!is_raster(order.view.device)) {
+    document["plotter"] = {{"seconds", plotter_seconds(outcome.plotter.time)},
+                           {"pen_lifts", outcome.plotter.pen_lifts},
+                           {"steps_pen_down", outcome.plotter.steps_pen_down},
+                           {"steps_pen_up", outcome.plotter.steps_pen_up}};
+  }
+  document["pictures"] = pictures;
+  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sightline::app

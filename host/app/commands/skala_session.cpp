@@ -1,0 +1,174 @@
+#include "host/app/commands/skala_session.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <utility>
+
+#include "host/app/outputs.hpp"
+#include "host/guests/skala/pen_paths.hpp"
+#include "host/guests/skala/stream.hpp"
+#include "host/guests/skala/twin/twin.hpp"
+#include "host/picture/hpgl.hpp"
+#include "host/picture/pen_drawing.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using harness::SkalaDevice;
+using harness::SkalaGuestPicture;
+
+harness::SkalaEquipment only(SkalaDevice device) {
+  harness::SkalaEquipment equipment;
+  equipment.present = {};
+  equipment.present[static_cast<std::size_t>(device)] = true;
+  return equipment;
+}
+
+struct Drawn {
+  SkalaGuestPicture picture;
+  std::size_t bytes = 0;
+  std::uint64_t points_walked = 0;
+};
+
+[[noreturn]] void fail(const SkalaOrder& order, ExitCode code, const std::string& what) {
+  throw Failure(code, fmt::format("{}: {}", order.name, what));
+}
+
+// Why a program may fail for want of the clock it is made for; nothing at that clock.
+std::string_view clock_hint(const SkalaOrder& order) {
+  return order.clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
+}
+
+void check(const SkalaOrder& order, const SkalaGuestPicture& picture) {
+  if (!picture.ended) {
+    fail(order, ExitCode::guest_failed,
+         fmt::format("the program did not end within {:.0f} emulated seconds",
+                     seconds_at(order.clock, picture.total)));
+  }
+  if (!picture.faults.empty()) {
+    std::string text = "the program and the device do not get along";
+    for (const harness::SkalaDeviceFault& fault : picture.faults)
+      text +=
+          fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
+    fail(order, ExitCode::guest_failed, text.append(clock_hint(order)));
+  }
+  if (picture.status != harness::SkalaStatus::complete) {
+    const bool timing = picture.status == harness::SkalaStatus::link_error;
+    fail(order, ExitCode::guest_failed,
+         fmt::format("the program stopped: {}{}", text_of(picture.status), timing ? clock_hint(order) : ""));
+  }
+}
+
+Drawn drawn(const harness::SkalaProgram& program, const SkalaOrder& order, bool visibility) {
+  harness::SkalaView view = order.view;
+  view.visibility = visibility;
+  const auto stream = harness::skala_stream(order.grid, view);
+  harness::SkalaGuestOptions options;
+  options.device = view.device;
+  options.link = order.link;
+  options.clock = order.clock;
+  Drawn result{harness::run_skala_guest(program, stream, options), stream.size(), 0};
+  check(order, result.picture);
+  const harness::SkalaTwinPicture twin = harness::run_skala_twin(stream, only(view.device));
+  const std::string difference = harness::difference_from_twin(result.picture, twin, view.device);
+  if (!difference.empty()) {
+    fail(order, ExitCode::differs,
+         "internal error: the 8080's picture is not the one its native twin makes; " + difference);
+  }
+  result.points_walked = twin.counts.points_walked;
+  return result;
+}
+
+// Files BASE.ENDING of which all appear or, if one cannot be written, none: opened together, and put in their
+// places when all are written.
+class PictureSet {
+ public:
+  PictureSet(const std::string& base, std::initializer_list<std::string_view> endings) {
+    for (const std::string_view ending : endings) {
+      paths_.push_back(base + std::string(ending));
+      outputs_.emplace_back(paths_.back());
+    }
+  }
+
+  // By the place of its ending.
+  Output& at(std::size_t i) { return outputs_[i]; }
+
+  std::vector<std::string> commit() {
+    for (Output& output : outputs_) output.commit();
+    return std::move(paths_);
+  }
+
+ private:
+  std::vector<std::string> paths_;
+  std::vector<Output> outputs_;
+};
+
+std::string skala_title(const SkalaOrder& order) {
+  return fmt::format("{}, {}, Skala 1985 on the 8080, {}", order.name, name_of(order.view.picture),
+                     name_of(order.view.device));
+}
+
+}  // namespace
+
+double seconds_at(core::ClockRate clock, core::TStates time) {
+  return static_cast<double>(time.count()) / static_cast<double>(clock.hertz);
+}
+
+std::string_view name_of(SkalaDevice device) {
+  constexpr std::array<std::string_view, 4> names{"EF9365 board", "ALT-256 board", "CalComp 565",
+                                                  "Minigraf 0507"};
+  return names[static_cast<std::size_t>(device)];
+}
+
+std::string_view name_of(harness::SkalaPicture picture) {
+  constexpr std::array<std::string_view, 3> names{"hidden lines", "shaded surface", "contours"};
+  return names[static_cast<std::size_t>(picture)];
+}
+
+picture::RasterPalette usual_palette(harness::SkalaPicture picture) {
+  return picture == harness::SkalaPicture::surface ? picture::RasterPalette::grey
+                                                   : picture::RasterPalette::colour;
+}
+
+SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOrder& order) {
+  Drawn asked = drawn(program, order, order.view.visibility);
+  SkalaOutcome outcome;
+  outcome.bytes = asked.bytes;
+  outcome.points_walked = asked.points_walked;
+  outcome.points_lit = harness::points_lit(asked.picture);
+  outcome.plotter = harness::plotter_work(asked.picture.moves);
+  outcome.picture = std::move(asked.picture);
+  if (order.view.visibility && order.measure_visibility) {
+    const auto plain = static_cast<double>(drawn(program, order, false).picture.drawing.count());
+    const auto with = static_cast<double>(outcome.picture.drawing.count());
+    if (plain > 0) outcome.visibility_cost = 100 * (with - plain) / plain;
+  }
+  return outcome;
+}
+
+std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
+                                              const SkalaOutcome& outcome) {
+  make_directory(files.directory);
+  const std::string base = (std::filesystem::path(files.directory) / files.stem).string();
+  const std::string title = skala_title(order);
+  const picture::TextEntries text{{"Title", title}, {"Software", "sightline"}};
+  if (is_raster(order.view.device)) {
+    PictureSet set(base, {".png"});
+    write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), text);
+    return set.commit();
+  }
+  const auto paths = harness::pen_paths(outcome.picture.moves);
+  const picture::PlotterPaper paper =
+      order.view.device == SkalaDevice::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
+  PictureSet set(base, {".png", ".svg", ".hpgl"});
+  write_png(set.at(0), picture::pen_image(paths, paper, files.scale), text);
+  set.at(1).write(picture::pen_svg(paths, paper, title));
+  set.at(2).write(picture::hpgl(paths, paper));
+  return set.commit();
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,64 @@
+// What `sightline skala` and `sightline demo` share: a picture ordered from the 8080, compared with its
+// native twin, and the files it leaves.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/guests/skala/guest.hpp"
+#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/view.hpp"
+#include "host/picture/raster_image.hpp"
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::app {
+
+struct SkalaOrder {
+  std::string name;  // of the function, as messages and titles show it
+  scene::HeightGrid grid;
+  harness::SkalaView view;
+  harness::SkalaLink link = harness::SkalaLink::parallel;
+  core::ClockRate clock{};
+  bool measure_visibility = true;  // by a second run without the test
+};
+
+struct SkalaOutcome {
+  harness::SkalaGuestPicture picture;
+  std::size_t bytes = 0;  // of the command stream
+  std::uint64_t points_walked = 0;
+  std::uint64_t points_lit = 0;
+  harness::SkalaPlotterWork plotter;  // nothing on a raster board
+  // How much longer than without the visibility test, in per cent; below 0 if not. Nothing if the order is
+  // without the test itself, or if nothing is drawn.
+  std::optional<double> visibility_cost;
+};
+
+// Runs the program, and where asked once more without the visibility test. Failure guest_failed: it did not
+// end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
+// twin's, which is a defect of this program.
+[[nodiscard]] SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOrder& order);
+
+[[nodiscard]] double seconds_at(core::ClockRate clock, core::TStates time);
+
+// "EF9365 board", "ALT-256 board", "CalComp 565", "Minigraf 0507".
+[[nodiscard]] std::string_view name_of(harness::SkalaDevice device);
+// "hidden lines", "shaded surface", "contours"
+[[nodiscard]] std::string_view name_of(harness::SkalaPicture picture);
+
+// Greys for a surface, colours for everything else.
+[[nodiscard]] picture::RasterPalette usual_palette(harness::SkalaPicture picture);
+
+struct SkalaFiles {
+  std::string directory;  // made if it is not there
+  std::string stem;
+  picture::RasterPalette palette = picture::RasterPalette::colour;
+  int scale = 3;  // pixels a point
+};
+
+// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths. Failure io.
+std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
+                                              const SkalaOutcome& outcome);
+
+}  // namespace sightline::app

@@ -1,0 +1,70 @@
+#include "host/app/commands/skala_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "host/app/command.hpp"
+#include "host/app/commands/jones_session.hpp"
+#include "host/scene/heights/expression.hpp"
+#include "host/scene/heights/function.hpp"
+#include "host/scene/heights/read_grid.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+template <class Value>
+Value checked(std::variant<Value, scene::HeightError> result, ExitCode code) {
+  if (const auto* error = std::get_if<scene::HeightError>(&result)) throw Failure(code, error->message());
+  return std::get<Value>(std::move(result));
+}
+
+scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
+  return {source.points.value_or(usual.points), source.slices.value_or(usual.slices)};
+}
+
+SkalaFunction from_expression(const SkalaSource& source, scene::GridSize size) {
+  const scene::Interval domain = source.domain.empty()
+                                     ? scene::expression_domain
+                                     : checked(scene::read_domain(source.domain), ExitCode::usage);
+  return {source.expression, "function",
+          checked(scene::sample_expression(source.expression, domain, size), ExitCode::usage)};
+}
+
+SkalaFunction from_file(const SkalaSource& source) {
+  const std::string& file = source.name_or_file;
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) {
+    throw Failure(ExitCode::io, fmt::format("{}: no such file, and no function of that name; there are {}",
+                                            file, scene::height_function_names()));
+  }
+  if (source.points || source.slices)
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: a grid file has its own size; found --points or --slices", file));
+  return {file, file_stem(std::filesystem::path(file).stem().string()),
+          checked(scene::load_height_grid(file), ExitCode::bad_input)};
+}
+
+}  // namespace
+
+SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual) {
+  if (source.name_or_file.empty() == source.expression.empty()) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("found {}, expected one: a name ({}), a grid file, or --function EXPRESSION",
+                              source.expression.empty() ? "no function to draw" : "two functions to draw",
+                              scene::height_function_names()));
+  }
+  const scene::GridSize size = size_of(source, usual);
+  if (!source.expression.empty()) return from_expression(source, size);
+  if (!source.domain.empty())
+    throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
+  if (const auto function = scene::height_function(source.name_or_file))
+    return {source.name_or_file, file_stem(source.name_or_file), scene::sample(*function, size)};
+  return from_file(source);
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,31 @@
+// The function that `sightline skala` draws: by name, from a grid file, or as an expression.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::app {
+
+struct SkalaSource {
+  std::string name_or_file;           // empty: none
+  std::string expression;             // empty: none
+  std::string domain;                 // "A:B", of an expression; empty: the usual one
+  std::optional<std::size_t> points;  // only where there is something to sample
+  std::optional<std::size_t> slices;
+};
+
+struct SkalaFunction {
+  std::string name;
+  std::string stem;  // for names of files
+  scene::HeightGrid grid;
+};
+
+// Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
+// options that do not go with it, an expression or domain with an error. Failure io: neither a name nor a
+// file. Failure bad_input: the file is wrong.
+[[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
+
+}  // namespace sightline::app

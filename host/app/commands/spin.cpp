@@ -1,0 +1,223 @@
+#include "host/app/commands/spin.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/plantinga/event_file.hpp"
+#include "host/algorithms/plantinga/frame.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/app/progress.hpp"
+#include "host/app/scene_source.hpp"
+#include "host/picture/apng.hpp"
+#include "host/picture/vector_drawing.hpp"
+
+namespace sightline::app {
+namespace {
+
+namespace native = algorithms::plantinga;
+
+constexpr double degree = std::numbers::pi / 180;
+
+constexpr const char* spin_examples =
+    "Examples:\n"
+    "  sightline spin part.off -o part.apng\n"
+    "      one turn, a frame every 3 degrees\n"
+    "  sightline spin part.obj --vertical z -o part.apng\n"
+    "      a file whose z points up\n"
+    "  sightline spin part.off --events part.events --step 1 -o part.apng\n"
+    "      the events of the turn are kept in a file, and read from it the next time\n";
+
+struct SpinOptions {
+  std::string scene;
+  std::string out;
+  std::string events;
+  std::string vertical = "y";
+  double step = 3;
+  double tolerance = 0;
+  int size = 480;
+  int rate = 25;
+  bool wire = false;
+};
+
+// Turned as a solid body is, so that the axis named points up: the turn is about y.
+scene::PolyScene stood_up(scene::PolyScene scene, std::string_view vertical) {
+  const auto turned = [vertical](const scene::PolyPoint& p) -> scene::PolyPoint {
+    if (vertical == "x") return {-p[1], p[0], p[2]};
+    if (vertical == "-x") return {p[1], -p[0], p[2]};
+    if (vertical == "-y") return {-p[0], -p[1], p[2]};
+    if (vertical == "z") return {p[0], p[2], -p[1]};
+    if (vertical == "-z") return {p[0], -p[2], p[1]};
+    return p;
+  };
+  for (scene::PolyPoint& vertex : scene.vertices) vertex = turned(vertex);
+  return scene;
+}
+
+native::EventList study(const native::RotationModel& model, const SpinOptions& options) {
+  ProgressLine line;
+  native::BuildOptions build;
+  build.tolerance = options.tolerance * degree;
+  build.progress = [&line](std::size_t done, std::size_t of) {
+    line.show(fmt::format("events: {} of {} edges", done, of));
+  };
+  auto built = native::build_event_list(model, build);
+  if (auto* stopped = std::get_if<native::BuildStopped>(&built)) {
+    throw Failure(ExitCode::bad_input, options.scene + ": " + stopped->message);
+  }
+  return std::get<native::EventList>(std::move(built));
+}
+
+// From the file if it is there, else found, and kept there.
+native::EventList events_of(const native::RotationModel& model, const SpinOptions& options) {
+  if (options.events.empty()) return study(model, options);
+  if (std::filesystem::exists(options.events)) {
+    auto read = native::read_events(options.events, model);
+    if (!read) throw Failure(ExitCode::bad_input, read.error().message());
+    if (read->tolerance != options.tolerance * degree) {
+      throw Failure(ExitCode::bad_input,
+                    fmt::format("{}: events of a tolerance of {:g} degrees, expected {:g}: name another file",
+                                options.events, read->tolerance / degree, options.tolerance));
+    }
+    return std::move(*read);
+  }
+  native::EventList list = study(model, options);
+  const auto written = native::write_events(options.events, list);
+  if (!written) throw Failure(ExitCode::io, written.error().message());
+  return list;
+}
+
+// The image of every frame fits: the farthest any vertex is from the axis, and its heights.
+class Sheet {
+ public:
+  Sheet(const native::RotationModel& model, int size) : size_(size) {
+    double reach = 1;
+    double low = 0;
+    double high = 0;
+    bool first = true;
+    for (const auto& v : model.vertices()) {
+      reach = std::max(reach, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])));
+      low = first ? static_cast<double>(v[1]) : std::min(low, static_cast<double>(v[1]));
+      high = first ? static_cast<double>(v[1]) : std::max(high, static_cast<double>(v[1]));
+      first = false;
+    }
+    middle_ = (low + high) / 2;
+    scale_ = 0.47 * size / std::max(reach, (high - low) / 2);
+  }
+
+  [[nodiscard]] picture::Image image_of(const std::vector<native::ImageLine>& lines) const {
+    picture::VectorDrawing drawing;
+    drawing.width = size_;
+    drawing.height = size_;
+    drawing.layers = {{"visible", {0, 0, 0}}};
+    for (const native::ImageLine& line : lines) {
+      drawing.lines.push_back({0, static_cast<std::uint32_t>(drawing.points.size()), 2});
+      drawing.points.push_back(point(line.u0, line.v0));
+      drawing.points.push_back(point(line.u1, line.v1));
+    }
+    return picture::image_of(drawing, {size_, size_, 1.2});
+  }
+
+ private:
+  [[nodiscard]] picture::DrawingPoint point(double u, double v) const {
+    return {static_cast<float>(size_ / 2.0 + scale_ * u),
+            static_cast<float>(size_ / 2.0 + scale_ * (v - middle_))};
+  }
+
+  int size_;
+  double middle_ = 0;
+  double scale_ = 1;
+};
+
+void spin(const SpinOptions& options) {
+  if (!options.out.ends_with(".apng") && !options.out.ends_with(".png")) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: expected a name that ends in .apng or .png", options.out));
+  }
+  const SceneSource source = load_scene_source(options.scene);
+  const scene::PolyScene scene = stood_up(source.scene, options.vertical);
+  if (const auto reason = native::why_not(scene)) {
+    throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
+  }
+  Output output(options.out);
+  const native::RotationModel model(scene);
+  const native::EventList list = events_of(model, options);
+  native::EdgeStructureGraph graph(list);
+  native::FrameMaker frames(model);
+  const Sheet sheet(model, options.size);
+  picture::ApngWriter apng({1, static_cast<std::uint16_t>(options.rate)});
+  std::vector<native::ImageLine> lines;
+  const int count = static_cast<int>(std::ceil(360 / options.step - 1e-9));
+  for (int i = 0; i < count; ++i) {
+    const double angle = options.step * i * degree;
+    // A list that was read or made is consistent: every step fits.
+    static_cast<void>(graph.turn_to(angle));
+    if (options.wire) {
+      frames.wire(angle, lines);
+    } else {
+      frames.visible(graph, angle, lines);
+    }
+    const auto added = apng.add(sheet.image_of(lines));
+    if (!added) throw Failure(ExitCode::usage, added.error().message());
+  }
+  const auto bytes = apng.finish();
+  if (!bytes) throw Failure(ExitCode::usage, bytes.error().message());
+  output.write(*bytes);
+  output.commit();
+  write_stdout(fmt::format("{}: {} edges, {} events, {} changes of edges, {} frames\n", source.name,
+                           model.edges().size(), list.events.size(), list.changes.size(), count));
+  check_stdout();
+}
+
+}  // namespace
+
+void add_spin_command(CLI::App& app, ExitCode&) {
+  const auto options = std::make_shared<SpinOptions>();
+  CLI::App* const command = app.add_subcommand("spin",
+                                               "Turn a scene about its vertical axis without hidden lines, "
+                                               "as an animated PNG, after Plantinga, Seales and "
+                                               "Dyer (1990)");
+  command->add_option("SCENE", options->scene, std::string(scene_source_help))->required();
+  command->add_option("-o,--output", options->out, "The animated PNG")->required()->type_name("FILE");
+  command
+      ->add_option("--events", options->events,
+                   "Read the events of the turn from this file; if there is none, find and keep them in it")
+      ->type_name("FILE");
+  command->add_option("--vertical", options->vertical, "Which axis points up, such as z or -y")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}))
+      ->type_name("AXIS")
+      ->capture_default_str();
+  command->add_option("--step", options->step, "Degrees from frame to frame")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(0.05, 180.0))
+      ->capture_default_str();
+  command->add_option("--tolerance", options->tolerance, "Join events within so many degrees; 0: exact")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(0.0, 30.0))
+      ->capture_default_str();
+  command->add_option("--size,--pixels", options->size, "Width and height in pixels")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  command->add_option("--rate", options->rate, "Frames a second")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command->add_flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
+  command->footer(spin_examples);
+  command->callback([options] {
+    require_finite("--step", options->step);
+    require_finite("--tolerance", options->tolerance);
+    spin(*options);
+  });
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,234 @@
+// See cross_check.hpp.
+#include "host/compare/cross_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "host/compare/cross_check_compare.hpp"
+#include "host/compare/cross_check_faces.hpp"
+
+namespace sightline::harness {
+namespace {
+
+constexpr std::array all_participants{
+    Participant{"exact", true, false},     Participant{"oracle", true, true},
+    Participant{"jones", true, false},     Participant{"skala", false, true},
+    Participant{"montani-re", true, true}, Participant{"willis", false, true},
+    Participant{"plantinga", true, false},
+};
+
+constexpr std::array all_not_applicable{
+    NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
+    NotApplicable{"willis", "H", NotApplicable::Views::all,
+                  "leaves facets that touch clustered: no plane on the lattice keeps them apart"},
+    NotApplicable{"plantinga", "C", NotApplicable::Views::perspective,
+                  "events of a turn are those of parallel projection"},
+};
+
+template <class Table>
+const auto* find_in(const Table& table, std::string_view name) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [name](const auto& row) { return row.name == name; });
+  return found != table.end() ? &*found : nullptr;
+}
+
+// The views of one participant that are not listed as not applicable.
+class Drawing {
+ public:
+  Drawing(const CommonScene& scene, const Participant& who, const AgreementTables& tables)
+      : scene_(scene), who_(who), tables_(tables), pictures_(scene.views.size()) {
+    bool any = false;
+    for (std::size_t v = 0; v < pictures_.size(); ++v) {
+      const bool perspective = scene.views[v].camera.perspective;
+      pictures_[v].not_applicable = listed_reason(who.name, scene.name, perspective).value_or("");
+      any = any || pictures_[v].not_applicable.empty();
+    }
+    if (any && who.lines) draw_lines();
+    if (any && who.faces) draw_faces();
+  }
+
+  [[nodiscard]] std::vector<AgreementPicture> take() { return std::move(pictures_); }
+
+ private:
+  template <class Draw>
+  void for_each_view(Draw&& draw) {
+    for (std::size_t v = 0; v < pictures_.size(); ++v)
+      if (pictures_[v].not_applicable.empty()) draw(scene_.views[v], pictures_[v]);
+  }
+  void fail(const std::string& problem) {
+    for_each_view([&problem](const AgreementView&, AgreementPicture& picture) { picture.problem = problem; });
+  }
+
+  void draw_lines() {
+    const LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
+    if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
+    if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
+    auto made = algorithm->prepare(scene_.scene);
+    if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
+    const auto& prepared = std::get<PreparedScene>(made);
+    for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+      picture.same_by_image = algorithm->same_by_image;
+      if (auto reason = algorithm->why_not_seen(scene_.scene, view.camera)) {
+        picture.problem = std::move(*reason);
+        return;
+      }
+      auto seen = prepared.view(view.camera);
+      if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
+        picture.problem = error->message();
+      } else {
+        picture.lines = std::move(std::get<LineView>(seen).picture);
+      }
+    });
+  }
+
+  void draw_faces() {
+    if (who_.name == "oracle" || who_.name == "skala") {
+      for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+        picture.faces = who_.name == "oracle" ? nearest_faces(scene_, view) : skala_faces(scene_, view);
+      });
+      return;
+    }
+    const FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
+    if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
+    FaceOptions options;
+    options.plan = scene_.plan;
+    auto made = algorithm->prepare(scene_.scene, options);
+    if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
+    const auto& prepared = std::get<PreparedFaces>(made);
+    if (!prepared.not_solved.empty())
+      return fail(
+          fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
+    for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+      auto seen = prepared.view(view.camera, view.window());
+      if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
+        picture.problem = error->message();
+      } else {
+        picture.faces = std::move(std::get<FaceView>(seen).faces);
+      }
+    });
+  }
+
+  const CommonScene& scene_;
+  const Participant& who_;
+  const AgreementTables& tables_;
+  std::vector<AgreementPicture> pictures_;
+};
+
+// Everything that two participants can be compared by, of one view.
+std::vector<ViewVerdict> verdicts(const CommonScene& scene, const AgreementView& view, const Participant& a,
+                                  const AgreementPicture& of_a, const Participant& b,
+                                  const AgreementPicture& of_b) {
+  const auto lines = [](const Participant& who, const AgreementPicture& picture) {
+    return NamedLines{who.name, &*picture.lines, picture.same_by_image};
+  };
+  const auto faces = [](const Participant& who, const AgreementPicture& picture) {
+    return NamedFaces{who.name, &*picture.faces};
+  };
+  std::vector<ViewVerdict> all;
+  if (a.lines && b.lines) all.push_back(compare_pictures(scene, view, lines(a, of_a), lines(b, of_b)));
+  if (a.faces && b.faces) all.push_back(compare_pictures(scene, view, faces(a, of_a), faces(b, of_b)));
+  if (!all.empty()) return all;
+  all.push_back(a.lines ? compare_pictures(scene, view, lines(a, of_a), faces(b, of_b))
+                        : compare_pictures(scene, view, lines(b, of_b), faces(a, of_a)));
+  return all;
+}
+
+bool is_complete(const Participant& who, const AgreementPicture& picture) {
+  return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || picture.faces);
+}
+
+AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
+                           const std::vector<AgreementPicture>& of_a, const Participant& b,
+                           const std::vector<AgreementPicture>& of_b) {
+  AgreementCell cell{a.name, b.name, AgreementState::not_applicable, 0, {}, {}};
+  const auto add = [&cell](std::size_t view, const std::string& text) {
+    cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
+  };
+  std::vector<std::string_view> ways;
+  for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    if (!of_a[v].not_applicable.empty() || !of_b[v].not_applicable.empty()) continue;
+    if (!is_complete(a, of_a[v]) || !is_complete(b, of_b[v])) {
+      const bool first = !is_complete(a, of_a[v]);
+      const std::string& problem = (first ? of_a : of_b)[v].problem;
+      cell.state = AgreementState::not_run;
+      cell.text = fmt::format("view {}: {}: {}", v + 1, first ? a.name : b.name, problem);
+      return cell;
+    }
+    for (const ViewVerdict& verdict : verdicts(scene, scene.views[v], a, of_a[v], b, of_b[v])) {
+      if (std::find(ways.begin(), ways.end(), verdict.how) == ways.end()) ways.push_back(verdict.how);
+      if (!verdict.agrees) {
+        cell.state = AgreementState::differs;
+        cell.text = fmt::format("view {}: {}", v + 1, verdict.text);
+        return cell;
+      }
+      add(v, verdict.text);
+    }
+    cell.state = AgreementState::agrees;
+    ++cell.views;
+  }
+  if (std::find(ways.begin(), ways.end(), "image") != ways.end()) std::erase(ways, "pieces");
+  cell.how = fmt::format("{}", fmt::join(ways, ", "));
+  if (cell.state != AgreementState::not_applicable) return cell;
+  const auto& [who, pictures] = of_a[0].not_applicable.empty() ? std::pair{&b, &of_b} : std::pair{&a, &of_a};
+  cell.text = fmt::format("{} {}", who->name, pictures->front().not_applicable);
+  return cell;
+}
+
+}  // namespace
+
+std::span<const Participant> participants() {
+  return all_participants;
+}
+
+std::span<const NotApplicable> not_applicable() {
+  return all_not_applicable;
+}
+
+std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene,
+                                              bool perspective) {
+  for (const NotApplicable& listed : all_not_applicable)
+    if (listed.who == who && scene.starts_with(listed.scenes) &&
+        (listed.views == NotApplicable::Views::all || perspective))
+      return listed.reason;
+  return std::nullopt;
+}
+
+std::size_t listed_cells(const CommonScene& scene) {
+  std::size_t cells = 0;
+  for (const Participant& a : all_participants) {
+    for (const Participant& b : all_participants) {
+      if (&a >= &b) continue;
+      cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const AgreementView& view) {
+        return !listed_reason(a.name, scene.name, view.camera.perspective) &&
+               !listed_reason(b.name, scene.name, view.camera.perspective);
+      });
+    }
+  }
+  return cells;
+}
+
+bool SceneAgreement::agrees() const {
+  return std::all_of(cells.begin(), cells.end(), [](const AgreementCell& cell) {
+    return cell.state == AgreementState::agrees || cell.state == AgreementState::not_applicable;
+  });
+}
+
+SceneAgreement agreement_on(const CommonScene& scene, const AgreementTables& tables,
+                            const std::function<void(std::string_view)>& progress) {
+  SceneAgreement agreement;
+  for (const Participant& who : all_participants) {
+    progress(fmt::format("{} ({}): {}", scene.name, scene.title, who.name));
+    agreement.pictures.push_back(Drawing(scene, who, tables).take());
+  }
+  for (std::size_t a = 0; a < all_participants.size(); ++a)
+    for (std::size_t b = a + 1; b < all_participants.size(); ++b)
+      agreement.cells.push_back(compare_pair(scene, all_participants[a], agreement.pictures[a],
+                                             all_participants[b], agreement.pictures[b]));
+  return agreement;
+}
+
+}  // namespace sightline::harness

@@ -1,0 +1,89 @@
+// All algorithms held against each other on the common scenes: one cell for each pair and scene.
+//
+// Who takes part, with what kind of picture, and what does not apply, with its reason, are listed here as
+// constants. Everything else is run, and a cell that is listed to run but cannot is a failure: an algorithm
+// that drops out of its table, or begins to refuse scenes, does not go unnoticed. The exact edges and the
+// oracle take part like the algorithms they are to check.
+//
+// Source: the suite's cross-check of algorithms, sections 2 to 4.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/compare/cross_check_scenes.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/algorithms/registry/faces.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/picture/pixel_metrics.hpp"
+
+namespace sightline::harness {
+
+struct Participant {
+  std::string_view name;  // as in the tables of algorithms; faces of oracle and skala are in none
+  bool lines = false;
+  bool faces = false;
+};
+[[nodiscard]] std::span<const Participant> participants();
+
+struct NotApplicable {
+  enum class Views { all, perspective };
+
+  std::string_view who;
+  std::string_view scenes;  // every one whose name begins so
+  Views views = Views::all;
+  std::string_view reason;
+};
+[[nodiscard]] std::span<const NotApplicable> not_applicable();
+// Why a participant has no picture of a view, as listed.
+[[nodiscard]] std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene,
+                                                            bool perspective);
+
+// Where the algorithms are looked for.
+struct AgreementTables {
+  std::span<const LineAlgorithm> lines = line_algorithms();
+  std::span<const FaceAlgorithm> faces = face_algorithms();
+};
+
+// What one participant made of one view.
+struct AgreementPicture {
+  std::optional<picture::LinePicture> lines;
+  bool same_by_image = false;
+  std::optional<picture::PixelGrid> faces;  // number + 1, 0 for none
+  std::string_view not_applicable;          // the listed reason
+  std::string problem;                      // why something listed is not there
+};
+
+enum class AgreementState { agrees, differs, not_run, not_applicable };
+
+struct AgreementCell {
+  std::string_view first;
+  std::string_view second;
+  AgreementState state = AgreementState::not_applicable;
+  std::size_t views = 0;  // compared
+  std::string how;        // as ViewVerdict has it, each once; no "pieces" where it took "image"
+  std::string text;       // what was found; of a failure the view and the first difference
+};
+
+struct SceneAgreement {
+  std::vector<AgreementCell> cells;  // by participants, all pairs
+  // By participant, then view.
+  std::vector<std::vector<AgreementPicture>> pictures;
+
+  // Nothing differs and nothing listed is missing.
+  [[nodiscard]] bool agrees() const;
+};
+
+[[nodiscard]] SceneAgreement agreement_on(
+    const CommonScene& scene, const AgreementTables& tables = {},
+    const std::function<void(std::string_view)>& progress = [](std::string_view) {});
+
+// How many cells are listed to run on a scene.
+[[nodiscard]] std::size_t listed_cells(const CommonScene& scene);
+
+}  // namespace sightline::harness

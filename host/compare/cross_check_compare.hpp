@@ -1,0 +1,46 @@
+// Two pictures of one view held against each other: lines piece by piece or as images, faces pixel by pixel,
+// and lines against faces: where the face changes there is a line, and where a line is by itself the face
+// changes.
+//
+// Source: the suite's cross-check of algorithms, sections 2 (line picture against filled picture) and 4.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/compare/cross_check_scenes.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/picture/pixel_metrics.hpp"
+
+namespace sightline::harness {
+
+// What came out, in words: of a difference, where it is first.
+struct ViewVerdict {
+  bool agrees = false;
+  std::string_view how;  // "pieces", "image", "pixels", "lines on pixels"
+  std::string text;
+};
+
+struct NamedLines {
+  std::string_view name;
+  const picture::LinePicture* lines = nullptr;
+  bool same_by_image = false;  // as LineAlgorithm has it
+};
+
+struct NamedFaces {
+  std::string_view name;
+  const picture::PixelGrid* faces = nullptr;  // number + 1, 0 for none
+};
+
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+                                           const NamedLines& a, const NamedLines& b);
+// Away from all edges they are equal.
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+                                           const NamedFaces& a, const NamedFaces& b);
+// Within one pixel. A line is by itself where no other one is within two pixels: between two lines nearer to
+// each other there may be no pixel.
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+                                           const NamedLines& a, const NamedFaces& b);
+
+}  // namespace sightline::harness

@@ -1,0 +1,151 @@
+// See faces.hpp.
+#include "host/compare/faces.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "host/algorithms/oracle/face_raster.hpp"
+#include "host/geometry/predicates.hpp"
+#include "host/compare/projection.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_bounds.hpp"
+
+namespace sightline::harness {
+namespace {
+
+namespace oracle = algorithms::oracle;
+using picture::PixelGrid;
+using scene::PolyCamera;
+using scene::PolyPoint;
+using scene::PolyScene;
+
+constexpr int points_a_side = 256;
+constexpr std::size_t most_faces = 1000;
+constexpr double least_steps = 16;  // a pixel, of places where sight lines start
+
+// Where the middle of a pixel is on the image plane (PolyCamera).
+picture::PixelPoint image_point(const FaceWindow& window, int column, int row) {
+  return {(column + 0.5 - window.left) / window.scale,
+          (window.top - (window.height - row - 0.5)) / window.scale};
+}
+
+std::array<double, 3> unit_axis(const PolyPoint& axis) {
+  const geometry::Vector3 v = geometry::vector_of(axis);
+  const double length = std::sqrt(static_cast<double>(geometry::dot(v, v)));
+  std::array<double, 3> part{};
+  for (std::size_t a = 0; a < 3; ++a) part[a] = static_cast<double>(v[a]) / length;
+  return part;
+}
+
+// The camera's, of length 1.
+struct CameraAxes {
+  explicit CameraAxes(const PolyCamera& camera)
+      : right(unit_axis(camera.right)), up(unit_axis(camera.up)), forward(unit_axis(camera.forward)) {}
+
+  std::array<double, 3> right;
+  std::array<double, 3> up;
+  std::array<double, 3> forward;
+};
+
+// A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
+PixelGrid nearest_in_perspective(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
+  constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
+  const CameraAxes axes(camera);
+  return oracle::nearest_faces(scene, window.width, window.height, [&](int column, int row) {
+    const auto [x, y] = image_point(window, column, row);
+    oracle::SightLine line{camera.eye, {}};
+    for (std::size_t a = 0; a < 3; ++a)
+      line.along[a] = std::llround(length * (axes.forward[a] + x * axes.right[a] + y * axes.up[a]));
+    return line;
+  });
+}
+
+// Sight lines without perspective start at whole points. So that these are fine ones, the scene is taken as
+// large as coordinates go.
+std::int32_t enlargement(const PolyScene& scene) {
+  return static_cast<std::int32_t>((scene::poly_coordinate_limit - 1) / scene::bounds_of(scene).half_size());
+}
+
+// Everything about the middle of the scene; what starts 2 half sizes before it is before all of it.
+PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
+  const PolyPoint middle = scene::bounds_of(scene).middle();
+  const std::int32_t times = enlargement(scene);
+  PolyScene large = scene;
+  for (PolyPoint& v : large.vertices)
+    for (std::size_t a = 0; a < 3; ++a) v[a] = times * (v[a] - middle[a]);
+  const CameraAxes axes(camera);
+  double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
+  for (std::size_t a = 0; a < 3; ++a) ahead -= axes.forward[a] * (camera.eye[a] - middle[a]);
+  return oracle::nearest_faces(large, window.width, window.height, [&](int column, int row) {
+    const auto [x, y] = image_point(window, column, row);
+    oracle::SightLine line{{}, geometry::vector_of(camera.forward)};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double from =
+          camera.eye[a] - middle[a] + x * axes.right[a] + y * axes.up[a] + ahead * axes.forward[a];
+      line.from[a] = static_cast<std::int32_t>(std::lround(times * from));
+    }
+    return line;
+  });
+}
+
+PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window) {
+  return camera.perspective ? nearest_in_perspective(scene, camera, window)
+                            : nearest_in_parallel(scene, camera, window);
+}
+
+// In points of the grid, whose middles are whole numbers, rows from the bottom.
+std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const PolyCamera& camera,
+                                                  const FaceWindow& window) {
+  ScreenFrame frame;
+  frame.scale = window.scale;
+  frame.centre = {window.left - 0.5, window.height - window.top - 0.5};
+  frame.low = -1;
+  frame.high = points_a_side;
+  frame.near = 1e-6;
+  std::vector<picture::PixelSegment> segments;
+  for (const picture::LineEdge& edge : picture::edges_of(scene)) {
+    const SeenEdge seen(scene.vertices[edge.from], scene.vertices[edge.to], camera);
+    if (const auto part = seen.part_in(frame)) segments.push_back(seen.pixels_of(*part, frame));
+  }
+  return segments;
+}
+
+}  // namespace
+
+FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const FaceWindow& window)
+    : scene_(&scene),
+      camera_(camera),
+      window_(window),
+      faces_(nearest_faces(scene, camera, window)),
+      edges_(image_of_edges(scene, camera, window)) {}
+
+std::variant<FaceTruth, std::string> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
+  if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
+    return fmt::format("{} faces are too many for the oracle of sight lines, which takes {}", faces,
+                       most_faces);
+  const FaceWindow window = face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
+  if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
+    return std::string("the image is too small beside the scene's depth for the oracle of sight lines");
+  return FaceTruth(scene, camera, window);
+}
+
+std::variant<ComparedFaces, scene::SceneError> FaceTruth::compared(const FaceAlgorithm& algorithm) const {
+  FaceOptions options;
+  options.vertical = scene::frame_of(camera_).vertical;
+  auto prepared = algorithm.prepare(*scene_, options);
+  if (auto* error = std::get_if<scene::SceneError>(&prepared)) return std::move(*error);
+  const auto& faces = std::get<PreparedFaces>(prepared);
+  auto view = faces.view(camera_, window_);
+  if (auto* error = std::get_if<scene::SceneError>(&view)) return std::move(*error);
+  PixelGrid& drawn = std::get<FaceView>(view).faces;
+  const auto metrics = picture::pixel_metrics(faces_, drawn, edges_);
+  return ComparedFaces{std::string(algorithm.name), metrics, faces_, std::move(drawn),
+                       faces.not_solved.size()};
+}
+
+}  // namespace sightline::harness

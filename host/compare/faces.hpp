@@ -1,0 +1,55 @@
+// Pictures that say which face is seen at each point, against the nearest face found for every point by
+// itself (host/algorithms/oracle/face_raster.hpp).
+//
+// Left out: scenes of very many faces, for which that oracle has no answer in time, and parallel views along
+// scenes that are thousands of times deeper than they are wide.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/algorithms/registry/faces.hpp"
+#include "host/picture/pixel_metrics.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::harness {
+
+struct ComparedFaces {
+  std::string name;
+  picture::PixelMetrics metrics;
+  picture::PixelGrid truth;  // numbers of faces over all bodies + 1, 0 where there is none
+  picture::PixelGrid grid;
+  std::size_t not_solved = 0;  // pairs of faces the algorithm itself says it may draw wrongly
+
+  // Nothing is wrong away from edges, or the algorithm said so itself.
+  [[nodiscard]] bool agrees() const { return not_solved > 0 || metrics.different_inside == 0; }
+};
+
+// What all algorithms of a view are held against.
+class FaceTruth {
+ public:
+  // All of the scene before the eye on 256 by 256 points. An error says why there is no truth of the view.
+  [[nodiscard]] static std::variant<FaceTruth, std::string> of(const scene::PolyScene& scene,
+                                                               const scene::PolyCamera& camera);
+
+  // An error says why the algorithm does not apply.
+  [[nodiscard]] std::variant<ComparedFaces, scene::SceneError> compared(const FaceAlgorithm& algorithm) const;
+
+  [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
+
+ private:
+  FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera, const FaceWindow& window);
+
+  const scene::PolyScene* scene_;
+  scene::PolyCamera camera_;
+  FaceWindow window_;
+  picture::PixelGrid faces_;
+  std::vector<picture::PixelSegment> edges_;
+};
+
+}  // namespace sightline::harness

@@ -1,0 +1,263 @@
+// See height_lines.hpp.
+#include "host/compare/height_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "host/compare/height_cells.hpp"
+#include "host/guests/skala/contours.hpp"
+#include "host/guests/skala/projection.hpp"
+#include "host/picture/line_metrics_parts.hpp"
+
+namespace sightline::harness {
+namespace {
+
+using picture::DrawnPiece;
+using picture::LineId;
+using picture::LinePart;
+using picture::PixelPoint;
+using picture::PixelSegment;
+
+constexpr LineId on_no_line = std::numeric_limits<LineId>::max();
+constexpr std::uint32_t first_contour_layer = 4;  // of a native drawing: host/algorithms/skala/draw.hpp
+constexpr std::size_t columns = 257;              // one more for a crossing a rounding beyond the last
+// Differences below are those of the last bits of a projection, in screen units and in depth.
+constexpr double rounding = 1e-9;
+
+std::size_t column_of(double x) {
+  return static_cast<std::size_t>(std::clamp(x + 0.5, 0.0, static_cast<double>(columns - 1)));
+}
+
+struct ColumnRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+ColumnRange columns_of(double x0, double x1) {
+  return {column_of(std::min(x0, x1)), column_of(std::max(x0, x1))};
+}
+
+// Where two quantities that are linear along a part of a line, the second a depth, are both positive.
+LinePart both_positive(const LinePart& part, const std::array<double, 2>& f,
+                       const std::array<double, 2>& depth) {
+  double low = 0;
+  double high = 1;
+  const auto keep = [&](double from, double to) {
+    if (from <= 0 && to <= 0) {
+      high = -1;
+    } else if (from < 0) {
+      low = std::max(low, from / (from - to));
+    } else if (to < 0) {
+      high = std::min(high, from / (from - to));
+    }
+  };
+  keep(f[0], f[1]);
+  keep(depth[0] - rounding, depth[1] - rounding);
+  const double length = part.high - part.low;
+  return {part.low + low * length, part.low + high * length};
+}
+
+bool runs_along_x(SkalaFamily family, const SineCosine& turn) {
+  if (family == SkalaFamily::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
+  return family != SkalaFamily::along_z;
+}
+
+double distance(const PixelPoint& p, const PixelSegment& segment) {
+  const PixelPoint foot = picture::point_at(segment, std::clamp(picture::place_on(segment, p), 0.0, 1.0));
+  return std::hypot(p.x - foot.x, p.y - foot.y);
+}
+
+}  // namespace
+
+bool rising_diagonals(const SineCosine& turn) {
+  const bool greater_x_nearer = turn.sine > 0 || (turn.sine == 0 && turn.cosine < 0);
+  const bool greater_z_nearer = turn.cosine < 0 || (turn.cosine == 0 && turn.sine < 0);
+  return greater_x_nearer != greater_z_nearer;
+}
+
+HeightLines::HeightLines(const scene::HeightGrid& grid, const SkalaView& view, double grazing)
+    : grazing_(std::max(grazing, rounding)), hiding_in_(columns), lines_in_(columns) {
+  const SkalaProjection projection(grid, view);
+  std::vector<LevelEdge> inked = add_sides(projection, view);
+  if (view.picture == SkalaPicture::contours) {
+    const auto contours = add_halves(grid, projection, contour_levels(grid.range, view.levels));
+    inked.insert(inked.end(), contours.begin(), contours.end());
+  }
+  for (std::uint32_t i = 0; i < hiding_.size(); ++i) {
+    const auto [first, last] = columns_of(hiding_[i].a.point.x, hiding_[i].b.point.x);
+    for (std::size_t column = first; column <= last; ++column) hiding_in_[column].push_back(i);
+  }
+  for (const auto& [edge, level] : inked) add_line(edge, level);
+}
+
+HeightLines::Ends HeightLines::ends_of(const SkalaVertex& vertex) {
+  return {{vertex.x, vertex.y}, vertex.depth};
+}
+
+std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const SkalaProjection& projection,
+                                                           const SkalaView& view) {
+  const bool contours = view.picture == SkalaPicture::contours;
+  const bool both = contours || view.family == SkalaFamily::both;
+  const bool along_x = runs_along_x(view.family, projection.rotation());
+  const std::size_t last_point = projection.points() - 1;
+  const std::size_t last_slice = projection.slices() - 1;
+  std::vector<LevelEdge> inked;
+  const auto add = [&](const Edge& edge, bool slice, bool rim) {
+    if (slice || rim) hiding_.push_back(edge);
+    if (rim || (slice && !contours)) inked.push_back({edge, 0});
+  };
+  for (std::size_t slice = 0; slice <= last_slice; ++slice) {
+    for (std::size_t point = 0; point <= last_point; ++point) {
+      const Ends here = ends_of(projection.at(point, slice));
+      if (point < last_point)
+        add({here, ends_of(projection.at(point + 1, slice))}, both || along_x, slice % last_slice == 0);
+      if (slice < last_slice)
+        add({here, ends_of(projection.at(point, slice + 1))}, both || !along_x, point % last_point == 0);
+    }
+  }
+  return inked;
+}
+
+std::vector<HeightLines::LevelEdge> HeightLines::add_halves(const scene::HeightGrid& grid,
+                                                            const SkalaProjection& projection,
+                                                            const std::vector<double>& levels) {
+  const bool rising = rising_diagonals(projection.rotation());
+  std::vector<LevelEdge> inked;
+  for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
+    for (std::size_t point = 0; point + 1 < projection.points(); ++point) {
+      const GridIndex one{rising ? point : point + 1, slice};
+      const GridIndex other{rising ? point + 1 : point, slice + 1};
+      hiding_.push_back(
+          {ends_of(projection.at(one.point, one.slice)), ends_of(projection.at(other.point, other.slice))});
+      for (const GridIndex apex : {GridIndex{other.point, one.slice}, GridIndex{one.point, other.slice}}) {
+        for (std::uint32_t k = 0; k < levels.size(); ++k) {
+          const auto crossing = contour_crossing(grid, projection, {apex, one, other}, levels[k]);
+          if (!crossing.crossed) continue;
+          inked.push_back({{ends_of(crossing.piece.from), ends_of(crossing.piece.to)}, k + 1});
+        }
+      }
+    }
+  }
+  return inked;
+}
+
+void HeightLines::add_line(const Edge& edge, std::uint32_t level) {
+  if (std::hypot(edge.b.point.x - edge.a.point.x, edge.b.point.y - edge.a.point.y) < same_place / 2) return;
+  const auto number = static_cast<std::uint32_t>(lines_.size());
+  lines_.push_back({number, {edge.a.point, edge.b.point}, {{0, 1}}, seen_of(edge)});
+  levels_.push_back(level);
+  const auto [first, last] = columns_of(edge.a.point.x, edge.b.point.x);
+  for (std::size_t column = first; column <= last; ++column) lines_in_[column].push_back(number);
+}
+
+// What of a line is below and above what is nearer, line by line.
+class HeightLines::Hidden {
+ public:
+  Hidden(const Edge& line, double grazing)
+      : line_(line),
+        grazing_(grazing),
+        extent_(line.b.point.x - line.a.point.x),
+        upright_(std::abs(extent_) < rounding) {}
+
+  void hold_against(const Edge& edge) {
+    const double width = edge.b.point.x - edge.a.point.x;
+    const double x = line_.a.point.x;
+    if (upright_ && std::abs(width) < rounding) {
+      if (std::abs(edge.a.point.x - x) > rounding) return;
+      hold_against({0, 1}, edge.a, edge.a);
+      hold_against({0, 1}, edge.b, edge.b);
+    } else if (upright_) {
+      const double place = (x - edge.a.point.x) / width;
+      if (place >= 0 && place <= 1) hold_against({0, 1}, on(edge, place), on(edge, place));
+    } else if (std::abs(width) >= rounding) {
+      const double from = (edge.a.point.x - x) / extent_;
+      const double to = (edge.b.point.x - x) / extent_;
+      const LinePart part{std::max(0.0, std::min(from, to)), std::min(1.0, std::max(from, to))};
+      const auto opposite = [&](double place) {
+        return on(edge, (x + place * extent_ - edge.a.point.x) / width);
+      };
+      hold_against(part, opposite(part.low), opposite(part.high));
+    }
+  }
+
+  [[nodiscard]] picture::LineParts seen() && {
+    return picture::without(
+        {{0, 1}}, picture::common(picture::united(std::move(below_)), picture::united(std::move(above_))));
+  }
+
+ private:
+  static Ends on(const Edge& edge, double place) {
+    return {{edge.a.point.x + place * (edge.b.point.x - edge.a.point.x),
+             edge.a.point.y + place * (edge.b.point.y - edge.a.point.y)},
+            edge.a.depth + place * (edge.b.depth - edge.a.depth)};
+  }
+  // Something nearer, or not, that is at `begin` and `end` where `part` of the line begins and ends.
+  void hold_against(const LinePart& part, const Ends& begin, const Ends& end) {
+    if (!(part.low < part.high)) return;
+    const Ends here = on(line_, part.low);
+    const Ends there = on(line_, part.high);
+    const std::array above{begin.point.y - here.point.y, end.point.y - there.point.y};
+    const std::array nearer{here.depth - begin.depth, there.depth - end.depth};
+    const LinePart under = both_positive(part, {above[0] - grazing_, above[1] - grazing_}, nearer);
+    if (under.low < under.high) below_.push_back(under);
+    const LinePart over = both_positive(part, {-above[0] - grazing_, -above[1] - grazing_}, nearer);
+    if (over.low < over.high) above_.push_back(over);
+  }
+
+  const Edge& line_;
+  double grazing_;
+  double extent_;
+  bool upright_;
+  picture::LineParts below_;
+  picture::LineParts above_;
+};
+
+std::vector<LinePart> HeightLines::seen_of(const Edge& line) const {
+  Hidden hidden(line, grazing_);
+  const auto [first, last] = columns_of(line.a.point.x, line.b.point.x);
+  for (std::size_t column = first; column <= last; ++column) {
+    for (const std::uint32_t number : hiding_in_[column]) {
+      const Edge& edge = hiding_[number];
+      // Each once: in the first column both have.
+      if (column == std::max(first, columns_of(edge.a.point.x, edge.b.point.x).first))
+        hidden.hold_against(edge);
+    }
+  }
+  return std::move(hidden).seen();
+}
+
+LineId HeightLines::line_at(const PixelSegment& piece, std::uint32_t level) const {
+  LineId best = on_no_line;
+  double nearest = same_place;
+  for (const std::uint32_t number : lines_in_[column_of((piece.a.x + piece.b.x) / 2)]) {
+    if (levels_[number] != level) continue;
+    const PixelSegment& image = lines_[number].image;
+    const double away = std::max(distance(piece.a, image), distance(piece.b, image));
+    if (away >= nearest) continue;
+    nearest = away;
+    best = number;
+  }
+  return best;
+}
+
+std::vector<DrawnPiece> HeightLines::pieces_of(const picture::VectorDrawing& drawing) const {
+  std::vector<DrawnPiece> pieces;
+  for (const picture::DrawingLine& line : drawing.lines) {
+    const std::uint32_t level = line.layer < first_contour_layer ? 0 : line.layer - first_contour_layer + 1;
+    for (std::uint32_t i = 0; i + 1 < line.count; ++i) {
+      const auto point = [&](std::uint32_t corner) {
+        const picture::DrawingPoint& p = drawing.points[line.first + corner];
+        return PixelPoint{p.x, p.y};
+      };
+      const PixelSegment piece{point(i), point(i + 1)};
+      pieces.push_back({line_at(piece, level), piece});
+    }
+  }
+  return pieces;
+}
+
+}  // namespace sightline::harness

@@ -1,0 +1,74 @@
+// What is truly seen of the lines of a height picture, as vectors: the reference for native pictures by the
+// line metrics, where the column oracle (host/algorithms/oracle/column_oracle.hpp) is the one for rasters.
+//
+// A line of the picture is a side of a cell, or a contour's way across half a cell; where it is seen is
+// found by depth alone, with no order, mask or column: at a place of the screen it is hidden iff of the
+// lines of the surface that are nearer on the same vertical one lies above it and one lies below. In between
+// everything is linear, so the hidden parts are intervals, found pair by pair. On a surface without holes
+// this is exactly what hides; of slices it is what Skala's method takes to hide.
+//
+// In floating point, without rounding to dots or columns: for measuring. Left out: holes, silhouettes, nets.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/guests/skala/projection.hpp"
+#include "host/guests/skala/view.hpp"
+#include "host/picture/line_metrics.hpp"
+#include "host/picture/vector_drawing.hpp"
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::harness {
+
+// Cells are divided between the corners at their sides, as seen: from the least x and z to the greatest if
+// this is so, else across. Where two corners are as near as each other, as the native algorithm takes them.
+[[nodiscard]] bool rising_diagonals(const SineCosine& turn);
+
+// The lines of a picture of lines or contours in 255 x 255 units, with what is seen of them.
+class HeightLines {
+ public:
+  // The grid is a whole one of at least two by two, the view without zoom (preconditions).
+  // What lies behind something nearer by no more than `grazing` units of the screen counts as seen.
+  HeightLines(const scene::HeightGrid& grid, const SkalaView& view, double grazing = 0);
+
+  [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
+  // Pieces of a native drawing of the same view, each with the line it is on; pieces that are on none get a
+  // number no line has.
+  [[nodiscard]] std::vector<picture::DrawnPiece> pieces_of(const picture::VectorDrawing& drawing) const;
+
+ private:
+  struct Ends {
+    picture::PixelPoint point;
+    double depth = 0;
+  };
+  struct Edge {
+    Ends a;
+    Ends b;
+  };
+
+  struct LevelEdge {
+    Edge edge;
+    std::uint32_t level = 0;  // 0: no contour, else 1 + its level
+  };
+  class Hidden;
+
+  [[nodiscard]] static Ends ends_of(const SkalaVertex& vertex);
+  // Sides of cells, and halves of cells with the contours on them: what hides is kept, what is inked
+  // returned.
+  std::vector<LevelEdge> add_sides(const SkalaProjection& projection, const SkalaView& view);
+  std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid, const SkalaProjection& projection,
+                                    const std::vector<double>& levels);
+  void add_line(const Edge& edge, std::uint32_t level);
+  [[nodiscard]] std::vector<picture::LinePart> seen_of(const Edge& line) const;
+  [[nodiscard]] picture::LineId line_at(const picture::PixelSegment& piece, std::uint32_t level) const;
+
+  double grazing_;
+  std::vector<Edge> hiding_;
+  std::vector<std::vector<std::uint32_t>> hiding_in_;  // by column of the screen
+  std::vector<picture::ReferenceLine> lines_;
+  std::vector<std::uint32_t> levels_;                 // of lines_
+  std::vector<std::vector<std::uint32_t>> lines_in_;  // by column of the screen
+};
+
+}  // namespace sightline::harness

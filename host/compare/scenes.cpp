@@ -1,0 +1,244 @@
+// See scenes.hpp.
+#include "host/compare/scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/algorithms/oracle/matter.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/compare/image_lines.hpp"
+#include "host/guests/jones/guest.hpp"
+#include "host/guests/jones/program.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+
+namespace sightline::harness {
+namespace {
+
+namespace oracle = algorithms::oracle;
+using picture::DrawnPiece;
+using picture::PixelSegment;
+using picture::ReferenceLine;
+using scene::SceneError;
+
+constexpr double least_stretch = 1;  // pixels, in a difference
+
+ComparedPicture compared(std::string name, std::string what, const std::vector<ReferenceLine>& truth,
+                         const std::vector<DrawnPiece>& drawn) {
+  return {std::move(name), std::move(what), std::nullopt, picture::line_metrics(truth, drawn),
+          picture::line_difference(truth, drawn, least_stretch)};
+}
+
+// --- exact algorithms
+
+ComparedPicture compared_by_image(const std::string& name, const std::vector<ReferenceLine>& lines,
+                                  const std::vector<DrawnPiece>& pieces, const scene::PolyScene& scene,
+                                  const scene::PolyCamera& camera) {
+  const ImageLines together(lines, scene, camera);
+  return compared(name, "exact pieces, of edges that lie on each other in the image once", together.lines(),
+                  together.pieces(pieces));
+}
+
+// Adds a picture for every algorithm of the table but the oracle's own.
+std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
+                                             const std::optional<ScreenFrame>& frame,
+                                             SceneComparison& comparison) {
+  const scene::PolyCamera& camera = comparison.camera;
+  if (auto error = scene::eye_error(scene, camera)) return error;
+  progress("oracle");
+  const picture::LinePicture truth = oracle::visible_edges(scene, camera);
+  comparison.frame = frame ? *frame : fitted_frame(truth, scene, camera);
+  const auto lines = reference_lines(truth, scene, camera, comparison.frame);
+  for (const LineAlgorithm& algorithm : line_algorithms()) {
+    if (algorithm.name == "oracle") continue;
+    const std::string name(algorithm.name);
+    progress(name);
+    if (const auto reason = algorithm.why_not(scene)) {
+      comparison.not_applicable.emplace_back(name, *reason);
+      continue;
+    }
+    if (const auto reason = algorithm.why_not_seen(scene, camera)) {
+      comparison.not_applicable.emplace_back(name, *reason);
+      continue;
+    }
+    const auto prepared = algorithm.prepare(scene);
+    if (const auto* error = std::get_if<SceneError>(&prepared)) return *error;
+    const auto view = std::get<PreparedScene>(prepared).view(camera);
+    if (const auto* error = std::get_if<SceneError>(&view)) return *error;
+    const picture::LinePicture& drawn = std::get<LineView>(view).picture;
+    const auto pieces = drawn_pieces(drawn, scene, camera, comparison.frame);
+    auto row = algorithm.same_by_image ? compared_by_image(name, lines, pieces, scene, camera)
+                                       : compared(name, "exact pieces of the scene's edges", lines, pieces);
+    row.identical = agrees(algorithm, drawn, truth, scene, camera);
+    comparison.pictures.push_back(std::move(row));
+  }
+  return std::nullopt;
+}
+
+// Adds the algorithms that say which face is seen at each point.
+void compare_faces(const scene::PolyScene& scene, const CompareProgress& progress,
+                   SceneComparison& comparison) {
+  progress("oracle of sight lines");
+  const auto truth = FaceTruth::of(scene, comparison.camera);
+  for (const FaceAlgorithm& algorithm : face_algorithms()) {
+    const std::string name(algorithm.name);
+    if (const auto* reason = std::get_if<std::string>(&truth)) {
+      comparison.not_applicable.emplace_back(name, *reason);
+      continue;
+    }
+    progress(name);
+    auto compared = std::get<FaceTruth>(truth).compared(algorithm);
+    if (const auto* error = std::get_if<SceneError>(&compared))
+      comparison.not_applicable.emplace_back(name, error->message());
+    else
+      comparison.faces.push_back(std::get<ComparedFaces>(std::move(compared)));
+  }
+}
+
+// --- guest and twin
+
+std::vector<core::Word18> core_image(const jones::Program& program) {
+  std::vector<core::Word18> image(jones::core_words);
+  for (const auto& [address, word] : program.core) image.at(address) = word;
+  return image;
+}
+
+std::string difference_of(const jones::GuestView& guest, const jones::View& twin) {
+  if (guest.status != twin.status)
+    return fmt::format("status {}, the twin's {}", jones::name(guest.status), jones::name(twin.status));
+  const auto& a = guest.display_file;
+  const auto& b = twin.display_file;
+  const auto [here, there] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  if (here == a.end() && there == b.end()) return "";
+  const auto word = [](auto at, const auto& words) {
+    return at == words.end() ? std::string("none") : fmt::format("{:06o}", at->value());
+  };
+  return fmt::format("word {} of the display file is {}, the twin's {}", here - a.begin(), word(here, a),
+                     word(there, b));
+}
+
+// Every point that is lit in one pass.
+std::vector<PixelSegment> lit_points(const std::vector<core::Stroke>& pass) {
+  std::vector<std::pair<std::uint16_t, std::uint16_t>> places;
+  for (const core::Stroke& stroke : pass) places.emplace_back(stroke.x, stroke.y);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::vector<PixelSegment> points;
+  for (const auto& [x, y] : places) {
+    const picture::PixelPoint point{static_cast<double>(x), static_cast<double>(y)};
+    points.push_back({point, point});
+  }
+  return points;
+}
+
+std::vector<PixelSegment> seen_segments(const std::vector<ReferenceLine>& lines) {
+  std::vector<PixelSegment> segments;
+  for (const ReferenceLine& line : lines) {
+    for (const picture::LinePart& part : line.visible) {
+      const auto at = [&](double place) {
+        return picture::PixelPoint{line.image.a.x + place * (line.image.b.x - line.image.a.x),
+                                   line.image.a.y + place * (line.image.b.y - line.image.a.y)};
+      };
+      segments.push_back({at(part.low), at(part.high)});
+    }
+  }
+  return segments;
+}
+
+// The guest's and the twin's pictures, first and second.
+std::optional<SceneError> compare_programs(const scene::CellScene& scene, const CompareOptions& options,
+                                           const CompareProgress& progress, SceneComparison& comparison) {
+  jones::ProgramOptions of_program;
+  of_program.eae = options.eae;
+  of_program.tape.view = comparison.camera.eye;
+  const auto assembled = jones::assemble_program(scene, of_program);
+  if (const auto* error = std::get_if<SceneError>(&assembled)) return *error;
+  const auto& program = std::get<jones::Program>(assembled);
+  const auto matter = oracle::Matter::of(scene);
+  if (!matter) return SceneError{"", "", "is too large for the oracle"};
+
+  progress("cell oracle");
+  oracle::Window window;
+  window.scale = options.scale;
+  window.near = jones::near_z;
+  const auto real_lines = matter->real_lines();
+  const CellReference reference(real_lines,
+                                oracle::visible_lines(*matter, real_lines, comparison.camera.eye, window),
+                                comparison.camera.eye, window);
+
+  progress("guest");
+  jones::GuestOptions of_guest;
+  of_guest.eae = options.eae;
+  of_guest.scale = options.scale;
+  of_guest.views = 1;
+  const jones::GuestRun run = jones::run_guest(program, of_guest);
+  if (run.timed_out || run.views.empty())
+    return SceneError{"", "", "the program on the PDP-7 did not complete a view"};
+  const jones::GuestView& guest = run.views.back();
+
+  progress("twin");
+  const auto image = core_image(program);
+  jones::Parameters parameters = jones::default_parameters(image, program.labels.scene);
+  parameters.scale = options.scale;
+  const jones::View twin = jones::run(image, program.labels.scene, parameters);
+  comparison.guest = {guest.status, guest.time, guest.display_file.size(), difference_of(guest, twin)};
+
+  const auto vectors = lines_of_vectors(program.scene);
+  if (comparison.guest->difference.empty()) {
+    auto row = compared("guest", "display vectors; distance of the points lit", reference.lines(),
+                        display_pieces(twin, vectors, reference));
+    row.metrics.hausdorff =
+        picture::hausdorff_distance(seen_segments(reference.lines()), lit_points(run.pass));
+    comparison.pictures.push_back(std::move(row));
+  } else {
+    comparison.not_applicable.emplace_back(
+        "guest",
+        "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
+  }
+  comparison.pictures.push_back(
+      compared("twin", "pieces in half points", reference.lines(), twin_pieces(twin, vectors, reference)));
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool SceneComparison::agrees() const {
+  return std::none_of(pictures.begin(), pictures.end(),
+                      [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
+         std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
+         (!guest || guest->difference.empty());
+}
+
+std::variant<SceneComparison, SceneError> compare_cell_scene(const scene::CellScene& scene,
+                                                             const CompareOptions& options,
+                                                             const CompareProgress& progress) {
+  const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
+  SceneComparison comparison;
+  comparison.scene = scene.name;
+  comparison.camera = polyhedra.camera;
+  comparison.camera.eye = options.eye.value_or(scene.default_view);
+  if (auto error = compare_programs(scene, options, progress, comparison)) return *error;
+  ScreenFrame frame;
+  frame.scale = options.scale;
+  frame.near = jones::near_z;
+  if (auto error = compare_algorithms(polyhedra, progress, frame, comparison)) return *error;
+  compare_faces(polyhedra, progress, comparison);
+  return comparison;
+}
+
+std::variant<SceneComparison, SceneError> compare_poly_scene(const scene::PolyScene& scene,
+                                                             const scene::PolyCamera& camera,
+                                                             const CompareProgress& progress) {
+  SceneComparison comparison;
+  comparison.scene = scene.name;
+  comparison.camera = camera;
+  if (auto error = compare_algorithms(scene, progress, std::nullopt, comparison)) return *error;
+  compare_faces(scene, progress, comparison);
+  return comparison;
+}
+
+}  // namespace sightline::harness

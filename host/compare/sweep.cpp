@@ -1,0 +1,201 @@
+// See sweep.hpp.
+#include "host/compare/sweep.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "host/compare/sweep_views.hpp"
+#include "host/picture/line_picture_image.hpp"
+
+namespace sightline::harness {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// FNV-1a over all that an algorithm is given of the scene: a file that has changed is noticed.
+std::string fingerprint_of(const scene::PolyScene& scene) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto add = [&hash](std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte, value >>= 8) hash = (hash ^ (value & 0xffU)) * 0x100000001b3U;
+  };
+  const auto add_ring = [&add](const std::vector<scene::VertexIndex>& ring) {
+    add(ring.size());
+    for (const scene::VertexIndex v : ring) add(v);
+  };
+  add(scene.vertices.size());
+  for (const scene::PolyPoint& p : scene.vertices)
+    for (const std::int32_t c : p) add(static_cast<std::uint32_t>(c));
+  for (const scene::PolyBody& body : scene.bodies) {
+    add(body.faces.size());
+    add(body.sheet ? 1 : 0);
+    for (const scene::PolyFace& face : body.faces) {
+      add_ring(face.outline);
+      add(face.holes.size());
+      for (const auto& hole : face.holes) add_ring(hole);
+    }
+  }
+  char digits[17];
+  static_cast<void>(std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash)));
+  return digits;
+}
+
+std::string text_of(const ordered_json& document) {
+  return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json json_of(const std::vector<AlgorithmCount>& counts) {
+  ordered_json document = ordered_json::object();
+  for (const AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
+  return document;
+}
+
+std::string text_of(const geometry::Rational& r) {
+  return std::to_string(r.numerator()) + "/" + std::to_string(r.denominator());
+}
+
+bool before(const picture::LinePiece& a, const picture::LinePiece& b) {
+  if (a.edge != b.edge) return a.edge < b.edge;
+  if (a.low != b.low) return a.low < b.low;
+  return a.high < b.high;
+}
+
+// How many pieces are in one picture only, and the first of them.
+ordered_json difference_of(const picture::LinePicture& exact, const picture::LinePicture& other) {
+  std::vector<picture::LinePiece> missing;
+  std::vector<picture::LinePiece> extra;
+  std::set_difference(exact.pieces.begin(), exact.pieces.end(), other.pieces.begin(), other.pieces.end(),
+                      std::back_inserter(missing), before);
+  std::set_difference(other.pieces.begin(), other.pieces.end(), exact.pieces.begin(), exact.pieces.end(),
+                      std::back_inserter(extra), before);
+  const bool is_missing = !missing.empty() && (extra.empty() || before(missing.front(), extra.front()));
+  ordered_json document{{"missing_pieces", missing.size()}, {"extra_pieces", extra.size()}};
+  if (missing.empty() && extra.empty()) return document;
+  const picture::LinePiece& first = is_missing ? missing.front() : extra.front();
+  document["first"] = {{"edge", {first.edge.from, first.edge.to}},
+                       {"low", text_of(first.low)},
+                       {"high", text_of(first.high)},
+                       {"is", is_missing ? "missing" : "extra"}};
+  return document;
+}
+
+ordered_json json_of(const std::variant<SweepGuestView, scene::SceneError>& result) {
+  if (const auto* error = std::get_if<scene::SceneError>(&result)) return {{"error", error->message()}};
+  const auto& view = std::get<SweepGuestView>(result);
+  return {{"status", view.status},
+          {"same_as_twin", view.same_as_twin},
+          {"display_words", view.display_words},
+          {"pieces", view.pieces},
+          {"visits", view.visits},
+          {"emulated_ns", view.emulated_ns},
+          {"true_length", view.error.true_length},
+          {"drawn_length", view.error.drawn_length},
+          {"missing", view.error.missing},
+          {"extra", view.error.extra}};
+}
+
+}  // namespace
+
+SweepShard sweep_shard(std::uint64_t views, std::uint64_t number, std::uint64_t count) {
+  // views and count are below 2^32: no product overflows.
+  return {views * (number - 1) / count, views * number / count};
+}
+
+std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, const scene::PolyScene& scene,
+                                                 const scene::CellScene* cells, const SweepOptions& options) {
+  Sweep sweep;
+  sweep.source_ = source;
+  sweep.fingerprint_ = fingerprint_of(scene);
+  sweep.scene_ = &scene;
+  sweep.cells_ = cells;
+  sweep.options_ = options;
+  std::vector<const LineAlgorithm*> algorithms{&line_algorithms().front()};
+  for (const LineAlgorithm* algorithm : options.algorithms)
+    if (std::find(algorithms.begin(), algorithms.end(), algorithm) == algorithms.end())
+      algorithms.push_back(algorithm);
+  for (const LineAlgorithm* algorithm : algorithms) {
+    auto prepared = algorithm->prepare(scene);
+    if (const auto* error = std::get_if<scene::SceneError>(&prepared))
+      return scene::SceneError{source, error->place, error->cause};
+    sweep.entries_.push_back({algorithm, std::get<PreparedScene>(std::move(prepared))});
+  }
+  if (options.guest && cells != nullptr) {
+    auto guest = SweepGuest::of(*cells, options.eae);
+    if (!guest)
+      return scene::SceneError{source, "",
+                               "too many grid coordinates for the oracle the guest is held against"};
+    sweep.guest_ = std::make_shared<const SweepGuest>(std::move(*guest));
+  }
+  return sweep;
+}
+
+std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) const {
+  ordered_json algorithms = ordered_json::array();
+  for (const Entry& entry : entries_) algorithms.push_back(entry.algorithm->name);
+  ordered_json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
+                        {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
+  if (guest_) document["guest"] = options_.eae ? "with EAE" : "without EAE";
+  if (options_.turned) document["directions"] = "all";
+  document["camera"] = {{"perspective", camera.perspective},
+                        {"eye", camera.eye},
+                        {"forward", camera.forward},
+                        {"right", camera.right},
+                        {"up", camera.up}};
+  std::string text = text_of(document);
+  text.pop_back();
+  return text + ",\"results\":";
+}
+
+std::string Sweep::line(std::uint64_t number) const {
+  const scene::PolyCamera camera = sweep_camera(*scene_, cells_, options_.turned, options_.seed, number);
+  ordered_json results;
+  picture::LinePicture exact;
+  for (const Entry& entry : entries_) {
+    ordered_json& result = results[std::string(entry.algorithm->name)];
+    if (const auto reason = entry.algorithm->why_not_seen(*scene_, camera)) {
+      result["not_applicable"] = *reason;
+      continue;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    auto seen = entry.prepared.view(camera);
+    const auto time = std::chrono::steady_clock::now() - start;
+    if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
+      result["error"] = error->message();
+      continue;
+    }
+    auto& view = std::get<LineView>(seen);
+    result["pieces"] = view.picture.pieces.size();
+    result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
+    if (&entry != &entries_.front()) {
+      const bool same = harness::agrees(*entry.algorithm, view.picture, exact, *scene_, camera);
+      result["agrees"] = same;
+      if (!same) result["difference"] = difference_of(exact, view.picture);
+    }
+    if (!view.counts.empty()) result["counts"] = json_of(view.counts);
+    if (options_.time) result["ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();
+    if (&entry == &entries_.front()) exact = std::move(view.picture);
+  }
+  if (guest_ && looks_along_z(camera)) results["guest"] = json_of(guest_->view(camera.eye));
+  if (guest_ && !looks_along_z(camera))
+    results["guest"]["not_applicable"] = "the program looks along +z only";
+  return head(number, camera) + text_of(results) + "}\n";
+}
+
+bool Sweep::is_line(std::uint64_t number, std::string_view text) const {
+  return text.starts_with(
+             head(number, sweep_camera(*scene_, cells_, options_.turned, options_.seed, number))) &&
+         text.ends_with("}}\n");
+}
+
+bool Sweep::agrees(std::string_view line) {
+  // In a string a quotation mark has a backslash before it: none of these can be part of a name.
+  return line.find(",\"agrees\":false") == std::string_view::npos &&
+         line.find(",\"same_as_twin\":false") == std::string_view::npos &&
+         line.find("{\"error\":") == std::string_view::npos;
+}
+
+}  // namespace sightline::harness

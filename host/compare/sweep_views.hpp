@@ -1,0 +1,25 @@
+// Random views of a scene, for sweeps: view number k depends on the scene, the seed and k, and on nothing
+// else, so that sweeps can be divided and continued anywhere.
+//
+// Scenes of polyhedra: the eye is in free space within twice the scene's bounds, looking at a random point of
+// it, any axis of the frame up; one view in eight is orthographic. A coordinate of the eye is now and then
+// that of a vertex, so that the eye is often exactly in the plane of a face. Scenes of cells: the eye is in
+// the inside of a cell and looks along z, as the program of 1971 does.
+#pragma once
+
+#include <cstdint>
+
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::harness {
+
+// `cells` may be null. The scene is a checked one with a vertex, and a cell if there are cells
+// (preconditions).
+[[nodiscard]] scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells,
+                                             bool turned, std::uint64_t seed, std::uint64_t number);
+
+// In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
+[[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
+
+}  // namespace sightline::harness

@@ -1,0 +1,33 @@
+#include "host/guests/jones/tape.hpp"
+
+#include <algorithm>
+
+namespace sightline::scene {
+namespace {
+
+constexpr std::size_t expression_column = 8;
+constexpr std::size_t comment_column = 28;
+
+std::string line_of(const EncodedWord& word) {
+  std::string line = word.tag.empty() ? "" : word.tag + ",";
+  line.resize(std::max(expression_column, line.size() + 1), ' ');
+  line += word.expression;
+  line.resize(std::max(comment_column, line.size() + 1), ' ');
+  return line + "/ " + word.comment + "\n";
+}
+
+}  // namespace
+
+std::variant<std::string, SceneError> write_tape(const CellScene& scene, const TapeOptions& options) {
+  const auto encoded = encode(scene, options);
+  if (const auto* error = std::get_if<SceneError>(&encoded)) return *error;
+  const auto& result = std::get<EncodedScene>(encoded);
+  std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +
+                     std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
+                     " openings in " + std::to_string(result.opening_words) + ", header " +
+                     std::to_string(scene_header_words) + "\n";
+  for (const EncodedWord& word : result.words) text += line_of(word);
+  return text;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,19 @@
+// The symbolic source tape of a scene: what is assembled after the program and loaded into core with it ("A
+// symbolic source tape prepared with the aid of the diagram is assembled and loaded into core together with
+// the program").
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "host/guests/jones/encode.hpp"
+
+namespace sightline::scene {
+
+// PDP-7 symbolic source of encode(scene, options), one word a line, numbers in octal, decimal in the
+// comments; tags scene, c0.., o0... The first line is a comment with the scene's name and counts. Errors are
+// those of encode.
+[[nodiscard]] std::variant<std::string, SceneError> write_tape(const CellScene& scene,
+                                                               const TapeOptions& options = {});
+
+}  // namespace sightline::scene

@@ -1,0 +1,67 @@
+// Chains as the bytes of the Skala program (firmware/i8080/skala/SPECIFICATION.md, section 1), in the fewest
+// that say the same: no MOVE to where the pen is, no COLOUR that is on already, dots in consecutive columns
+// as CURVE.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/guests/skala/commands.hpp"
+#include "host/guests/skala/stream_chain.hpp"
+#include "host/guests/skala/view.hpp"
+
+namespace sightline::harness {
+
+struct SkalaColouredChain {
+  int colour = 0;
+  SkalaChain chain;
+};
+
+class SkalaStreamWriter {
+ public:
+  // DEVICE, RESET; then SILHOUETTE unless 0; then COLOUR.
+  SkalaStreamWriter(const SkalaView& view, int colour, int silhouette = 0);
+
+  void colour(int colour);
+  // On a plotter, if the view is serpentine, from the end nearer to the pen. Nothing for an empty chain.
+  void chain(const SkalaChain& chain);
+  void chain_and_commit(const SkalaChain& chain);
+  // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
+  // last colours a dot; on a plotter, if the view is serpentine, always the one nearest to the pen.
+  void test_chains(std::vector<SkalaColouredChain> chains);
+  // The slice just sent is undefined in these columns; cut to the raster, nothing if none are left.
+  void gap(int first_column, int last_column);
+  void outline();
+  // END. The writer is empty afterwards.
+  [[nodiscard]] std::vector<std::uint8_t> finish();
+
+ private:
+  using Nodes = std::vector<SkalaNode>;
+
+  void command(SkalaCommand command) { bytes_.push_back(static_cast<std::uint8_t>(command)); }
+  void byte(int value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
+  void to(SkalaCommand command, const SkalaNode& node);
+  void pen_at(const SkalaNode& node, bool inked);
+  void move(const SkalaNode& node);
+  void pieces(const Nodes& nodes);
+  void piece(const Nodes& nodes, std::size_t begin, std::size_t end);
+  void curve(const Nodes& nodes, std::size_t begin, std::size_t end);
+  void dot(const SkalaNode& node);
+  // The lines from `begin` on that are shaded, as many as one command takes; answers the node they end at.
+  [[nodiscard]] std::size_t surface(const Nodes& nodes, std::size_t begin, std::size_t end);
+  void surface_list(const Nodes& nodes);
+  [[nodiscard]] int distance(const SkalaNode& node) const;
+  [[nodiscard]] int distance(const SkalaChain& chain) const;
+
+  std::vector<std::uint8_t> bytes_;
+  bool nearer_end_first_;
+  int colour_;
+  int pen_column_ = 0;
+  int pen_row_ = 0;
+  // Where a plotter's pen is, if what was last drawn in ink is visible: MASK does not move it.
+  int ink_column_ = 0;
+  int ink_row_ = 0;
+};
+
+}  // namespace sightline::harness

@@ -1,0 +1,199 @@
+#include "host/guests/skala/twin/drawing.hpp"
+
+namespace sightline::harness {
+namespace {
+
+[[nodiscard]] SkalaPoint point_of(std::span<const std::uint8_t> arguments) {
+  return {arguments[0], arguments[1]};
+}
+
+[[nodiscard]] std::uint8_t three_bits(std::uint8_t value) {
+  return value & 7U;
+}
+
+}  // namespace
+
+SkalaTwinDrawing::SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment)
+    : picture_(picture),
+      equipment_(equipment),
+      masks_(picture.columns),
+      pen_(picture.moves, picture.counts) {}
+
+bool SkalaTwinDrawing::obey(const SkalaReceivedCommand& received) {
+  const auto arguments = received.arguments;
+  switch (received.command) {
+    case SkalaCommand::end:
+      pen_.end_run();
+      pen_.lift();
+      break;
+    case SkalaCommand::move: move_to(point_of(arguments)); break;
+    case SkalaCommand::draw: line_to(point_of(arguments), Mode::draw); break;
+    case SkalaCommand::test_draw: line_to(point_of(arguments), Mode::test); break;
+    case SkalaCommand::mask: line_to(point_of(arguments), Mode::mask); break;
+    case SkalaCommand::colour: colour_ = three_bits(arguments[0]); break;
+    case SkalaCommand::commit: commit(); break;
+    case SkalaCommand::reset: reset(); break;
+    case SkalaCommand::curve: curve(arguments); break;
+    case SkalaCommand::surface: surface(arguments); break;
+    case SkalaCommand::device: return select_device(arguments[0]);
+    case SkalaCommand::rim: rim(point_of(arguments), three_bits(arguments[2])); break;
+    case SkalaCommand::silhouette: silhouette_ = three_bits(arguments[0]); break;
+    case SkalaCommand::outline: outline(); break;
+    case SkalaCommand::gap: gap(arguments); break;
+  }
+  return true;
+}
+
+bool SkalaTwinDrawing::select_device(std::uint8_t argument) {
+  const std::uint8_t number = argument & 3U;
+  const auto device = static_cast<SkalaDevice>(number);
+  if (!equipment_.present[number] && device != SkalaDevice::minigraf) return false;
+  device_ = device;
+  visibility_ = (argument & skala_no_visibility) == 0;
+  return true;
+}
+
+void SkalaTwinDrawing::reset() {
+  masks_.reset();
+  picture_.columns.previous_level.fill(0);
+  at_ = {};
+  fresh_ = true;
+  shaded_column_.reset();
+  level_ = 0;
+  colour_ = 7;
+  silhouette_ = 0;
+  if (on_raster()) {
+    picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].fill(0);
+  } else {
+    pen_.end_run();
+    pen_.lift();
+  }
+}
+
+void SkalaTwinDrawing::move_to(SkalaPoint point) {
+  if (point != at_) set_down(point);
+}
+
+void SkalaTwinDrawing::set_down(SkalaPoint point) {
+  at_ = point;
+  fresh_ = true;
+  shaded_column_.reset();
+  pen_.end_run();
+}
+
+void SkalaTwinDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) {
+  mode = effective(mode);
+  if (mode == Mode::travel) {
+    if (point != at_) pen_.end_run();
+  } else {
+    if (fresh_) step(at_, mode);
+    SkalaLevelRamp ramp(level_, level, skala_line_steps(at_, point));
+    walk_skala_line(at_, point, [&](SkalaPoint next) {
+      level_ = ramp.next();
+      step(next, mode);
+    });
+  }
+  at_ = point;
+  fresh_ = mode == Mode::mask || mode == Mode::travel;
+  level_ = level;
+}
+
+void SkalaTwinDrawing::curve(std::span<const std::uint8_t> arguments) {
+  std::uint8_t x = arguments[0];
+  const auto heights = arguments.subspan(2);
+  move_to({x, heights[0]});
+  for (const std::uint8_t y : heights) line_to({x++, y}, Mode::draw);
+}
+
+// Ends a slice. A shaded column of the next slice is entered anew, with visibility or without.
+void SkalaTwinDrawing::commit() {
+  shaded_column_.reset();
+  if (visibility_) plot_folds(masks_.fold());
+}
+
+void SkalaTwinDrawing::outline() {
+  if (!visibility_) return;
+  plot_folds(masks_.fold());
+  for (int first = 0; first < 256; ++first) {
+    if (!masks_.visited(static_cast<std::uint8_t>(first))) continue;
+    int last = first;
+    while (last < 255 && masks_.visited(static_cast<std::uint8_t>(last + 1))) ++last;
+    outline_run(first, last);
+    first = last;
+  }
+}
+
+// Along the top of the visited columns first..last and back along the bottom.
+void SkalaTwinDrawing::outline_run(int first, int last) {
+  const auto point = [](int x, const std::array<std::uint8_t, 256>& mask) {
+    return SkalaPoint{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
+  };
+  const SkalaColumns& columns = picture_.columns;
+  set_down(point(first, columns.mask_top));
+  for (int x = first + 1; x <= last; ++x) line_to(point(x, columns.mask_top), Mode::plain);
+  for (int x = last; x >= first; --x) line_to(point(x, columns.mask_bottom), Mode::plain);
+  line_to(point(first, columns.mask_top), Mode::plain);
+}
+
+SkalaTwinDrawing::Mode SkalaTwinDrawing::effective(Mode mode) const {
+  if ((mode == Mode::surface || mode == Mode::rim) && !on_raster()) mode = Mode::draw;
+  if (visibility_) return mode;
+  if (mode == Mode::mask) return Mode::travel;
+  return mode == Mode::draw || mode == Mode::test ? Mode::plain : mode;
+}
+
+void SkalaTwinDrawing::step(SkalaPoint point, Mode mode) {
+  ++picture_.counts.points_walked;
+  switch (mode) {
+    case Mode::draw:
+      ink(visible_to_draw(point), point);
+      plot_folds(masks_.touch(point));
+      break;
+    case Mode::test: ink(masks_.outside_with_slack(point), point); break;
+    case Mode::mask:
+      ink(false, point);
+      plot_folds(masks_.touch(point));
+      break;
+    case Mode::plain: ink(true, point); break;
+    case Mode::surface: shade(point, true); break;
+    case Mode::rim: shade(point, false); break;
+    case Mode::travel: break;
+  }
+}
+
+// A pen goes on along the border of the strip once it draws: lifting it for every point that only touches the
+// horizon would turn close curves into dots.
+bool SkalaTwinDrawing::visible_to_draw(SkalaPoint point) const {
+  if (masks_.outside(point)) return true;
+  return !on_raster() && pen_.in_run() && masks_.on_border(point);
+}
+
+void SkalaTwinDrawing::ink(bool visible, SkalaPoint point) {
+  if (on_raster()) {
+    if (visible) plot(point, colour_);
+  } else if (visible) {
+    ++picture_.counts.points_plotted;
+    pen_.visible(point);
+  } else {
+    pen_.end_run();
+  }
+}
+
+void SkalaTwinDrawing::plot(SkalaPoint point, std::uint8_t colour) {
+  ++picture_.counts.points_plotted;
+  picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].set(point.x, point.y, colour);
+}
+
+void SkalaTwinDrawing::plot_folds(const SkalaFoldLines& lines) {
+  if (silhouette_ == 0 || !on_raster()) return;
+  if (lines.top) plot_fold(*lines.top);
+  if (lines.bottom) plot_fold(*lines.bottom);
+}
+
+void SkalaTwinDrawing::plot_fold(const SkalaFoldLine& line) {
+  const int step = line.to < line.from ? -1 : 1;
+  for (int y = line.from; y != line.to + step; y += step)
+    plot({line.x, static_cast<std::uint8_t>(y)}, silhouette_);
+}
+
+}  // namespace sightline::harness

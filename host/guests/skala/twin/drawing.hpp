@@ -1,0 +1,80 @@
+// What the Skala program's twin does with each command once it is drawn. Source:
+// firmware/i8080/skala/SPECIFICATION.md sections 2 to 8. Lines and contours are in drawing.cpp,
+// the shaded surface in surface.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "host/guests/skala/twin/twin.hpp"
+#include "host/guests/skala/twin/line.hpp"
+#include "host/guests/skala/twin/masks.hpp"
+#include "host/guests/skala/twin/plotter.hpp"
+#include "host/guests/skala/twin/receipt.hpp"
+
+namespace sightline::harness {
+
+class SkalaTwinDrawing {
+ public:
+  // Draws into `picture`, which must outlive it, as a program that has just been started.
+  SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment);
+
+  // False when the device of a DEVICE command does not answer; nothing has changed then.
+  [[nodiscard]] bool obey(const SkalaReceivedCommand& received);
+
+ private:
+  // What happens to the points of a line.
+  enum class Mode : std::uint8_t {
+    draw,     // tested and masked
+    test,     // tested with slack
+    mask,     // masked without ink
+    plain,    // every point plotted
+    travel,   // the pen moves, there are no points
+    surface,  // shaded and filled
+    rim,      // shaded
+  };
+
+  [[nodiscard]] bool select_device(std::uint8_t argument);
+  void reset();
+  void move_to(SkalaPoint point);
+  // A MOVE that is obeyed wherever the pen is.
+  void set_down(SkalaPoint point);
+  // `mode` is what the command asks for; what the device and visibility make of it is decided here.
+  void line_to(SkalaPoint point, Mode mode) { line_to(point, mode, level_); }
+  void line_to(SkalaPoint point, Mode mode, std::uint8_t level);
+  void curve(std::span<const std::uint8_t> arguments);
+  void surface(std::span<const std::uint8_t> arguments);
+  void rim(SkalaPoint point, std::uint8_t level);
+  void gap(std::span<const std::uint8_t> arguments);
+  void commit();
+  void outline();
+  void outline_run(int first, int last);
+
+  [[nodiscard]] Mode effective(Mode mode) const;
+  void step(SkalaPoint point, Mode mode);
+  [[nodiscard]] bool visible_to_draw(SkalaPoint point) const;
+  void ink(bool visible, SkalaPoint point);
+  void plot(SkalaPoint point, std::uint8_t colour);
+  void plot_folds(const SkalaFoldLines& lines);
+  void plot_fold(const SkalaFoldLine& line);
+  void shade(SkalaPoint point, bool may_fill);
+  void fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level);
+
+  [[nodiscard]] bool on_raster() const { return is_raster(device_); }
+
+  SkalaTwinPicture& picture_;
+  SkalaEquipment equipment_;
+  SkalaMasks masks_;
+  SkalaPlotterPen pen_;
+  SkalaDevice device_ = SkalaDevice::ef9365;
+  bool visibility_ = true;
+  std::uint8_t colour_ = 7;
+  std::uint8_t silhouette_ = 0;
+  SkalaPoint at_;      // the pen position (xp, yp) of the specification
+  bool fresh_ = true;  // at_ has not been stepped
+  std::uint8_t level_ = 0;
+  std::optional<std::uint8_t> shaded_column_;  // of the last shaded point of this slice
+};
+
+}  // namespace sightline::harness

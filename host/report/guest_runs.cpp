@@ -1,0 +1,207 @@
+#include "host/report/guest_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "emulators/devices/ef9365_timing.hpp"
+#include "host/guests/skala/stream.hpp"
+#include "host/picture/crisp_raster.hpp"
+#include "host/picture/phosphor.hpp"
+#include "host/picture/png.hpp"
+#include "host/picture/raster_image.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/heights/function.hpp"
+#include "host/scene/read/cell_scene.hpp"
+
+namespace sightline::harness::report {
+
+namespace {
+
+std::string name_of(const JonesOrder& order) {
+  return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");
+}
+
+jones::View twin_view(const jones::Program& program, bool stereo) {
+  std::vector<core::Word18> words(jones::core_words);
+  for (const auto& [address, word] : program.core) words[address] = word;
+  jones::Parameters parameters = jones::default_parameters(words, program.labels.scene);
+  parameters.stereo = stereo;
+  return jones::run(words, program.labels.scene, parameters);
+}
+
+std::optional<ReportError> check(const JonesOrder& order, const JonesRun& run, const jones::View& twin) {
+  const std::string name = name_of(order);
+  if (run.guest.timed_out || run.guest.views.size() < 2)
+    return ReportError{ErrorKind::guest_failed, name + ": the program did not complete two views"};
+  if (run.view().status != jones::Status::complete)
+    return ReportError{ErrorKind::guest_failed,
+                       fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status))};
+  if (run.view().display_file != twin.display_file)
+    return ReportError{
+        ErrorKind::differs,
+        name + ": internal error: the PDP-7's display file is not the one its native twin makes"};
+  return std::nullopt;
+}
+
+Outcome<picture::Bytes> png_of(const picture::Image& image) {
+  auto bytes = picture::encode_png(image, {{"Software", "sightline"}});
+  if (!bytes) return ReportError{ErrorKind::file, bytes.error().message()};
+  return std::move(*bytes);
+}
+
+SkalaTwinPicture twin_picture(std::span<const std::uint8_t> stream) {
+  SkalaEquipment equipment;
+  equipment.present = {};
+  equipment.present[static_cast<std::size_t>(SkalaDevice::ef9365)] = true;
+  return run_skala_twin(stream, equipment);
+}
+
+SkalaView view_of(const SkalaOrder& order, bool visibility) {
+  SkalaView view;
+  view.picture = order.picture;
+  view.rotation = order.rotation;
+  view.visibility = visibility;
+  return view;
+}
+
+std::optional<ReportError> check(const SkalaOrder& order, const SkalaGuestPicture& guest,
+                                 const SkalaTwinPicture& twin) {
+  if (!guest.ended || guest.status != SkalaStatus::complete || !guest.faults.empty()) {
+    const std::string_view why = !guest.ended            ? "it did not end"
+                                 : !guest.faults.empty() ? guest.faults.front().what
+                                                         : text_of(guest.status);
+    return ReportError{ErrorKind::guest_failed,
+                       fmt::format("{}: the program on the 8080 failed: {}", order.function, why)};
+  }
+  const std::string difference = difference_from_twin(guest, twin, SkalaDevice::ef9365);
+  if (difference.empty()) return std::nullopt;
+  return ReportError{
+      ErrorKind::differs,
+      fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
+                  order.function, difference)};
+}
+
+// The program on the 8080 makes every dot with a command of its own.
+core::TStates dot_time() {
+  return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
+}
+
+}  // namespace
+
+Outcome<JonesRun> run_jones(const JonesOrder& order) {
+  auto scene = scene::load_cell_scene(order.scene);
+  if (const auto* const error = std::get_if<scene::SceneError>(&scene))
+    return ReportError{ErrorKind::bad_input, error->message()};
+  jones::ProgramOptions program_options;
+  program_options.eae = order.eae;
+  auto program = jones::assemble_program(std::get<scene::CellScene>(scene), program_options);
+  if (auto* const error = std::get_if<scene::SceneError>(&program)) {
+    error->source = order.scene;
+    return ReportError{ErrorKind::bad_input, error->message()};
+  }
+  JonesRun run{
+      std::get<scene::CellScene>(std::move(scene)), std::get<jones::Program>(std::move(program)), {}, {}};
+  jones::GuestOptions options;
+  options.eae = order.eae;
+  options.stereo = order.stereo;
+  if (order.photograph) options.photograph = shutter_time;
+  run.guest = jones::run_guest(run.program, options);
+  const jones::View twin = twin_view(run.program, order.stereo);
+  if (auto error = check(order, run, twin)) return std::move(*error);
+  run.twin = twin.counts;
+  return run;
+}
+
+Outcome<std::vector<std::pair<JonesOrder, JonesRun>>> run_all_jones(const Context& context,
+                                                                    bool photographs) {
+  std::vector<std::pair<JonesOrder, JonesRun>> runs;
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    context.progress(fmt::format("{} on the PDP-7", name));
+    for (const bool eae : {true, false}) {
+      JonesOrder order{std::string(name), eae, false, photographs && eae};
+      auto run = run_jones(order);
+      if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
+      runs.emplace_back(std::move(order), std::get<JonesRun>(std::move(run)));
+    }
+  }
+  return runs;
+}
+
+double seconds(core::Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+Outcome<picture::Bytes> crisp_png(const JonesRun& run) {
+  return png_of(picture::crisp_raster(run.guest.pass));
+}
+
+Outcome<picture::Bytes> phosphor_png(const JonesRun& run) {
+  const core::Instant close = run.guest.shutter_close;
+  picture::PhosphorPhotograph photograph(close - shutter_time, close);
+  photograph.expose(run.guest.photograph);
+  return png_of(photograph.develop());
+}
+
+Outcome<SkalaRun> run_skala(const SkalaProgram& program, const SkalaOrder& order) {
+  const auto function = scene::height_function(order.function);
+  if (!function) return ReportError{ErrorKind::bad_input, order.function + ": no such function"};
+  const scene::HeightGrid grid = scene::sample(*function, order.size);
+  const auto stream = skala_stream(grid, view_of(order, true));
+  SkalaRun run;
+  run.stream_bytes = stream.size();
+  run.guest = run_skala_guest(program, stream);
+  const SkalaTwinPicture twin = twin_picture(stream);
+  if (auto error = check(order, run.guest, twin)) return std::move(*error);
+  run.twin = twin.counts;
+  run.points_lit = points_lit(run.guest);
+  run.dots_busy = dot_time() * static_cast<std::int64_t>(twin.counts.points_plotted);
+  if (order.compare_plain) {
+    const auto plain_stream = skala_stream(grid, view_of(order, false));
+    const SkalaGuestPicture plain = run_skala_guest(program, plain_stream);
+    if (auto error = check(order, plain, twin_picture(plain_stream))) return std::move(*error);
+    run.plain = plain.drawing;
+  }
+  return run;
+}
+
+Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Context& context,
+                                                                    const SkalaProgram& program,
+                                                                    bool compare_plain) {
+  std::vector<std::pair<SkalaOrder, SkalaRun>> runs;
+  for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
+    context.progress(fmt::format("{} on the 8080", function.name));
+    for (const SkalaPicture picture : {SkalaPicture::lines, SkalaPicture::surface, SkalaPicture::contours}) {
+      SkalaOrder order;
+      order.function = function.name;
+      order.picture = picture;
+      if (picture == SkalaPicture::contours) order.size = {33, 33};
+      order.compare_plain = compare_plain && picture == SkalaPicture::lines;
+      auto run = run_skala(program, order);
+      if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
+      runs.emplace_back(std::move(order), std::get<SkalaRun>(std::move(run)));
+    }
+  }
+  return runs;
+}
+
+std::string_view name_of(SkalaPicture picture) {
+  switch (picture) {
+    case SkalaPicture::lines: return "lines";
+    case SkalaPicture::surface: return "surface";
+    case SkalaPicture::contours: return "contours";
+  }
+  return "";
+}
+
+double seconds(core::TStates time) {
+  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+}
+
+Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order) {
+  const auto palette =
+      order.picture == SkalaPicture::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+  return png_of(picture::raster_image(run.guest.raster, palette, 1));
+}
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,90 @@
+// Runs of the guest programs as the report needs them: each held against its native twin before anything is
+// said of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/tstates.hpp"
+#include "host/guests/jones/guest.hpp"
+#include "host/guests/jones/program.hpp"
+#include "host/guests/jones/twin/twin.hpp"
+#include "host/report/report.hpp"
+#include "host/guests/skala/guest.hpp"
+#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/view.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::harness::report {
+
+struct JonesOrder {
+  std::string scene;  // a built-in one, seen from its default view
+  bool eae = true;
+  bool stereo = false;
+  bool photograph = false;
+};
+
+struct JonesRun {
+  scene::CellScene scene;
+  jones::Program program;
+  jones::GuestRun guest;  // two views; figures are those of the second, while the display shows the first
+  jones::Counts twin;     // of the same view: what the machine's program does not count itself
+
+  [[nodiscard]] const jones::GuestView& view() const { return guest.views.back(); }
+};
+
+// Error guest_failed: the program stopped with a status or took too long; differs: its display file is not
+// its twin's.
+[[nodiscard]] Outcome<JonesRun> run_jones(const JonesOrder& order);
+
+// The five built-in scenes, each with the EAE and then without; those with it photographed if asked.
+[[nodiscard]] Outcome<std::vector<std::pair<JonesOrder, JonesRun>>> run_all_jones(const Context& context,
+                                                                                  bool photographs);
+
+[[nodiscard]] double seconds(core::Duration time);
+
+// Lines of the display's last complete pass, 1024 x 1024, as PNG.
+[[nodiscard]] Outcome<picture::Bytes> crisp_png(const JonesRun& run);
+// The screen photographed, 0.2 s; the order asked for a photograph.
+[[nodiscard]] Outcome<picture::Bytes> phosphor_png(const JonesRun& run);
+
+inline constexpr core::Duration shutter_time = std::chrono::milliseconds(200);
+
+struct SkalaOrder {
+  std::string function;  // one of the eight
+  SkalaPicture picture = SkalaPicture::lines;
+  scene::GridSize size{33, 60};
+  double rotation = 30;
+  bool compare_plain = false;  // run once more without the visibility test
+};
+
+struct SkalaRun {
+  std::size_t stream_bytes = 0;
+  SkalaGuestPicture guest;  // EF9365 board, 8080 at 3 MHz
+  SkalaTwinCounts twin;
+  std::uint64_t points_lit = 0;
+  core::TStates dots_busy{};           // of the board, drawing dots; clearing comes on top
+  std::optional<core::TStates> plain;  // drawing without the visibility test
+};
+
+// Errors as for Jones.
+[[nodiscard]] Outcome<SkalaRun> run_skala(const SkalaProgram& program, const SkalaOrder& order);
+
+// The eight functions as lines, surfaces and contours, as `sightline demo` draws them; lines also without the
+// test if asked.
+[[nodiscard]] Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Context& context,
+                                                                                  const SkalaProgram& program,
+                                                                                  bool compare_plain);
+
+[[nodiscard]] double seconds(core::TStates time);
+
+[[nodiscard]] std::string_view name_of(SkalaPicture picture);  // "lines", "surface", "contours"
+
+[[nodiscard]] Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order);
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,216 @@
+#include "host/report/html_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "host/report/html_style.hpp"
+#include "host/report/table_text.hpp"
+
+namespace sightline::harness::report {
+
+namespace {
+
+constexpr std::string_view replacement = "\uFFFD";
+
+// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return follows(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool overlong = lead == 0xE0 && byte(1) < 0xA0;
+    const bool surrogate = lead == 0xED && byte(1) > 0x9F;
+    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool outside = (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F);
+    return follows(1) && follows(2) && follows(3) && !outside ? 4 : 0;
+  }
+  return 0;
+}
+
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
+}
+
+bool is_number(const Cell& cell) {
+  return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<Real>(cell);
+}
+
+class Page {
+ public:
+  explicit Page(const Report& report) : report_(report) {}
+
+  std::string text() && {
+    head();
+    contents();
+    for (const Section& section : report_.sections) {
+      html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
+                           html_escaped(section.title));
+      for (const Block& block : section.blocks)
+        std::visit([this](const auto& content) { add(content); }, block);
+      html_ += "</section>\n";
+    }
+    html_ += fmt::format("<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
+                         html_escaped(report_.version));
+    return std::move(html_);
+  }
+
+ private:
+  void head() {
+    const std::string title = html_escaped(report_.title);
+    html_ += fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+        title, page_style, title);
+    for (const std::string& paragraph : report_.introduction) add(Paragraph{paragraph});
+  }
+
+  void contents() {
+    html_ += "<nav aria-label=\"Contents\">\n<ol>\n";
+    for (const Section& section : report_.sections) {
+      html_ += fmt::format("<li><a href=\"#{}\">{}</a>\n<ul>\n", html_escaped(section.id),
+                           html_escaped(section.title));
+      for (const Block& block : section.blocks) {
+        if (const auto* const table = std::get_if<Table>(&block)) entry(table->id, table->title);
+        if (const auto* const figure = std::get_if<Figure>(&block)) entry(figure->id, figure->title);
+        if (const auto* const gallery = std::get_if<Gallery>(&block)) entry(gallery->id, gallery->title);
+      }
+      html_ += "</ul></li>\n";
+    }
+    html_ += "</ol>\n</nav>\n";
+  }
+
+  void entry(const std::string& id, const std::string& title) {
+    html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
+  }
+
+  void add(const Paragraph& paragraph) { html_ += "<p>" + html_escaped(paragraph.text) + "</p>\n"; }
+  void add(const Heading& heading) { html_ += "<h3>" + html_escaped(heading.text) + "</h3>\n"; }
+
+  void add(const Table& table) {
+    const std::string id = html_escaped(table.id);
+    html_ += fmt::format(
+        "<h3 id=\"{0}\">{1}</h3>\n<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">"
+        "\n<table>\n<thead><tr>",
+        id, html_escaped(table.title));
+    std::vector<bool> numbers;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      numbers.push_back(holds_numbers(table, i));
+      heading(table.columns[i], numbers[i]);
+    }
+    html_ += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : table.rows) {
+      html_ += "<tr>";
+      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], i < numbers.size() && numbers[i]);
+      html_ += "</tr>\n";
+    }
+    html_ += "</tbody>\n</table>\n</div>\n";
+    for (const std::string& note : table.notes) html_ += "<p class=\"note\">" + html_escaped(note) + "</p>\n";
+    html_ += fmt::format(
+        "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
+        id);
+  }
+
+  static bool holds_numbers(const Table& table, std::size_t at) {
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [at](const auto& row) { return at < row.size() && is_number(row[at]); });
+  }
+
+  // Over numbers a heading stands to the right as they do, and so does what stands for a missing one.
+  void heading(const Column& column, bool numbers) {
+    html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", html_escaped(column.title));
+    if (!column.unit.empty()) html_ += "<small>" + html_escaped(column.unit) + "</small>";
+    html_ += "</th>";
+  }
+
+  void add(const Cell& cell, bool among_numbers) {
+    std::string_view look;
+    if (is_number(cell) || (among_numbers && std::holds_alternative<std::monostate>(cell)))
+      look = " class=\"n\"";
+    if (const auto* const verdict = std::get_if<Verdict>(&cell))
+      look = verdict->good ? " class=\"good\"" : " class=\"bad\"";
+    html_ += fmt::format("<td{}>{}</td>", look, html_escaped(shown_text(cell)));
+  }
+
+  void add(const Figure& figure) {
+    html_ += fmt::format(
+        "<figure id=\"{}\"><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}</figcaption></figure>\n",
+        html_escaped(figure.id), figure.pixelated ? " class=\"pixelated\"" : "",
+        html_escaped(data_uri(figure.media_type, figure.bytes)), html_escaped(figure.alternative),
+        html_escaped(figure.title), html_escaped(figure.caption));
+  }
+
+  void add(const Gallery& gallery) {
+    html_ += fmt::format("<h3 id=\"{}\">{}</h3>\n<div class=\"gallery\">\n", html_escaped(gallery.id),
+                         html_escaped(gallery.title));
+    for (const Figure& figure : gallery.figures) add(figure);
+    html_ += "</div>\n";
+  }
+
+  void add(const Listing& listing) {
+    const std::string file = html_escaped(listing.file);
+    const picture::Bytes bytes(listing.text.begin(), listing.text.end());
+    html_ += fmt::format(
+        "<details id=\"{0}\"><summary>{1}</summary>\n<p class=\"files\"><a download=\"{1}\" "
+        "href=\"{2}\">save "
+        "{1}</a></p>\n<pre>{3}</pre></details>\n",
+        html_escaped(listing.id), file, data_uri("text/plain", bytes), html_escaped(listing.text));
+  }
+
+  const Report& report_;
+  std::string html_;
+};
+
+}  // namespace
+
+std::string html_page(const Report& report) {
+  return Page(report).text();
+}
+
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    switch (text.front()) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&#39;"; break;
+      default:
+        if (length == 0 || is_control(text.front())) {
+          escaped += replacement;
+        } else {
+          escaped += text.substr(0, length);
+        }
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return escaped;
+}
+
+std::string data_uri(std::string_view media_type, const picture::Bytes& bytes) {
+  // RFC 4648, section 4.
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string uri = fmt::format("data:{};base64,", media_type);
+  uri.reserve(uri.size() + bytes.size() / 3 * 4 + 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t count = bytes.size() - at < 3 ? bytes.size() - at : 3;
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < 3; ++i) group = group << 8U | (i < count ? bytes[at + i] : 0U);
+    for (std::size_t i = 0; i < 4; ++i) uri += i <= count ? letters[group >> (18U - 6U * i) & 0x3FU] : '=';
+  }
+  return uri;
+}
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,131 @@
+#include "host/report/plantinga_models.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "host/algorithms/plantinga/event_file.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
+
+namespace sightline::harness::report {
+
+// The embedded files.
+std::span<const std::pair<std::string_view, std::string_view>> plantinga_model_files();
+
+namespace {
+
+namespace native = algorithms::plantinga;
+
+Outcome<std::pair<native::EventList, double>> study(const Context& context, std::string_view name,
+                                                    const native::RotationModel& model, unsigned threads) {
+  native::BuildOptions options;
+  options.threads = threads;
+  options.progress = [&](std::size_t done, std::size_t of) {
+    if (done % 64 == 0)
+      context.progress(fmt::format("events of {}, {}: {} of {} edges", name,
+                                   threads == 1 ? "one core" : "all cores", done, of));
+  };
+  const auto begun = std::chrono::steady_clock::now();
+  auto built = native::build_event_list(model, options);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+  if (const auto* const stopped = std::get_if<native::BuildStopped>(&built))
+    return ReportError{ErrorKind::differs, fmt::format("{}: {}", name, stopped->message)};
+  return std::pair{std::get<native::EventList>(std::move(built)), taken.count()};
+}
+
+struct CacheFiles {
+  std::string events;
+  std::string times;
+};
+
+std::optional<CacheFiles> files_of(const Context& context, std::string_view name) {
+  if (context.cache.empty()) return std::nullopt;
+  const std::filesystem::path stem = std::filesystem::path(context.cache) / name;
+  return CacheFiles{stem.string() + ".events", stem.string() + ".seconds"};
+}
+
+// A line: with one core, with all.
+std::optional<StudyTimes> read_times(const std::string& path) {
+  const auto bytes = picture::read_file(path, 200);
+  if (!bytes) return std::nullopt;
+  StudyTimes times;
+  const std::string text(bytes->begin(), bytes->end());
+  if (std::sscanf(text.c_str(), "%lf %lf", &times.one_core_s, &times.all_cores_s) != 2) return std::nullopt;
+  const auto possible = [](double s) { return s >= 0 && s < 1e6; };
+  if (!possible(times.one_core_s) || !possible(times.all_cores_s)) return std::nullopt;
+  return times;
+}
+
+// Nothing if any of what is wanted is not there or not as it should be.
+bool read_cache(const Context& context, const CacheFiles& files, StudiedModel& studied) {
+  auto list = native::read_events(files.events, studied.model);
+  if (!list || list->tolerance != 0) return false;
+  if (context.host_times) {
+    studied.times = read_times(files.times);
+    if (!studied.times) return false;
+  }
+  studied.list = std::move(*list);
+  studied.from_cache = true;
+  return true;
+}
+
+// A cache that cannot be written is no cache: the report does not need it.
+void write_cache(const CacheFiles& files, const StudiedModel& studied) {
+  std::error_code ignored;
+  std::filesystem::create_directories(std::filesystem::path(files.events).parent_path(), ignored);
+  if (!native::write_events(files.events, studied.list) || !studied.times) return;
+  static_cast<void>(picture::write_file_atomically(
+      files.times, std::string_view(fmt::format("{:.6f} {:.6f}\n", studied.times->one_core_s,
+                                                studied.times->all_cores_s))));
+}
+
+}  // namespace
+
+std::vector<std::string_view> plantinga_models_of(const Context& context) {
+  std::vector<std::string_view> names(plantinga_models.begin(), plantinga_models.end());
+  if (!context.full) names.pop_back();
+  return names;
+}
+
+Outcome<scene::PolyScene> plantinga_scene(std::string_view name) {
+  const std::string file = fmt::format("{}.off", name);
+  for (const auto& [known, text] : plantinga_model_files()) {
+    if (known != file) continue;
+    auto read = scene::read_poly(text, file, scene::PolyFormat::off);
+    if (const auto* const error = std::get_if<scene::SceneError>(&read))
+      return ReportError{ErrorKind::bad_input, error->message()};
+    auto scene = std::move(std::get<scene::PolyImport>(read).scene);
+    if (const auto errors = scene::check_poly_scene(scene); !errors.empty())
+      return ReportError{ErrorKind::bad_input, errors.front().message()};
+    return scene;
+  }
+  return ReportError{ErrorKind::bad_input, fmt::format("{}: no such model", name)};
+}
+
+Outcome<StudiedModel> study_model(const Context& context, std::string_view name) {
+  auto scene = plantinga_scene(name);
+  if (auto* const error = std::get_if<ReportError>(&scene)) return std::move(*error);
+  StudiedModel studied{
+      std::string(name), native::RotationModel(std::get<scene::PolyScene>(scene)), {}, {}, false};
+  const auto files = files_of(context, name);
+  if (files && read_cache(context, *files, studied)) return studied;
+  auto all = study(context, name, studied.model, 0);
+  if (auto* const error = std::get_if<ReportError>(&all)) return std::move(*error);
+  auto& [list, all_cores] = std::get<0>(all);
+  studied.list = std::move(list);
+  if (context.host_times) {
+    auto one = study(context, name, studied.model, 1);
+    if (auto* const error = std::get_if<ReportError>(&one)) return std::move(*error);
+    studied.times = StudyTimes{std::get<0>(one).second, all_cores};
+  }
+  if (files) write_cache(*files, studied);
+  return studied;
+}
+
+}  // namespace sightline::harness::report

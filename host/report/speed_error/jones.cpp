@@ -1,0 +1,262 @@
+#include "host/report/speed_error/jones.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <utility>
+
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/jones/visible_edges.hpp"
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/guests/jones/precision_guest.hpp"
+#include "host/report/speed_error/clock.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+
+namespace sightline::harness::report {
+
+namespace {
+
+constexpr int most_machine_fraction = 3;  // fraction bits
+constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
+
+double seconds(core::Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+using Lines = std::vector<std::optional<jones::SceneLine>>;
+
+struct GuestView {
+  jones::GuestPieces pieces;
+  Lines lines;  // of its vector words
+};
+
+Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const jones::Precision& build,
+                             bool eae) {
+  jones::ProgramOptions options;
+  options.eae = eae;
+  options.fraction_bits = static_cast<std::uint32_t>(build.fraction_bits);
+  options.truncate = build.truncate;
+  options.tape.view = views.eye(view);
+  const auto assembled = jones::assemble_program(views.scene(), options);
+  if (const auto* const error = std::get_if<scene::SceneError>(&assembled))
+    return ReportError{ErrorKind::bad_input, views.name() + ": " + error->message()};
+  const auto& program = std::get<jones::Program>(assembled);
+  std::vector<core::Word18> words(jones::core_words);
+  for (const auto& [address, word] : program.core) words.at(address) = word;
+  GuestView run{jones::run_for_pieces(program, eae), jones::lines_by_address(program.scene, words)};
+  if (run.pieces.status != jones::Status::complete)
+    return ReportError{ErrorKind::guest_failed, fmt::format("{}, {}: the view stopped: {}", views.name(),
+                                                            name(build), name(run.pieces.status))};
+  return run;
+}
+
+// Program and scene lie elsewhere without the EAE: the pieces of the same lines in the same places.
+bool same_pieces(const GuestView& a, const GuestView& b) {
+  if (a.pieces.clipped.size() != b.pieces.clipped.size()) return false;
+  for (std::size_t i = 0; i < a.pieces.clipped.size(); ++i) {
+    const jones::Piece& here = a.pieces.clipped[i];
+    const jones::Piece& there = b.pieces.clipped[i];
+    if (here.line != there.line || here.drawn != there.drawn ||
+        a.lines.at(here.vector_address) != b.lines.at(there.vector_address))
+      return false;
+  }
+  return true;
+}
+
+void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, const GuestView& run) {
+  const jones::ShortWords number(jones::machine_word_bits, build.precision.fraction_bits,
+                                 build.precision.truncate);
+  const jones::Window window;
+  const auto x = [&](std::int32_t units) { return number.points(units) + window.centre_x; };
+  const auto y = [&](std::int32_t units) { return number.points(units) + window.centre_y; };
+  std::vector<picture::DrawnPiece> clipped;
+  std::vector<picture::DrawnPiece> displayed;
+  for (std::size_t i = 0; i < run.pieces.clipped.size(); ++i) {
+    const auto& line = run.lines.at(run.pieces.clipped[i].vector_address);
+    if (!line) continue;
+    const jones::ScreenSegment& at = run.pieces.clipped[i].line;
+    clipped.push_back(views.piece(view, *line, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}));
+    if (!run.pieces.clipped[i].drawn) continue;
+    const jones::ScreenSegment& shown = run.pieces.on_display.at(i);
+    const auto point = [](std::int32_t place) { return static_cast<double>(place); };
+    displayed.push_back(
+        views.piece(view, *line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}));
+  }
+  views.add(build.clipped, view, run.pieces.status, clipped);
+  views.add(build.displayed, view, run.pieces.status, displayed);
+}
+
+jones::PreciseView run_twin(const SceneViews& views, std::size_t view, const jones::Precision& precision) {
+  const auto& core = views.in_core(view).core;
+  return jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+}
+
+// The most fraction bits with which every view is complete; 0 if none are.
+int most_complete(const SceneViews& views, int word_bits) {
+  for (int f = jones::most_fraction_bits; f > 0; --f) {
+    const jones::Precision precision{jones::NumberKind::fixed_point, word_bits, f, false};
+    bool complete = true;
+    for (std::size_t view = 0; view < views.size() && complete; ++view)
+      complete = run_twin(views, view, precision).status == jones::Status::complete;
+    if (complete) return f;
+  }
+  return 0;
+}
+
+void measure_twins(const SceneViews& views, JonesMeasured& measured) {
+  for (const bool truncate : {false, true}) {
+    for (int f = 0; f <= jones::most_fraction_bits; ++f)
+      measured.fractions.push_back(
+          measure_twin(views, {jones::NumberKind::fixed_point, jones::longest_word, f, truncate}));
+  }
+  for (const int bits : tried_lengths)
+    measured.words.push_back(
+        measure_twin(views, {jones::NumberKind::fixed_point, bits, most_complete(views, bits), false}));
+  for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float})
+    measured.floating.push_back(measure_twin(views, {kind}));
+}
+
+// What draws a scene exactly.
+struct ExactScene {
+  scene::PolyScene polyhedra;
+  scene::CellComplex complex;
+  algorithms::jones::PreparedComplex prepared;
+  algorithms::jones::Walker walker;
+  algorithms::exact::EdgeMesh mesh;
+  std::vector<scene::PolyCamera> cameras;
+
+  explicit ExactScene(const SceneViews& views)
+      : polyhedra(scene::poly_scene_of(views.scene())),
+        complex(scene::complex_of(views.scene(), polyhedra)),
+        prepared(complex),
+        walker(prepared),
+        mesh(algorithms::exact::make_edge_mesh(polyhedra)) {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      cameras.push_back(polyhedra.camera);
+      cameras.back().eye = views.eye(i);
+    }
+  }
+
+  // Every view has a picture: jones::Walker gives none for an eye in a solid.
+  [[nodiscard]] std::optional<picture::LinePicture> by_jones(std::size_t view) {
+    auto seen = walker.visible_edges(cameras[view]);
+    auto* const found = std::get_if<algorithms::jones::View>(&seen);
+    if (found == nullptr) return std::nullopt;
+    return std::move(found->picture);
+  }
+  [[nodiscard]] picture::LinePicture by_edges(std::size_t view) const {
+    return algorithms::exact::visible_edges(mesh, cameras[view]);
+  }
+  [[nodiscard]] picture::LinePicture by_oracle(std::size_t view) const {
+    return algorithms::oracle::visible_edges(polyhedra, cameras[view]);
+  }
+};
+
+std::optional<ReportError> check_exact(ExactScene& scene, const std::string& name) {
+  for (std::size_t view = 0; view < scene.cameras.size(); ++view) {
+    const picture::LinePicture truth = scene.by_oracle(view);
+    if (scene.by_jones(view) != truth || scene.by_edges(view) != truth)
+      return ReportError{
+          ErrorKind::differs,
+          fmt::format("{}, view {}: internal error: an exact algorithm does not draw what the oracle finds",
+                      name, view + 1)};
+  }
+  return std::nullopt;
+}
+
+// Interleaved over all arithmetic of a scene, six views a job.
+void time_scene(const SceneViews& views, ExactScene& exact, JonesMeasured& measured, int rounds) {
+  std::vector<std::function<void()>> jobs;
+  std::vector<std::optional<double>*> results;
+  const auto add = [&](std::optional<double>& result, auto&& view) {
+    results.push_back(&result);
+    jobs.emplace_back([&views, view] {
+      for (std::size_t i = 0; i < views.size(); ++i) view(i);
+    });
+  };
+  for (auto* const twins : {&measured.fractions, &measured.words, &measured.floating}) {
+    for (Twin& twin : *twins)
+      add(twin.view_ns, [&views, &twin](std::size_t i) { (void)run_twin(views, i, twin.precision); });
+  }
+  add(measured.exact[0].view_ns, [&exact](std::size_t i) { (void)exact.by_jones(i); });
+  add(measured.exact[1].view_ns, [&exact](std::size_t i) { (void)exact.by_edges(i); });
+  add(measured.exact[2].view_ns, [&exact](std::size_t i) { (void)exact.by_oracle(i); });
+  const auto times = median_nanoseconds(jobs, rounds);
+  for (std::size_t i = 0; i < jobs.size(); ++i) *results[i] = times[i] / static_cast<double>(views.size());
+}
+
+Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& context) {
+  JonesMeasured measured;
+  measured.scene = views.name();
+  context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
+  for (const bool truncate : {false, true}) {
+    for (int f = 0; f <= most_machine_fraction; ++f) {
+      auto build =
+          measure_build(views, {jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate});
+      if (auto* const error = std::get_if<ReportError>(&build)) return std::move(*error);
+      measured.machine.push_back(std::get<MachineBuild>(std::move(build)));
+    }
+  }
+  context.progress(fmt::format("{} in C++ in every arithmetic", views.name()));
+  measure_twins(views, measured);
+  ExactScene exact(views);
+  if (auto error = check_exact(exact, views.name())) return std::move(*error);
+  measured.exact = {{"Jones, exact", {}}, {"exact visible edges", {}}, {"oracle", {}}};
+  if (context.host_times) time_scene(views, exact, measured, context.full ? 61 : 15);
+  return measured;
+}
+
+}  // namespace
+
+Outcome<MachineBuild> measure_build(const SceneViews& views, const jones::Precision& precision) {
+  MachineBuild build;
+  build.precision = precision;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    auto with = run_guest(views, view, precision, true);
+    if (auto* const error = std::get_if<ReportError>(&with)) return std::move(*error);
+    auto without = run_guest(views, view, precision, false);
+    if (auto* const error = std::get_if<ReportError>(&without)) return std::move(*error);
+    const auto& eae = std::get<GuestView>(with);
+    const auto& plain = std::get<GuestView>(without);
+    if (!same_pieces(eae, plain))
+      return ReportError{ErrorKind::differs, fmt::format("{}, {}: internal error: the program draws other "
+                                                         "pieces with the EAE than without",
+                                                         views.name(), name(precision))};
+    add_guest(build, views, view, eae);
+    build.eae_s += seconds(eae.pieces.time) / static_cast<double>(views.size());
+    build.plain_s += seconds(plain.pieces.time) / static_cast<double>(views.size());
+  }
+  return build;
+}
+
+Twin measure_twin(const SceneViews& views, const jones::Precision& precision) {
+  Twin twin;
+  twin.precision = precision;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    const jones::PreciseView seen = run_twin(views, view, precision);
+    std::vector<picture::DrawnPiece> drawn;
+    for (const jones::PrecisePiece& piece : seen.pieces) {
+      if (const auto& line = views.in_core(view).lines.at(piece.vector_address))
+        drawn.push_back(views.piece(view, *line, piece.line));
+    }
+    views.add(twin.error, view, seen.status, drawn);
+  }
+  return twin;
+}
+
+Outcome<std::vector<JonesMeasured>> measure_jones(const Context& context) {
+  std::vector<JonesMeasured> scenes;
+  for (const jones::SixViews& six : jones::six_views) {
+    const auto views = SceneViews::of(six);
+    if (const auto* const error = std::get_if<ReportError>(&views)) return *error;
+    auto measured = measure_scene(std::get<SceneViews>(views), context);
+    if (auto* const error = std::get_if<ReportError>(&measured)) return std::move(*error);
+    scenes.push_back(std::get<JonesMeasured>(std::move(measured)));
+  }
+  return scenes;
+}
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,62 @@
+// The six views of a scene, what is truly seen from each, and how wrong drawings of them are.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/compare/lines.hpp"
+#include "host/guests/jones/precision.hpp"
+#include "host/guests/jones/views.hpp"
+#include "host/report/report.hpp"
+#include "host/picture/line_metrics.hpp"
+#include "host/scene/model/cell_scene.hpp"
+
+namespace sightline::harness::report {
+
+// Over the views of a scene: lengths are sums, in pixels of the 1024 raster.
+struct PictureError {
+  double visible = 0;
+  double missing = 0;
+  double extra = 0;
+  double extra_far = 0;  // farther than a pixel from everything seen
+  double hausdorff = 0;  // the greatest of any view; infinite if one shows nothing at all
+  picture::Rate wrong_visibility;
+  std::size_t incomplete = 0;  // views that ended with a status
+
+  // L_sym, in per cent of what is visible.
+  [[nodiscard]] double symmetric_per_cent() const {
+    return visible > 0 ? 100 * (missing + extra) / visible : 0;
+  }
+};
+
+class SceneViews {
+ public:
+  // Error bad_input: the scene is not there, or is beyond the limits of the oracle or of the machine's core.
+  [[nodiscard]] static Outcome<SceneViews> of(const jones::SixViews& views);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const scene::CellScene& scene() const { return scene_; }
+  [[nodiscard]] std::size_t size() const { return views_.size(); }
+  [[nodiscard]] const geometry::Point& eye(std::size_t view) const { return views_[view].eye; }
+  [[nodiscard]] const jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
+
+  // `line` in points of the screen.
+  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const jones::SceneLine& line,
+                                          const algorithms::oracle::ScreenSegment& image) const;
+  void add(PictureError& error, std::size_t view, jones::Status status,
+           const std::vector<picture::DrawnPiece>& drawn) const;
+
+ private:
+  struct View {
+    geometry::Point eye{};
+    jones::SceneInCore in_core;
+    CellReference reference;
+  };
+
+  std::string name_;
+  scene::CellScene scene_;
+  std::vector<View> views_;
+};
+
+}  // namespace sightline::harness::report

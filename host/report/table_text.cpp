@@ -1,0 +1,118 @@
+#include "host/report/table_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace sightline::harness::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class... Functions>
+struct Choice : Functions... {
+  using Functions::operator()...;
+};
+template <class... Functions>
+Choice(Functions...) -> Choice<Functions...>;
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string csv_field(const Cell& cell) {
+  return std::visit(Choice{[](std::monostate) { return std::string(); },
+                           [](const std::string& text) { return csv_field(text); },
+                           [](std::int64_t count) { return fmt::format("{}", count); },
+                           [](const Real& real) {
+                             return std::isfinite(real.value) ? fmt::format("{}", real.value) : std::string();
+                           },
+                           [](const Verdict& verdict) { return csv_field(verdict.text); }},
+                    cell);
+}
+
+// nlohmann writes a number that is not finite as null.
+ordered_json json_value(const Cell& cell) {
+  return std::visit(Choice{[](std::monostate) { return ordered_json(nullptr); },
+                           [](const std::string& text) { return ordered_json(text); },
+                           [](std::int64_t count) { return ordered_json(count); },
+                           [](const Real& real) { return ordered_json(real.value); },
+                           [](const Verdict& verdict) {
+                             return ordered_json{{"good", verdict.good}, {"text", verdict.text}};
+                           }},
+                    cell);
+}
+
+// 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
+std::string grouped(std::string digits) {
+  const std::size_t first = digits.front() == '-' ? 1 : 0;
+  const std::size_t end = std::min(digits.find('.'), digits.size());
+  if (end - first < 5) return digits;
+  for (std::size_t at = end - 3; at > first; at -= at - first > 3 ? 3 : at - first)
+    digits.insert(at, "\u202f");
+  return digits;
+}
+
+std::string shown_number(const Real& real) {
+  if (std::isnan(real.value)) return "not a number";
+  if (std::isinf(real.value)) return real.value > 0 ? "infinite" : "-infinite";
+  return real.places == Real::as_needed ? fmt::format("{:.4g}", real.value)
+                                        : grouped(fmt::format("{:.{}f}", real.value, real.places));
+}
+
+}  // namespace
+
+std::string csv_text(const Table& table) {
+  std::string text;
+  const char* separator = "";
+  for (const Column& column : table.columns) {
+    text += separator + csv_field(column.key);
+    separator = ",";
+  }
+  text += "\r\n";
+  for (const auto& row : table.rows) {
+    separator = "";
+    for (const Cell& cell : row) {
+      text += separator + csv_field(cell);
+      separator = ",";
+    }
+    text += "\r\n";
+  }
+  return text;
+}
+
+std::string json_text(const Table& table) {
+  ordered_json document{{"schema", "sightline/table/1"}, {"id", table.id}, {"title", table.title}};
+  document["columns"] = ordered_json::array();
+  for (const Column& column : table.columns)
+    document["columns"].push_back({{"key", column.key}, {"title", column.title}, {"unit", column.unit}});
+  document["rows"] = ordered_json::array();
+  for (const auto& row : table.rows) {
+    ordered_json values = ordered_json::object();
+    for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
+      values[table.columns[i].key] = json_value(row[i]);
+    document["rows"].push_back(std::move(values));
+  }
+  document["notes"] = table.notes;
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string shown_text(const Cell& cell) {
+  return std::visit(Choice{[](std::monostate) { return std::string("\u2013"); },
+                           [](const std::string& text) { return text; },
+                           [](std::int64_t count) { return grouped(fmt::format("{}", count)); },
+                           [](const Real& real) { return shown_number(real); },
+                           [](const Verdict& verdict) { return verdict.text; }},
+                    cell);
+}
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,32 @@
+#include "host/report/timing/papers.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "host/report/timing/jones.hpp"
+#include "host/report/timing/montani_re.hpp"
+#include "host/report/timing/plantinga.hpp"
+#include "host/report/timing/skala.hpp"
+#include "host/report/timing/willis.hpp"
+
+namespace sightline::harness::report {
+
+Outcome<Section> timing_against_papers(const Context& context) {
+  Section section{"timing", "Timing against the papers", {}};
+  section.blocks.emplace_back(Paragraph{
+      "Every number that the papers give for time or size, beside the same number of the program here. "
+      "Times of Jones and Skala are of the emulated machines: they follow from cycle counts, depend on no "
+      "clock of this computer, and come out the same in every run. Where a number cannot be compared, the "
+      "table says why."});
+  for (const auto papers :
+       {&timing_of_jones, &timing_of_skala, &timing_of_montani_re, &timing_of_plantinga, &timing_of_willis}) {
+    auto blocks = papers(context);
+    if (auto* const error = std::get_if<ReportError>(&blocks)) return std::move(*error);
+    auto& made = std::get<std::vector<Block>>(blocks);
+    section.blocks.insert(section.blocks.end(), std::make_move_iterator(made.begin()),
+                          std::make_move_iterator(made.end()));
+  }
+  return section;
+}
+
+}  // namespace sightline::harness::report

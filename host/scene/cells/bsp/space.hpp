@@ -1,0 +1,19 @@
+// Which leaves of the tree are free, and which parts of its portals are open.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/scene/cells/bsp/tree.hpp"
+
+namespace sightline::scene {
+
+// By node, false for those that are not leaves. A leaf is solid if a path from outside to it enters more
+// solids than it leaves.
+[[nodiscard]] std::vector<bool> free_leaves(const Planes& planes, const BspTree& tree);
+
+// What sheets leave of a portal, in convex parts.
+[[nodiscard]] std::vector<PlanePolygon> open_parts(const Planes& planes, const BspTree& tree,
+                                                   const BspPortal& portal);
+
+}  // namespace sightline::scene

@@ -1,0 +1,31 @@
+// A scene of polyhedra cut into cells, by whichever way suits it.
+#pragma once
+
+#include <variant>
+
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+enum class CompartmentMethod {
+  automatic,  // by grid where it can be (why_no_grid), else by BSP
+  grid,       // boxes grown in a grid (host/scene/cells/grid/decompose.hpp); faces parallel to the axes only
+  bsp,        // convex cells of a BSP over the faces' planes (host/scene/cells/bsp/decompose.hpp)
+};
+
+struct Compartments {
+  CellComplex complex;
+  CompartmentMethod method = CompartmentMethod::grid;  // the one used
+};
+
+// Of a checked scene. An error says why the method does not apply.
+[[nodiscard]] std::variant<Compartments, SceneError> compartments_of(
+    const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic);
+
+// The complex alone.
+[[nodiscard]] std::variant<CellComplex, SceneError> compartment(
+    const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic);
+
+}  // namespace sightline::scene

@@ -1,0 +1,29 @@
+// A face parallel to the axes as rectangles.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/geometry/box.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+struct GridFace {
+  std::size_t axis = 0;  // of its normal
+  std::int32_t at = 0;
+  bool faces_up = false;                        // the normal points along the axis, not against it
+  std::vector<geometry::Rectangle> rectangles;  // disjoint; together the face without its holes
+};
+
+// The axis of a face's normal, or nothing if it lies in no plane x, y or z = constant.
+[[nodiscard]] std::optional<std::size_t> grid_axis_of(const PolyScene& scene, const PolyFace& face);
+
+// Every side of the face is parallel to an axis.
+[[nodiscard]] bool has_grid_sides(const PolyScene& scene, const PolyFace& face);
+
+// Of a face of a checked scene with an axis and sides parallel to the axes. Time k log k for k vertices, plus
+// the steps from one strip to the next.
+[[nodiscard]] GridFace grid_face_of(const PolyScene& scene, const PolyFace& face);
+
+}  // namespace sightline::scene

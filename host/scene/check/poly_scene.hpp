@@ -1,0 +1,24 @@
+// Is a PolyScene a possible one? Every question is decided exactly, on integers.
+//
+// Checked: there is a face; coordinates and the eye are below poly_coordinate_limit; the camera's vectors are
+// orthogonal, not zero and below 2^15; no two vertices are equal, each is used; every outline and hole is a
+// simple ring of three or more vertices with an area, touching itself nowhere, in one plane; holes lie inside
+// their outline, turn the other way, and touch neither it nor each other; a solid's edges belong to two of
+// its faces that pass them in opposite directions; its shells enclose a volume and face outwards, or inwards
+// if they lie in another one. Not checked: whether bodies or faces cross each other in space, and whether the
+// eye is inside a solid.
+#pragma once
+
+#include <vector>
+
+#include "host/scene/check/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+// Everything that is wrong (at most most_scene_errors), named by body, face and vertex from 0; empty if
+// nothing is. Faces are looked at when their vertices exist and are within the limit, solids when their faces
+// are in order.
+[[nodiscard]] std::vector<SceneError> check_poly_scene(const PolyScene& scene);
+
+}  // namespace sightline::scene

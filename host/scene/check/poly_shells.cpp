@@ -1,0 +1,148 @@
+// See poly_shells.hpp.
+#include "host/scene/check/poly_shells.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+
+#include "host/geometry/predicates.hpp"
+
+namespace sightline::scene {
+namespace {
+
+void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vector<FaceEdge>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const VertexIndex from = ring[i];
+    const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
+    edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
+  }
+}
+
+geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+  geometry::Int128 volume = 0;
+  const auto origin = geometry::vector_of(vertices[ring[0]]);
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    volume += geometry::determinant(origin, geometry::vector_of(vertices[ring[i - 1]]),
+                                    geometry::vector_of(vertices[ring[i]]));
+  }
+  return volume;
+}
+
+struct BodyShell {
+  std::size_t body = 0;
+  geometry::Int128 volume = 0;
+  PolyPoint low{};
+  PolyPoint high{};
+
+  [[nodiscard]] bool strictly_within(const BodyShell& other) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (low[a] <= other.low[a] || high[a] >= other.high[a]) return false;
+    return true;
+  }
+};
+
+BodyShell shell_of(const std::vector<PolyPoint>& vertices, const std::vector<PolyBody>& bodies,
+                   std::size_t number) {
+  const PolyBody& body = bodies[number];
+  BodyShell shell{number, enclosed_volume(vertices, body), vertices[body.faces[0].outline[0]], {}};
+  shell.high = shell.low;
+  for (const PolyFace& face : body.faces) {
+    for (const VertexIndex v : face.outline) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        shell.low[a] = std::min(shell.low[a], vertices[v][a]);
+        shell.high[a] = std::max(shell.high[a], vertices[v][a]);
+      }
+    }
+  }
+  return shell;
+}
+
+std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
+  while (parents[face] != face) {
+    parents[face] = parents[parents[face]];
+    face = parents[face];
+  }
+  return face;
+}
+
+}  // namespace
+
+std::vector<FaceEdge> face_edges(const PolyBody& body) {
+  std::vector<FaceEdge> edges;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    add_ring(body.faces[f].outline, f, edges);
+    for (const auto& hole : body.faces[f].holes) add_ring(hole, f, edges);
+  }
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    return std::tie(a.low, a.high, a.face, a.upwards) < std::tie(b.low, b.high, b.face, b.upwards);
+  });
+  return edges;
+}
+
+bool is_closed(const std::vector<FaceEdge>& edges) {
+  if (edges.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < edges.size(); i += 2) {
+    if (!edges[i].same_edge(edges[i + 1]) || edges[i].upwards == edges[i + 1].upwards) return false;
+    if (i + 2 < edges.size() && edges[i].same_edge(edges[i + 2])) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector<FaceEdge>& edges) {
+  std::vector<std::size_t> parents(body.faces.size());
+  std::iota(parents.begin(), parents.end(), std::size_t{0});
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (!edges[i].same_edge(edges[i - 1])) continue;
+    const std::size_t a = root_of(parents, edges[i].face);
+    const std::size_t b = root_of(parents, edges[i - 1].face);
+    parents[std::max(a, b)] = std::min(a, b);
+  }
+  // A root is the smallest face of its part, so that it is met before the others.
+  std::vector<std::size_t> parts(body.faces.size());
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < parts.size(); ++f) {
+    const std::size_t root = root_of(parents, f);
+    parts[f] = root == f ? count++ : parts[root];
+  }
+  return parts;
+}
+
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face) {
+  geometry::Int128 volume = ring_volume(vertices, face.outline);
+  for (const auto& hole : face.holes) volume += ring_volume(vertices, hole);
+  return volume;
+}
+
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyBody& body) {
+  geometry::Int128 volume = 0;
+  for (const PolyFace& face : body.faces) volume += enclosed_volume(vertices, face);
+  return volume;
+}
+
+void join_cavities(const std::vector<PolyPoint>& vertices, std::vector<PolyBody>& bodies) {
+  std::vector<BodyShell> outer;
+  std::vector<BodyShell> inner;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].faces.empty() || !is_closed(face_edges(bodies[b]))) continue;
+    const BodyShell shell = shell_of(vertices, bodies, b);
+    if (shell.volume != 0) (shell.volume > 0 ? outer : inner).push_back(shell);
+  }
+  std::stable_sort(outer.begin(), outer.end(),
+                   [](const BodyShell& a, const BodyShell& b) { return a.volume < b.volume; });
+  for (const BodyShell& cavity : inner) {
+    const auto around = std::find_if(outer.begin(), outer.end(),
+                                     [&](const BodyShell& shell) { return cavity.strictly_within(shell); });
+    if (around == outer.end()) continue;
+    auto& from = bodies[cavity.body].faces;
+    auto& to = bodies[around->body].faces;
+    std::move(from.begin(), from.end(), std::back_inserter(to));
+    from.clear();
+  }
+  // Every body had faces.
+  bodies.erase(
+      std::remove_if(bodies.begin(), bodies.end(), [](const PolyBody& body) { return body.faces.empty(); }),
+      bodies.end());
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,100 @@
+// Families by name, and the generated set. See scene.hpp.
+#include "host/scene/generate/scene.hpp"
+
+#include <array>
+#include <string>
+
+namespace sightline::scene {
+namespace {
+
+struct Family {
+  std::string_view name;
+  std::size_t largest;
+  PolyScene (*generate)(std::size_t n, std::uint64_t seed);
+  std::size_t smallest = 1;
+};
+
+// The eye of boxes is at 2200 K < 2^18, so K <= 119; of touch and aligned at 1500 n; a town ends at 1000 G,
+// rooms at 1000 n, corridors at 400 n, prisms at 22000 sqrt(n / 35); K, G to the power that n has.
+constexpr std::array<Family, 11> families{{
+    {"boxes", 119 * 119 * 119, generate_boxes},
+    {"edgeon", 119 * 119 * 119, generate_edgeon},
+    {"touch", 174, [](std::size_t n, std::uint64_t) { return generate_touch(n); }},
+    {"aligned", 174, [](std::size_t n, std::uint64_t) { return generate_aligned(n); }},
+    {"town", 262 * 262, generate_town},
+    {"triangles", 119 * 119 * 119, generate_triangles},
+    {"bricks", 1000, generate_bricks},
+    {"rooms", 262, generate_rooms},
+    {"big_rooms", 1310, generate_big_rooms},
+    {"corridors", 655, [](std::size_t n, std::uint64_t) { return generate_corridors(n); }, 2},
+    {"prisms", 12 * 12 * prisms_in_block,
+     [](std::size_t n, std::uint64_t seed) { return generate_prisms(n, seed); }},
+}};
+
+const Family* find_family(std::string_view name) {
+  for (const Family& family : families)
+    if (family.name == name) return &family;
+  return nullptr;
+}
+
+// Boxes and triangles are convex; in `rooms` a door leaves three rectangles of its wall, a hatch four.
+std::size_t convex_faces(const PolyScene& scene) {
+  std::size_t count = 0;
+  for (const PolyBody& body : scene.bodies)
+    for (const PolyFace& face : body.faces)
+      count += !face.holes.empty() ? 4 : face.outline.size() == 8 ? 3 : 1;
+  return count;
+}
+
+}  // namespace
+
+std::vector<std::string_view> generator_names() {
+  std::vector<std::string_view> names;
+  for (const Family& family : families) names.push_back(family.name);
+  return names;
+}
+
+std::size_t largest_generated_size(std::string_view family) {
+  const Family* const found = find_family(family);
+  return found != nullptr ? found->largest : 0;
+}
+
+std::variant<PolyScene, SceneError> generate_scene(std::string_view family, std::size_t size,
+                                                   std::uint64_t seed) {
+  const Family* const found = find_family(family);
+  if (found == nullptr) {
+    std::string names;
+    for (const Family& known : families) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    return SceneError{std::string(family), "", "no such family of scenes; there are " + names};
+  }
+  if (size < found->smallest || size > found->largest) {
+    return SceneError{std::string(family), "size",
+                      "found " + std::to_string(size) + ", expected " + std::to_string(found->smallest) +
+                          ".." + std::to_string(found->largest)};
+  }
+  return found->generate(size, seed);
+}
+
+std::vector<GeneratedSceneName> generated_set() {
+  struct Range {
+    std::string_view family;
+    std::size_t sizes;
+  };
+  constexpr std::array<Range, 5> ranges{
+      {{"boxes", 10}, {"town", 9}, {"triangles", 16}, {"bricks", 10}, {"rooms", 3}}};
+  constexpr std::size_t scenes_a_family = 100;
+  constexpr std::size_t most_convex_faces = 60;
+  std::vector<GeneratedSceneName> set;
+  for (const Range& range : ranges) {
+    std::size_t taken = 0;
+    for (std::uint64_t seed = 1; taken < scenes_a_family; ++seed) {
+      const GeneratedSceneName name{range.family, 1 + seed % range.sizes, seed};
+      if (convex_faces(find_family(name.family)->generate(name.size, seed)) > most_convex_faces) continue;
+      set.push_back(name);
+      ++taken;
+    }
+  }
+  return set;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,70 @@
+// Generated scenes, each with the camera it is measured from: random boxes, towns, triangles and bricks,
+// rooms with doors and hatches, and grids of cubes. The same family, size and seed give the same scene,
+// vertex for vertex.
+//
+// boxes, edgeon: one box in each of n shuffled cells of 1000, K = ceil(cbrt n) cells a side, never touching;
+//   edgeon is looked at from exactly the plane of a face.
+// touch, aligned: n^3 cubes of 1000 that share faces, or of 500 in the middle of their cells; eye on the
+// diagonal. town: buildings on the ground y = 0, G = ceil(sqrt n) plots a side.    triangles: one in each of
+// n cells. bricks: small boxes at small coordinates that may touch but not overlap: the degenerate family. A
+// brick for which
+//   1000 tries find no room is left out.
+// rooms: n x n rooms of 1000 x 1000 x 600 with walls without thickness, one sheet; edges of neighbours in one
+// plane
+//   are edges all the same.    big_rooms: the same, all lengths divided by 5 (and rounded down).
+// corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
+// are the built-in scenes of that name.
+// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35, of
+// as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
+// splitting is measured. Looked at from its edge, below the tops of the walls.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+// Sizes are at least 1 (corridors: 2) and such that every coordinate and the eye stay below
+// poly_coordinate_limit (largest_generated_size); bricks, which have no such limit, at most 1000.
+[[nodiscard]] PolyScene generate_boxes(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_edgeon(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_touch(std::size_t n);
+[[nodiscard]] PolyScene generate_aligned(std::size_t n);
+[[nodiscard]] PolyScene generate_town(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_triangles(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_bricks(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_rooms(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_big_rooms(std::size_t n, std::uint64_t seed = 1);
+[[nodiscard]] PolyScene generate_corridors(std::size_t n);
+inline constexpr std::int32_t prism_block = 20000;
+inline constexpr std::size_t prisms_in_block = 35;
+// The gap at most 1/100 of a block, so that there is room for 35 (25 with a gap of 160 are the other published
+// town).
+[[nodiscard]] PolyScene generate_prisms(std::size_t n, std::uint64_t seed = 1, std::int32_t gap = 50);
+
+// Every family by name, in the order above.
+[[nodiscard]] std::vector<std::string_view> generator_names();
+// 0 if there is no such family.
+[[nodiscard]] std::size_t largest_generated_size(std::string_view family);
+// An unknown family or a size that is 0 or too large is an error that says what there is.
+[[nodiscard]] std::variant<PolyScene, SceneError> generate_scene(std::string_view family, std::size_t size,
+                                                                 std::uint64_t seed = 1);
+
+struct GeneratedSceneName {
+  std::string_view family;
+  std::size_t size = 0;
+  std::uint64_t seed = 0;
+};
+
+// The 500 small scenes on which algorithms are compared: of boxes, town, triangles, bricks and rooms the
+// first 100 seeds from 1 whose scene has at most 60 convex faces (a wall with a door counts 3, with a hatch
+// 4).
+[[nodiscard]] std::vector<GeneratedSceneName> generated_set();
+
+}  // namespace sightline::scene

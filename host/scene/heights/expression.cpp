@@ -1,0 +1,155 @@
+#include "host/scene/heights/expression.hpp"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "host/scene/heights/function.hpp"
+#include "host/scene/heights/number.hpp"
+
+namespace sightline::scene {
+namespace {
+
+HeightError error_at(const std::string& expression, std::string_view source, std::size_t place,
+                     std::string found, std::string expected) {
+  place = std::min(place, expression.size());
+  return {std::string(source), std::to_string(place + 1),
+          std::move(found),    std::move(expected),
+          expression,          place};
+}
+
+// The first '=' that is not part of a comparison.
+std::optional<std::size_t> assignment(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    if (i + 1 < text.size() && text[i + 1] == '=') {
+      ++i;
+      continue;
+    }
+    if (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<HeightError> refused(const std::string& expression, std::string_view source) {
+  if (expression.size() > longest_expression) {
+    return HeightError{std::string(source),
+                       "",
+                       "an expression of " + std::to_string(expression.size()) + " characters",
+                       "at most " + std::to_string(longest_expression),
+                       "",
+                       0};
+  }
+  const auto strange =
+      std::find_if(expression.begin(), expression.end(), [](char c) { return c < ' ' || c > '~'; });
+  if (strange != expression.end()) {
+    return HeightError{std::string(source),
+                       std::to_string(strange - expression.begin() + 1),
+                       "a character that is not printable ASCII",
+                       "an expression of x and z",
+                       "",
+                       0};
+  }
+  if (const auto place = assignment(expression))
+    return error_at(expression, source, *place, "an assignment", "a comparison is written ==");
+  return std::nullopt;
+}
+
+// The first ',' outside all parentheses; the end if there is none.
+std::size_t outer_comma(const std::string& text) {
+  int depth = 0;
+  std::size_t at = 0;
+  for (; at < text.size() && (text[at] != ',' || depth != 0); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')') --depth;
+  }
+  return at;
+}
+
+// What the parser says without where: that is said in our own way, and counted from 1.
+std::string without_position(std::string message) {
+  for (const std::string_view where :
+       {" found at position ", " at expression position ", " at position ", " (position: "})
+    message.resize(std::min(message.rfind(where), message.size()));
+  while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+  return message;
+}
+
+class Evaluator {
+ public:
+  explicit Evaluator(const std::string& expression) {
+    parser_.ClearConst();
+    parser_.DefineConst("pi", std::numbers::pi);
+    parser_.DefineConst("e", std::numbers::e);
+    parser_.DefineVar("x", &x_);
+    parser_.DefineVar("z", &z_);
+    parser_.SetExpr(expression);
+    static_cast<void>(parser_.Eval());
+    if (parser_.GetNumResults() != 1)
+      throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", expression,
+                            static_cast<int>(outer_comma(expression)));
+  }
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  double operator()(double x, double z) {
+    x_ = x;
+    z_ = z;
+    return parser_.Eval();
+  }
+
+ private:
+  double x_ = 0;
+  double z_ = 0;
+  mu::Parser parser_;
+};
+
+}  // namespace
+
+std::variant<HeightGrid, HeightError> sample_expression(const std::string& expression, Interval domain,
+                                                        GridSize size, std::string_view source) {
+  const auto checked = check_size(size, source);
+  if (const auto* error = std::get_if<HeightError>(&checked)) return *error;
+  if (auto error = refused(expression, source)) return *error;
+  try {
+    Evaluator value(expression);
+    HeightGrid grid = sample(value, domain, size);
+    if (anywhere_finite(grid.heights)) return grid;
+    return error_at(expression, source, 0, "a function that is nowhere finite on its domain",
+                    "a number at some x and z");
+  } catch (const mu::ParserError& error) {
+    const int place = error.GetPos();
+    return error_at(expression, source, place < 0 ? expression.size() : static_cast<std::size_t>(place),
+                    "an error: " + without_position(error.GetMsg()), "an expression of x and z");
+  }
+}
+
+std::variant<Interval, HeightError> read_domain(const std::string& text, std::string_view source) {
+  const HeightError error{
+      std::string(source), "", "'" + text + "'", "A:B with numbers A < B, such as -3:3", "", 0};
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return error;
+  const auto low = finite_number(std::string_view(text).substr(0, colon));
+  const auto high = finite_number(std::string_view(text).substr(colon + 1));
+  if (!low || !high || !(*low < *high)) return error;
+  return Interval{*low, *high};
+}
+
+std::variant<GridSize, HeightError> check_size(GridSize size, std::string_view source) {
+  const auto inside = [](std::size_t n, std::size_t low, std::size_t high) { return n >= low && n <= high; };
+  if (inside(size.points, smallest_grid.points, largest_grid.points) &&
+      inside(size.slices, smallest_grid.slices, largest_grid.slices)) {
+    return size;
+  }
+  return HeightError{std::string(source),
+                     "",
+                     std::to_string(size.slices) + " slices of " + std::to_string(size.points) + " points",
+                     "2 to 1024 slices of 2 to 1024 points",
+                     "",
+                     0};
+}
+
+}  // namespace sightline::scene

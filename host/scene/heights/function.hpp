@@ -1,0 +1,60 @@
+// The test functions of the literature on surfaces of one value, by name. The first eight are those of every
+// figure; the others are the hard cases.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::scene {
+
+struct HeightFunction {
+  std::string_view name;
+  Interval domain;           // of x and of z
+  std::string_view formula;  // r is the distance from (0, 0)
+  std::string_view description;
+  double (*value)(double x, double z);  // null: defined on the grid's indices
+};
+
+inline constexpr std::size_t figure_functions = 8;
+
+// In the order of their table.
+[[nodiscard]] std::span<const HeightFunction> height_functions();
+
+// Nothing for an unknown name.
+[[nodiscard]] std::optional<HeightFunction> height_function(std::string_view name);
+
+// "sinc, rogers, ...", for messages.
+[[nodiscard]] std::string height_function_names();
+
+// Sampled at size, which must be within smallest_grid and largest_grid. The range of a function of x and z is
+// that on 65 x 65 points, so that pictures of different sizes agree; of the others their own.
+[[nodiscard]] HeightGrid sample(const HeightFunction& function, GridSize size);
+
+// Any function of x and z, range as above; where nothing of the 65 x 65 is finite, the grid's own.
+template <class Function>
+[[nodiscard]] HeightGrid sample(Function&& value, Interval domain, GridSize size) {
+  const auto heights_at = [&](const std::vector<double>& x, const std::vector<double>& z) {
+    const double middle = domain.low / 2 + domain.high / 2;
+    const double half = domain.high / 2 - domain.low / 2;
+    std::vector<double> heights;
+    heights.reserve(x.size() * z.size());
+    for (const double w : z) {
+      for (const double u : x) heights.push_back(value(middle + u * half, middle + w * half));
+    }
+    return heights;
+  };
+  HeightGrid grid{even_positions(size.points), even_positions(size.slices), {}, domain, domain, {}};
+  grid.heights = heights_at(grid.x, grid.z);
+  const std::vector<double> standard = even_positions(65);
+  const std::vector<double> standard_heights = heights_at(standard, standard);
+  grid.range = finite_range(anywhere_finite(standard_heights) ? standard_heights : grid.heights);
+  return grid;
+}
+
+}  // namespace sightline::scene

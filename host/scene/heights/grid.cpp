@@ -1,0 +1,42 @@
+#include "host/scene/heights/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline::scene {
+
+std::string HeightError::message() const {
+  std::string result = source;
+  if (!place.empty()) result += ":" + place;
+  result += ": found " + found;
+  if (!expected.empty()) result += ", expected " + expected;
+  if (!text.empty()) result += "\n  " + text + "\n  " + std::string(caret, ' ') + "^";
+  return result;
+}
+
+std::vector<double> even_positions(std::size_t count) {
+  std::vector<double> positions(count, 0.0);
+  if (count < 2) return positions;
+  const double intervals = static_cast<double>(count - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    positions[i] = (2.0 * static_cast<double>(i) - intervals) / intervals;
+  }
+  return positions;
+}
+
+Interval finite_range(const std::vector<double>& values) {
+  Interval range;
+  bool none = true;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    range = none ? Interval{value, value} : Interval{std::min(range.low, value), std::max(range.high, value)};
+    none = false;
+  }
+  return range;
+}
+
+bool anywhere_finite(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double h) { return std::isfinite(h); });
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,89 @@
+#include "host/scene/heights/read_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "host/scene/heights/read_points.hpp"
+#include "host/scene/heights/read_text.hpp"
+
+namespace sightline::scene {
+namespace {
+
+HeightError error_in(std::string_view source, std::string place, std::string found, std::string expected) {
+  return {std::string(source), std::move(place), std::move(found), std::move(expected), "", 0};
+}
+
+std::string count_of(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+std::variant<HeightGrid, HeightError> read_matrix(const HeightText& text, std::string_view source) {
+  const HeightLine& first = text.lines.front();
+  const std::size_t points = first.fields.size();
+  HeightGrid grid;
+  for (const HeightLine& line : text.lines) {
+    const std::size_t count = line.fields.size();
+    if (count == points) {
+      for (const HeightField& field : line.fields) grid.heights.push_back(field.value);
+      continue;
+    }
+    const std::size_t column = count > points ? line.fields[points].column : line.end;
+    return error_in(source, place_of(line.number, column), count_of(count, "field"),
+                    std::to_string(points) + " as in line " + std::to_string(first.number));
+  }
+  const std::size_t slices = text.lines.size();
+  if (slices < smallest_grid.slices || points < smallest_grid.points) {
+    return error_in(source, "", count_of(slices, "line") + " of " + count_of(points, "field"),
+                    "at least two of two");
+  }
+  grid.x = even_positions(points);
+  grid.z = even_positions(slices);
+  grid.domain_x = {0, static_cast<double>(points - 1)};
+  grid.domain_z = {0, static_cast<double>(slices - 1)};
+  return grid;
+}
+
+}  // namespace
+
+std::variant<HeightGrid, HeightError> read_height_grid(std::string_view text, std::string_view source) {
+  const auto lines = read_height_text(text, source);
+  if (const auto* error = std::get_if<HeightError>(&lines)) return *error;
+  const auto& height_text = std::get<HeightText>(lines);
+  auto result =
+      is_point_data(height_text) ? read_points(height_text, source) : read_matrix(height_text, source);
+  auto* grid = std::get_if<HeightGrid>(&result);
+  if (grid == nullptr) return result;
+  if (grid->slices() > largest_grid.slices || grid->points() > largest_grid.points) {
+    return error_in(
+        source, "",
+        std::to_string(grid->slices()) + " slices of " + std::to_string(grid->points()) + " points",
+        "at most 1024 of 1024");
+  }
+  if (!anywhere_finite(grid->heights))
+    return error_in(source, "", "a grid without any defined height", "at least one");
+  grid->range = finite_range(grid->heights);
+  return result;
+}
+
+std::variant<HeightGrid, HeightError> load_height_grid(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return error_in(file, "", "no such file", "");
+  if (!std::filesystem::is_regular_file(status))
+    return error_in(file, "", "something else, such as a directory", "a file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return error_in(file, "", error.message(), "a file that can be read");
+  if (size > largest_grid_file) return error_in(file, "", "a file of more than 64 MiB", "at most that");
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) return error_in(file, "", "a file that cannot be read", "");
+  return read_height_grid(text, file);
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,117 @@
+// See eye_place.hpp.
+#include "host/scene/model/eye_place.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/geometry/predicates.hpp"
+#include "host/scene/check/poly_scene_parts.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using geometry::Point2;
+using geometry::Vector3;
+
+// Twice the area of the outline, as a vector; partial sums wrap without harm.
+Vector3 normal_of(const PolyScene& scene, const std::vector<VertexIndex>& outline) {
+  std::array<std::uint64_t, 3> sum{};
+  const PolyPoint& about = scene.vertices[outline[0]];
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    const Vector3 part =
+        geometry::normal_of(about, scene.vertices[outline[i - 1]], scene.vertices[outline[i]]);
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += static_cast<std::uint64_t>(part[axis]);
+  }
+  return {static_cast<std::int64_t>(sum[0]), static_cast<std::int64_t>(sum[1]),
+          static_cast<std::int64_t>(sum[2])};
+}
+
+class FaceAndEye {
+ public:
+  FaceAndEye(const PolyScene& scene, const PolyFace& face, const PolyPoint& eye)
+      : scene_(scene), face_(face), eye_(eye), normal_(normal_of(scene, face.outline)) {
+    above_ = geometry::dot(normal_, geometry::difference(eye, scene.vertices[face.outline[0]]));
+  }
+
+  [[nodiscard]] bool contains() const {
+    if (above_ != 0) return false;
+    const std::size_t axis = geometry::dominant_axis(normal_);
+    if (locate(face_.outline, axis) < 0) return false;
+    for (const auto& hole : face_.holes)
+      if (locate(hole, axis) > 0) return false;
+    return true;
+  }
+
+  // Whether the ray along +x from the eye, moved aside, crosses the face, which does not contain the eye.
+  [[nodiscard]] bool stops_ray() const {
+    if (geometry::sign(above_) * geometry::sign(normal_[0]) >= 0) return false;
+    bool inside = surrounds(face_.outline);
+    for (const auto& hole : face_.holes) inside = inside != surrounds(hole);
+    return inside;
+  }
+
+ private:
+  [[nodiscard]] int locate(const std::vector<VertexIndex>& ring, std::size_t axis) const {
+    std::vector<Point2> flat;
+    flat.reserve(ring.size());
+    for (const VertexIndex v : ring) flat.push_back(geometry::flattened(scene_.vertices[v], axis));
+    return geometry::locate_in_ring(flat, geometry::flattened(eye_, axis));
+  }
+
+  // Seen along x: (y, z). The point is at z + e and y - e^2.
+  [[nodiscard]] bool surrounds(const std::vector<VertexIndex>& ring) const {
+    const Point2 p = geometry::flattened(eye_, 0);
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2 a = geometry::flattened(scene_.vertices[ring[i]], 0);
+      const Point2 b = geometry::flattened(scene_.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]], 0);
+      if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+      // On the line of the side the move decides: by z, or, along a side that is parallel to z, by y.
+      std::int64_t left = geometry::turn(a, b, p);
+      if (left == 0) left = std::int64_t{b[0]} - a[0];
+      if (left == 0) left = std::int64_t{b[1]} - a[1];
+      if ((left > 0) == (b[1] > a[1])) inside = !inside;
+    }
+    return inside;
+  }
+
+  const PolyScene& scene_;
+  const PolyFace& face_;
+  const PolyPoint& eye_;
+  Vector3 normal_;
+  std::int64_t above_ = 0;  // of the eye over the face's plane, times the normal's length
+};
+
+}  // namespace
+
+EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
+  EyePlace place;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const PolyBody& body = scene.bodies[b];
+    bool inside = false;
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      const FaceAndEye pair(scene, body.faces[f], eye);
+      if (pair.contains()) return {EyePlace::Kind::on_face, b, f};
+      inside = inside != pair.stops_ray();
+    }
+    if (inside && !body.sheet && place.kind == EyePlace::Kind::free) place = {EyePlace::Kind::inside, b, 0};
+  }
+  return place;
+}
+
+std::optional<SceneError> eye_error(const PolyScene& scene, const PolyCamera& camera) {
+  if (!camera.perspective) return std::nullopt;
+  const EyePlace place = eye_place(scene, camera.eye);
+  if (place.kind == EyePlace::Kind::free) return std::nullopt;
+  const std::string eye = "the eye " + std::to_string(camera.eye[0]) + "," + std::to_string(camera.eye[1]) +
+                          "," + std::to_string(camera.eye[2]) + " is ";
+  if (place.kind == EyePlace::Kind::inside)
+    return SceneError{"", body_place(scene, place.body),
+                      eye + "inside this solid, expected it in free space"};
+  return SceneError{"", face_place(scene, place.body, place.face),
+                    eye + "on this face, expected it in free space"};
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,141 @@
+// See obj.hpp.
+#include "host/scene/read/obj.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "host/scene/heights/number.hpp"
+#include "host/scene/read/poly_text.hpp"
+
+namespace sightline::scene {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, std::string_view source) : lines_(text, source) { mesh_.source = source; }
+
+  std::variant<PolyMesh, SceneError> run() {
+    while (!error_ && lines_.next()) read_statement();
+    if (error_) return *error_;
+    if (mesh_.vertices.empty()) return lines_.error("found no vertices, expected lines \"v x y z\"");
+    gather();
+    return std::move(mesh_);
+  }
+
+ private:
+  struct NamedFace {
+    std::size_t object = 0;  // into names_; 0: before the first
+    std::size_t group = 0;
+    PolyFace face;
+  };
+
+  void read_statement() {
+    const std::string_view word = lines_.fields()[0];
+    if (word == "v") {
+      read_vertex();
+    } else if (word == "f") {
+      read_face();
+    } else if (word == "o") {
+      object_ = name();
+      has_objects_ = true;
+    } else if (word == "g") {
+      group_ = name();
+    } else if (word == "l" || word == "p") {
+      error_ = lines_.unexpected(word, "faces only: what has no area can be drawn but cannot hide");
+    }
+  }
+
+  // The statement's name, words joined by blanks, as a number; what is not printable ASCII becomes "?".
+  std::size_t name() {
+    std::string text;
+    for (std::size_t i = 1; i < lines_.fields().size(); ++i)
+      text += (i > 1 ? " " : "") + std::string(lines_.fields()[i]);
+    constexpr std::size_t longest = 200;
+    if (text.size() > longest) text.resize(longest);
+    for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
+    return numbers_.try_emplace(text, numbers_.size() + 1).first->second;
+  }
+
+  void read_vertex() {
+    const auto& fields = lines_.fields();
+    if (fields.size() < 4) {
+      error_ = lines_.error("found " + std::to_string(fields.size() - 1) + " numbers, expected x, y and z");
+      return;
+    }
+    std::array<double, 3> point{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto number = finite_number(fields[a + 1]);
+      if (!number) {
+        error_ = lines_.unexpected(fields[a + 1], "a number");
+        return;
+      }
+      point[a] = *number;
+    }
+    mesh_.vertices.push_back(point);
+  }
+
+  void read_face() {
+    const auto& fields = lines_.fields();
+    if (fields.size() < 4) {
+      error_ = lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected 3 or more");
+      return;
+    }
+    NamedFace face{object_, group_, {}};
+    for (std::size_t i = 1; i < fields.size(); ++i) {
+      const auto vertex = vertex_of(fields[i]);
+      if (!vertex) {
+        error_ = lines_.unexpected(fields[i], "a vertex 1.." + std::to_string(mesh_.vertices.size()) +
+                                                  " or the same from behind, -" +
+                                                  std::to_string(mesh_.vertices.size()) + "..-1");
+        return;
+      }
+      face.face.outline.push_back(*vertex);
+    }
+    faces_.push_back(std::move(face));
+  }
+
+  [[nodiscard]] std::optional<VertexIndex> vertex_of(std::string_view corner) const {
+    const std::size_t slash = corner.find('/');
+    const auto number = integer_number(corner.substr(0, slash));
+    if (!number) return std::nullopt;
+    while (corner.find('/') != std::string_view::npos) {  // vt and vn are integers or left out
+      corner.remove_prefix(corner.find('/') + 1);
+      const std::string_view part = corner.substr(0, corner.find('/'));
+      if (!part.empty() && !integer_number(part)) return std::nullopt;
+    }
+    const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
+    if (*number < -count || *number > count || *number == 0) return std::nullopt;
+    return static_cast<VertexIndex>(*number > 0 ? *number - 1 : *number + count);
+  }
+
+  void gather() {
+    mesh_.grouped = !numbers_.empty();
+    std::map<std::size_t, std::size_t> bodies;  // by number of the name
+    std::vector<std::string> names(numbers_.size() + 1);
+    for (const auto& [text, number] : numbers_) names[number] = text;
+    for (NamedFace& face : faces_) {
+      const std::size_t key = has_objects_ ? face.object : face.group;
+      const auto [place, added] = bodies.try_emplace(key, mesh_.bodies.size());
+      if (added) mesh_.bodies.push_back({names[key], false, {}});
+      mesh_.bodies[place->second].faces.push_back(std::move(face.face));
+    }
+  }
+
+  PolyLines lines_;
+  PolyMesh mesh_;
+  std::map<std::string, std::size_t> numbers_;
+  std::vector<NamedFace> faces_;
+  std::size_t object_ = 0;
+  std::size_t group_ = 0;
+  bool has_objects_ = false;
+  std::optional<SceneError> error_;
+};
+
+}  // namespace
+
+std::variant<PolyMesh, SceneError> read_obj(std::string_view text, std::string_view source) {
+  return ObjReader(text, source).run();
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,19 @@
+// Reading polyhedra from Wavefront OBJ.
+//
+// `v x y z` is a vertex (a weight or colour behind it is passed over), `f` a face; its corners are v, v/vt,
+// v//vn or v/vt/vn, v counting from 1 or, if negative, back from the vertex read last. The objects (`o`) are
+// the bodies, or the groups (`g`) if there are no objects; a name that comes again continues its body. A file
+// without either is one body. Lines and points without area (`l`, `p`) are refused; all other statements are
+// passed over.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "host/scene/read/poly_import.hpp"
+
+namespace sightline::scene {
+
+[[nodiscard]] std::variant<PolyMesh, SceneError> read_obj(std::string_view text, std::string_view source);
+
+}  // namespace sightline::scene

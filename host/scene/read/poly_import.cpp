@@ -1,0 +1,255 @@
+// See poly_import.hpp.
+#include "host/scene/read/poly_import.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "host/geometry/predicates.hpp"
+#include "host/scene/read/poly_quantise.hpp"
+#include "host/scene/check/poly_shells.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using Ring = std::vector<VertexIndex>;
+using Triangles = std::vector<std::array<VertexIndex, 3>>;
+
+class Import {
+ public:
+  Import(PolyMesh mesh, const PolyImportOptions& options) : mesh_(std::move(mesh)), options_(options) {}
+
+  std::variant<PolyImport, SceneError> run() {
+    quantise();
+    scene().name = std::move(mesh_.name);
+    scene().bodies = std::move(mesh_.bodies);
+    if (report().quantised || options_.mend) {
+      merge_vertices();
+      const std::vector<bool> used = used_vertices();
+      drop_faces();
+      drop_unused(used);
+    }
+    if (report().quantised && !split_faces()) return *error_;
+    if (!mesh_.grouped) separate();
+    for (PolyBody& body : scene().bodies) close(body);
+    scene().camera = default_poly_camera(scene());
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] PolyScene& scene() { return result_.scene; }
+  [[nodiscard]] PolyImportReport& report() { return result_.report; }
+
+  void quantise() {
+    const Quantisation q = quantisation_of(mesh_.vertices);
+    scene().step = report().step = q.step;
+    scene().origin = q.origin;
+    report().quantised = !q.as_it_is;
+    scene().vertices.reserve(mesh_.vertices.size());
+    for (const auto& vertex : mesh_.vertices) {
+      PolyPoint p{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        p[a] = quantised(vertex[a], q, a);
+        report().largest_shift = std::max(report().largest_shift,
+                                          std::abs(q.value_of(std::int64_t{p[a]} + q.origin[a]) - vertex[a]));
+      }
+      scene().vertices.push_back(p);
+    }
+  }
+
+  // Mending makes one of all equal vertices, quantising only of those that were different before.
+  void merge_vertices() {
+    const auto& points = scene().vertices;
+    std::vector<VertexIndex> order(points.size());
+    std::iota(order.begin(), order.end(), VertexIndex{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](VertexIndex a, VertexIndex b) { return points[a] < points[b]; });
+    std::vector<VertexIndex> target(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const VertexIndex v = order[i];
+      target[v] = v;
+      if (i == 0) continue;
+      const VertexIndex first = target[order[i - 1]];
+      if (points[first] != points[v]) continue;
+      if (options_.mend || mesh_.vertices[first] != mesh_.vertices[v]) target[v] = first;
+    }
+    std::vector<bool> keep(points.size());
+    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = target[v] == v;
+    report().merged_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
+    if (report().merged_vertices > 0) renumber(keep, target);
+  }
+
+  // Leaves out vertices; `target` says what stands in for each of them.
+  void renumber(const std::vector<bool>& keep, const std::vector<VertexIndex>& target) {
+    std::vector<VertexIndex> number(keep.size());
+    VertexIndex count = 0;
+    for (std::size_t v = 0; v < keep.size(); ++v) {
+      number[v] = count;
+      if (!keep[v]) continue;
+      scene().vertices[count++] = scene().vertices[v];
+    }
+    scene().vertices.resize(count);
+    const auto apply = [&](Ring& ring) {
+      for (VertexIndex& v : ring) v = number[target[v]];
+    };
+    for (PolyBody& body : scene().bodies) {
+      for (PolyFace& face : body.faces) {
+        apply(face.outline);
+        for (Ring& hole : face.holes) apply(hole);
+      }
+    }
+  }
+
+  // Rings lose vertices that follow themselves, bodies faces that lost their area.
+  void drop_faces() {
+    for (PolyBody& body : scene().bodies) {
+      for (PolyFace& face : body.faces) {
+        Ring& ring = face.outline;
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+      }
+      const auto flat = [&](const PolyFace& face) {
+        return face.outline.size() < 3 || geometry::is_zero(ring_normal(scene().vertices, face.outline));
+      };
+      const auto end = std::remove_if(body.faces.begin(), body.faces.end(), flat);
+      report().dropped_faces += static_cast<std::size_t>(body.faces.end() - end);
+      body.faces.erase(end, body.faces.end());
+    }
+    auto& bodies = scene().bodies;
+    bodies.erase(
+        std::remove_if(bodies.begin(), bodies.end(), [](const PolyBody& b) { return b.faces.empty(); }),
+        bodies.end());
+  }
+
+  // The largest distance of a vertex from the plane through the first one with the ring's mean direction, in
+  // steps.
+  [[nodiscard]] double deviation(const Ring& ring) {
+    const auto normal = ring_normal(scene().vertices, ring);
+    geometry::Int128 most = 0;
+    for (const VertexIndex v : ring) {
+      const auto height =
+          geometry::wide_dot(normal, geometry::difference(scene().vertices[v], scene().vertices[ring[0]]));
+      most = std::max(most, height < 0 ? -height : height);
+    }
+    double length = 0;
+    for (const std::int64_t c : normal) length += static_cast<double>(c) * static_cast<double>(c);
+    return static_cast<double>(most) / std::sqrt(length);
+  }
+
+  bool split_faces() {
+    for (std::size_t b = 0; b < scene().bodies.size(); ++b) {
+      std::vector<PolyFace> faces;
+      for (std::size_t f = 0; f < scene().bodies[b].faces.size(); ++f) {
+        PolyFace& face = scene().bodies[b].faces[f];
+        const double height = face.outline.size() > 3 ? deviation(face.outline) : 0.0;
+        if (height == 0.0) {
+          faces.push_back(std::move(face));
+          continue;
+        }
+        const auto triangles = triangulate(scene().vertices, face);
+        if (!triangles) {
+          error_ = SceneError{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f),
+                              "is not planar and cannot be split into triangles along its vertices"};
+          return false;
+        }
+        ++report().split_faces;
+        report().largest_deviation = std::max(report().largest_deviation, height * report().step);
+        for (const auto& t : *triangles) faces.push_back({{t[0], t[1], t[2]}, {}});
+      }
+      scene().bodies[b].faces = std::move(faces);
+    }
+    return true;
+  }
+
+  // Parts that hang together by edges become bodies of their own, cavities those of the body around them.
+  void separate() {
+    std::vector<PolyBody> parts;
+    for (PolyBody& body : scene().bodies) {
+      const auto part_of = connected_faces(body, face_edges(body));
+      const std::size_t first = parts.size();
+      for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        if (first + part_of[f] == parts.size()) parts.emplace_back().name = body.name;
+        parts[first + part_of[f]].faces.push_back(std::move(body.faces[f]));
+      }
+    }
+    scene().bodies = std::move(parts);
+    join_cavities(scene().vertices, scene().bodies);
+  }
+
+  void close(PolyBody& body) {
+    body.sheet = body.faces.empty() || !is_closed(face_edges(body));
+    report().sheets += body.sheet ? 1U : 0U;
+    if (!options_.mend || body.sheet || enclosed_volume(scene().vertices, body) >= 0) return;
+    ++report().turned_bodies;
+    for (PolyFace& face : body.faces) {
+      std::reverse(face.outline.begin(), face.outline.end());
+      for (Ring& hole : face.holes) std::reverse(hole.begin(), hole.end());
+    }
+  }
+
+  [[nodiscard]] std::vector<bool> used_vertices() {
+    std::vector<bool> used(scene().vertices.size(), false);
+    for (const PolyBody& body : scene().bodies) {
+      for (const PolyFace& face : body.faces) {
+        for (const VertexIndex v : face.outline) used[v] = true;
+        for (const Ring& hole : face.holes)
+          for (const VertexIndex v : hole) used[v] = true;
+      }
+    }
+    return used;
+  }
+
+  // Those that were used before the faces around them were left out; mending, all.
+  void drop_unused(const std::vector<bool>& used_before) {
+    std::vector<bool> keep = used_vertices();
+    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = keep[v] || (!options_.mend && !used_before[v]);
+    std::vector<VertexIndex> target(keep.size());
+    std::iota(target.begin(), target.end(), VertexIndex{0});
+    report().dropped_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
+    if (report().dropped_vertices > 0) renumber(keep, target);
+  }
+
+  PolyMesh mesh_;
+  PolyImportOptions options_;
+  PolyImport result_;
+  std::optional<SceneError> error_;
+};
+
+}  // namespace
+
+std::variant<PolyImport, SceneError> import_poly(PolyMesh mesh, const PolyImportOptions& options) {
+  return Import(std::move(mesh), options).run();
+}
+
+PolyCamera default_poly_camera(const PolyScene& scene) {
+  PolyCamera camera{true, {}, {-12, -9, -20}, {5, 0, -3}, {-27, 136, -45}};
+  if (scene.vertices.empty()) return camera;
+  PolyPoint low = scene.vertices[0];
+  PolyPoint high = low;
+  for (const PolyPoint& p : scene.vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  }
+  std::int64_t half = 1;
+  for (std::size_t a = 0; a < 3; ++a) half = std::max(half, (std::int64_t{high[a]} - low[a] + 1) / 2);
+  // |forward| is 25: the eye is 25/8 of the half side away, the corners of the scene less than 14/8.
+  std::array<std::int64_t, 3> eye{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t centre = (std::int64_t{low[a]} + high[a]) / 2;
+    camera.eye[a] = static_cast<std::int32_t>(centre);
+    eye[a] = centre - (camera.forward[a] * half - 7) / 8;
+  }
+  camera.perspective = std::all_of(eye.begin(), eye.end(), [](std::int64_t c) {
+    return -poly_coordinate_limit < c && c < poly_coordinate_limit;
+  });
+  if (camera.perspective)
+    for (std::size_t a = 0; a < 3; ++a) camera.eye[a] = static_cast<std::int32_t>(eye[a]);
+  return camera;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,68 @@
+// From the polyhedra of a file, whose coordinates may have fractions, to a PolyScene: quantised once, or not
+// at all.
+//
+// A file whose coordinates are integers below poly_coordinate_limit is taken as it is: step 1, nothing
+// changed. All others are rounded once to a step. If every coordinate is a multiple of 0.1, 0.01 .. 0.000001
+// and so small that the multiples keep below 2^16, that is the step and nothing is lost; else it is the
+// smallest power of two with which they keep below 2^16 (a quarter of the limit, so that there is room for an
+// eye outside). A scene farther from the origin than four times its size is moved there first
+// (PolyScene::origin). Of a quantised file, vertices that were different and fell together become one; faces
+// that lost their area are left out; faces of four and more vertices that are no longer planar are split into
+// triangles along their own vertices. Triangles are always planar. All of it is counted. Damage that was in
+// the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to name,
+// unless mending is asked for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+// What a file says, before anything is done to it.
+struct PolyMesh {
+  std::string source;  // named in errors
+  std::string name;
+  std::vector<std::array<double, 3>> vertices;  // finite
+  std::vector<PolyBody> bodies;                 // sheet is not used; every index is below vertices.size()
+  bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies (join_cavities)
+};
+
+struct PolyImportOptions {
+  // Make one of equal vertices, leave out unused ones, faces without area and bodies without faces; turn
+  // bodies that are closed but inside out.
+  bool mend = false;
+};
+
+struct PolyImportReport {
+  bool quantised = false;
+  double step = 1;
+  double largest_shift = 0;  // how far a coordinate was moved by rounding, in the file's unit
+  std::size_t merged_vertices = 0;
+  std::size_t dropped_vertices = 0;  // unused
+  std::size_t dropped_faces = 0;     // without area
+  std::size_t split_faces = 0;       // no longer planar
+  double largest_deviation = 0;      // of a vertex of those from their plane, in the file's unit
+  std::size_t turned_bodies = 0;
+  std::size_t sheets = 0;  // bodies that are not closed
+};
+
+struct PolyImport {
+  PolyScene scene;  // looked at by default_poly_camera
+  PolyImportReport report;
+};
+
+// An error for a file whose faces cannot be split, naming body and face. The scene is not checked.
+[[nodiscard]] std::variant<PolyImport, SceneError> import_poly(PolyMesh mesh,
+                                                               const PolyImportOptions& options = {});
+
+// From above, right and in front (y is up), outside of the scene; orthographic if no such point keeps below
+// poly_coordinate_limit.
+[[nodiscard]] PolyCamera default_poly_camera(const PolyScene& scene);
+
+}  // namespace sightline::scene

@@ -1,0 +1,32 @@
+// The step to which a file's coordinates are rounded: rules in poly_import.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+struct Quantisation {
+  bool as_it_is = false;  // integers below the limit: step 1, no origin
+  double step = 1;        // a power of two, or of ten below 1
+  PolyPoint origin{};     // in steps
+
+  // n steps in the file's unit, the nearest double.
+  [[nodiscard]] double value_of(std::int64_t n) const;
+};
+
+// The values are finite.
+[[nodiscard]] Quantisation quantisation_of(const std::vector<std::array<double, 3>>& vertices);
+
+// The nearest multiple of the step (halves away from 0), less the origin; below poly_coordinate_limit for
+// every value that quantisation_of has seen.
+[[nodiscard]] std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis);
+
+// The step of a scene applied to one coordinate of a vertex: what a writer writes.
+[[nodiscard]] double file_coordinate(const PolyScene& scene, const PolyPoint& p, std::size_t axis);
+
+}  // namespace sightline::scene

@@ -1,0 +1,53 @@
+// The lines of a text file as fields, and the numbers in them: what the readers of OFF and OBJ have in
+// common.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/model/cell_scene.hpp"
+
+namespace sightline::scene {
+
+// Line by line: comments from # to the end of the line and empty lines are passed over, a backslash at the
+// end of a line joins the next one to it. Lines end with LF or CRLF.
+class PolyLines {
+ public:
+  PolyLines(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+
+  // The next line with a field in it; false at the end of the file.
+  [[nodiscard]] bool next();
+  [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
+  // Error at the line last read, or at the end of the file when next() was false.
+  [[nodiscard]] SceneError error(const std::string& cause) const;
+  // "found X, expected WHAT"
+  [[nodiscard]] SceneError unexpected(std::string_view found, const std::string& expected) const;
+
+ private:
+  // Adds the fields of one line; true if the next line continues it.
+  bool split(std::string_view line);
+
+  std::string_view text_;
+  std::string source_;
+  std::vector<std::string_view> fields_;
+  std::size_t next_number_ = 1;
+  std::size_t number_ = 0;  // 0: before the first line or behind the last
+};
+
+// A whole field as an integer.
+[[nodiscard]] inline std::optional<std::int64_t> integer_number(std::string_view field) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size()) return std::nullopt;
+  return value;
+}
+
+// At most 40 characters of what a file says, without those that are not printable ASCII.
+[[nodiscard]] std::string quoted_excerpt(std::string_view text);
+
+}  // namespace sightline::scene

@@ -1,0 +1,157 @@
+// See poly_triangulate.hpp.
+#include "host/scene/read/poly_triangulate.hpp"
+
+#include <algorithm>
+
+#include "host/geometry/predicates.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using geometry::Point2;
+
+struct EarCorner {
+  VertexIndex vertex = 0;
+  Point2 at{};
+};
+using Corners = std::vector<EarCorner>;
+
+const EarCorner& after(const Corners& ring, std::size_t i) {
+  return ring[i + 1 == ring.size() ? 0 : i + 1];
+}
+
+// p is in the closed triangle a, b, c, which turns counterclockwise.
+bool in_triangle(const Point2& a, const Point2& b, const Point2& c, const Point2& p) {
+  return geometry::turn(a, b, p) >= 0 && geometry::turn(b, c, p) >= 0 && geometry::turn(c, a, p) >= 0;
+}
+
+bool is_ear(const Corners& ring, std::size_t i) {
+  const EarCorner& a = ring[i == 0 ? ring.size() - 1 : i - 1];
+  const EarCorner& b = ring[i];
+  const EarCorner& c = after(ring, i);
+  if (geometry::turn(a.at, b.at, c.at) <= 0) return false;
+  return std::none_of(ring.begin(), ring.end(), [&](const EarCorner& other) {
+    return other.at != a.at && other.at != b.at && other.at != c.at &&
+           in_triangle(a.at, b.at, c.at, other.at);
+  });
+}
+
+// The open bridge p, q meets the ring's edge a, b elsewhere than in its own ends.
+bool obstructs(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
+  const bool joined = a == p || a == q || b == p || b == q;
+  if (!joined) return geometry::segments_meet(p, q, a, b);
+  const Point2& free = a == p || a == q ? b : a;
+  if (free == p || free == q) return true;  // along a side
+  const Point2& common = &free == &b ? a : b;
+  const Point2& far = common == p ? q : p;
+  return geometry::on_segment(p, q, free) || geometry::on_segment(a, b, far);
+}
+
+// The bridge leaves corner i of a counterclockwise ring into its inside.
+bool leaves_inwards(const Corners& ring, std::size_t i, const Point2& to) {
+  const Point2& before = ring[i == 0 ? ring.size() - 1 : i - 1].at;
+  const Point2& here = ring[i].at;
+  const Point2& next = after(ring, i).at;
+  const bool left_of_next = geometry::turn(here, next, to) > 0;
+  const bool left_of_before = geometry::turn(before, here, to) > 0;
+  return geometry::turn(before, here, next) > 0 ? left_of_next && left_of_before
+                                                : left_of_next || left_of_before;
+}
+
+// Joins the hole, one of `holes`, to the ring by a bridge passed twice. False if there is none.
+bool join(Corners& ring, const Corners& hole, const std::vector<Corners>& holes) {
+  const std::size_t start = static_cast<std::size_t>(
+      std::max_element(hole.begin(), hole.end(),
+                       [](const EarCorner& a, const EarCorner& b) { return a.at < b.at; }) -
+      hole.begin());
+  const Point2& from = hole[start].at;
+  const auto blocked_by = [&](const Corners& edges, const Point2& to) {
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (obstructs(from, to, edges[e].at, after(edges, e).at)) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2 to = ring[i].at;
+    if (!leaves_inwards(ring, i, from) || blocked_by(ring, to)) continue;
+    if (std::any_of(holes.begin(), holes.end(), [&](const Corners& o) { return blocked_by(o, to); }))
+      continue;
+    Corners bridge;
+    for (std::size_t k = 0; k <= hole.size(); ++k) bridge.push_back(hole[(start + k) % hole.size()]);
+    bridge.push_back(ring[i]);
+    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, bridge.begin(), bridge.end());
+    return true;
+  }
+  return false;
+}
+
+Corners corners_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring,
+                   std::size_t axis, bool turned) {
+  Corners corners;
+  for (const VertexIndex v : ring) corners.push_back({v, geometry::flattened(vertices[v], axis)});
+  if (turned) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+std::optional<std::vector<std::array<VertexIndex, 3>>> clip_ears(Corners ring) {
+  std::vector<std::array<VertexIndex, 3>> triangles;
+  std::size_t at = 0;
+  std::size_t tried = 0;
+  while (ring.size() >= 3) {
+    if (tried == ring.size()) return std::nullopt;
+    if (at >= ring.size()) at = 0;
+    if (!is_ear(ring, at)) {
+      ++at;
+      ++tried;
+      continue;
+    }
+    const EarCorner& before = ring[at == 0 ? ring.size() - 1 : at - 1];
+    triangles.push_back({before.vertex, ring[at].vertex, after(ring, at).vertex});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
+    tried = 0;
+    if (ring.size() == 2) break;
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
+                                        const std::vector<VertexIndex>& ring) {
+  geometry::Vector3 sum{};
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
+    for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];
+  }
+  return sum;
+}
+
+std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices,
+                                                                   const PolyFace& face) {
+  std::size_t count = face.outline.size();
+  for (const auto& hole : face.holes) count += hole.size();
+  const std::size_t most = face.holes.empty() ? most_split_vertices : most_split_vertices_with_holes;
+  if (count > most || face.outline.size() < 3) return std::nullopt;
+  const auto normal = ring_normal(vertices, face.outline);
+  const std::size_t axis = geometry::dominant_axis(normal);
+  if (normal[axis] == 0) return std::nullopt;
+  const bool turned = normal[axis] < 0;
+  Corners ring = corners_of(vertices, face.outline, axis, turned);
+  std::vector<Corners> holes;
+  for (const auto& hole : face.holes) {
+    if (hole.size() < 3) return std::nullopt;
+    holes.push_back(corners_of(vertices, hole, axis, turned));
+  }
+  // A hole may have to wait until the one that hides the outline from it is joined.
+  while (!holes.empty()) {
+    const auto joined = std::find_if(holes.begin(), holes.end(),
+                                     [&](const Corners& hole) { return join(ring, hole, holes); });
+    if (joined == holes.end()) return std::nullopt;
+    holes.erase(joined);
+  }
+  auto triangles = clip_ears(std::move(ring));
+  if (triangles && turned)
+    for (auto& triangle : *triangles) std::swap(triangle[1], triangle[2]);
+  return triangles;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,66 @@
+// Willis's method on the display it was made for: point for point what is resolved natively; and the table
+// through which the command draws.
+#include "host/algorithms/registry/willis_display.hpp"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+#include "host/algorithms/willis/frame.hpp"
+#include "host/algorithms/registry/faces.hpp"
+#include "host/scene/generate/scene.hpp"
+
+namespace sightline::harness {
+namespace {
+
+namespace willis = algorithms::willis;
+
+TEST(WillisDisplay, ShowsWhatIsResolvedNatively) {
+  WillisDisplay display;
+  for (const scene::PolyScene& scene :
+       {scene::generate_boxes(8), scene::generate_touch(3), scene::generate_rooms(2), scene::generate_town(9)}) {
+    const auto made = willis::make_model(scene);
+    const auto& model = std::get<willis::Model>(made);
+    willis::Frames frames(model);
+    willis::FrameSpans spans;
+    const willis::ImageWindow window = willis::window_around(scene, scene.camera, 512, 512);
+    willis::make_spans(model, frames.order(scene.camera), scene.camera, window, spans);
+    ASSERT_TRUE(fits_display(spans, window));
+    EXPECT_EQ(displayed(spans, display), willis::resolved(spans, window)) << scene.name;
+  }
+  EXPECT_EQ(display.device.counts().exchanges, 4U);
+  EXPECT_EQ(display.device.counts().writes_lost, 0U);
+  EXPECT_EQ(display.device.counts().writes_off_screen, 0U);
+  EXPECT_EQ(display.device.counts().writes_no_room, 0U);
+}
+
+TEST(FaceAlgorithms, WillisDrawsAndNamesWhatItCouldNotSeparate) {
+  const FaceAlgorithm* const algorithm = find_face_algorithm("willis");
+  ASSERT_NE(algorithm, nullptr);
+  EXPECT_EQ(find_face_algorithm("nobody"), nullptr);
+  const scene::PolyScene scene = scene::generate_boxes(4);
+  const FaceWindow window = face_window(scene, scene.camera, 100, 80, std::nullopt);
+  for (const int depth : {0, 30}) {
+    FaceOptions options;
+    options.depth = depth;
+    auto made = algorithm->prepare(scene, options);
+    ASSERT_TRUE(std::holds_alternative<PreparedFaces>(made));
+    const auto& prepared = std::get<PreparedFaces>(made);
+    EXPECT_EQ(prepared.not_solved.empty(), depth == 30);
+    const auto view = prepared.view(scene.camera, window);
+    ASSERT_TRUE(std::holds_alternative<FaceView>(view));
+    const auto& faces = std::get<FaceView>(view).faces;
+    EXPECT_EQ(faces.width, 100);
+    EXPECT_EQ(faces.height, 80);
+    EXPECT_NE(faces, picture::PixelGrid(100, 80));
+  }
+  FaceOptions plan;
+  plan.plan = true;
+  auto made = algorithm->prepare(scene, plan);
+  ASSERT_TRUE(std::holds_alternative<PreparedFaces>(made));
+  // From above the roofs.
+  EXPECT_TRUE(std::holds_alternative<scene::SceneError>(std::get<PreparedFaces>(made).view(scene.camera, window)));
+}
+
+}  // namespace
+}  // namespace sightline::harness

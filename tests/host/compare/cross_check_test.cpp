@@ -1,0 +1,166 @@
+// All algorithms against each other on the common scenes of polyhedra, and that the comparison notices what it
+// is there to notice.
+#include "host/compare/cross_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "host/compare/cross_check_faces.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "tests/host/compare/cross_check_suite.hpp"
+
+namespace sightline::harness {
+namespace {
+
+constexpr std::size_t polyhedra = 9;  // C1 to C9
+
+TEST_P(AgreementOn, Polyhedra) {
+  expect_agreement(std::get<0>(GetParam()), std::get<1>(GetParam()));
+}
+INSTANTIATE_TEST_SUITE_P(Agreement, AgreementOn,
+                         testing::Combine(testing::Range(std::size_t{0}, polyhedra),
+                                          testing::Range(std::size_t{0}, pair_count())),
+                         agreement_name);
+
+TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
+  for (const std::string_view name : common_scene_names()) {
+    const CommonScene scene = common_scene(name);
+    EXPECT_EQ(scene.name, name);
+    EXPECT_TRUE(check_poly_scene(scene.scene).empty()) << name;
+    for (const AgreementView& view : scene.views) {
+      EXPECT_FALSE(eye_error(scene.scene, view.camera)) << name;
+      for (const scene::PolyPoint& p : scene.scene.vertices) {
+        if (view.camera.perspective) continue;
+        const auto ahead = geometry::dot(geometry::vector_of(view.camera.forward),
+                                         geometry::difference(p, view.camera.eye));
+        EXPECT_GT(ahead, 0) << name;
+      }
+    }
+  }
+}
+
+// The sight line of a pixel goes through its middle, and the window says the same.
+TEST(CommonScenes, SightLinesArePixels) {
+  for (const std::string_view name : {"C1", "C5", "C9"}) {
+    for (const AgreementView& view : common_scene(name).views) {
+      for (const auto& [column, row] : {std::pair{0, 0}, {17, 200}, {255, 255}, {128, 3}}) {
+        const auto [from, along] = view.sight(column, row);
+        scene::PolyPoint p = from;
+        for (std::size_t a = 0; a < 3; ++a) p[a] += static_cast<std::int32_t>(along[a]);
+        const picture::PixelPoint place = view.place(p);
+        EXPECT_NEAR(place.x, column, 1e-6);
+        EXPECT_NEAR(place.y, row, 1e-6);
+      }
+    }
+  }
+}
+
+// How many cells run is written down, so that none is lost by a change of the lists: 15 pairs of the six that
+// draw polyhedra, 10 where Plantinga, Seales and Dyer cannot, 15 on heights without Willis.
+TEST(CommonScenes, ListedCells) {
+  std::size_t cells = 0;
+  for (const std::string_view name : common_scene_names()) cells += listed_cells(common_scene(name));
+  EXPECT_EQ(common_scene_names().size(), 11U);
+  EXPECT_EQ(participants().size(), 7U);
+  EXPECT_EQ(cells, 8U * 15 + 10 + 2 * 15);
+}
+
+TEST(CommonScenes, EveryAlgorithmTakesPart) {
+  const auto takes_part = [](std::string_view name, bool Participant::* what) {
+    return std::any_of(participants().begin(), participants().end(),
+                       [&](const Participant& who) { return who.name == name && who.*what; });
+  };
+  for (const LineAlgorithm& algorithm : line_algorithms())
+    EXPECT_TRUE(takes_part(algorithm.name, &Participant::lines)) << algorithm.name;
+  for (const FaceAlgorithm& algorithm : face_algorithms())
+    EXPECT_TRUE(takes_part(algorithm.name, &Participant::faces)) << algorithm.name;
+}
+
+std::vector<LineAlgorithm> tables_with(std::string_view name, void (*change)(LineAlgorithm&)) {
+  std::vector<LineAlgorithm> lines(line_algorithms().begin(), line_algorithms().end());
+  for (LineAlgorithm& algorithm : lines)
+    if (algorithm.name == name) change(algorithm);
+  return lines;
+}
+
+// Exactly the cells of `name` that are listed to run are in that state.
+void expect_only(const SceneAgreement& agreement, std::string_view name, AgreementState state) {
+  EXPECT_FALSE(agreement.agrees());
+  for (const AgreementCell& cell : agreement.cells) {
+    if (cell.state == AgreementState::not_applicable) continue;
+    const bool concerned = cell.first == name || cell.second == name;
+    EXPECT_EQ(cell.state, concerned ? state : AgreementState::agrees)
+        << cell.first << " and " << cell.second << ": " << cell.text;
+  }
+}
+
+TEST(AgreementFails, WhenAnAlgorithmIsMissing) {
+  const auto lines = tables_with("plantinga", [](LineAlgorithm& a) { a.name = "other"; });
+  expect_only(agreement_on(common_scene("C5"), {lines, face_algorithms()}), "plantinga",
+              AgreementState::not_run);
+  std::vector<FaceAlgorithm> faces(face_algorithms().begin(), face_algorithms().end());
+  std::erase_if(faces, [](const FaceAlgorithm& a) { return a.name == "willis"; });
+  expect_only(agreement_on(common_scene("C5"), {line_algorithms(), faces}), "willis", AgreementState::not_run);
+}
+
+TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
+  const auto lines = tables_with("jones", [](LineAlgorithm& a) {
+    a.why_not = [](const scene::PolyScene&) { return std::optional<std::string>("not today"); };
+  });
+  const auto agreement = agreement_on(common_scene("C5"), {lines, face_algorithms()});
+  expect_only(agreement, "jones", AgreementState::not_run);
+  EXPECT_EQ(agreement.cells[1].text, "view 1: jones: not today");
+}
+
+// One end of one piece of the second view moved by a little, for each kind of comparison.
+TEST(AgreementFails, WhenAPieceIsShorter) {
+  const auto lines = tables_with("montani-re", [](LineAlgorithm& a) {
+    a.prepare = [](const scene::PolyScene& scene) -> std::variant<PreparedScene, scene::SceneError> {
+      auto made = find_line_algorithm("exact")->prepare(scene);
+      auto& prepared = std::get<PreparedScene>(made);
+      prepared.view = [whole = prepared.view](const scene::PolyCamera& camera) {
+        auto seen = whole(camera);
+        picture::LinePiece& piece = std::get<LineView>(seen).picture.pieces[7];
+        if (camera.forward[0] == 3) piece.low = mediant(piece.low, piece.high);
+        return seen;
+      };
+      return made;
+    };
+  });
+  const CommonScene scene = common_scene("C5");
+  const auto agreement = agreement_on(scene, {lines, face_algorithms()});
+  EXPECT_FALSE(agreement.agrees());
+  const AgreementCell& cell = agreement.cells[3];
+  EXPECT_EQ(cell.second, "montani-re");
+  EXPECT_EQ(cell.state, AgreementState::differs);
+  const picture::LinePiece& piece = agreement.pictures[0][1].lines->pieces[7];
+  const std::string edge = "edge " + std::to_string(piece.edge.from) + "-" + std::to_string(piece.edge.to) + ":";
+  EXPECT_TRUE(cell.text.starts_with("view 2: " + edge)) << cell.text;
+}
+
+// A face that is shown where another one is, in nine pixels.
+TEST(AgreementFails, WhenAFaceIsAnother) {
+  std::vector<FaceAlgorithm> faces(face_algorithms().begin(), face_algorithms().end());
+  for (FaceAlgorithm& algorithm : faces) {
+    if (algorithm.name != "willis") continue;
+    algorithm.prepare = [](const scene::PolyScene& scene, const FaceOptions& options) {
+      auto made = find_face_algorithm("willis")->prepare(scene, options);
+      auto& prepared = std::get<PreparedFaces>(made);
+      prepared.view = [view = prepared.view](const scene::PolyCamera& camera, const FaceWindow& window) {
+        auto seen = view(camera, window);
+        picture::PixelGrid& grid = std::get<FaceView>(seen).faces;
+        for (int row = 100; row < 103; ++row)
+          for (int column = 60; column < 63; ++column) grid.set(column, row, 99);
+        return seen;
+      };
+      return made;
+    };
+  }
+  const auto agreement = agreement_on(common_scene("C8"), {line_algorithms(), faces});
+  expect_only(agreement, "willis", AgreementState::differs);
+}
+
+}  // namespace
+}  // namespace sightline::harness

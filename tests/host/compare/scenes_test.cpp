@@ -1,0 +1,302 @@
+// Comparisons: what the metrics are given is what the oracles and programs drew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/oracle/drawn_error.hpp"
+#include "host/algorithms/oracle/matter.hpp"
+#include "host/compare/heights.hpp"
+#include "host/compare/projection.hpp"
+#include "host/compare/scenes.hpp"
+#include "host/picture/line_metrics_parts.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/heights/function.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "tests/host/scene/scene_support.hpp"
+
+namespace sightline::harness {
+namespace {
+
+namespace oracle = algorithms::oracle;
+using picture::LineMetrics;
+
+TEST(SeenEdge, IsCutToTheFrameAndProjected) {
+  const scene::PolyCamera camera;  // at the origin, along z
+  ScreenFrame frame;               // 512 pixels at 45 degrees, 0..1023 around 512
+  // Half of it is behind the near plane: z runs from -9 to 11, and is 1 at s = 0.5.
+  const SeenEdge near({0, 0, -9}, {0, 5, 11}, camera);
+  ASSERT_TRUE(near.part_in(frame));
+  // y = 5 s, z = 20 s - 9; 512 y = 511 z at s = 4599 / 7660.
+  EXPECT_NEAR(near.part_in(frame)->low, 4599.0 / 7660, 1e-12);
+  EXPECT_NEAR(near.part_in(frame)->high, 1, 0);
+  EXPECT_NEAR(near.pixel_at(1, frame).x, 512, 1e-12);
+  EXPECT_NEAR(near.pixel_at(1, frame).y, 512 + 512 * 5.0 / 11, 1e-9);
+  EXPECT_FALSE(SeenEdge({0, 0, -9}, {3, 3, -1}, camera).part_in(frame)) << "behind the eye";
+  EXPECT_FALSE(SeenEdge({30, 0, 10}, {30, 5, 20}, camera).part_in(frame)) << "to the right of it";
+  // A camera along x with vectors of length 2 sees y to the ... left: right = (0, 0, -2).
+  const scene::PolyCamera along_x{true, {1, 0, 0}, {2, 0, 0}, {0, 0, -2}, {0, 2, 0}};
+  const SeenEdge side({11, 0, 0}, {11, 4, -5}, along_x);
+  EXPECT_NEAR(side.pixel_at(1, frame).x, 512 + 512 * 0.5, 1e-9);
+  EXPECT_NEAR(side.pixel_at(1, frame).y, 512 + 512 * 0.4, 1e-9);
+}
+
+void expect_nothing(const LineMetrics& m) {
+  EXPECT_NEAR(m.missing, 0, 1e-6);
+  EXPECT_NEAR(m.extra, 0, 1e-6);
+  EXPECT_NEAR(m.hausdorff.greatest, 0, 1e-6);
+  EXPECT_EQ(m.wrong_visibility.wrong, 0U);
+  EXPECT_EQ(m.pieces_different, 0U);
+}
+
+TEST(ExactPictures, AreNothingApartFromThemselves) {
+  for (const bool perspective : {true, false}) {
+    scene::PolyScene scene = scene::generate_boxes(20, 5);
+    scene.camera.perspective = perspective;
+    const auto picture = algorithms::exact::visible_edges(scene, scene.camera);
+    const ScreenFrame frame = fitted_frame(picture, scene, scene.camera);
+    const auto truth = reference_lines(picture, scene, scene.camera, frame);
+    const LineMetrics m = line_metrics(truth, drawn_pieces(picture, scene, scene.camera, frame));
+    expect_nothing(m);
+    EXPECT_GT(m.true_length, 2000);
+    double low = 1e9;
+    double high = -1e9;
+    for (const auto& line : truth) {
+      for (const auto& part : line.visible) {
+        for (const double place : {part.low, part.high}) {
+          const auto p = picture::point_at(line.image, place);
+          low = std::min({low, p.x, p.y});
+          high = std::max({high, p.x, p.y});
+        }
+      }
+    }
+    EXPECT_NEAR(low, 24, 1e-6) << "the picture fills its frame in one direction";
+    EXPECT_NEAR(high, 999, 1e-6);
+    // Without its first piece, that piece is missing.
+    picture::LinePicture less = picture;
+    less.pieces.erase(less.pieces.begin());
+    const LineMetrics lost = line_metrics(truth, drawn_pieces(less, scene, scene.camera, frame));
+    EXPECT_EQ(lost.pieces_different, 1U);
+    EXPECT_GT(lost.missing, 0);
+    EXPECT_NEAR(lost.extra, 0, 1e-6);
+  }
+}
+
+// The truth of a cell scene, once by the comparison's lines and once by the oracle's own segments.
+TEST(CellReferences, HaveTheLengthTheOracleSees) {
+  for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
+    SCOPED_TRACE(name);
+    const scene::CellScene scene = scene::builtin_scene(name);
+    const auto matter = oracle::Matter::of(scene);
+    const auto lines = matter->real_lines();
+    oracle::Window window;
+    window.near = 1;
+    const auto visible = oracle::visible_lines(*matter, lines, scene.default_view, window);
+    const CellReference reference(lines, visible, scene.default_view, window);
+    double length = 0;
+    for (const auto& s : oracle::on_screen(visible, scene.default_view, window))
+      length += std::hypot(s.x1 - s.x0, s.y1 - s.y0);
+    double measured = 0;
+    std::set<picture::LineId> ids;
+    for (const auto& line : reference.lines()) {
+      measured += picture::total(line.visible) * picture::length_of(line.image);
+      EXPECT_TRUE(ids.insert(line.id).second);
+      EXPECT_NEAR(picture::total(picture::without(line.visible, line.edges)), 0, 1e-9)
+          << "only edges are seen";
+    }
+    EXPECT_NEAR(measured, length, 1e-6 * length);
+  }
+}
+
+TEST(LinesOfVectors, AreTheScenesLines) {
+  for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
+    SCOPED_TRACE(name);
+    const scene::CellScene scene = scene::builtin_scene(name);
+    const auto encoded = std::get<scene::EncodedScene>(scene::encode(scene, {}, 04000));
+    std::multiset<AxisLine> found;
+    for (const auto& [address, line] : lines_of_vectors(encoded)) {
+      if (encoded.words.at(address - encoded.base).value & 0400000) found.insert(line);
+    }
+    std::multiset<AxisLine> expected;
+    for (const scene::Cell& cell : scene.cells) {
+      for (const scene::Line& line : cell.lines) {
+        const std::size_t axis = line.from[0] != line.to[0] ? 0 : line.from[1] != line.to[1] ? 1 : 2;
+        const auto [u, v] = geometry::other_axes(axis);
+        expected.insert({axis, {line.from[u], line.from[v]}});
+      }
+    }
+    for (const scene::Opening& opening : scene.openings) {
+      geometry::Point pen = opening.ring[0];
+      for (const scene::RingVector& v : opening.vectors) {
+        const auto [a, b] = geometry::other_axes(v.axis);
+        if (v.actual) expected.insert({v.axis, {pen[a], pen[b]}});
+        pen[v.axis] += v.magnitude;
+      }
+    }
+    EXPECT_EQ(found, expected);
+  }
+}
+
+SceneComparison compared(const char* name, const CompareOptions& options = {}) {
+  auto result = compare_cell_scene(scene::builtin_scene(name), options);
+  const auto* error = std::get_if<scene::SceneError>(&result);
+  EXPECT_EQ(error, nullptr) << (error ? error->message() : "");
+  return error ? SceneComparison{} : std::get<SceneComparison>(std::move(result));
+}
+
+const ComparedPicture& picture_named(const SceneComparison& comparison, std::string_view name) {
+  return *std::find_if(comparison.pictures.begin(), comparison.pictures.end(),
+                       [name](const ComparedPicture& p) { return p.name == name; });
+}
+
+TEST(CompareCellScene, GuestIsTwinAndExactIsExact) {
+  const SceneComparison comparison = compared("roberts");
+  EXPECT_TRUE(comparison.agrees());
+  ASSERT_TRUE(comparison.guest);
+  EXPECT_EQ(comparison.guest->difference, "");
+  EXPECT_GT(comparison.guest->words, 20U);
+  const ComparedPicture& exact = picture_named(comparison, "exact");
+  EXPECT_EQ(exact.identical, true);
+  expect_nothing(exact.metrics);
+  const ComparedPicture& guest = picture_named(comparison, "guest");
+  const ComparedPicture& twin = picture_named(comparison, "twin");
+  // Half points and points are a quarter and half a point off in each direction.
+  EXPECT_LT(guest.metrics.share(guest.metrics.extra_far), 0.01);
+  EXPECT_LT(twin.metrics.share(twin.metrics.missing_far), 0.01);
+  EXPECT_GT(guest.metrics.hausdorff.greatest, 0);
+  EXPECT_GT(guest.metrics.symmetric(), 0) << "18 bits are not exact";
+  EXPECT_FALSE(guest.metrics.symmetric() == twin.metrics.symmetric()) << "rounding to points is measured";
+}
+
+TEST(CompareCellScene, TakesEyeAndScale) {
+  CompareOptions options;
+  options.scale = 256;
+  const auto small = compared("house", options);
+  const auto usual = compared("house");
+  EXPECT_LT(picture_named(small, "twin").metrics.hausdorff.greatest, 8);
+  EXPECT_NE(picture_named(small, "twin").metrics.true_length,
+            picture_named(usual, "twin").metrics.true_length);
+  EXPECT_TRUE(small.agrees());
+  options.eye = geometry::Point{100'000, 0, 0};
+  EXPECT_TRUE(
+      std::holds_alternative<scene::SceneError>(compare_cell_scene(scene::builtin_scene("house"), options)));
+}
+
+TEST(ComparePolyScene, RefusesAnEyeInASolid) {
+  const scene::PolyScene scene = scene::generate_boxes(3);
+  scene::PolyCamera camera = scene.camera;
+  EXPECT_TRUE(std::get<SceneComparison>(compare_poly_scene(scene, camera)).agrees());
+  const auto& corner = scene.vertices[scene.bodies[0].faces[0].outline[0]];
+  camera.eye = corner;
+  EXPECT_TRUE(std::holds_alternative<scene::SceneError>(compare_poly_scene(scene, camera)));
+}
+
+// Seen level, the tops and bottoms of boxes are lines: of edges behind each other the nearest is drawn.
+TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
+  scene::PolyScene scene = scene::generate_boxes(8);
+  scene::PolyCamera camera = scene.camera;
+  camera.perspective = false;
+  camera.forward = {0, 0, -1};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 1, 0};
+  const auto comparison = std::get<SceneComparison>(compare_poly_scene(scene, camera));
+  EXPECT_TRUE(comparison.agrees());
+  const ComparedPicture& stripes = picture_named(comparison, "montani-re");
+  expect_nothing(stripes.metrics);
+  const double all_edges = picture_named(comparison, "exact").metrics.true_length;
+  EXPECT_LT(stripes.metrics.true_length, 0.9 * all_edges);
+  EXPECT_GT(stripes.metrics.true_length, 0.3 * all_edges);
+}
+
+// The eye of a parallel view is only the origin of the image: within the scene and far beside it the same is
+// seen, and all faces as the nearest ones, those seen end-on too.
+TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
+  const scene::PolyCamera level{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  const scene::PolyCamera oblique{false, {}, {-4, -3, -4}, {4, 0, -4}, {-12, 32, -12}};
+  for (scene::PolyCamera camera : {level, oblique}) {
+    for (const scene::PolyScene& scene : {scene::generate_boxes(8), scene::generate_triangles(8, 3)}) {
+      std::vector<picture::PixelGrid> truths;
+      for (const scene::PolyPoint& eye : {scene::PolyPoint{500, 500, 500}, {-200'000, 7, 99'000}}) {
+        camera.eye = eye;
+        const auto truth = FaceTruth::of(scene, camera);
+        truths.push_back(std::get<FaceTruth>(truth).faces());
+        for (const FaceAlgorithm& algorithm : face_algorithms()) {
+          const auto compared = std::get<FaceTruth>(truth).compared(algorithm);
+          const auto& metrics = std::get<ComparedFaces>(compared).metrics;
+          EXPECT_EQ(metrics.different_inside, 0U) << scene.name << ' ' << algorithm.name;
+          EXPECT_GT(metrics.lit, metrics.pixels / 10) << scene.name;
+          EXPECT_LT(metrics.boundary_pixels, metrics.pixels / 2) << scene.name;
+        }
+      }
+      const picture::PixelMetrics apart = picture::pixel_metrics(truths[0], truths[1], {});
+      EXPECT_LT(apart.different(), apart.pixels / 500) << scene.name;
+    }
+  }
+}
+
+TEST(ComparePolyScene, HasNoFacesOfAnImageTooSmallForItsDepth) {
+  scene::PolyScene scene;
+  scene.vertices = {{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 100'000}, {0, 2, 100'000}, {2, 0, 100'000}};
+  scene.bodies = {{"", true, {{{0, 1, 2}, {}}, {{3, 4, 5}, {}}}}};
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  EXPECT_TRUE(std::holds_alternative<std::string>(FaceTruth::of(scene, camera)));
+  for (scene::PolyPoint& v : scene.vertices) v[2] /= 1000;
+  EXPECT_TRUE(std::holds_alternative<FaceTruth>(FaceTruth::of(scene, camera)));
+}
+
+TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
+  SceneComparison comparison;
+  EXPECT_TRUE(comparison.agrees());
+  comparison.pictures.push_back({"exact", "", true, {}, {}});
+  comparison.pictures.push_back({"twin", "", std::nullopt, {}, {}});
+  EXPECT_TRUE(comparison.agrees());
+  comparison.guest.emplace().difference = "word 7";
+  EXPECT_FALSE(comparison.agrees());
+  comparison.guest->difference.clear();
+  comparison.pictures.push_back({"jones", "", false, {}, {}});
+  EXPECT_FALSE(comparison.agrees());
+}
+
+TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
+  const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
+  SkalaView view;
+  view.rotation = 30;
+  const HeightComparison comparison = compare_heights(grid, view);
+  EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
+  ASSERT_EQ(comparison.rasters.size(), 3U);
+  EXPECT_EQ(comparison.rasters[0].grid, comparison.rasters[1].grid);
+  EXPECT_EQ(comparison.rasters[1].metrics.different(), 0U) << "the twin, at this view";
+  const picture::PixelMetrics& native = comparison.rasters[2].metrics;
+  EXPECT_GT(native.lit, 5'000U);
+  // Vertices are not rounded to points by the native algorithm: dots move by one, and few by more.
+  EXPECT_LT(native.missing_far + native.extra_far, native.lit / 100);
+  EXPECT_LT(native.interior_mismatch(), 0.01);
+}
+
+TEST(CompareHeights, SaysWhatItCannotCompare) {
+  auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
+  SkalaView view;
+  EXPECT_FALSE(why_not_comparable(grid, view));
+  view.zoom = 2;
+  EXPECT_TRUE(why_not_comparable(grid, view));
+  view.zoom = 1;
+  view.family = SkalaFamily::along_z;
+  EXPECT_TRUE(why_not_comparable(grid, view)) << "seen end-on";
+  view.rotation = 80;
+  EXPECT_FALSE(why_not_comparable(grid, view));
+  view.family = SkalaFamily::along_x;
+  EXPECT_TRUE(why_not_comparable(grid, view));
+  view.picture = SkalaPicture::contours;
+  EXPECT_FALSE(why_not_comparable(grid, view)) << "contours go by cells";
+  grid.heights[5] = std::nan("");
+  EXPECT_TRUE(why_not_comparable(grid, view));
+}
+
+}  // namespace
+}  // namespace sightline::harness

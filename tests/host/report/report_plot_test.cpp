@@ -1,0 +1,122 @@
+// Plots: what gnuplot is told, and that it draws it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "host/report/plot.hpp"
+
+namespace sightline::harness::report {
+namespace {
+
+Plot sample_plot() {
+  Plot plot;
+  plot.id = "plot";
+  plot.title = "Time against error, `touch here`";
+  plot.x = {"error", "px", true, {}};
+  plot.y = {"time", "s", true, {}};
+  plot.curves = {{"the \"house\" & <co>'s", {{0, 0.5, "exact"}, {0.02, 0.1, "24 bits"}, {3, 0.05}}},
+                 {"lost", {{-1, 1}, {std::numeric_limits<double>::quiet_NaN(), 1}}}};
+  return plot;
+}
+
+TEST(ReportPlot, PutsZeroADecadeBelowTheLeastError) {
+  const std::string script = gnuplot_script(sample_plot());
+  EXPECT_NE(script.find("set xtics add (\"0\" 0.001"), std::string::npos) << script;
+  EXPECT_EQ(script.find("set ytics add"), std::string::npos);
+  EXPECT_NE(script.find("set xlabel 'error [px]'"), std::string::npos);
+}
+
+TEST(ReportPlot, LeavesOutWhatALogarithmicAxisCannotShow) {
+  const std::string script = gnuplot_script(sample_plot());
+  EXPECT_NE(script.find("$curve1 << END_OF_CURVE\nEND_OF_CURVE\n"), std::string::npos) << script;
+  EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
+}
+
+// What a curve is drawn with, its colour left out.
+std::string marks_of_curve(const std::string& script, std::size_t curve) {
+  const std::string command = "$curve" + std::to_string(curve) + " using 1:2 with ";
+  const std::size_t from = script.find(command) + command.size();
+  std::string marks = script.substr(from, script.find("title", from) - from);
+  const std::size_t colour = marks.find("rgb \"");
+  return marks.erase(colour, marks.find('"', colour + 5) + 1 - colour);
+}
+
+TEST(ReportPlot, CurvesDifferWithoutColour) {
+  Plot plot = sample_plot();
+  const Curve curve = plot.curves.front();
+  plot.curves.assign(9, curve);
+  for (const bool marked : {true, false}) {
+    for (Curve& lines : plot.curves) lines.points_marked = marked;
+    const std::string script = gnuplot_script(plot);
+    for (std::size_t a = 0; a < 9; ++a) {
+      for (std::size_t b = marked || a < 5 ? 0 : a - 4; b < a; ++b)
+        EXPECT_NE(marks_of_curve(script, a), marks_of_curve(script, b)) << a << ' ' << b;
+    }
+  }
+  plot.curves[1].line = false;
+  EXPECT_EQ(marks_of_curve(gnuplot_script(plot), 1).find("dt"), std::string::npos) << "points have no dashes";
+}
+
+TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
+  Plot plot = sample_plot();
+  EXPECT_NE(gnuplot_script(plot).find("set key outside right"), std::string::npos);
+  plot.curves[0].name = "a town of turned houses, seen in plan";
+  EXPECT_NE(gnuplot_script(plot).find("set key outside bottom"), std::string::npos);
+}
+
+TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
+  const auto first = draw_plot(sample_plot());
+  const auto second = draw_plot(sample_plot());
+  ASSERT_TRUE(std::holds_alternative<Figure>(first)) << std::get<ReportError>(first).message;
+  const auto& figure = std::get<Figure>(first);
+  EXPECT_EQ(figure.media_type, "image/svg+xml");
+  EXPECT_EQ(figure.bytes, std::get<Figure>(second).bytes);
+  const std::string svg(figure.bytes.begin(), figure.bytes.end());
+  EXPECT_NE(svg.find("`touch here`"), std::string::npos);
+  EXPECT_NE(svg.find("the \"house\" &amp; &lt;co>'s"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("24 bits"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
+TEST(ReportPlot, WithoutAPointSaysThatThereIsNothingToDraw) {
+  Plot plot = sample_plot();
+  plot.curves.erase(plot.curves.begin());
+  const auto expect_nothing = [](const Plot& empty, bool nothing) {
+    const auto drawn = draw_plot(empty);
+    ASSERT_TRUE(std::holds_alternative<Figure>(drawn)) << std::get<ReportError>(drawn).message;
+    const auto& bytes = std::get<Figure>(drawn).bytes;
+    const std::string svg(bytes.begin(), bytes.end());
+    EXPECT_EQ(svg.find("nothing to draw") != std::string::npos, nothing) << svg;
+    EXPECT_NE(svg.find("touch here"), std::string::npos) << "the title stays";
+    EXPECT_NE(svg.find("error [px]"), std::string::npos) << "and the axes' names";
+  };
+  expect_nothing(plot, true);
+  plot.curves.clear();
+  expect_nothing(plot, true);
+  plot = sample_plot();
+  expect_nothing(plot, false);
+  plot.x.range = {100, 1000};
+  expect_nothing(plot, true);
+  plot.x.range = {0.01, 1000};
+  expect_nothing(plot, false);
+}
+
+TEST(ReportPlot, AMissingGnuplotIsSaid) {
+  const char* const path = std::getenv("PATH");
+  const std::string kept = path == nullptr ? "" : path;
+  ASSERT_EQ(setenv("PATH", "/nonexistent", 1), 0);
+  const auto missing = gnuplot_missing();
+  const auto drawn = draw_plot(sample_plot());
+  ASSERT_EQ(setenv("PATH", kept.c_str(), 1), 0);
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->kind, ErrorKind::missing_tool);
+  EXPECT_EQ(std::get<ReportError>(drawn).kind, ErrorKind::missing_tool);
+  EXPECT_NE(missing->message.find("gnuplot-nox"), std::string::npos);
+  EXPECT_FALSE(gnuplot_missing());
+}
+
+}  // namespace
+}  // namespace sightline::harness::report

@@ -1,0 +1,149 @@
+// The page, CSV and JSON of a small report.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/report/html_page.hpp"
+#include "host/report/table_text.hpp"
+#include "tests/host/report/sample_report.hpp"
+
+namespace sightline::harness::report {
+namespace {
+
+// A reader of RFC 4180, from its grammar: records of fields; refuses what the grammar has no place for.
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> records(1, {""});
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"' && records.back().back().empty()) {
+      for (++at;; ++at) {
+        if (at >= text.size()) throw std::runtime_error("a quoted field does not end");
+        if (text[at] == '"' && (at + 1 >= text.size() || text[at + 1] != '"')) break;
+        if (text[at] == '"') ++at;
+        records.back().back() += text[at];
+      }
+      if (at + 1 < text.size() && text[at + 1] != ',' && text[at + 1] != '\r')
+        throw std::runtime_error("text after a quoted field");
+    } else if (text[at] == ',') {
+      records.back().emplace_back();
+    } else if (text.compare(at, 2, "\r\n") == 0) {
+      ++at;
+      if (at + 1 < text.size()) records.push_back({""});
+    } else if (text[at] == '\r' || text[at] == '\n' || text[at] == '"') {
+      throw std::runtime_error("a bare quotation mark or line end");
+    } else {
+      records.back().back() += text[at];
+    }
+  }
+  return records;
+}
+
+TEST(ReportCsv, IsReadBackByTheRulesOfRfc4180) {
+  const auto records = read_csv(csv_text(sample_table()));
+  ASSERT_EQ(records.size(), 4U);
+  EXPECT_EQ(records[0], (std::vector<std::string>{"name", "count", "view_s", "host_ns", "right"}));
+  EXPECT_EQ(records[1], (std::vector<std::string>{nasty, "1048576", "0.1", "1000000000", "yes"}));
+  EXPECT_EQ(records[2], (std::vector<std::string>{"plain", "-12", "", "0.5", "no, 3 px"}));
+  EXPECT_EQ(records[3], (std::vector<std::string>{"", "0", "", "2", ""}));
+}
+
+TEST(ReportJson, CarriesEveryCellByItsKey) {
+  const auto document = nlohmann::json::parse(json_text(sample_table()));
+  EXPECT_EQ(document["schema"], "sightline/table/1");
+  EXPECT_EQ(document["columns"][2]["unit"], "s");
+  ASSERT_EQ(document["rows"].size(), 3U);
+  EXPECT_EQ(document["rows"][0]["name"], nasty);
+  EXPECT_EQ(document["rows"][0]["view_s"], 0.1);
+  EXPECT_EQ(document["rows"][1]["right"]["good"], false);
+  EXPECT_TRUE(document["rows"][2]["view_s"].is_null());
+}
+
+TEST(ReportJson, ShowsWhatIsNoUtf8AsFarAsItCanBe) {
+  Table table = sample_table();
+  table.rows[0][0] = std::string("\xff");
+  EXPECT_EQ(nlohmann::json::parse(json_text(table))["rows"][0]["name"], "\uFFFD");
+}
+
+TEST(ReportCells, AreShownForPeople) {
+  EXPECT_EQ(shown_text(std::int64_t{1234}), "1234");
+  EXPECT_EQ(shown_text(std::int64_t{1048576}), "1\u202f048\u202f576");
+  EXPECT_EQ(shown_text(std::int64_t{-123456}), "-123\u202f456");
+  EXPECT_EQ(shown_text(Real{2.0 / 3, 3}), "0.667");
+  EXPECT_EQ(shown_text(Real{-1234567.25, 1}), "-1\u202f234\u202f567.2");
+  EXPECT_EQ(shown_text(Real{1004004, 0}), "1\u202f004\u202f004");
+  EXPECT_EQ(shown_text(Real{1234.5, 2}), "1234.50");
+  EXPECT_EQ(shown_text(Real{0.000012345}), "1.234e-05");
+  EXPECT_EQ(shown_text(Cell{}), "\u2013");
+}
+
+TEST(ReportPage, EscapesEverythingThatIsSaid) {
+  EXPECT_EQ(html_escaped("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+  EXPECT_EQ(html_escaped("caf\u00e9 \u2013 \U0001F600"), "caf\u00e9 \u2013 \U0001F600");
+  // A lone byte, an overlong slash, a surrogate, a cut character, a control.
+  EXPECT_EQ(html_escaped("\xff"), "\uFFFD");
+  EXPECT_EQ(html_escaped("\xc0\xaf"), "\uFFFD\uFFFD");
+  EXPECT_EQ(html_escaped("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(html_escaped("a\xe2\x82"), "a\uFFFD\uFFFD");
+  EXPECT_EQ(html_escaped(std::string_view("\0\x7f", 2)), "\uFFFD\uFFFD");
+  const std::string page = html_page(sample_report());
+  EXPECT_EQ(page.find("<b>\"A"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;&quot;A &amp; B&quot;, &#39;C&#39;&lt;/b&gt;"), std::string::npos);
+}
+
+// The examples of RFC 4648, section 10.
+TEST(ReportPage, HoldsPicturesAsDataUris) {
+  const auto base64 = [](std::string_view text) {
+    return data_uri("x/y", picture::Bytes(text.begin(), text.end()));
+  };
+  EXPECT_EQ(base64(""), "data:x/y;base64,");
+  EXPECT_EQ(base64("f"), "data:x/y;base64,Zg==");
+  EXPECT_EQ(base64("fo"), "data:x/y;base64,Zm8=");
+  EXPECT_EQ(base64("foo"), "data:x/y;base64,Zm9v");
+  EXPECT_EQ(base64("foob"), "data:x/y;base64,Zm9vYg==");
+  EXPECT_EQ(base64("foobar"), "data:x/y;base64,Zm9vYmFy");
+  EXPECT_EQ(data_uri("x/y", {0xFB, 0xFF, 0xFE}), "data:x/y;base64,+//+");
+}
+
+TEST(ReportPage, NeedsNothingElseAndLeadsToItsParts) {
+  const std::string page = html_page(sample_report());
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  for (std::size_t at = page.find("src=\""); at != std::string::npos; at = page.find("src=\"", at + 1))
+    EXPECT_EQ(page.compare(at + 5, 5, "data:"), 0);
+  for (const char* const id : {"sample-part", "sample", "figure", "gallery"}) {
+    EXPECT_NE(page.find(std::string("href=\"#") + id + "\""), std::string::npos) << id;
+    EXPECT_NE(page.find(std::string("id=\"") + id + "\""), std::string::npos) << id;
+  }
+  EXPECT_NE(page.find("href=\"tables/sample.csv\""), std::string::npos);
+  EXPECT_NE(page.find("href=\"tables/sample.json\""), std::string::npos);
+  EXPECT_NE(page.find("prefers-color-scheme: dark"), std::string::npos);
+  EXPECT_NE(page.find("@media print"), std::string::npos);
+}
+
+TEST(ReportPage, IsTheSameTwice) {
+  EXPECT_EQ(html_page(sample_report()), html_page(sample_report()));
+}
+
+TEST(ReportSections, LoseWhatIsMeasuredOnThisComputerWhereAsked) {
+  const Report report = sample_report(false);
+  const auto& blocks = report.sections.at(0).blocks;
+  ASSERT_EQ(blocks.size(), 5U);  // the figure of host times is gone
+  const auto& table = std::get<Table>(blocks[2]);
+  ASSERT_EQ(table.columns.size(), 4U);
+  EXPECT_EQ(table.columns[3].key, "right");
+  ASSERT_EQ(table.rows[0].size(), 4U);
+  EXPECT_EQ(table.rows[0][3], Cell(Verdict{true, "yes"}));
+}
+
+TEST(ReportSections, EndWithTheFirstError) {
+  const std::vector<Part> parts{{1, "Good", &sample_part}, {2, "Bad", &failing_part}};
+  std::string said;
+  Context context;
+  context.progress = [&](std::string_view text) { said += std::string(text) + "; "; };
+  const auto made = make_sections(parts, context);
+  ASSERT_TRUE(std::holds_alternative<ReportError>(made));
+  EXPECT_EQ(std::get<ReportError>(made).message, "house: it stopped");
+  EXPECT_EQ(said, "Good; sampling; Bad; ");
+}
+
+}  // namespace
+}  // namespace sightline::harness::report

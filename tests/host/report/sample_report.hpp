@@ -1,0 +1,63 @@
+// A report of a tiny part list: every kind of block and cell, and text that HTML, CSV and gnuplot would
+// stumble over.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "host/report/report.hpp"
+
+namespace sightline::harness::report {
+
+inline const std::string nasty = "<b>\"A & B\", 'C'</b>\r\n`id`";
+
+inline Table sample_table() {
+  Table table;
+  table.id = "sample";
+  table.title = nasty;
+  table.columns = {{"name", "Name", "", false},
+                   {"count", "Count", "words", false},
+                   {"view_s", "View", "s", false},
+                   {"host_ns", "Host", "ns", true},
+                   {"right", "Right", "", false}};
+  table.rows = {
+      {nasty, std::int64_t{1048576}, Real{0.1, 3}, Real{1e9}, Verdict{true, "yes"}},
+      {std::string("plain"), std::int64_t{-12}, std::monostate{}, Real{0.5}, Verdict{false, "no, 3 px"}},
+      {std::string(), std::int64_t{0}, Real{std::numeric_limits<double>::infinity()}, Real{2},
+       std::monostate{}}};
+  table.notes = {"A note with <angles>."};
+  return table;
+}
+
+inline Figure sample_figure(const std::string& id) {
+  return {id, nasty, "Caption", "Alt \"text\"", "image/png", {0x89, 'P', 'N', 'G'}, false, true};
+}
+
+inline Outcome<Section> sample_part(const Context& context) {
+  context.progress("sampling");
+  Section section{"sample-part", nasty, {}};
+  section.blocks.emplace_back(Paragraph{nasty});
+  section.blocks.emplace_back(Heading{"A heading"});
+  section.blocks.emplace_back(sample_table());
+  section.blocks.emplace_back(sample_figure("figure"));
+  Figure timed = sample_figure("timed");
+  timed.host_time = true;
+  section.blocks.emplace_back(timed);
+  section.blocks.emplace_back(
+      Gallery{"gallery", "Gallery", {sample_figure("small"), sample_figure("smaller")}});
+  return section;
+}
+
+inline Outcome<Section> failing_part(const Context&) {
+  return ReportError{ErrorKind::guest_failed, "house: it stopped"};
+}
+
+inline Report sample_report(bool host_times = true) {
+  const Part part{1, "Sample", &sample_part};
+  Context context;
+  context.host_times = host_times;
+  return {
+      nasty, "0.0", {"Introduction."}, std::get<std::vector<Section>>(make_sections({&part, 1}, context))};
+}
+
+}  // namespace sightline::harness::report

@@ -1,0 +1,79 @@
+// Willis in the report: every hard case is as it must be, and the measures can tell a wrong picture.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <variant>
+
+#include "host/algorithms/willis/model.hpp"
+#include "host/report/hard_cases/willis.hpp"
+#include "host/report/table_text.hpp"
+#include "host/report/willis_views.hpp"
+#include "host/scene/generate/scene.hpp"
+
+namespace sightline::harness::report {
+namespace {
+
+namespace willis = algorithms::willis;
+
+willis::Model model_of(const scene::PolyScene& scene, const willis::ModelOptions& options = {}) {
+  auto made = willis::make_model(scene, options);
+  return std::get<willis::Model>(std::move(made));
+}
+
+TEST(WillisHardCases, AllAreThereAndAsTheyMustBe) {
+  const Table table = willis_table({});
+  std::set<std::string> cases;
+  for (const auto& row : table.rows) {
+    ASSERT_EQ(row.size(), table.columns.size());
+    cases.insert(shown_text(row[0]));
+    for (const Cell& cell : row) {
+      const auto* const verdict = std::get_if<Verdict>(&cell);
+      EXPECT_TRUE(verdict == nullptr || verdict->good) << shown_text(row[1]) << ": " << verdict->text;
+    }
+  }
+  for (int i = 1; i <= 16; ++i) EXPECT_TRUE(cases.contains("W" + std::to_string(i))) << i;
+  EXPECT_EQ(cases.size(), 16U);
+}
+
+TEST(WillisHardCases, ALongWallNeedsPiecesByTheLogarithmOfItsLength) {
+  const Table table = willis_lengths({});
+  ASSERT_EQ(table.rows.size(), 22U);
+  for (const auto& row : table.rows) {
+    EXPECT_TRUE(std::get<Verdict>(row[6]).good) << shown_text(row[0]);
+    EXPECT_LE(static_cast<double>(std::get<std::int64_t>(row[2])), 2 * std::get<Real>(row[5]).value + 4)
+        << shown_text(row[0]);
+  }
+}
+
+TEST(WillisViews, AWrongOrderIsCounted) {
+  const scene::PolyScene scene = scene::generate_boxes(5);
+  const TrueFaces truth(scene, cameras_around(scene, 487), 64);
+  ASSERT_EQ(truth.cameras().size(), 4U);
+  const FaceErrors right = truth.errors_of(model_of(scene));
+  EXPECT_EQ(right.wrong_inside, 0U);
+  EXPECT_EQ(right.points, 4U * 64 * 64);
+  EXPECT_GT(right.inside, right.points / 2);
+  picture::PixelGrid blank(64, 64);
+  const FaceErrors nothing = truth.errors_of(blank, 0);
+  EXPECT_GT(nothing.wrong_inside, 0U);
+  EXPECT_GT(nothing.inside_per_cent(), 0);
+}
+
+// The edges that points are held apart from are where faces change.
+TEST(WillisViews, FacesChangeOnlyNextToEdges) {
+  const scene::PolyScene scene = scene::generate_boxes(5);
+  const TrueFaces truth(scene, cameras_around(scene, 487), 64);
+  for (std::size_t view = 0; view < truth.cameras().size(); ++view) {
+    picture::PixelGrid moved = truth.truth(view);
+    for (int row = 0; row < 64; ++row)
+      for (int column = 0; column + 1 < 64; ++column)
+        moved.set(column, row, truth.truth(view).at(column + 1, row));
+    const FaceErrors errors = truth.errors_of(moved, view);
+    EXPECT_GT(errors.wrong_on_edges, 0U);
+    EXPECT_LE(errors.wrong_inside, errors.wrong_on_edges) << view;
+  }
+}
+
+}  // namespace
+}  // namespace sightline::harness::report

@@ -1,0 +1,149 @@
+// Grid files: the three forms, and every kind of damage named by line and column.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "host/scene/heights/read_grid.hpp"
+
+namespace sightline::scene {
+namespace {
+
+HeightGrid grid_of(std::string_view text) {
+  const auto result = read_height_grid(text, "grid.txt");
+  if (const auto* error = std::get_if<HeightError>(&result)) {
+    ADD_FAILURE() << error->message();
+    return {};
+  }
+  return std::get<HeightGrid>(result);
+}
+
+std::string error_of(std::string_view text) {
+  const auto result = read_height_grid(text, "grid.txt");
+  if (const auto* error = std::get_if<HeightError>(&result)) return error->message();
+  return "no error";
+}
+
+const std::vector<double> one_to_six{1, 2, 3, 4, 5, 6};
+
+TEST(ReadHeightGrid, SeparatorsAndLineEnds) {
+  for (const char* text :
+       {"1,2,3\n4,5,6\n", "1;2;3\r\n4;5;6\r\n", "1 2 3\n4 5 6", "\t1  2\t3 \n 4 5 6\n", "1 , 2,3\n4,5 ,6",
+        "# a grid; of six\n1,2,3 # near\n\n4,5,6\n\n", "\xEF\xBB\xBF+1,2e0,3.\n4,.5e1,6\n"}) {
+    const HeightGrid grid = grid_of(text);
+    EXPECT_EQ(grid.heights, one_to_six) << text;
+    EXPECT_EQ(grid.points(), 3U);
+    EXPECT_EQ(grid.slices(), 2U);
+    EXPECT_EQ(grid.range, (Interval{1, 6}));
+    EXPECT_EQ(grid.domain_x, (Interval{0, 2}));
+    EXPECT_EQ(grid.x, (std::vector<double>{-1, 0, 1}));
+  }
+}
+
+TEST(ReadHeightGrid, NumbersTooNearZeroAreZero) {
+  EXPECT_EQ(grid_of("1e-400,-1e-999\n5e-324,1\n").heights, (std::vector<double>{0, 0, 5e-324, 1}));
+  EXPECT_NE(error_of("1e400,0\n0,1\n"), "no error");
+}
+
+// Different in the file, the same in [-1, 1].
+TEST(ReadHeightGrid, PlacesThatCoincide) {
+  EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
+                .find("grid.txt:2:1: found x = 1e-30, too close to the 0 before it"),
+            std::string::npos);
+  EXPECT_NE(error_of("2 0 1\n1 0 2\n1e-30 0 3\n0 0 3\n\n2 5 4\n1 5 5\n1e-30 5 6\n0 5 3\n")
+                .find("grid.txt:4:1: found x = 0, too close to the 1e-30 before it"),
+            std::string::npos);
+}
+
+TEST(ReadHeightGrid, UndefinedHeights) {
+  const HeightGrid grid = grid_of("1 nan\nNaN 4\n");
+  EXPECT_TRUE(std::isnan(grid.height(1, 0)));
+  EXPECT_TRUE(std::isnan(grid.height(0, 1)));
+  EXPECT_EQ(grid.range, (Interval{1, 4}));
+  EXPECT_EQ(error_of("nan nan\nnan nan\n"),
+            "grid.txt: found a grid without any defined height, expected at least one");
+}
+
+// Blocks of constant x (gnuplot's own habit) and of constant y, in either direction.
+TEST(ReadHeightGrid, Points) {
+  const HeightGrid by_y = grid_of("0 0 1\n1 0 2\n4 0 3\n\n0 5 4\n1 5 5\n4 5 6\n");
+  EXPECT_EQ(by_y.heights, one_to_six);
+  EXPECT_EQ(by_y.x, (std::vector<double>{-1, -0.5, 1}));
+  EXPECT_EQ(by_y.domain_x, (Interval{0, 4}));
+  EXPECT_EQ(by_y.domain_z, (Interval{0, 5}));
+  const HeightGrid by_x = grid_of("0 0 1\n0 5 4\n\n1 0 2\n1 5 5\n\n\n4 0 3\n4 5 6\n");
+  EXPECT_EQ(by_x.heights, one_to_six);
+  EXPECT_EQ(by_x.x, by_y.x);
+  const HeightGrid falling = grid_of("# x y z\n4 5 6\n1 5 5\n0 5 4\n\n4 0 3\n1 0 2\n0 0 1\n");
+  EXPECT_EQ(falling.heights, one_to_six);
+  // Three columns without blank lines are a matrix.
+  EXPECT_EQ(grid_of("0 0 1\n1 0 2\n4 0 3\n").slices(), 3U);
+}
+
+TEST(ReadHeightGrid, DamagedPoints) {
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n"),
+            "grid.txt:4:1: found a block of 1 points, expected 2 as in the first block");
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n1 5 5\n2 5 6\n"),
+            "grid.txt:6:1: found a block of 3 points, expected 2 as in the first block");
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n1.5 5 5\n"),
+            "grid.txt:5:1: found x = 1.5, expected 1 as in line 2");
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n1 6 5\n"), "grid.txt:5:3: found y = 6, expected 5 as in line 4");
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 0 4\n1 0 5\n"),
+            "grid.txt:4:3: found y = 0, expected more than the 0 before it");
+  EXPECT_EQ(error_of("0 0 1\n2 0 2\n1 0 2\n\n0 1 1\n2 1 2\n1 1 2\n"),
+            "grid.txt:3:1: found x = 1, expected more than the 2 before it");
+  EXPECT_EQ(error_of("0 0 1\n1 1 2\n\n0 5 4\n1 6 5\n"),
+            "grid.txt:2:1: found a block in which x and y both change, expected one of them constant");
+  EXPECT_NE(error_of("0 0 1\n\n1 0 2\n\n0 5 4\n"), "no error");
+  EXPECT_NE(error_of("nan 0 1\nnan 1 2\n\n0 0 4\n0 1 2\n"), "no error");
+  EXPECT_NE(error_of("0 0 1\n5e-324 0 2\n\n0 5 4\n5e-324 5 5\n"), "no error");
+}
+
+TEST(ReadHeightGrid, DamagedFields) {
+  EXPECT_EQ(error_of("1,2\n3,\n"),
+            "grid.txt:2:3: found an empty field, expected a number, or nan where there is none");
+  EXPECT_EQ(error_of("1,,2\n3,4,5\n").substr(0, 13), "grid.txt:1:3:");
+  EXPECT_EQ(error_of("x,y\n3,4\n"), "grid.txt:1:1: found 'x', expected a finite number or nan");
+  EXPECT_EQ(error_of("1 2\n3 4x\n"), "grid.txt:2:3: found '4x', expected a finite number or nan");
+  EXPECT_EQ(error_of("1,5;2\n3;4\n"),
+            "grid.txt:1:1: found '1,5', expected a finite number with a decimal point");
+  for (const char* field :
+       {"inf", "-inf", "1e999", "0x10", "1 2", "--1", "+-1", "1e", "?", "\"1\"", "n/a", "\x01"})
+    EXPECT_EQ(error_of(std::string("1,2\n3,") + field + "\n").substr(0, 13), "grid.txt:2:3:") << field;
+}
+
+TEST(ReadHeightGrid, DamagedShapes) {
+  EXPECT_EQ(error_of("1 2 3\n4 5\n"), "grid.txt:2:4: found 2 fields, expected 3 as in line 1");
+  EXPECT_EQ(error_of("1 2\n4 5 6\n"), "grid.txt:2:5: found 3 fields, expected 2 as in line 1");
+  EXPECT_EQ(error_of("1 2 3\n"), "grid.txt: found 1 line of 3 fields, expected at least two of two");
+  EXPECT_EQ(error_of("1\n2\n3\n"), "grid.txt: found 3 lines of 1 field, expected at least two of two");
+  for (const char* nothing : {"", "\n\n", "# only a comment\n", " \t\r\n"})
+    EXPECT_EQ(error_of(nothing), "grid.txt: found no line of numbers, expected at least two");
+  std::string wide;
+  for (int i = 0; i < 1025; ++i) wide += "0 ";
+  EXPECT_EQ(error_of(wide + "\n" + wide),
+            "grid.txt:1:2049: found more than 1024 fields, expected at most 1024");
+  std::string tall;
+  for (int i = 0; i < 1025; ++i) tall += "0 0\n";
+  EXPECT_NE(error_of(tall).find("1025 slices of 2 points, expected at most 1024"), std::string::npos);
+}
+
+TEST(LoadHeightGrid, FilesThatAreNone) {
+  const auto missing = load_height_grid("/nowhere/grid.csv");
+  EXPECT_EQ(std::get<HeightError>(missing).message(), "/nowhere/grid.csv: found no such file");
+  const auto folder = load_height_grid(SIGHTLINE_TEST_DATA);
+  EXPECT_NE(std::get<HeightError>(folder).message().find("directory"), std::string::npos);
+}
+
+TEST(LoadHeightGrid, OfTheTestData) {
+  const auto csv = load_height_grid(SIGHTLINE_TEST_DATA "/heights/terrain.csv");
+  ASSERT_TRUE(std::holds_alternative<HeightGrid>(csv)) << std::get<HeightError>(csv).message();
+  const auto points = load_height_grid(SIGHTLINE_TEST_DATA "/heights/terrain-points.dat");
+  ASSERT_TRUE(std::holds_alternative<HeightGrid>(points)) << std::get<HeightError>(points).message();
+  EXPECT_EQ(std::get<HeightGrid>(csv).heights, std::get<HeightGrid>(points).heights);
+  EXPECT_EQ(std::get<HeightGrid>(csv).slices(), 10U);
+  EXPECT_EQ(std::get<HeightGrid>(csv).points(), 12U);
+}
+
+}  // namespace
+}  // namespace sightline::scene

@@ -1,0 +1,98 @@
+// Files with fractions are rounded once and told so; what is not quite a scene is mended when asked to be.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "host/scene/read/poly_file.hpp"
+#include "tests/host/scene/poly_support.hpp"
+
+namespace sightline::scene {
+namespace {
+
+TEST(Quantise, DecimalFractionsLoseNothing) {
+  const PolyImport import =
+      read("OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n", PolyFormat::off);
+  EXPECT_TRUE(import.report.quantised);
+  EXPECT_EQ(import.report.step, 0.001);
+  EXPECT_EQ(import.report.largest_shift, 0.0);
+  EXPECT_EQ(import.report.split_faces, 0U);
+  EXPECT_EQ(import.scene.vertices[0], (PolyPoint{250, 0, 0}));
+  EXPECT_EQ(import.scene.vertices[3], (PolyPoint{-300, 1000, 0}));
+  EXPECT_EQ(written(import.scene, PolyFormat::off),
+            "OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n");
+}
+
+// Only of some steps below 1 does a whole number make 1.
+TEST(Quantise, AStepOfAnySizeIsMultiplied) {
+  const std::string end = ",\"vertices\":[[0,0,0],[10,0,0],[0,-3,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}";
+  const auto after_origin = [&](const std::string& step) {
+    const std::string text =
+        written(read("{\"step\":" + step + end, PolyFormat::json).scene, PolyFormat::off);
+    return text.substr(16, text.find("3 0 1 2") - 16);
+  };
+  EXPECT_EQ(after_origin("0.75"), "7.5 0 0\n0 -2.25 0\n");
+  EXPECT_EQ(after_origin("0.7"), "7 0 0\n0 -2.0999999999999996 0\n");
+  EXPECT_EQ(after_origin("0.1"), "1 0 0\n0 -0.3 0\n");
+}
+
+TEST(Quantise, OtherFilesAreRoundedToAPowerOfTwo) {
+  const PolyImport import = read("OFF\n3 1 0\n0 0 0\n3.14159265 0 0\n0 1e-9 2\n3 0 1 2\n", PolyFormat::off);
+  EXPECT_EQ(import.report.step, std::ldexp(1.0, -14));
+  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, 0}));  // 3.14159265 * 16384 = 51471.85
+  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -15));
+  EXPECT_GT(import.report.largest_shift, 0.0);
+  const PolyImport large = read("OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n", PolyFormat::off);
+  EXPECT_EQ(problems(large.scene), "");
+  const PolyImport integers = read("OFF\n3 1 0\n0 0 0\n262144 0 0\n0 262144 0\n3 0 1 2\n", PolyFormat::off);
+  EXPECT_EQ(integers.report.step, 4.0);
+  EXPECT_EQ(integers.report.largest_shift, 0.0);
+}
+
+TEST(Quantise, ASceneFarAwayIsMovedFirst) {
+  const PolyImport import =
+      read("OFF\n3 1 0\n1000000.125 5000000 0\n1000001.125 5000000 0\n1000000.125 5000001.5 0.1\n3 0 1 2\n",
+           PolyFormat::off);
+  EXPECT_EQ(problems(import.scene), "");
+  EXPECT_LT(import.report.step, 0.01);
+  EXPECT_LE(import.report.largest_shift, import.report.step / 2);
+  EXPECT_NE(import.scene.origin, (PolyPoint{0, 0, 0}));
+}
+
+TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
+  const PolyImport import =
+      read("OFF\n4 1 0\n0 0 0\n1.23456789 0 0\n1.23456789 1 0.1\n0 1 0\n4 0 1 2 3\n", PolyFormat::off);
+  EXPECT_EQ(import.report.split_faces, 1U);
+  EXPECT_GT(import.report.largest_deviation, 0.01);
+  EXPECT_LT(import.report.largest_deviation, 0.1);
+  EXPECT_EQ(import.scene.bodies[0].faces.size(), 2U);
+  EXPECT_EQ(problems(import.scene), "");
+}
+
+TEST(Quantise, PointsThatFallTogetherBecomeOne) {
+  const PolyImport import =
+      read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
+           PolyFormat::off);
+  EXPECT_EQ(import.report.merged_vertices, 1U);
+  EXPECT_EQ(import.report.dropped_faces, 1U);
+  // What was wrong with the file itself is not hidden.
+  EXPECT_EQ(problems(import.scene), "vertex 3: is not used by any face\n");
+}
+
+TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
+  const std::string text =
+      "OFF\n6 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n10 0 0\n99 99 99\n"
+      "3 1 2 0\n3 3 4 0\n3 3 2 1\n3 3 0 2\n";
+  const PolyImport as_it_is = read(text, PolyFormat::off);
+  EXPECT_EQ(problems(as_it_is.scene),
+            "vertex 5: is not used by any face\nvertex 4: is the same point (10, 0, 0) as vertex 1\n");
+  const PolyImport mended = read(text, PolyFormat::off, true);
+  EXPECT_EQ(problems(mended.scene), "");
+  EXPECT_EQ(mended.report.merged_vertices, 1U);
+  EXPECT_EQ(mended.report.dropped_vertices, 1U);
+  EXPECT_EQ(mended.report.turned_bodies, 1U);
+  EXPECT_FALSE(mended.scene.bodies[0].sheet);
+}
+
+}  // namespace
+}  // namespace sightline::scene

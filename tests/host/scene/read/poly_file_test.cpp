@@ -1,0 +1,186 @@
+// OFF, OBJ and JSON: what they say is what is read; every kind of damage is named by line or place.
+#include "host/scene/read/poly_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/read/poly_json.hpp"
+#include "tests/host/scene/poly_support.hpp"
+
+namespace sightline::scene {
+namespace {
+
+constexpr std::string_view tetrahedron_off =
+    "OFF # a comment\n\n4 4 6\n0 0 0\n10 0 0 # another\r\n0 10 0\n0 0 10\n"
+    "3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3 0.5 0.5 0.5 1\n3 2 0 3\n";
+constexpr std::string_view tetrahedron_obj =
+    "# a comment\nmtllib x.mtl\nv 0 0 0\nv 10 0 0 1.0\nv 0 10 0\nv 0 0 10\nvn 0 0 1\nvt 0 0\n"
+    "f 1/1/1 3//1 2/1\nf -4 -3 -1\nusemtl red\nf 2 3 \\\n 4\ns off\nf 3 1 4\n";
+
+TEST(ReadPoly, ATetrahedronIsTheSameInOffAndObj) {
+  const PolyImport off = read(tetrahedron_off, PolyFormat::off);
+  const PolyImport obj = read(tetrahedron_obj, PolyFormat::obj);
+  EXPECT_EQ(off.scene, obj.scene);
+  EXPECT_EQ(problems(off.scene), "");
+  EXPECT_EQ(off.scene.vertices, (std::vector<PolyPoint>{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}}));
+  ASSERT_EQ(off.scene.bodies.size(), 1U);
+  EXPECT_FALSE(off.scene.bodies[0].sheet);
+  EXPECT_EQ(off.scene.bodies[0].faces[1].outline, (std::vector<VertexIndex>{0, 1, 3}));
+  EXPECT_FALSE(off.report.quantised);
+  EXPECT_EQ(off.scene.step, 1.0);
+}
+
+TEST(ReadPoly, OffVariantsWithColoursAndNormals) {
+  const auto triangle = [](const std::string& head, const std::string& more) {
+    return read(head + "\n3 1\n0 0 0" + more + "\n1 0 0" + more + "\n0 1 0" + more + "\n3 0 1 2\n",
+                PolyFormat::off)
+        .scene;
+  };
+  const PolyScene plain = triangle("OFF", "");
+  EXPECT_TRUE(plain.bodies.at(0).sheet);
+  EXPECT_EQ(triangle("COFF", " 1 0 0 1"), plain);
+  EXPECT_EQ(triangle("NOFF", " 0 0 1"), plain);
+  EXPECT_EQ(triangle("STCNOFF", " 0 0 1 1 0 0 1 0 0"), plain);
+}
+
+TEST(ReadPoly, ObjectsComeBeforeGroups) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const PolyScene groups =
+      read(vertices + "f 1 2 3\ng left wing\nf 1 2 4\ng b\nf 1 3 4\ng left wing\nf 2 3 4\n", PolyFormat::obj)
+          .scene;
+  ASSERT_EQ(groups.bodies.size(), 3U);
+  EXPECT_EQ(groups.bodies[0].name, "");
+  EXPECT_EQ(groups.bodies[1].name, "left wing");
+  EXPECT_EQ(groups.bodies[1].faces.size(), 2U);
+  const PolyScene objects =
+      read(vertices + "o all\ng a\nf 1 3 2\ng b\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", PolyFormat::obj).scene;
+  ASSERT_EQ(objects.bodies.size(), 1U);
+  EXPECT_EQ(objects.bodies[0].name, "all");
+  EXPECT_FALSE(objects.bodies[0].sheet);
+}
+
+TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
+  struct Model {
+    const char* name;
+    std::size_t vertices, faces;
+  };
+  for (const Model& model :
+       {Model{"bars", 451, 449}, Model{"grid", 82, 41}, Model{"objects", 388, 416},
+        Model{"spring", 909, 1800}, Model{"squares", 192, 48}, Model{"tori", 512, 512}}) {
+    std::ifstream file(std::string(SIGHTLINE_TEST_DATA "/models/") + model.name + ".off", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const PolyImport import = read(text, PolyFormat::off);
+    std::size_t faces = 0;
+    for (const PolyBody& body : import.scene.bodies) faces += body.faces.size();
+    EXPECT_EQ(import.scene.vertices.size(), model.vertices) << model.name;
+    EXPECT_EQ(faces, model.faces) << model.name;
+    EXPECT_FALSE(import.report.quantised) << model.name;
+    EXPECT_EQ(problems(import.scene), "") << model.name;
+  }
+}
+
+struct Damage {
+  PolyFormat format;
+  std::string text;
+  std::string message;
+};
+
+TEST(ReadPoly, DamageIsNamedByLine) {
+  const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
+  const Damage damages[] = {
+      {PolyFormat::off, "", "test: end of file: found no text, expected OFF"},
+      {PolyFormat::off, "PLY\n", "test: line 1: found \"PLY\", expected OFF in the first line"},
+      {PolyFormat::off, "4OFF\n",
+       "test: line 1: found \"4OFF\", expected OFF, COFF, NOFF, CNOFF or STOFF: points of three dimensions"},
+      {PolyFormat::off, "OFF BINARY\n", "test: line 1: found \"BINARY\", expected OFF as text"},
+      {PolyFormat::off, "OFF\n3\n", "test: line 2: expected the numbers of vertices, faces and edges"},
+      {PolyFormat::off, "OFF\n", "test: end of file: expected the numbers of vertices, faces and edges"},
+      {PolyFormat::off, "OFF\n-3 1 0\n",
+       "test: line 2: found \"-3\", expected a number of vertices or faces"},
+      {PolyFormat::off, "OFF\n4000000000 1 0\n",
+       "test: line 2: found \"4000000000\", expected a number of vertices or faces"},
+      {PolyFormat::off, "OFF\n2000000000 1 0\n0 0 0\n",
+       "test: end of file: found 1 vertices, expected 2000000000"},
+      {PolyFormat::off, head + "0 x 0\n", "test: line 5: found \"x\", expected a number"},
+      {PolyFormat::off, head + "0 nan 0\n", "test: line 5: found \"nan\", expected a number"},
+      {PolyFormat::off, head + "0 1e999 0\n", "test: line 5: found \"1e999\", expected a number"},
+      {PolyFormat::off, head + "0 1\n", "test: line 5: found 2 numbers, expected x, y and z"},
+      {PolyFormat::off, head + "0 1 0\n", "test: end of file: found 0 faces, expected 1"},
+      {PolyFormat::off, head + "0 1 0\n2 0 1\n",
+       "test: line 6: found \"2\", expected how many vertices the face has, 3 or more"},
+      {PolyFormat::off, head + "0 1 0\n4 0 1 2\n", "test: line 6: found 3 vertices, expected 4"},
+      {PolyFormat::off, head + "0 1 0\n3 0 1 3\n", "test: line 6: found \"3\", expected a vertex below 3"},
+      {PolyFormat::off, head + "0 1 0\n3 0 1 -1\n", "test: line 6: found \"-1\", expected a vertex below 3"},
+      {PolyFormat::off, head + "0 1 0\n3 0 1 2\n3 0 1 2\n",
+       "test: line 7: found \"3\", expected nothing after the last face"},
+      {PolyFormat::off, std::string("O\x80\x01\n"),
+       "test: line 1: found \"O??\", expected OFF in the first line"},
+      {PolyFormat::obj, "", "test: end of file: found no vertices, expected lines \"v x y z\""},
+      {PolyFormat::obj, "v 0 0\n", "test: line 1: found 2 numbers, expected x, y and z"},
+      {PolyFormat::obj, "v 0 0 inf\n", "test: line 1: found \"inf\", expected a number"},
+      {PolyFormat::obj, "v 0 0 0\nl 1 1\n",
+       "test: line 2: found \"l\", expected faces only: what has no area can be drawn but cannot hide"},
+      {PolyFormat::obj, "v 0 0 0\nf 1 1\n", "test: line 2: found 2 vertices, expected 3 or more"},
+      {PolyFormat::obj, "v 0 0 0\nf 1 0 1\n",
+       "test: line 2: found \"0\", expected a vertex 1..1 or the same from behind, -1..-1"},
+      {PolyFormat::obj, "v 0 0 0\nf 1 -2 1\n",
+       "test: line 2: found \"-2\", expected a vertex 1..1 or the same from behind, -1..-1"},
+      {PolyFormat::obj, "v 0 0 0\nf 1 1/x 1\n",
+       "test: line 2: found \"1/x\", expected a vertex 1..1 or the same from behind, -1..-1"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,0]]}", "test: expected a field \"bodies\", found none"},
+      {PolyFormat::json, "[]", "test: expected an object, found an array of 0"},
+      {PolyFormat::json, "{\"vertices\":[[0,0.5,0]],\"bodies\":[]}",
+       "test: vertices[0][1]: expected an integer -262143..262143, found 0.5"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,262144]],\"bodies\":[]}",
+       "test: vertices[0][2]: expected an integer -262143..262143, found 262144"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,0]],\"bodies\":[{\"faces\":[[0,0,1]]}]}",
+       "test: bodies[0].faces[0][2]: expected an integer 0..0, found 1"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,0]],\"bodies\":[{\"faces\":[{\"outline\":[0,0]}]}]}",
+       "test: bodies[0].faces[0].outline: expected an array of 3 or more, found an array of 2"},
+      {PolyFormat::json, "{\"vertices\":[],\"bodies\":[{\"faces\":[],\"sheet\":1}]}",
+       "test: bodies[0].sheet: expected true or false, found 1"},
+      {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"step\":0}",
+       "test: step: expected a number above 0, found 0"},
+      {PolyFormat::json, "{\"vertices\":[[0,0,9]],\"bodies\":[],\"step\":1e308}",
+       "test: step: expected a step that leaves every coordinate finite, found 1e+308"},
+      {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"camera\":{\"eye\":[0,0,0]}}",
+       "test: camera: expected a field \"forward\", found none"},
+      {PolyFormat::json, "{\"vertices\":[],\"bodies\":[],\"name\":7}",
+       "test: name: expected a string of up to 200 printable ASCII characters, found 7"},
+  };
+  for (const Damage& damage : damages) {
+    const auto result = read_poly(damage.text, "test", damage.format);
+    const auto* error = std::get_if<SceneError>(&result);
+    ASSERT_NE(error, nullptr) << damage.text;
+    EXPECT_EQ(error->message(), damage.message);
+  }
+}
+
+TEST(ReadPoly, JsonWithoutACameraIsLookedAtFromOutside) {
+  const PolyScene scene =
+      read("{\"vertices\":[[0,0,0],[8,0,0],[0,8,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}", PolyFormat::json)
+          .scene;
+  EXPECT_TRUE(scene.bodies[0].sheet);
+  EXPECT_TRUE(scene.camera.perspective);
+  EXPECT_GT(scene.camera.eye[2], 8);
+  EXPECT_EQ(problems(scene), "");
+  EXPECT_TRUE(is_poly_json("{\"bodies\":[]}"));
+  EXPECT_FALSE(is_poly_json("{\"cells\":[]}"));
+  EXPECT_FALSE(is_poly_json("{\"bodies\":"));
+}
+
+TEST(PolyFormats, AreKnownByTheEndOfTheName) {
+  EXPECT_EQ(poly_format_of("a/b.OFF"), PolyFormat::off);
+  EXPECT_EQ(poly_format_of("b.obj"), PolyFormat::obj);
+  EXPECT_EQ(poly_format_of("b.json"), PolyFormat::json);
+  EXPECT_EQ(poly_format_of("off"), std::nullopt);
+  EXPECT_EQ(poly_format_of("b.ply"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace sightline::scene

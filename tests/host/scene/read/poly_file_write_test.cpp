@@ -1,0 +1,110 @@
+// OFF, OBJ and JSON: what is written reads as the same scene, as far as the format has words for it.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/read/poly_file.hpp"
+#include "tests/host/scene/poly_support.hpp"
+
+namespace sightline::scene {
+namespace {
+
+TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
+  for (const std::string_view family : generator_names()) {
+    const auto scene = std::get<PolyScene>(generate_scene(family, 3, 5));
+    EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
+    if (family == "rooms" || family == "big_rooms") continue;  // holes
+    PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
+    EXPECT_EQ(obj.vertices, scene.vertices) << family;
+    EXPECT_EQ(obj.bodies, scene.bodies) << family;
+    // OFF has no bodies: what touches hangs together, what does not is apart.
+    if (family == "touch" || family == "bricks" || family == "corridors") continue;
+    PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
+    EXPECT_EQ(off.vertices, scene.vertices) << family;
+    ASSERT_EQ(off.bodies.size(), scene.bodies.size()) << family;
+    for (std::size_t b = 0; b < off.bodies.size(); ++b) EXPECT_EQ(off.bodies[b].faces, scene.bodies[b].faces);
+  }
+}
+
+// A wall with a hatch as triangles: its area, and no edge that its outline and hole do not have is left
+// alone.
+TEST(WritePoly, FacesWithHolesBecomeTriangles) {
+  const PolyScene scene = generate_rooms(3);
+  const PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
+  EXPECT_EQ(problems(off), "");
+  EXPECT_EQ(off.vertices, scene.vertices);
+  const auto area = [](const PolyScene& s) {
+    double sum = 0;
+    const auto ring_area = [&](const std::vector<VertexIndex>& ring) {
+      double n[3]{};
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const PolyPoint& p = s.vertices[ring[i]];
+        const PolyPoint& q = s.vertices[ring[(i + 1) % ring.size()]];
+        for (std::size_t a = 0; a < 3; ++a)
+          n[a] += 0.5 * (1.0 * p[(a + 1) % 3] * q[(a + 2) % 3] - 1.0 * p[(a + 2) % 3] * q[(a + 1) % 3]);
+      }
+      return std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    };
+    for (const PolyBody& body : s.bodies) {
+      for (const PolyFace& face : body.faces) {
+        sum += ring_area(face.outline);
+        for (const auto& hole : face.holes) sum -= ring_area(hole);
+      }
+    }
+    return sum;
+  };
+  EXPECT_DOUBLE_EQ(area(off), area(scene));
+}
+
+TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
+  PolyScene scene;
+  PolyFace face;
+  const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {
+    ring.push_back(static_cast<VertexIndex>(scene.vertices.size()));
+    scene.vertices.push_back({x, y, 0});
+  };
+  for (std::int32_t i = 0; i <= 600; ++i) add(face.outline, i, i * i);
+  for (std::int32_t i = 600; i-- > 0;) add(face.outline, i, 600 * i + (600 - i) * i);
+  face.holes.emplace_back();
+  for (const auto& [x, y] : {std::array{300, 100000}, std::array{300, 100001}, std::array{301, 100001}})
+    add(face.holes[0], x, y);
+  scene.bodies = {{"", true, {face}}};
+  const auto result = write_poly(scene, PolyFormat::off);
+  const auto* error = std::get_if<SceneError>(&result);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->place, "body 0, face 0");
+}
+
+// Names that are the same, look like a comment or a line that goes on, or are those of unnamed bodies.
+TEST(WritePoly, ObjKeepsBodiesApart) {
+  PolyScene scene = generate_boxes(6);
+  const char* names[] = {"", "a  b", " a b ", "#1", "ends in \\", "body 0"};
+  for (std::size_t b = 0; b < 6; ++b) scene.bodies[b].name = names[b];
+  const PolyScene again = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
+  ASSERT_EQ(again.bodies.size(), 6U);
+  const char* written_names[] = {"body 0", "a b", "body 2", "_1", "ends in _", "body 5"};
+  for (std::size_t b = 0; b < 6; ++b) {
+    EXPECT_EQ(again.bodies[b].name, written_names[b]);
+    EXPECT_EQ(again.bodies[b].faces, scene.bodies[b].faces);
+  }
+}
+
+// OFF does not say that its two surfaces are one body.
+TEST(WritePoly, ACavitySurvivesOff) {
+  const PolyScene scene = hollow_box();
+  for (const bool mend : {false, true}) {
+    const PolyImport again = read(written(scene, PolyFormat::off), PolyFormat::off, mend);
+    EXPECT_EQ(problems(again.scene), "");
+    ASSERT_EQ(again.scene.bodies.size(), 1U);
+    EXPECT_EQ(again.scene.bodies[0].faces, scene.bodies[0].faces);
+    EXPECT_EQ(again.report.turned_bodies, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace sightline::scene

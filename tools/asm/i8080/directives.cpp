@@ -1,0 +1,220 @@
+// Directives that stand for themselves: data, location, symbols, files. Those that enclose lines are in
+// i8080_blocks.
+#include <algorithm>
+#include <utility>
+
+#include "tools/asm/i8080/pass.hpp"
+#include "tools/asm/symbol_table.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+constexpr std::uint32_t memory_end = 0x10000;
+constexpr std::uint8_t last_character_mark = 0x80;
+
+// A name in INCLUDE is relative to the file it stands in.
+std::string beside(std::string_view including, std::string_view name) {
+  const std::size_t slash = including.find_last_of("/\\");
+  if (slash == std::string_view::npos || name.starts_with('/')) return std::string(name);
+  return std::string(including.substr(0, slash + 1)) + std::string(name);
+}
+
+std::vector<std::string> ways_to_write(std::string_view name, bool library) {
+  std::vector<std::string> names{std::string(name)};
+  const std::string lower = lower_case(name);
+  if (library && name.find('.') == std::string_view::npos) {
+    const std::string as_written(name);
+    names = {as_written + ".LIB", as_written + ".lib", lower + ".lib", as_written};
+  }
+  names.push_back(lower);
+  return names;
+}
+
+}  // namespace
+
+void I8080Pass::directive(Directive directive, const Head& head) {
+  switch (directive) {
+    case Directive::org: return origin();
+    case Directive::equ: return equate(head, I8080SymbolKind::equate);
+    case Directive::set: return equate(head, I8080SymbolKind::set);
+    case Directive::db: return data_bytes(false);
+    case Directive::dc: return data_bytes(true);
+    case Directive::dw: return data_words();
+    case Directive::ds: return space();
+    case Directive::end: return end_of_program();
+    case Directive::macro: return define_macro(head);
+    case Directive::endm: return error(head.operation_at, "ENDM", "a MACRO, REPT, IRP or IRPC before it");
+    case Directive::local: return error(head.operation_at, "LOCAL", "it inside a macro");
+    case Directive::rept:
+    case Directive::irp:
+    case Directive::irpc: return repeat(directive);
+    case Directive::exitm: return exit_macro();
+    case Directive::include: return include(false);
+    case Directive::maclib: return include(true);
+    case Directive::external: return externals();
+    case Directive::cpu: return processor();
+    case Directive::z80:
+      return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
+    case Directive::title:
+    case Directive::ignored: return;
+    default: return conditional(directive, head);
+  }
+}
+
+void I8080Pass::equate(const Head& head, I8080SymbolKind kind) {
+  if (head.label.empty())
+    return error(head.operation_at, quoted(head.word) + " without a name", "NAME before it");
+  const auto value = expression();
+  if (!value) return;
+  if (!expect_end()) return;
+  enter(head.label, head.label_at, kind, *value);
+  shown_value_ = value->bits;
+  shown_equated_ = true;
+}
+
+void I8080Pass::data_bytes(bool mark_last) {
+  do {
+    if (token_.is(',')) advance();
+    if (data_string(mark_last)) continue;
+    const std::size_t at = token_.column;
+    const auto value = expression();
+    emit(value ? byte_of(*value, at).value_or(0) : std::uint8_t{0});
+    if (!value) return;
+  } while (token_.is(','));
+  expect_end();
+}
+
+// A string alone between commas is data; one that is part of an expression is not.
+bool I8080Pass::data_string(bool mark_last) {
+  if (token_.kind != TokenKind::string) return false;
+  const I8080Token after = I8080Lexer(lexer_).next();
+  if (after.kind != TokenKind::end && !after.is(',')) return false;
+  const std::string& text = token_.value;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<std::uint8_t>(text[i]);
+    emit(mark_last && i + 1 == text.size() ? static_cast<std::uint8_t>(byte | last_character_mark) : byte);
+  }
+  advance();
+  return true;
+}
+
+void I8080Pass::data_words() {
+  do {
+    if (token_.is(',')) advance();
+    const auto value = expression();
+    const std::uint32_t word = value ? value->bits : 0;
+    emit(static_cast<std::uint8_t>(word));
+    emit(static_cast<std::uint8_t>(word >> 8));
+    if (!value) return;
+  } while (token_.is(','));
+  expect_end();
+}
+
+// Without a fill byte the bytes are not given at all: they do not appear in a HEX file.
+void I8080Pass::space() {
+  const std::size_t at = token_.column;
+  const auto size = settled("a size");
+  if (!size) return;
+  shown_value_ = statement_location_;
+  if (token_.is(',')) {
+    advance();
+    const std::size_t fill_at = token_.column;
+    const auto fill = expression();
+    const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
+    count_lines(*size / listing_bytes_a_row);
+    for (std::uint32_t i = 0; i < *size && !said_overflow_ && !stopped_; ++i) emit(byte);
+    if (!fill) return;
+  } else if (location_ + *size > memory_end) {
+    if (!said_overflow_) {
+      error(at, std::to_string(*size) + " bytes of space",
+            "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
+    }
+    said_overflow_ = true;
+    location_ = memory_end;
+  } else {
+    location_ += *size;
+  }
+  expect_end();
+}
+
+void I8080Pass::origin() {
+  const auto address = settled("an address");
+  if (!address || !expect_end()) return;
+  location_ = *address;
+  said_overflow_ = false;
+  shown_value_ = *address;
+}
+
+void I8080Pass::end_of_program() {
+  if (!at_end()) {
+    const std::size_t at = token_.column;
+    const auto start = expression();
+    if (start && expect_end() && final_) {
+      if (program_.image.start && *program_.image.start != start->bits)
+        warning(at, "a second start address", "one");
+      program_.image.start = static_cast<std::uint16_t>(start->bits);
+    }
+  }
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+    (*frame)->finish();
+    if (!(*frame)->is_expansion()) return;
+  }
+}
+
+void I8080Pass::include(bool library) {
+  const std::size_t at = std::min(token_.column, statement_.text.size());
+  std::string_view name = statement_.text.substr(at, start_of_comment(statement_.text, at) - at);
+  while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
+  const std::string_view ends = "''\"\"<>";
+  for (std::size_t i = 0; i < ends.size() && name.size() > 1; i += 2) {
+    if (name.front() == ends[i] && name.back() == ends[i + 1]) name = name.substr(1, name.size() - 2);
+  }
+  if (name.empty()) return error(at, "no name", "the name of a file");
+  const auto in_file =
+      std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
+  const std::string& including = program_.files[(*in_file)->file()].name;
+  for (const std::string& written : ways_to_write(name, library)) {
+    const auto file = read_included(beside(including, written));
+    if (!file) continue;
+    for (const auto& frame : frames_) {
+      if (!frame->is_expansion() && frame->file() == *file)
+        return error(at, quoted(name) + ", which is being read", "no file that includes itself");
+    }
+    push(std::make_unique<I8080Frame>(*file, program_.files[*file].text));
+    return;
+  }
+  error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
+}
+
+// Where the file is among those read; nothing if it cannot be. Each is read once for all passes.
+std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
+  const auto known = program_.included.find(path);
+  if (known != program_.included.end()) return known->second;
+  std::optional<std::size_t> place;
+  if (auto text = options_.include ? options_.include(path) : std::nullopt) {
+    place = program_.files.size();
+    program_.files.push_back({path, std::move(*text)});
+  }
+  return program_.included[path] = place;
+}
+
+void I8080Pass::externals() {
+  const std::size_t at = token_.column;
+  const auto names = names_list("a name");
+  if (!names) return;
+  for (const std::string& name : *names) {
+    I8080Entry& entry = program_.symbols[name];
+    if (entry.name.empty()) entry.name = name;
+    if (entry.value) {
+      error(at, quoted(entry.name) + ", defined in this program", "a name it does not define");
+    } else {
+      entry.external = true;
+    }
+  }
+}
+
+void I8080Pass::processor() {
+  if (token_.text != "8080" && !token_.is_name("i8080")) unexpected("8080");
+}
+
+}  // namespace sightline::assembler

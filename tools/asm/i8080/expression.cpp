@@ -1,0 +1,232 @@
+// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
+// unsigned.
+#include <utility>
+
+#include "tools/asm/i8080/pass.hpp"
+#include "tools/image/binary.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+constexpr std::uint32_t word_mask = 0xFFFF;
+constexpr int deepest_nesting = 100;
+
+// Loosest first. NOT stands between AND and the relations and has one operand.
+constexpr int not_level = 2;
+constexpr int relation_level = 3;
+constexpr int sum_level = 4;
+constexpr int tightest_level = 5;
+
+int precedence(Operator operation) {
+  switch (operation) {
+    case Operator::or_:
+    case Operator::xor_: return 0;
+    case Operator::and_: return 1;
+    case Operator::eq:
+    case Operator::ne:
+    case Operator::lt:
+    case Operator::le:
+    case Operator::gt:
+    case Operator::ge: return relation_level;
+    case Operator::add:
+    case Operator::subtract: return sum_level;
+    case Operator::multiply:
+    case Operator::divide:
+    case Operator::mod:
+    case Operator::shl:
+    case Operator::shr: return tightest_level;
+    default: return -1;  // these stand before their operand
+  }
+}
+
+std::uint32_t result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
+  const auto truth = [](bool holds) { return holds ? word_mask : 0U; };
+  switch (operation) {
+    case Operator::multiply: return a * b;
+    case Operator::divide: return a / b;
+    case Operator::mod: return a % b;
+    case Operator::shl: return b > 15 ? 0 : a << b;
+    case Operator::shr: return b > 15 ? 0 : a >> b;
+    case Operator::add: return a + b;
+    case Operator::subtract: return a - b;
+    case Operator::eq: return truth(a == b);
+    case Operator::ne: return truth(a != b);
+    case Operator::lt: return truth(a < b);
+    case Operator::le: return truth(a <= b);
+    case Operator::gt: return truth(a > b);
+    case Operator::ge: return truth(a >= b);
+    case Operator::and_: return a & b;
+    case Operator::or_: return a | b;
+    default: return a ^ b;
+  }
+}
+
+}  // namespace
+
+std::optional<I8080Value> I8080Pass::expression() {
+  return level(0);
+}
+
+std::optional<Operator> I8080Pass::operation_of_token() const {
+  if (token_.is('+')) return Operator::add;
+  if (token_.is('-')) return Operator::subtract;
+  if (token_.is('*')) return Operator::multiply;
+  if (token_.is('/')) return Operator::divide;
+  if (token_.kind != TokenKind::name) return std::nullopt;
+  const Word* const found = word(token_.value, WordKind::operation);
+  return found == nullptr ? std::nullopt : std::optional(found->operation);
+}
+
+std::optional<I8080Value> I8080Pass::level(int precedence_level) {
+  if (precedence_level > tightest_level) return primary();
+  const auto leading = operation_of_token();
+  std::optional<I8080Value> left;
+  if (precedence_level == not_level && leading == Operator::not_) {
+    left = prefix(Operator::not_, not_level);
+  } else if (precedence_level == sum_level && (leading == Operator::add || leading == Operator::subtract)) {
+    left = prefix(*leading, tightest_level);
+  } else {
+    left = level(precedence_level + 1);
+  }
+  while (left) {
+    const auto operation = operation_of_token();
+    if (!operation || precedence(*operation) != precedence_level) return left;
+    const std::size_t at = token_.column;
+    advance();
+    const auto right = level(precedence_level + 1);
+    if (!right) return std::nullopt;
+    left = combine(*operation, *left, *right, at);
+  }
+  return left;
+}
+
+std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Value& a, const I8080Value& b,
+                                             std::size_t at) {
+  const bool known = a.known && b.known;
+  if (known && b.bits == 0 && (operation == Operator::divide || operation == Operator::mod)) {
+    error(at, "a division by 0", "another divisor");
+    return std::nullopt;
+  }
+  const bool logical =
+      operation == Operator::and_ || operation == Operator::or_ || operation == Operator::xor_;
+  return I8080Value{known ? result_of(operation, a.bits, b.bits) & word_mask : 0, known,
+                    a.forward || b.forward, logical && (a.pattern || b.pattern)};
+}
+
+bool I8080Pass::go_deeper() {
+  if (++nesting_ <= deepest_nesting) return true;
+  unexpected("at most " + std::to_string(deepest_nesting) + " parentheses and operators inside each other");
+  return false;
+}
+
+// An operator before its operand, which reaches as far as operators of its level and tighter.
+std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_level) {
+  if (!go_deeper()) return std::nullopt;
+  advance();
+  auto value = level(operand_level);
+  --nesting_;
+  if (!value) return std::nullopt;
+  if (operation != Operator::add) value->pattern = operation == Operator::not_;
+  switch (operation) {
+    case Operator::not_: value->bits = ~value->bits & word_mask; break;
+    case Operator::subtract: value->bits = (0U - value->bits) & word_mask; break;
+    case Operator::high: value->bits >>= 8; break;
+    case Operator::low: value->bits &= 0xFFU; break;
+    default: break;  // a plus sign or a parenthesis
+  }
+  if (!value->known) value->bits = 0;
+  return value;
+}
+
+std::optional<I8080Value> I8080Pass::primary() {
+  if (token_.kind == TokenKind::number) {
+    const I8080Value value{token_.number, true, false, false};
+    advance();
+    return value;
+  }
+  if (token_.kind == TokenKind::string && token_.value.size() <= 2) {
+    I8080Value value;
+    for (const char c : token_.value) value.bits = value.bits << 8 | static_cast<std::uint8_t>(c);
+    advance();
+    return value;
+  }
+  if (token_.is('$') || token_.is('*')) {
+    advance();
+    return I8080Value{statement_location_ & word_mask, true, false, false};
+  }
+  if (token_.is('(')) {
+    auto value = prefix(Operator::add, 0);
+    if (!value) return std::nullopt;
+    if (!token_.is(')')) {
+      unexpected("')'");
+      return std::nullopt;
+    }
+    advance();
+    return value;
+  }
+  const auto operation = operation_of_token();
+  if (operation == Operator::nul) {
+    const I8080Token rest = I8080Lexer(lexer_).next();
+    const bool nothing =
+        rest.kind == TokenKind::end || (rest.kind == TokenKind::string && rest.value.empty());
+    lexer_ = I8080Lexer();
+    advance();
+    return I8080Value{nothing ? word_mask : 0U, true, false, false};
+  }
+  if (operation && (precedence(*operation) < 0 || precedence(*operation) == sum_level)) {
+    return prefix(*operation, *operation == Operator::not_ ? relation_level : tightest_level + 1);
+  }
+  if (token_.kind == TokenKind::name && !operation) return name_value();
+  unexpected(token_.kind == TokenKind::string ? "one or two characters" : "a value");
+  return std::nullopt;
+}
+
+std::optional<I8080Value> I8080Pass::name_value() {
+  const I8080Token name = token_;
+  if (const Word* const found = word(name.value, WordKind::mnemonic)) {
+    const auto opcode = opcode_value(found->rows);
+    return opcode ? std::optional(I8080Value{*opcode, true, false, false}) : std::nullopt;
+  }
+  advance();
+  if (const Word* const found = word(name.value, WordKind::register_name))
+    return I8080Value{found->value, true, false, false};
+  const auto found = program_.symbols.find(name.value);
+  const I8080Entry* const entry = found == program_.symbols.end() ? nullptr : &found->second;
+  if (entry != nullptr && entry->value) {
+    const bool forward = entry->kind != I8080SymbolKind::define && entry->defined_in_pass != number_;
+    return I8080Value{*entry->value, true, forward || entry->forward, entry->pattern};
+  }
+  if (!final_) return I8080Value{0, false, true, false};
+  if (entry != nullptr && entry->external) {
+    error(name.column, "external symbol " + quoted(name.text), "one of this program: there is no linker");
+  } else if (entry != nullptr && entry->defined_in_pass != 0) {
+    error(name.column, quoted(name.text) + ", whose own value is not known",
+          "an EQU that does not rest on itself");
+  } else {
+    error(name.column, "undefined symbol " + quoted(name.text), "one that is defined");
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint16_t> I8080Pass::settled(std::string_view what) {
+  const std::size_t at = token_.column;
+  const auto value = expression();
+  if (!value) return std::nullopt;
+  if (!value->known || value->forward) {
+    error(at, "a forward reference", std::string(what) + " known at this line");
+    return std::nullopt;
+  }
+  return static_cast<std::uint16_t>(value->bits);
+}
+
+std::optional<std::uint8_t> I8080Pass::byte_of(const I8080Value& value, std::size_t at) {
+  const bool fits = value.bits <= 0xFF || value.bits >= 0xFF80 || (value.pattern && value.bits >= 0xFF00);
+  if (value.known && !fits) {
+    error(at, "value " + std::to_string(value.bits) + " (" + image::hexadecimal(value.bits, 4) + ")",
+          "a byte, -128 to 255");
+    return std::nullopt;
+  }
+  return static_cast<std::uint8_t>(value.bits);
+}
+
+}  // namespace sightline::assembler

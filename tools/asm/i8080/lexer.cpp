@@ -1,0 +1,200 @@
+#include "tools/asm/i8080/lexer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sightline::assembler {
+namespace {
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return lower(c) >= 'a' && lower(c) <= 'z';
+}
+
+// 99 for what is no digit of any radix.
+unsigned digit_value(char c) {
+  if (is_digit(c)) return static_cast<unsigned>(c - '0');
+  return is_letter(c) ? static_cast<unsigned>(lower(c) - 'a') + 10U : 99U;
+}
+
+unsigned radix_of_suffix(char c) {
+  switch (lower(c)) {
+    case 'h': return 16;
+    case 'o':
+    case 'q': return 8;
+    case 'b': return 2;
+    case 'd': return 10;
+    default: return 0;
+  }
+}
+
+const char* name_of_radix(unsigned radix) {
+  return radix == 16 ? "hexadecimal" : radix == 8 ? "octal" : radix == 2 ? "binary" : "decimal";
+}
+
+// Behind the part in angle brackets that opens at `at`, or npos if it is not closed.
+std::size_t end_of_brackets(std::string_view text, std::size_t at) {
+  std::size_t depth = 0;
+  for (std::size_t i = at; i < text.size(); ++i) {
+    if (text[i] == '<') ++depth;
+    if (text[i] == '>' && --depth == 0) return i + 1;
+  }
+  return std::string_view::npos;
+}
+
+// A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind:
+// the search stays linear whatever the line holds, also when it goes on behind a stop with the same `plain`.
+std::size_t find_outside_groups(std::string_view text, std::size_t from, std::string_view stops,
+                                std::string& plain) {
+  for (std::size_t i = from; i < text.size();) {
+    const char c = text[i];
+    if (stops.find(c) != std::string_view::npos) return i;
+    const bool opens = (c == '\'' || c == '"' || c == '<') && plain.find(c) == std::string::npos;
+    if (!opens) {
+      ++i;
+      continue;
+    }
+    const std::size_t end = c == '<' ? end_of_brackets(text, i) : end_of_string(text, i);
+    if (end == std::string_view::npos) plain += c;
+    i = end == std::string_view::npos ? i + 1 : end;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+bool begins_name(char c) {
+  return is_letter(c) || c == '?' || c == '@' || c == '.' || c == '_';
+}
+bool continues_name(char c) {
+  return begins_name(c) || is_digit(c) || c == '$';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1A';
+}
+
+std::string folded(std::string_view name) {
+  std::string text;
+  text.reserve(name.size());
+  for (const char c : name) {
+    if (c != '$') text += lower(c);
+  }
+  return text;
+}
+
+std::size_t end_of_name(std::string_view text, std::size_t at) {
+  if (at >= text.size() || !begins_name(text[at])) return at;
+  while (at < text.size() && continues_name(text[at])) ++at;
+  return at;
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  return at;
+}
+
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  for (std::size_t i = at + 1; i < text.size(); ++i) {
+    if (text[i] != quote) continue;
+    if (i + 1 < text.size() && text[i + 1] == quote) {
+      ++i;
+      continue;
+    }
+    return i + 1;
+  }
+  return std::string_view::npos;
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown = "'";
+  for (const char c : text.substr(0, 24)) shown += c >= ' ' && c < 0x7F ? c : '?';
+  return shown + (text.size() > 24 ? "...'" : "'");
+}
+
+std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed) {
+  const std::size_t at = find_outside_groups(line, from, "!;", unclosed);
+  return at < line.size() && line[at] == ';' ? line.size() : at;
+}
+
+std::size_t start_of_comment(std::string_view text, std::size_t from) {
+  std::string unclosed;
+  return find_outside_groups(text, from, ";", unclosed);
+}
+
+I8080Token I8080Lexer::next() {
+  at_ = skip_blanks(text_, at_);
+  if (at_ >= text_.size() || text_[at_] == ';') return {TokenKind::end, at_, {}, {}, 0};
+  const std::size_t start = at_;
+  const char c = text_[start];
+  if (begins_name(c)) return name(start);
+  if (c == '\'' || c == '"') return string(start);
+  if (c == '$') return dollar(start);
+  if (!is_digit(c)) return {TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+  if (c == '0' && start + 2 < text_.size() && lower(text_[start + 1]) == 'x' &&
+      digit_value(text_[start + 2]) < 16)
+    return number(start, start + 2, 16);
+  return number(start, start, 0);
+}
+
+I8080Token I8080Lexer::name(std::size_t start) {
+  at_ = end_of_name(text_, start);
+  const std::string_view text = text_.substr(start, at_ - start);
+  return {TokenKind::name, start, text, folded(text), 0};
+}
+
+// `$` before a hexadecimal digit begins a number, else it is the location.
+I8080Token I8080Lexer::dollar(std::size_t start) {
+  if (start + 1 < text_.size() && digit_value(text_[start + 1]) < 16) return number(start, start + 1, 16);
+  return {TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+}
+
+// A radix of 0 is given by the suffix.
+I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned radix) {
+  at_ = digits;
+  while (at_ < text_.size() && (digit_value(text_[at_]) < 99 || text_[at_] == '$')) ++at_;
+  I8080Token token{TokenKind::number, start, text_.substr(start, at_ - start), {}, 0};
+  std::string written = folded(text_.substr(digits, at_ - digits));
+  if (radix == 0) {
+    radix = radix_of_suffix(written.back());
+    if (radix != 0) written.pop_back();
+    if (radix == 0) radix = 10;
+  }
+  for (const char c : written) {
+    const unsigned digit = digit_value(c);
+    if (digit >= radix) {
+      token.kind = TokenKind::bad;
+      token.value = std::string(radix == 8 ? "an " : "a ") + name_of_radix(radix) + " number" +
+                    (radix == 10 ? " or a suffix H O Q B" : "");
+      return token;
+    }
+    token.number = std::min(token.number * radix + digit, 0x10000U);
+  }
+  if (token.number > 0xFFFF) {
+    token.kind = TokenKind::bad;
+    token.value = "a number up to 65535 (0FFFFH)";
+  }
+  return token;
+}
+
+I8080Token I8080Lexer::string(std::size_t start) {
+  const std::size_t end = end_of_string(text_, start);
+  if (end == std::string_view::npos) {
+    at_ = text_.size();
+    return {TokenKind::bad, start, text_.substr(start), "a closing quote", 0};
+  }
+  at_ = end;
+  I8080Token token{TokenKind::string, start, text_.substr(start, end - start), {}, 0};
+  for (std::size_t i = start + 1; i + 1 < end; ++i) {
+    token.value += text_[i];
+    if (text_[i] == text_[start]) ++i;
+  }
+  return token;
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,171 @@
+#include "tools/asm/i8080/macro.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "tools/asm/i8080/lexer.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+class ArgumentSplitter {
+ public:
+  ArgumentSplitter(std::string_view text, std::size_t at)
+      : text_(text.substr(0, start_of_comment(text, at))), at_(skip_blanks(text_, at)) {}
+
+  Arguments split() {
+    if (at_ >= text_.size()) return {};
+    Arguments arguments;
+    while (true) {
+      arguments.list.push_back(argument());
+      if (unclosed_ != std::string_view::npos) arguments.unclosed = unclosed_;
+      if (at_ >= text_.size()) return arguments;
+      ++at_;  // the comma
+    }
+  }
+
+ private:
+  Argument argument() {
+    at_ = skip_blanks(text_, at_);
+    Argument argument;
+    argument.column = at_;
+    if (at_ < text_.size() && text_[at_] == '%') {
+      argument.evaluate = true;
+      argument.column = ++at_;
+    }
+    std::size_t kept = 0;  // blanks in front of this are not trimmed
+    while (at_ < text_.size() && text_[at_] != ',') {
+      const char c = text_[at_];
+      if (c == '<' && !argument.evaluate) {
+        bracketed(argument.text);
+        kept = argument.text.size();
+      } else if (c == '^' && at_ + 1 < text_.size()) {
+        argument.text += text_[at_ + 1];
+        at_ += 2;
+        kept = argument.text.size();
+      } else if (c == '\'' || c == '"') {
+        string(argument.text);
+      } else {
+        argument.text += c;
+        ++at_;
+      }
+    }
+    while (argument.text.size() > kept && is_blank(argument.text.back())) argument.text.pop_back();
+    return argument;
+  }
+
+  void bracketed(std::string& text) {
+    const std::size_t opened = at_++;
+    for (std::size_t depth = 1; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '>' && --depth == 0) {
+        ++at_;
+        return;
+      }
+      if (c == '<') ++depth;
+      if (c == '^' && depth == 1 && at_ + 1 < text_.size()) ++at_;
+      text += text_[at_];
+    }
+    unclosed_ = opened;
+  }
+
+  void string(std::string& text) {
+    const std::size_t end = end_of_string(text_, at_);
+    const std::size_t length = end == std::string_view::npos ? 1 : end - at_;
+    text += text_.substr(at_, length);
+    at_ += length;
+  }
+
+  std::string_view text_;
+  std::size_t at_;
+  std::size_t unclosed_ = std::string_view::npos;
+};
+
+class Replacer {
+ public:
+  Replacer(std::string_view line, const std::vector<std::string>& names,
+           const std::vector<std::string>& texts)
+      : line_(line), names_(names), texts_(texts) {}
+
+  Expansion replace() {
+    while (at_ < line_.size() && expansion_.text.size() <= longest_line) {
+      const char c = line_[at_];
+      if (quote_ == 0 && c == ';') {
+        copy(line_.size());
+      } else if (begins_name(c)) {
+        name();
+      } else if (continues_name(c)) {
+        copy(end_of_number());
+      } else {
+        if (c == quote_) {
+          quote_ = 0;
+        } else if (quote_ == 0 && (c == '\'' || c == '"')) {
+          quote_ = c;
+        }
+        copy(at_ + 1);
+      }
+    }
+    return std::move(expansion_);
+  }
+
+ private:
+  // A letter inside a number (0FFH, 1$0000B) begins no name.
+  [[nodiscard]] std::size_t end_of_number() const {
+    std::size_t end = at_;
+    while (end < line_.size() && continues_name(line_[end])) ++end;
+    return end;
+  }
+
+  void copy(std::size_t end) {
+    expansion_.text += line_.substr(at_, end - at_);
+    at_ = end;
+  }
+
+  void name() {
+    const std::size_t end = end_of_name(line_, at_);
+    const bool joined_before = at_ > 0 && line_[at_ - 1] == '&';
+    const bool joined_after = end < line_.size() && line_[end] == '&';
+    const bool may_be = quote_ == 0 || joined_before || joined_after;
+    const auto found =
+        may_be ? std::find(names_.begin(), names_.end(), folded(line_.substr(at_, end - at_))) : names_.end();
+    if (found == names_.end()) return copy(end);
+    if (joined_before && dropped_ != at_) expansion_.text.pop_back();
+    expansion_.origins.emplace_back(expansion_.text.size(), at_);
+    expansion_.text += texts_[static_cast<std::size_t>(found - names_.begin())];
+    at_ = joined_after ? end + 1 : end;
+    if (joined_after) dropped_ = at_;
+    expansion_.origins.emplace_back(expansion_.text.size(), at_);
+  }
+
+  std::string_view line_;
+  const std::vector<std::string>& names_;
+  const std::vector<std::string>& texts_;
+  std::size_t at_ = 0;
+  std::size_t dropped_ = std::string_view::npos;  // the `&` just before this offset is gone already
+  char quote_ = 0;
+  Expansion expansion_;
+};
+
+}  // namespace
+
+Arguments split_arguments(std::string_view text, std::size_t from) {
+  return ArgumentSplitter(text, from).split();
+}
+
+// Inside a replaced text every offset comes from where the name stood.
+std::size_t Expansion::origin_of(std::size_t offset) const {
+  std::pair<std::size_t, std::size_t> before{0, 0};
+  bool inside = false;
+  for (std::size_t i = 0; i < origins.size() && origins[i].first <= offset; ++i) {
+    before = origins[i];
+    inside = i % 2 == 0;
+  }
+  return inside ? before.second : before.second + (offset - before.first);
+}
+
+Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
+                        const std::vector<std::string>& texts) {
+  return Replacer(line, names, texts).replace();
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,242 @@
+#include "tools/asm/i8080/pass.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "tools/image/binary.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+using image::hexadecimal;
+
+constexpr std::uint32_t memory_end = 0x10000;
+constexpr std::size_t most_errors = 1000;       // and as many warnings
+constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
+constexpr std::size_t most_places_shown = 3;    // of nested expansions
+
+std::string local_name(std::size_t number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return "??" + digits;
+}
+
+}  // namespace
+
+void I8080Pass::run(std::size_t sources) {
+  program_.unknown_equates = 0;
+  program_.values_moved = false;
+  for (std::size_t file = 0; file < sources && !stopped_; ++file) {
+    push(std::make_unique<I8080Frame>(file, program_.files[file].text));
+    while (!frames_.empty() && !stopped_) {
+      if (const auto statement = frames_.back()->next_statement()) {
+        statement_ = *statement;
+        this->statement();
+      } else if (!next_line()) {
+        end_of_frame();
+      }
+    }
+  }
+}
+
+// Lines
+
+bool I8080Pass::next_line() {
+  I8080Frame& frame = *frames_.back();
+  if (!frame.next_line([this] { return local_name(++locals_); })) return false;
+  statement_ = {frame.line(), 0, true};
+  count_lines(1 + frame.line().size() / characters_a_line);
+  if (frame.line().size() > longest_line) {
+    error(0, std::string("a longer line") + (frame.is_expansion() ? " after expansion" : ""),
+          "at most " + std::to_string(longest_line) + " characters");
+    stopped_ = true;
+  }
+  begin_row();
+  return true;
+}
+
+void I8080Pass::count_lines(std::size_t more) {
+  lines_ += more;
+  if (lines_ <= options_.most_lines) return;
+  error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
+        "repeats and macros that end");
+  stopped_ = true;
+}
+
+void I8080Pass::begin_row() {
+  if (!final_ || !options_.listing) return;
+  I8080Frame& frame = *frames_.back();
+  frame.row = program_.listing.size();
+  frame.row_filled = false;
+  program_.listing.push_back({"", "", (frame.is_expansion() ? "+" : "") + std::string(frame.line())});
+}
+
+void I8080Pass::end_of_frame() {
+  const I8080Frame& frame = *frames_.back();
+  const std::string end =
+      frame.is_expansion() ? "the end of " + frame.name() : "the end of " + program_.files[frame.file()].name;
+  while (conditionals_.size() > frame.conditionals) {
+    say(Severity::error, conditionals_.back().opened, end + " inside this IF", "ENDIF");
+    conditionals_.pop_back();
+  }
+  if (definition_ && definition_->frames == frames_.size()) {
+    say(Severity::error, definition_->opened, end + " inside this definition", "ENDM");
+    definition_.reset();
+  }
+  frames_.pop_back();
+}
+
+// Symbols
+
+void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value) {
+  const std::string key = folded(name);
+  const Word* const reserved = program_.vocabulary.find(key);
+  if (reserved != nullptr && reserved->kind != WordKind::directive) {
+    return error(at, quoted(name), "a name that is no register, operator or instruction");
+  }
+  I8080Entry& entry = program_.symbols[key];
+  if (entry.name.empty()) entry.name = std::string(name);
+  if (entry.kind == I8080SymbolKind::define && entry.value) {
+    if (kind == I8080SymbolKind::label)
+      error(at, "label " + quoted(name), "another name: -D defines this one");
+    return;
+  }
+  if (entry.external) return error(at, quoted(name) + ", declared external", "a name not declared external");
+  const bool again = entry.defined_in_pass == number_;
+  if (again && (kind != I8080SymbolKind::set || entry.kind != kind)) {
+    return error(
+        at, "a second definition of " + quoted(name),
+        "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
+  }
+  const std::optional<std::uint16_t> now =
+      value.known ? std::optional(static_cast<std::uint16_t>(value.bits)) : std::nullopt;
+  if (kind != I8080SymbolKind::set && number_ > 1 && entry.value != now) {
+    program_.values_moved = true;
+    if (now && entry.value && !said_phase_) {
+      error(at, quoted(name) + " = " + hexadecimal(*now, 4),
+            hexadecimal(*entry.value, 4) + " as in the pass before (phase error)");
+      said_phase_ = final_;
+    }
+  }
+  if (!value.known) ++program_.unknown_equates;
+  if (!again) entry.defined = place(at);
+  entry.kind = kind;
+  entry.value = now;
+  entry.forward = value.forward;
+  entry.pattern = value.pattern;
+  entry.defined_in_pass = number_;
+}
+
+// Bytes
+
+void I8080Pass::emit(std::uint8_t byte) {
+  if (location_ >= memory_end) {
+    if (!said_overflow_) error(0, "a byte past FFFF", "a program within 64K");
+    said_overflow_ = true;
+    return;
+  }
+  const auto address = static_cast<std::uint16_t>(location_++);
+  if (!final_) return;
+  if (program_.image.used(address) && !said_overlap_) {
+    warning(0, "a second byte for address " + hexadecimal(address, 4), "one");
+    said_overlap_ = true;
+  }
+  program_.image.put(address, byte);
+  bytes_.push_back(byte);
+}
+
+// `frame` is the one the statement came from: it may have opened another.
+void I8080Pass::end_statement(I8080Frame& frame) {
+  if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
+  std::size_t shown = 0;
+  do {
+    const std::size_t count = std::min(bytes_.size() - shown, listing_bytes_a_row);
+    const std::uint32_t first =
+        bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
+    std::string code = shown_equated_ ? "=" : "";
+    for (std::size_t i = 0; i < count; ++i) code += hexadecimal(bytes_[shown + i], 2);
+    if (frame.row_filled) program_.listing.push_back({"", "", ""});
+    ListingLine& line = frame.row_filled ? program_.listing.back() : program_.listing[*frame.row];
+    line.address = hexadecimal(first, 4);
+    line.code = std::move(code);
+    frame.row_filled = true;
+    shown += count;
+  } while (shown < bytes_.size());
+}
+
+// Tokens and messages
+
+void I8080Pass::read_operands(std::size_t at) {
+  lexer_ = I8080Lexer(statement_.text, at);
+  nesting_ = 0;
+  advance();
+}
+
+bool I8080Pass::expect_end() {
+  if (at_end()) return true;
+  unexpected("the end of the statement");
+  return false;
+}
+
+bool I8080Pass::expect_comma() {
+  if (!token_.is(',')) {
+    unexpected("','");
+    return false;
+  }
+  advance();
+  return true;
+}
+
+std::string I8080Pass::shown_token() const {
+  return at_end() ? "the end of the statement" : quoted(token_.text);
+}
+
+void I8080Pass::unexpected(std::string expected) {
+  error(token_.column, shown_token(), token_.kind == TokenKind::bad ? token_.value : std::move(expected));
+}
+
+Position I8080Pass::place(std::size_t at) const {
+  return frames_.back()->place(statement_.offset + at);
+}
+
+void I8080Pass::error(std::size_t at, std::string found, std::string expected) {
+  if (final_) say(Severity::error, place(at), std::move(found), std::move(expected));
+}
+
+void I8080Pass::warning(std::size_t at, std::string found, std::string expected) {
+  if (final_) say(Severity::warning, place(at), std::move(found), std::move(expected));
+}
+
+// Inside an expansion the place is that of the macro's text; where it was called stands behind.
+std::string I8080Pass::where_from() const {
+  std::string text;
+  std::size_t shown = 0;
+  for (auto frame = frames_.rbegin(); frame != frames_.rend() && (*frame)->is_expansion(); ++frame) {
+    if (++shown > most_places_shown) return text + ", ...)";
+    const Position called = (*frame)->called();
+    text += (text.empty() ? " (in " : ", in ") + (*frame)->name() + " at " +
+            program_.files[called.file].name + ":" + std::to_string(called.line);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+void I8080Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
+  if (!final_ || stopped_) return;
+  const auto& name = program_.files[at.file].name;
+  const bool is_error = severity == Severity::error;
+  std::size_t& count = is_error ? errors_ : warnings_;
+  if (count > most_errors) return;
+  if (++count > most_errors) {
+    program_.diagnostics.push_back(
+        {severity, name, at.line, at.column,
+         "more than " + std::to_string(most_errors) + (is_error ? " errors" : " warnings"),
+         is_error ? "fewer; the rest is not read" : "fewer; the rest is not shown"});
+    stopped_ = is_error;
+    return;
+  }
+  program_.diagnostics.push_back(
+      {severity, name, at.line, at.column, std::move(found), std::move(expected) + where_from()});
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,206 @@
+// One reading of all 8080 sources. Layout passes settle the value of every symbol; they are repeated while an
+// EQU that refers forward still finds something out. Then one more pass makes the bytes, and only that one
+// speaks.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "tools/asm/i8080.hpp"
+#include "tools/asm/i8080/input.hpp"
+#include "tools/asm/i8080/lexer.hpp"
+#include "tools/asm/i8080/macro.hpp"
+#include "tools/asm/i8080/vocabulary.hpp"
+
+namespace sightline::assembler {
+
+inline constexpr std::size_t listing_bytes_a_row = 4;
+
+struct I8080Entry {
+  std::string name;  // as first written
+  I8080SymbolKind kind = I8080SymbolKind::label;
+  std::optional<std::uint16_t> value;  // nothing while unknown
+  Position defined;
+  int defined_in_pass = 0;  // the last pass that met its definition
+  bool forward = false;     // its value rests on one that is defined further down
+  bool pattern = false;     // as of I8080Value
+  bool external = false;
+};
+
+// What passes hand on to each other, and at the end the outcome.
+struct I8080Program {
+  Vocabulary vocabulary;
+  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name
+  std::deque<SourceFile> files;                         // sources, then what was included
+  std::map<std::string, std::optional<std::size_t>>
+      included;                     // path -> its place in `files`; nothing: cannot be read
+  std::size_t unknown_equates = 0;  // in the last pass
+  bool values_moved = false;        // in the last pass, against the one before
+  image::ByteImage image;
+  std::vector<ListingLine> listing;
+  std::vector<Diagnostic> diagnostics;
+};
+
+// A value of an expression; `known` is false while it rests on a symbol not met yet.
+struct I8080Value {
+  std::uint32_t bits = 0;
+  bool known = true;
+  bool forward = false;  // not the same at its place in every pass: unfit for ORG and the like
+  bool pattern = false;  // made by NOT: as a byte, FF above it is no overflow
+};
+
+class I8080Pass {
+ public:
+  I8080Pass(const I8080Options& options, I8080Program& program, int number, bool final)
+      : options_(options), program_(program), number_(number), final_(final) {}
+
+  void run(std::size_t sources);
+
+ private:
+  struct Conditional {
+    bool active = false;
+    bool parent_active = true;
+    bool taken = false;  // the condition was true
+    bool had_else = false;
+    Position opened;
+  };
+  // The statement's label and operation; `operands` is where the rest begins.
+  struct Head {
+    std::string_view label;
+    std::size_t label_at = 0;
+    bool colon = false;
+    std::string_view word;
+    std::string operation;  // folded
+    std::size_t operation_at = 0;
+    std::size_t operands = 0;
+  };
+  // A macro or repeat whose body is being read.
+  struct Definition {
+    Directive kind = Directive::macro;
+    Macro macro;
+    std::vector<std::vector<std::string>> rows;
+    std::size_t iterations = 0;
+    Body body;
+    std::size_t depth = 1;   // of definitions inside it
+    std::size_t frames = 0;  // open where it began
+    Position opened;
+  };
+
+  // Lines, symbols and bytes (pass.cpp)
+  bool next_line();
+  void end_of_frame();
+  void count_lines(std::size_t more);
+  void begin_row();
+  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value);
+  void emit(std::uint8_t byte);
+  void end_statement(I8080Frame& frame);
+
+  // Statements (statement.cpp)
+  void statement();
+  void control_line();
+  [[nodiscard]] std::optional<Head> head();
+  [[nodiscard]] const Word* word(const std::string& name, WordKind kind) const;
+  [[nodiscard]] bool is_operation(const std::string& name) const;
+  [[nodiscard]] bool is_label_before(const Word* first, const std::string& second) const;
+  void execute(const Head& head);
+  void define_label(const Head& head);
+  [[nodiscard]] bool active() const { return conditionals_.empty() || conditionals_.back().active; }
+
+  // Directives (directives.cpp)
+  void directive(Directive directive, const Head& head);
+  void equate(const Head& head, I8080SymbolKind kind);
+  void data_bytes(bool mark_last);
+  bool data_string(bool mark_last);
+  void data_words();
+  void space();
+  void origin();
+  void end_of_program();
+  void include(bool library);
+  [[nodiscard]] std::optional<std::size_t> read_included(const std::string& path);
+  void externals();
+  void processor();
+
+  // Blocks (blocks.cpp)
+  void conditional(Directive directive, const Head& head);
+  [[nodiscard]] bool condition(Directive directive);
+  void define_macro(const Head& head);
+  void repeat(Directive directive);
+  void begin_definition(Definition definition);
+  void collect();
+  void collect_line();
+  void end_definition();
+  void call(const Macro& macro, std::size_t operands);
+  void exit_macro();
+  [[nodiscard]] std::optional<std::vector<std::string>> names_list(std::string_view what);
+  [[nodiscard]] std::vector<std::string> argument_texts(const Arguments& arguments);
+  void push(std::unique_ptr<I8080Frame> frame);
+
+  // Instructions (instruction.cpp)
+  void instruction(const Mnemonic& rows);
+  [[nodiscard]] std::optional<std::uint8_t> field(i8080::Operand operand);
+  [[nodiscard]] std::optional<std::uint8_t> opcode_value(const Mnemonic& rows);
+
+  // Expressions (expression.cpp). The token read is the first one behind the expression.
+  [[nodiscard]] std::optional<I8080Value> expression();
+  [[nodiscard]] std::optional<I8080Value> level(int precedence);
+  [[nodiscard]] std::optional<I8080Value> prefix(Operator operation, int precedence);
+  [[nodiscard]] bool go_deeper();
+  [[nodiscard]] std::optional<I8080Value> primary();
+  [[nodiscard]] std::optional<I8080Value> name_value();
+  [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a,
+                                                  const I8080Value& b, std::size_t at);
+  [[nodiscard]] std::optional<Operator> operation_of_token() const;
+  // One that has to be the same in every pass.
+  [[nodiscard]] std::optional<std::uint16_t> settled(std::string_view what);
+  [[nodiscard]] std::optional<std::uint8_t> byte_of(const I8080Value& value, std::size_t at);
+
+  // Tokens and messages (pass.cpp)
+  void read_operands(std::size_t at);
+  void advance() { token_ = lexer_.next(); }
+  [[nodiscard]] bool at_end() const { return token_.kind == TokenKind::end; }
+  bool expect_end();
+  bool expect_comma();  // and reads on
+  void unexpected(std::string expected);
+  [[nodiscard]] std::string shown_token() const;
+  [[nodiscard]] Position place(std::size_t at) const;
+  void error(std::size_t at, std::string found, std::string expected);
+  void warning(std::size_t at, std::string found, std::string expected);
+  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  [[nodiscard]] std::string where_from() const;
+
+  const I8080Options& options_;
+  I8080Program& program_;
+  int number_;
+  bool final_;
+  std::vector<std::unique_ptr<I8080Frame>> frames_;
+  std::vector<Conditional> conditionals_;
+  std::unordered_map<std::string, Macro> macros_;
+  std::optional<Definition> definition_;
+  I8080Statement statement_;
+  I8080Lexer lexer_;
+  I8080Token token_;
+  std::uint32_t location_ = 0;
+  std::uint32_t statement_location_ = 0;
+  std::vector<std::uint8_t> bytes_;           // of this statement
+  std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
+  bool shown_equated_ = false;                // ... by EQU or SET
+  bool said_phase_ = false;                   // the first is the cause of all others
+  bool said_overflow_ = false;                // since the last ORG
+  bool said_overlap_ = false;                 // in this statement
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t locals_ = 0;
+  int nesting_ = 0;  // of an expression
+  bool stopped_ = false;
+};
+
+}  // namespace sightline::assembler

@@ -1,0 +1,138 @@
+// A statement taken apart into label, operation and operands, and given to whom it concerns: a directive, a
+// macro, an instruction. What stands first may be a label without a colon; the languages differ in how one
+// tells.
+#include <algorithm>
+#include <string>
+
+#include "tools/asm/i8080/pass.hpp"
+
+namespace sightline::assembler {
+
+void I8080Pass::statement() {
+  I8080Frame& frame = *frames_.back();
+  statement_location_ = location_;
+  bytes_.clear();
+  shown_value_.reset();
+  shown_equated_ = said_overlap_ = false;
+  if (definition_) return collect();
+  if (statement_.begins_line && statement_.text.starts_with('$')) return control_line();
+  const auto parsed = head();
+  if (!parsed) return;
+  if (active()) {
+    execute(*parsed);
+  } else if (const Word* found = word(parsed->operation, WordKind::directive);
+             found != nullptr && found->directive >= Directive::if_ && found->directive <= Directive::endif) {
+    conditional(found->directive, *parsed);
+  }
+  end_statement(frame);
+}
+
+const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
+  const Word* found = program_.vocabulary.find(name);
+  return found != nullptr && found->kind == kind ? found : nullptr;
+}
+
+// Of Intel's controls only INCLUDE bears on the program: to skip it with the others would lose the file.
+void I8080Pass::control_line() {
+  if (!active()) return;
+  const std::string_view text = statement_.text.substr(0, start_of_comment(statement_.text, 0));
+  for (std::size_t at = 1; at < text.size();) {
+    const std::size_t end = end_of_name(text, at);
+    const std::string name = folded(text.substr(at, end - at));
+    if (name == "include" || name == "ic")
+      return error(at, "the control " + quoted(text.substr(at, end - at)), "the directive INCLUDE");
+    at = text[at] == '(' ? std::min(text.find(')', at), text.size()) : std::max(end, at + 1);
+  }
+}
+
+// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's
+// assemblers.
+std::optional<I8080Pass::Head> I8080Pass::head() {
+  const std::string_view text = statement_.text;
+  if (statement_.begins_line && !text.empty() && (text[0] == '*' || text[0] == '$')) return std::nullopt;
+  std::size_t at = skip_blanks(text, 0);
+  const std::size_t line_number = at;
+  while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
+  if (at < text.size() && !is_blank(text[at])) at = line_number;
+  const bool first_column = statement_.begins_line && (at == 0 || at > line_number);
+  at = skip_blanks(text, at);
+  if (at >= text.size() || text[at] == ';') return std::nullopt;
+
+  Head result;
+  const std::size_t end = end_of_name(text, at);
+  const std::string_view first = text.substr(at, end - at);
+  const std::size_t next = skip_blanks(text, end);
+  const auto operation = [&](std::size_t from) {
+    const std::size_t to = end_of_name(text, from);
+    result.word = text.substr(from, to - from);
+    result.operation = folded(result.word);
+    result.operation_at = from;
+    result.operands = to;
+  };
+  const auto label = [&](std::size_t from) {
+    result.label = first;
+    result.label_at = at;
+    operation(skip_blanks(text, from));
+  };
+  if (end > at && next < text.size() && text[next] == ':') {
+    result.colon = true;
+    label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
+    return result;
+  }
+  const std::string second = folded(text.substr(next, end_of_name(text, next) - next));
+  const Word* const after = word(second, WordKind::directive);
+  const Word* const itself = word(folded(first), WordKind::directive);
+  const bool is_title = itself != nullptr && itself->directive == Directive::title && !first_column;
+  if (end > at && after != nullptr && !is_title &&
+      (after->directive == Directive::equ || after->directive == Directive::set ||
+       after->directive == Directive::macro)) {
+    label(next);
+    return result;
+  }
+  operation(at);
+  if (first_column && end > at && (!is_operation(result.operation) || is_label_before(itself, second)))
+    label(next);
+  return result;
+}
+
+bool I8080Pass::is_operation(const std::string& name) const {
+  return macros_.contains(name) || word(name, WordKind::mnemonic) != nullptr ||
+         word(name, WordKind::directive) != nullptr;
+}
+
+// CP/M's ASM does not know the directives that change nothing here: ENTRY LXI H,0 has a label.
+bool I8080Pass::is_label_before(const Word* first, const std::string& second) const {
+  if (first == nullptr || (first->directive != Directive::ignored && first->directive != Directive::title))
+    return false;
+  if (word(second, WordKind::mnemonic) != nullptr) return true;
+  const Word* const data = word(second, WordKind::directive);
+  return data != nullptr && (data->directive == Directive::db || data->directive == Directive::dw ||
+                             data->directive == Directive::ds || data->directive == Directive::dc);
+}
+
+void I8080Pass::execute(const Head& head) {
+  const Word* const known = program_.vocabulary.find(head.operation);
+  const auto macro = macros_.find(head.operation);
+  const bool is_directive = known != nullptr && known->kind == WordKind::directive && macro == macros_.end();
+  const bool names_something =
+      is_directive && (known->directive == Directive::equ || known->directive == Directive::set ||
+                       known->directive == Directive::macro);
+  if (!head.label.empty() && !names_something) define_label(head);
+  if (macro != macros_.end()) return call(Macro(macro->second), head.operands);
+  read_operands(head.operands);
+  if (is_directive) return directive(known->directive, head);
+  if (known != nullptr && known->kind == WordKind::mnemonic) return instruction(known->rows);
+  if (head.operation.empty()) {
+    if (at_end()) return;
+    return unexpected(head.label.empty() ? "a label, an instruction, a directive or a comment"
+                                         : "an instruction or a directive");
+  }
+  error(head.operation_at, quoted(head.word), "an instruction, a directive or a macro");
+}
+
+void I8080Pass::define_label(const Head& head) {
+  enter(head.label, head.label_at, I8080SymbolKind::label, {statement_location_, true, false, false});
+  shown_value_ = statement_location_;
+}
+
+}  // namespace sightline::assembler

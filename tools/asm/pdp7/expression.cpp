@@ -1,0 +1,195 @@
+#include <string>
+
+#include "emulators/core/word.hpp"
+#include "tools/asm/pdp7/pass.hpp"
+#include "tools/image/error.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+constexpr int deepest_literal = 16;  // a literal in a literal in ...: more is a source gone wrong
+constexpr std::string_view a_term = "a number, a name, '.' or '('";
+
+}  // namespace
+
+bool Pdp7Pass::starts_a_term() const {
+  switch (token_.kind) {
+    case TokenKind::name:
+    case TokenKind::number:
+    case TokenKind::dot:
+    case TokenKind::hash: return token_.after_blank;
+    case TokenKind::open: return true;
+    default: return false;
+  }
+}
+
+std::optional<Value> Pdp7Pass::expression() {
+  std::optional<Value> left = term();
+  while (left) {
+    const Position at = token_.at;
+    const TokenKind kind = token_.kind;
+    const bool is_operator = kind == TokenKind::plus || kind == TokenKind::minus || kind == TokenKind::bang ||
+                             kind == TokenKind::ampersand;
+    if (!is_operator && !starts_a_term()) return left;
+    if (is_operator) advance();
+    const std::optional<Value> right = term();
+    if (!right) return std::nullopt;
+    std::vector<Remark> remarks;
+    switch (kind) {
+      case TokenKind::minus: left = arithmetic_.difference(*left, *right); break;
+      case TokenKind::bang: left = arithmetic_.logical(*left, *right, false); break;
+      case TokenKind::ampersand: left = arithmetic_.logical(*left, *right, true); break;
+      default: left = arithmetic_.combine(*left, *right, remarks); break;
+    }
+    remark(at, remarks);
+  }
+  return left;
+}
+
+std::optional<Value> Pdp7Pass::term() {
+  bool negative = false;
+  bool sign = false;
+  for (; token_.kind == TokenKind::plus || token_.kind == TokenKind::minus; advance()) {
+    negative ^= token_.kind == TokenKind::minus;
+    sign = true;
+  }
+  std::optional<Value> value = primary();
+  if (value && negative) value = arithmetic_.negative(*value);
+  if (value && sign) value->bare_number = false;
+  return value;
+}
+
+std::optional<Value> Pdp7Pass::primary() {
+  switch (token_.kind) {
+    case TokenKind::number: return number();
+    case TokenKind::name:
+    case TokenKind::hash: return symbol();
+    case TokenKind::open: return literal();
+    case TokenKind::dot: advance(); return Value::number(location_);
+    default: error(token_.at, describe(token_), std::string(a_term)); return std::nullopt;
+  }
+}
+
+std::optional<Value> Pdp7Pass::number() {
+  const Token token = token_;
+  advance();
+  const char highest = decimal_ ? '9' : '7';
+  std::uint32_t n = 0;
+  for (const char c : token.text) {
+    if (c < '0' || c > highest) {
+      error(token.at, "'" + std::string(1, c) + "' in number " + describe(token),
+            decimal_ ? "decimal digits" : "octal digits (DECIMAL reads 8 and 9)");
+      return std::nullopt;
+    }
+    n = n * (decimal_ ? 10U : 8U) + static_cast<std::uint32_t>(c - '0');
+    if (n > core::Word18::mask) {
+      error(token.at, "number " + describe(token),
+            decimal_ ? "at most 262143, which is 18 bits" : "at most 777777, which is 18 bits");
+      return std::nullopt;
+    }
+  }
+  Value value = Value::number(n);
+  value.bare_number = true;
+  return value;
+}
+
+// name, #name or name#
+std::optional<Value> Pdp7Pass::symbol() {
+  bool marked = token_.kind == TokenKind::hash;
+  if (marked) advance();
+  if (token_.kind != TokenKind::name) {
+    error(token_.at, describe(token_), "the name of a variable after '#'");
+    return std::nullopt;
+  }
+  const Token name = token_;
+  advance();
+  if (token_.kind == TokenKind::hash && !token_.after_blank) {
+    marked = true;
+    advance();
+  }
+  Symbol& found = look_up(name);
+  if (marked) mark_variable(found, name);
+  if (found.kind == SymbolKind::undefined) {
+    if (!options_.undefined_are_variables) {
+      error(name.at, "undefined symbol " + describe(name),
+            "a tag, an assignment, or #" + std::string(name.text));
+    }
+    return Value::unknown();
+  }
+  if (found.several_values && found.defined_in_pass != number_) {
+    error(name.at, "symbol " + describe(name) + " before its first assignment",
+          "an earlier assignment, because it is assigned several values");
+  }
+  const bool of_source = found.kind == SymbolKind::tag || found.kind == SymbolKind::assigned ||
+                         found.kind == SymbolKind::variable;
+  if (in_condition_ && of_source && found.defined_in_pass != number_) {
+    error(name.at, "symbol " + describe(name) + " in a condition before its definition",
+          "a symbol defined before, or by -D");
+    return Value::unknown();
+  }
+  if (found.value) return from_symbol(*found.value, static_cast<Form>(found.form));
+  error(name.at, "symbol " + describe(name) + " without a value",
+        "a definition that does not depend on itself");
+  return Value::unknown();
+}
+
+void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
+  if (symbol.kind == SymbolKind::undefined) {
+    symbol.kind = SymbolKind::variable;
+    symbol.defined = at.at;
+  }
+  if (symbol.kind != SymbolKind::variable) {
+    error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
+          "a name of its own for a variable");
+    return;
+  }
+  const std::string key = program_.symbols.key(at.text);
+  if (!placed_variables_.contains(key)) pending_variables_.insert(key);
+}
+
+std::optional<Value> Pdp7Pass::literal() {
+  const Position at = token_.at;
+  if (nesting_ == deepest_literal) {
+    error(at, "a literal nested more than " + std::to_string(deepest_literal) + " deep", "fewer parentheses");
+    return std::nullopt;
+  }
+  ++nesting_;
+  advance();
+  const Position inside = token_.at;
+  const std::optional<Value> content = expression();
+  --nesting_;
+  if (!content) return std::nullopt;
+  if (token_.kind == TokenKind::close) advance();
+  const std::uint32_t index = literal_index(finished(*content, inside), content->known);
+  if (pools_placed_ >= program_.pool_bases.size()) return Value::unknown();
+  return Value::number((program_.pool_bases[pools_placed_] + index) & image::last_address);
+}
+
+std::uint32_t Pdp7Pass::literal_index(std::uint32_t word, bool known) {
+  const auto next = static_cast<std::uint32_t>(pool_.size());
+  if (known) {
+    const auto [place, added] = pool_index_.try_emplace(word, next);
+    if (!added) return place->second;
+  }
+  pool_.push_back({word, known});
+  return next;
+}
+
+std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
+  std::vector<Remark> remarks;
+  const std::uint32_t word = arithmetic_.word(value, location_, remarks);
+  remark(at, remarks);
+  return word;
+}
+
+std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
+                                                  std::string_view what, const char* hint) {
+  if (!value.known) return std::nullopt;
+  const std::uint32_t address = finished(value, at);
+  if (address <= image::last_address) return address;
+  error(at, std::string(what) + " " + image::octal(address, 6),
+        std::string("an address from 00000 to 77777") + hint);
+  return std::nullopt;
+}
+
+}  // namespace sightline::assembler

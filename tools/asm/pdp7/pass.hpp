@@ -1,0 +1,121 @@
+// One reading of all sources. Layout passes settle what every symbol is and how many literals each pool holds; they
+// are repeated until nothing changes (a forward reference inside a literal needs a third one), then one more pass makes
+// the words. Only that last pass speaks, so that nothing is said twice.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/pdp7.hpp"
+#include "tools/asm/pdp7/lexer.hpp"
+#include "tools/asm/pdp7/value.hpp"
+#include "tools/asm/symbol_table.hpp"
+
+namespace sightline::assembler {
+
+struct EmittedWord {
+  Position at;
+  std::uint32_t address = 0;
+  std::uint32_t word = 0;
+  std::string stands_for;  // of a literal or variable; empty for a word of the source
+};
+
+// What passes hand on to each other, and at the end the outcome.
+struct Pdp7Program {
+  SymbolTable symbols{6};
+  std::vector<std::uint32_t> pool_bases;  // address of each literal pool, in the order of their placing
+  std::vector<EmittedWord> words;
+  std::vector<std::pair<Position, Diagnostic>> diagnostics;
+  std::optional<std::uint32_t> start;
+};
+
+class Pdp7Pass {
+ public:
+  Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program, int number,
+           bool final);
+
+  void run();
+
+ private:
+  struct Literal {
+    std::uint32_t word = 0;
+    bool known = true;
+  };
+
+  // Statements
+  void read_file(std::size_t index);
+  void statement();
+  bool pseudo_operation();  // true if the statement is one
+  void end_statement();
+  void define_tag(Token name);
+  void assign(Token name);
+  void assemble_expression();
+  void text();
+  void conditional(bool when_zero);
+  void skip_block(const Position& opened);
+  void end_of_file(bool start);
+  void place_literals(const Position& at);
+  void place_variables(const Position& at);
+  void emit(std::uint32_t word, const Position& at, std::string stands_for = {});
+
+  // Expressions
+  [[nodiscard]] std::optional<Value> expression();
+  [[nodiscard]] std::optional<Value> term();
+  [[nodiscard]] std::optional<Value> primary();
+  [[nodiscard]] std::optional<Value> number();
+  [[nodiscard]] std::optional<Value> symbol();
+  [[nodiscard]] std::optional<Value> literal();
+  [[nodiscard]] bool starts_a_term() const;
+  [[nodiscard]] std::uint32_t literal_index(std::uint32_t word, bool known);
+  [[nodiscard]] std::uint32_t finished(const Value& value, const Position& at);
+  [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at,
+                                                        std::string_view what, const char* hint = "");
+  void mark_variable(Symbol& symbol, const Token& at);
+
+  // Tokens and messages
+  void advance() { token_ = lexer_.next(); }
+  [[nodiscard]] Token following() const;
+  [[nodiscard]] bool at_end_of_statement() const;
+  void skip_statement();
+  Symbol& look_up(const Token& name);
+  void error(const Position& at, std::string found, std::string expected);
+  void warning(const Position& at, std::string found, std::string expected);
+  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void remark(const Position& at, std::span<const Remark> remarks);
+
+  std::span<const SourceFile> sources_;
+  const Options& options_;
+  Pdp7Program& program_;
+  int number_;
+  bool final_;
+  Arithmetic arithmetic_;
+  Pdp7Lexer lexer_{"", 0};
+  Token token_;
+  std::uint32_t location_ = 0;
+  bool location_by_origin_ = true;
+  bool decimal_ = false;
+  bool file_ended_ = false;
+  bool statement_follows_ = false;  // after a condition, without an end of statement
+  bool in_condition_ = false;
+  int nesting_ = 0;               // of literals
+  std::vector<Position> blocks_;  // open conditionals of this file
+  std::vector<Literal> pool_;     // in order of first use
+  std::map<std::uint32_t, std::uint32_t> pool_index_;
+  std::size_t pools_placed_ = 0;
+  std::set<std::string> pending_variables_;
+  std::set<std::string> placed_variables_;
+  std::map<std::uint32_t, Position> occupied_;
+  std::set<std::string> clashes_;
+};
+
+// A token as a message shows it.
+[[nodiscard]] std::string describe(const Token& token);
+
+}  // namespace sightline::assembler
