@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
+#include "time.hpp"
 
 namespace sightline::core {
 

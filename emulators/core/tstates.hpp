@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <ratio>
 
-#include "emulators/core/time.hpp"
+#include "time.hpp"
 
 namespace sightline::core {
 

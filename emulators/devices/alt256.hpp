@@ -18,8 +18,8 @@
 
 #include <cstdint>
 
-#include "emulators/core/raster.hpp"
-#include "emulators/core/tstates.hpp"
+#include "../core/raster.hpp"
+#include "../core/tstates.hpp"
 
 namespace sightline::devices {
 

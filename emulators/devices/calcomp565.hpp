@@ -22,8 +22,8 @@
 #include <array>
 #include <cstdint>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/plotter.hpp"
+#include "../core/tstates.hpp"
+#include "plotter.hpp"
 
 namespace sightline::devices {
 

@@ -22,10 +22,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "emulators/core/raster.hpp"
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/ef9365_drawing.hpp"
-#include "emulators/devices/ef9365_timing.hpp"
+#include "../core/raster.hpp"
+#include "../core/tstates.hpp"
+#include "ef9365_drawing.hpp"
+#include "ef9365_timing.hpp"
 
 namespace sightline::devices {
 

@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "emulators/core/glyphs.hpp"
-#include "emulators/core/raster.hpp"
+#include "../core/glyphs.hpp"
+#include "../core/raster.hpp"
 
 namespace sightline::devices::ef9365 {
 

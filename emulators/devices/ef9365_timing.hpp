@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
+#include "../core/time.hpp"
 
 namespace sightline::devices::ef9365 {
 

@@ -17,8 +17,8 @@
 
 #include <cstdint>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/kept_bytes.hpp"
+#include "../core/tstates.hpp"
+#include "kept_bytes.hpp"
 
 namespace sightline::devices {
 

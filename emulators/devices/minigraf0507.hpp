@@ -18,8 +18,8 @@
 
 #include <cstdint>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/plotter.hpp"
+#include "../core/tstates.hpp"
+#include "plotter.hpp"
 
 namespace sightline::devices {
 

@@ -15,9 +15,9 @@
 #include <cstdint>
 #include <span>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/i8255.hpp"
-#include "emulators/devices/kept_bytes.hpp"
+#include "../core/tstates.hpp"
+#include "i8255.hpp"
+#include "kept_bytes.hpp"
 
 namespace sightline::devices {
 

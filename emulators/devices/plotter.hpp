@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "emulators/core/stroke.hpp"
-#include "emulators/core/time.hpp"
+#include "../core/stroke.hpp"
+#include "../core/time.hpp"
 
 namespace sightline::devices {
 

@@ -1,5 +1,5 @@
 // See priority_display.hpp.
-#include "emulators/devices/priority_display.hpp"
+#include "priority_display.hpp"
 
 #include <algorithm>
 

@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-#include "emulators/core/time.hpp"
+#include "../core/time.hpp"
 
 namespace sightline::devices {
 

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <span>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/i8251.hpp"
+#include "../core/tstates.hpp"
+#include "i8251.hpp"
 
 namespace sightline::devices {
 

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "emulators/i8080/isa.hpp"
-#include "emulators/i8080/state.hpp"
+#include "isa.hpp"
+#include "state.hpp"
 
 namespace sightline::i8080 {
 

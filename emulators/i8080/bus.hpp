@@ -23,7 +23,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include "emulators/i8080/state.hpp"
+#include "state.hpp"
 
 namespace sightline::i8080 {
 

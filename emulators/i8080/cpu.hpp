@@ -9,11 +9,11 @@
 
 #include <cstdint>
 
-#include "emulators/i8080/alu.hpp"
-#include "emulators/i8080/bus.hpp"
-#include "emulators/i8080/dispatch.hpp"
-#include "emulators/i8080/isa.hpp"
-#include "emulators/i8080/state.hpp"
+#include "alu.hpp"
+#include "bus.hpp"
+#include "dispatch.hpp"
+#include "isa.hpp"
+#include "state.hpp"
 
 namespace sightline::i8080 {
 

@@ -15,9 +15,9 @@
 
 #include <cstdint>
 
-#include "emulators/i8080/bus.hpp"
-#include "emulators/i8080/cpu.hpp"
-#include "emulators/i8080/state.hpp"
+#include "bus.hpp"
+#include "cpu.hpp"
+#include "state.hpp"
 
 namespace sightline::i8080 {
 

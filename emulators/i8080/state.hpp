@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "emulators/i8080/isa.hpp"
+#include "isa.hpp"
 
 namespace sightline::i8080 {
 

@@ -20,19 +20,53 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/machines/display_iots.hpp"
-#include "emulators/machines/observer.hpp"
-#include "emulators/machines/pdp7_bus.hpp"
-#include "emulators/machines/pdp7_run.hpp"
-#include "emulators/pdp7/console.hpp"
-#include "emulators/pdp7/core_memory.hpp"
-#include "emulators/pdp7/cpu.hpp"
-#include "emulators/pdp7/peripherals.hpp"
-#include "emulators/pdp7/timing.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "../pdp7/console.hpp"
+#include "../pdp7/core_memory.hpp"
+#include "../pdp7/cpu.hpp"
+#include "../pdp7/peripherals.hpp"
+#include "../pdp7/timing.hpp"
+#include "display_iots.hpp"
+#include "observer.hpp"
+#include "pdp7_bus.hpp"
 
 namespace sightline::machines {
+
+// How the machine is put together.
+struct Configuration {
+  std::uint32_t core_words = 8192;  // 4096, 8192, 16384 or 32768
+  pdp7::Model model{};              // extend is implied by more than 8192 words
+  pdp7::Devices devices{};
+  pdp7::Timing timing{};
+};
+
+enum class StopReason : std::uint8_t {
+  halt,               // HLT
+  instruction_limit,  // Limits::instructions done
+  time_limit,         // the first boundary at or after Limits::until
+  observer,           // the observer asked for it
+  xct_chain,          // more than 16 XCTs in a chain
+  unanswered,         // strict: an instruction nothing in this machine obeys
+};
+
+struct Limits {
+  std::uint64_t instructions = ~std::uint64_t{0};
+  core::Instant until = core::never;
+};
+
+struct Counts {
+  std::uint64_t instructions = 0;
+  std::uint64_t machine_cycles = 0;  // stolen ones included, asynchronous time not
+  std::uint64_t stolen_cycles = 0;   // data breaks and clock ticks; the display counts its own words
+};
+
+// An instruction nothing obeyed: how often, and where first.
+struct Unanswered {
+  std::uint32_t word;
+  std::uint64_t count;
+  pdp7::Address first_pc;
+};
 
 template <class Display, class Observer = NoObserver>
 class BasicPdp7 {

@@ -10,9 +10,9 @@
 
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/bus.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "../pdp7/bus.hpp"
 
 namespace sightline::machines {
 

@@ -5,11 +5,11 @@
 // keep time and the deadline in registers; every verb is inlined into the run for the same reason.
 #pragma once
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/i8080/bus.hpp"
-#include "emulators/i8080/isa.hpp"
-#include "emulators/i8080/state.hpp"
-#include "emulators/machines/i8080_observer.hpp"
+#include "../core/tstates.hpp"
+#include "../i8080/bus.hpp"
+#include "../i8080/isa.hpp"
+#include "../i8080/state.hpp"
+#include "i8080_observer.hpp"
 
 namespace sightline::machines {
 

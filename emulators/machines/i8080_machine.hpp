@@ -15,12 +15,12 @@
 #include <span>
 #include <vector>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/i8080/cpu.hpp"
-#include "emulators/i8080/state.hpp"
-#include "emulators/machines/i8080_bus.hpp"
-#include "emulators/machines/i8080_observer.hpp"
-#include "emulators/machines/i8080_run.hpp"
+#include "../core/tstates.hpp"
+#include "../i8080/cpu.hpp"
+#include "../i8080/state.hpp"
+#include "i8080_bus.hpp"
+#include "i8080_observer.hpp"
+#include "i8080_run.hpp"
 
 namespace sightline::machines {
 

@@ -13,9 +13,9 @@
 
 #include <array>
 
-#include "emulators/core/tstates.hpp"
-#include "emulators/i8080/bus.hpp"
-#include "emulators/i8080/state.hpp"
+#include "../core/tstates.hpp"
+#include "../i8080/bus.hpp"
+#include "../i8080/state.hpp"
 
 namespace sightline::machines {
 

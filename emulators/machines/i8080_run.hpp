@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-#include "emulators/core/tstates.hpp"
+#include "../core/tstates.hpp"
 
 namespace sightline::machines {
 

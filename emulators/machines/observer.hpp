@@ -11,9 +11,9 @@
 // An observer sees; it must not write to the machine.
 #pragma once
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/state.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "../pdp7/state.hpp"
 
 namespace sightline::machines {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <type_traits>
 
-#include "emulators/core/stroke.hpp"
-#include "emulators/machines/basic_pdp7.hpp"
-#include "emulators/machines/observer.hpp"
-#include "emulators/type340/display.hpp"
+#include "../core/stroke.hpp"
+#include "../type340/display.hpp"
+#include "basic_pdp7.hpp"
+#include "observer.hpp"
 
 namespace sightline::machines {
 

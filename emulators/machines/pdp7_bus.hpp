@@ -8,10 +8,10 @@
 
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/bus.hpp"
-#include "emulators/pdp7/timing.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "../pdp7/bus.hpp"
+#include "../pdp7/timing.hpp"
 
 namespace sightline::machines {
 

@@ -21,15 +21,15 @@
 #include <optional>
 #include <span>
 
-#include "emulators/core/raster.hpp"
-#include "emulators/core/stroke.hpp"
-#include "emulators/core/tstates.hpp"
-#include "emulators/devices/alt256.hpp"
-#include "emulators/devices/calcomp565.hpp"
-#include "emulators/devices/ef9365.hpp"
-#include "emulators/devices/minigraf0507.hpp"
-#include "emulators/devices/parallel_link.hpp"
-#include "emulators/devices/serial_link.hpp"
+#include "../core/raster.hpp"
+#include "../core/stroke.hpp"
+#include "../core/tstates.hpp"
+#include "../devices/alt256.hpp"
+#include "../devices/calcomp565.hpp"
+#include "../devices/ef9365.hpp"
+#include "../devices/minigraf0507.hpp"
+#include "../devices/parallel_link.hpp"
+#include "../devices/serial_link.hpp"
 
 namespace sightline::machines {
 

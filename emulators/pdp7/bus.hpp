@@ -14,9 +14,9 @@
 #include <concepts>
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/state.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "state.hpp"
 
 namespace sightline::pdp7 {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
 
 namespace sightline::pdp7 {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/state.hpp"
+#include "../core/word.hpp"
+#include "state.hpp"
 
 namespace sightline::pdp7 {
 

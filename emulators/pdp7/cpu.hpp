@@ -10,17 +10,30 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/bus.hpp"
-#include "emulators/pdp7/eae.hpp"
-#include "emulators/pdp7/isa.hpp"
-#include "emulators/pdp7/model.hpp"
-#include "emulators/pdp7/operate.hpp"
-#include "emulators/pdp7/registers.hpp"
-#include "emulators/pdp7/state.hpp"
-#include "emulators/pdp7/timing.hpp"
+#include "../core/word.hpp"
+#include "bus.hpp"
+#include "eae.hpp"
+#include "isa.hpp"
+#include "operate.hpp"
+#include "registers.hpp"
+#include "state.hpp"
+#include "timing.hpp"
 
 namespace sightline::pdp7 {
+
+// What the processor was bought with.
+struct Model {
+  bool eae = true;         // Type 177; without it class 64 does nothing in one cycle
+  bool extend = false;     // Type 148 memory extension control
+  bool trap_mode = false;  // without it ITON is ION
+  bool strict = false;     // an instruction nothing obeys stops the machine
+};
+
+// How an instruction ends.
+enum class Outcome : std::uint8_t { completed, halted, xct_chain, unanswered };
+
+// The longest chain of XCTs taken for a program; the machine itself would follow a closed chain for ever.
+inline constexpr int longest_xct_chain = 16;
 
 namespace detail {
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "emulators/core/word.hpp"
+#include "../core/word.hpp"
 
 namespace sightline::pdp7 {
 

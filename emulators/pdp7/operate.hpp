@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "emulators/core/word.hpp"
+#include "../core/word.hpp"
 
 namespace sightline::pdp7 {
 

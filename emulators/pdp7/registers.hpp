@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "emulators/core/word.hpp"
-#include "emulators/pdp7/state.hpp"
+#include "../core/word.hpp"
+#include "state.hpp"
 
 namespace sightline::pdp7 {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulators/core/time.hpp"
+#include "../core/time.hpp"
 
 namespace sightline::pdp7 {
 

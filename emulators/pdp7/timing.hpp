@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "emulators/core/time.hpp"
+#include "../core/time.hpp"
 
 namespace sightline::pdp7 {
 

@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "emulators/core/glyphs.hpp"
-#include "emulators/type340/words.hpp"
+#include "../core/glyphs.hpp"
+#include "words.hpp"
 
 namespace sightline::type340 {
 

@@ -17,16 +17,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "emulators/core/stroke.hpp"
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
-#include "emulators/type340/characters.hpp"
-#include "emulators/type340/counters.hpp"
-#include "emulators/type340/delays.hpp"
-#include "emulators/type340/light_pen.hpp"
-#include "emulators/type340/quiet_pulses.hpp"
-#include "emulators/type340/registers.hpp"
-#include "emulators/type340/timing.hpp"
+#include "../core/stroke.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "characters.hpp"
+#include "delays.hpp"
+#include "quiet_pulses.hpp"
+#include "registers.hpp"
 
 namespace sightline::type340 {
 
@@ -36,6 +33,33 @@ struct Options {
   // Pulses of a vector that do not move the beam flash the same spot again, once the word has moved it. As drawn; false:
   // only pulses that move flash.
   bool flash_again = true;
+};
+
+// The light pen of the Type 340 (Type 370): where it points, and how late it answers.
+//
+// The field of view is a rectangle in display points, which a test can state exactly; a real pen sees a disc of some
+// forty points. A flash inside it gives one light pulse.
+struct LightPen {
+  std::uint16_t left = 0;  // points, all borders included
+  std::uint16_t bottom = 0;
+  std::uint16_t right = 0;
+  std::uint16_t top = 0;
+  // Beam on -> light pulse. Flashes come no closer than 1.5 us, and one pulse is under way at a time: a longer delay
+  // is taken as 1.499 us, a negative one as 0.
+  core::Duration delay{100};
+
+  [[nodiscard]] constexpr bool sees(std::uint16_t x, std::uint16_t y) const {
+    return left <= x && x <= right && bottom <= y && y <= top;
+  }
+};
+
+// What a Type 340 counts for reports: words, passes, and when the last passes began.
+struct Counters {
+  std::uint64_t words = 0;           // display words taken
+  std::uint64_t passes_started = 0;  // IDLA and IDRD
+  std::uint64_t passes_stopped = 0;  // by a stop word, or by an edge in vector or increment mode
+  core::Instant last_start = core::never;      // never: none yet
+  core::Instant previous_start = core::never;  // the one before
 };
 
 struct BreakRequest {
@@ -166,6 +190,6 @@ class Display {
 
 }  // namespace sightline::type340
 
-#include "emulators/type340/display_control.hpp"
-#include "emulators/type340/display_sequence.hpp"
-#include "emulators/type340/display_word.hpp"
+#include "display_control.hpp"
+#include "display_sequence.hpp"
+#include "display_word.hpp"

@@ -1,7 +1,7 @@
 // Display: what the PDP-7 does to it, and the passing of time. Included by display.hpp only.
 #pragma once
 
-#include "emulators/type340/display.hpp"
+#include "display.hpp"
 
 namespace sightline::type340 {
 

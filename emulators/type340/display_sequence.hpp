@@ -1,7 +1,7 @@
 // Display: the pulses, from a word in BR to the request for the next. Included by display.hpp only.
 #pragma once
 
-#include "emulators/type340/display.hpp"
+#include "display.hpp"
 
 namespace sightline::type340 {
 

@@ -5,7 +5,7 @@
 // made. Anything else goes pulse by pulse. Flashes are the same either way.
 #pragma once
 
-#include "emulators/type340/display.hpp"
+#include "display.hpp"
 
 namespace sightline::type340 {
 

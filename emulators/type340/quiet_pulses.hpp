@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "emulators/type340/registers.hpp"
-#include "emulators/type340/vector_generator.hpp"
+#include "registers.hpp"
+#include "vector_generator.hpp"
 
 namespace sightline::type340 {
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "emulators/core/word.hpp"
-#include "emulators/type340/vector_generator.hpp"
-#include "emulators/type340/words.hpp"
+#include "../core/word.hpp"
+#include "vector_generator.hpp"
+#include "words.hpp"
 
 namespace sightline::type340 {
 

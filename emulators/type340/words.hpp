@@ -15,7 +15,7 @@
 #include <span>
 #include <string_view>
 
-#include "emulators/core/word.hpp"
+#include "../core/word.hpp"
 
 namespace sightline::type340 {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "emulators/core/word.hpp"
-#include "emulators/type340/light_pen.hpp"
+#include "emulators/type340/display.hpp"
 
 namespace sightline::type340::testing {
 

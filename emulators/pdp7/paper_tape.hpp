@@ -1,9 +1,6 @@
-// The paper-tape reader: RSA reads one line of eight holes, RSB a binary word of three lines with hole 8.
+// Paper tape: the reader and the punch.
 //
-// A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape
-// that ends before the request is met leaves the reader running and its flag down. A new request abandons one
-// under way, the tape standing where it had come to. Codes: PDP-4 manual page 65; three-line words as another
-// simulator has them.
+// Codes of the reader: PDP-4 manual page 65; three-line words and the codes of the punch as another simulator has them.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/time.hpp"
-#include "emulators/core/word.hpp"
+#include "../core/time.hpp"
+#include "../core/word.hpp"
 
 namespace sightline::pdp7 {
 
+// The paper-tape reader: RSA reads one line of eight holes, RSB a binary word of three lines with hole 8.
+//
+// A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape
+// that ends before the request is met leaves the reader running and its flag down. A new request abandons one
+// under way, the tape standing where it had come to.
 class Reader {
  public:
   explicit Reader(core::Duration line) : line_(line) {}
@@ -103,6 +105,46 @@ class Reader {
   core::Word18 coming_;
   core::Word18 buffer_;
   bool running_ = false;
+  bool flag_ = false;
+};
+
+// The paper-tape punch: PSA punches AC 10-17 as they are, PSB AC 12-17 with hole 8.
+//
+// The line is on the tape, and the flag up, one line time after the request; a request made before that
+// replaces it, as the punch buffer does.
+class Punch {
+ public:
+  explicit Punch(core::Duration line) : line_(line) {}
+
+  void start(core::Instant now, std::uint8_t holes) {
+    holes_ = holes;
+    flag_ = false;
+    done_ = now + line_;
+  }
+
+  void advance(core::Instant now) {
+    if (now < done_) return;
+    done_ = core::never;
+    tape_.push_back(holes_);
+    flag_ = true;
+  }
+
+  void reset() {
+    done_ = core::never;
+    flag_ = false;
+  }
+
+  [[nodiscard]] bool flag() const { return flag_; }
+  void clear_flag() { flag_ = false; }
+  [[nodiscard]] core::Instant deadline() const { return done_; }
+  // What has been punched so far, one byte a line.
+  [[nodiscard]] const std::vector<std::uint8_t>& tape() const { return tape_; }
+
+ private:
+  core::Duration line_;
+  core::Instant done_ = core::never;
+  std::vector<std::uint8_t> tape_;
+  std::uint8_t holes_ = 0;
   bool flag_ = false;
 };
 
