@@ -2,7 +2,7 @@
 //
 // A word has no meaning of its own: the mode left by the word before it says how it is read. `layouts` has one row for
 // each of the eight modes, naming every bit; the decoders below turn a word into numbers. Left out: timing
-// (timing.hpp) and what the words do (registers.hpp).
+// (delays.hpp) and what the words do (registers.hpp).
 //
 // Sources: DECUS 7-13 "340 Display Programming Manual"; DEC-4-45-M "370 Light Pen Diagnostic" (1964) and the PIXIE
 // listing (Cambridge 1972), whose words use modes 0, 1, 3, 4 and 7 as here. Bit 0 is the most significant.

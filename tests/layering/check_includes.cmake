@@ -31,15 +31,15 @@ set(RULES
   "host/guests/skala=host/base,host/guests/run,host/geometry,host/scene,host/picture,emulators,tools/asm,tools/image"
   "host/guests/skala/twin=host/base,host/guests/skala,host/geometry,host/scene,host/picture,emulators/core"
   "host/compare=host/base,host/harness,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
-  "host/report=host/base,host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/app=host/base,host/harness,host/report,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+  "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
+  "host/app=host/base,host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/base,host/scene,host/compare,host/report,host/app"
   "muParser=host/scene"
-  "CLI/=host/app,tools"
+  "CLI/=host/app,host/report/main.cpp"
   "gtest/=tests"
   "benchmark/=tests")
 

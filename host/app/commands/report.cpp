@@ -1,155 +1,29 @@
 #include "host/app/commands/report.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
-#include <memory>
-
-#include "host/report/plot.hpp"
-#include "host/report/write_report.hpp"
+#include <filesystem>
+#include <system_error>
 
 namespace sightline::app {
 
-namespace {
+void add_report_command(CLI::App& app) {
+  app.add_subcommand("report",
+                     "Measure the old programs and all algorithms beside the papers: one page, with tables");
+}
 
-namespace report = harness::report;
-
-constexpr const char* report_examples =
-    "Examples:\n"
-    "  sightline report\n"
-    "      measure everything: report/index.html to read, report/tables/ for other programs\n"
-    "  sightline report --part 1 -o timing\n"
-    "      only the times beside those of the papers\n"
-    "  sightline report --no-host-times\n"
-    "      without the times of this computer: the same bytes in every run\n";
-
-struct ReportArguments {
-  std::string directory = "report";
-  std::string cache;
-  std::vector<int> parts;
-  bool full = false;
-  bool no_host_times = false;
-  bool quiet = false;
-};
-
-ExitCode exit_code_of(report::ErrorKind kind) {
-  switch (kind) {
-    case report::ErrorKind::guest_failed: return ExitCode::guest_failed;
-    case report::ErrorKind::differs: return ExitCode::differs;
-    case report::ErrorKind::bad_input: return ExitCode::bad_input;
-    case report::ErrorKind::missing_tool:
-    case report::ErrorKind::file: break;
+ExitCode run_report_program(char** argv) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* place : {"sightline-report", SIGHTLINE_LIBEXEC_FROM_BIN "/sightline-report"}) {
+    const std::filesystem::path program = folder / place;
+    if (std::filesystem::exists(program, error)) execv(program.c_str(), argv);
   }
+  complain(
+      "found no program sightline-report, which makes the report; `tools/dev report` in the source tree "
+      "builds and runs it");
   return ExitCode::io;
-}
-
-template <class Value>
-Value value_or_fail(report::Outcome<Value> outcome) {
-  if (const auto* const error = std::get_if<report::ReportError>(&outcome))
-    throw Failure(exit_code_of(error->kind), error->message);
-  return std::get<Value>(std::move(outcome));
-}
-
-std::vector<report::Part> chosen_parts(const std::vector<int>& numbers) {
-  const auto all = report::all_parts();
-  if (numbers.empty()) return {all.begin(), all.end()};
-  std::vector<report::Part> chosen;
-  for (const report::Part& part : all)
-    if (std::find(numbers.begin(), numbers.end(), part.number) != numbers.end()) chosen.push_back(part);
-  for (const int number : numbers) {
-    if (std::any_of(chosen.begin(), chosen.end(), [&](const auto& part) { return part.number == number; }))
-      continue;
-    std::string there;
-    for (const report::Part& part : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", part.number);
-    throw Failure(ExitCode::usage, fmt::format("--part: found {}, expected one of {}", number, there));
-  }
-  return chosen;
-}
-
-// One line on a terminal, rewritten; nothing elsewhere.
-class StepLine {
- public:
-  explicit StepLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
-  ~StepLine() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-  }
-  StepLine(const StepLine&) = delete;
-  StepLine& operator=(const StepLine&) = delete;
-
-  void show(std::string_view step) const {
-    if (!shown_) return;
-    fmt::print(stderr, "\r\033[K{}", step);
-    static_cast<void>(std::fflush(stderr));
-  }
-
- private:
-  bool shown_;
-};
-
-std::vector<std::string> introduction(const ReportArguments& arguments) {
-  std::vector<std::string> paragraphs{
-      "Five hidden-line programs of 1971 to 1990: two of them on emulations of the machines they were "
-      "written for, all of them as native programs, held against exact programs of today. How fast they "
-      "are, how wrong they are, and what they needed."};
-  if (arguments.no_host_times)
-    paragraphs.emplace_back(
-        "Made without times of the computer it was made on: the same program makes the same bytes.");
-  return paragraphs;
-}
-
-ExitCode run_report(const ReportArguments& arguments) {
-  const std::vector<report::Part> parts = chosen_parts(arguments.parts);
-  value_or_fail(report::prepare_directory(arguments.directory));
-  if (const auto error = report::gnuplot_missing()) throw Failure(exit_code_of(error->kind), error->message);
-  report::Report made{"Sightline report", SIGHTLINE_VERSION, introduction(arguments), {}};
-  {
-    const StepLine line(arguments.quiet);
-    report::Context context;
-    context.full = arguments.full;
-    context.host_times = !arguments.no_host_times;
-    context.cache = arguments.cache.empty() ? arguments.directory + "/cache" : arguments.cache;
-    context.progress = [&line](std::string_view step) { line.show(step); };
-    made.sections = value_or_fail(report::make_sections(parts, context));
-  }
-  const auto paths = value_or_fail(report::write_report(made, arguments.directory));
-  write_stdout(fmt::format("{}\n", paths.front()));
-  if (!arguments.quiet && paths.size() > 1)
-    fmt::print(stderr, "and {} tables as CSV and JSON in {}/tables/\n", paths.size() / 2,
-               arguments.directory);
-  return ExitCode::ok;
-}
-
-}  // namespace
-
-void add_report_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand(
-      "report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
-  const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("-o,--output", arguments->directory, "Folder for the report")
-      ->capture_default_str()
-      ->type_name("DIR");
-  std::string parts;
-  for (const report::Part& part : report::all_parts())
-    parts += fmt::format("{}{} {}", parts.empty() ? "" : "; ", part.number, part.title);
-  command->add_option("--part", arguments->parts, "Only this part: " + parts)
-      ->type_name("N")
-      ->allow_extra_args(false);
-  command
-      ->add_option(
-          "--cache", arguments->cache,
-          "Folder where events of turning scenes are kept for the next report; what is there and is of "
-          "no use is made anew")
-      ->default_str("cache in the report's folder")
-      ->type_name("DIR");
-  command->add_flag("--full", arguments->full, "Measure longer, where that makes figures better");
-  command->add_flag("--no-host-times", arguments->no_host_times,
-                    "Leave out times of this computer: the same bytes in every run");
-  command->add_flag("-q,--quiet", arguments->quiet, "No progress, no talk");
-  command->footer(report_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_report(*arguments); });
 }
 
 }  // namespace sightline::app

@@ -1,0 +1,117 @@
+// See command_line.hpp.
+#include "host/app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "host/app/help_formatter.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+// From the whole command to the subcommand the user got to.
+std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
+  std::vector<const CLI::App*> way{&app};
+  for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands()) {
+    way.push_back(below.front());
+  }
+  return way;
+}
+
+std::vector<const CLI::App*> choices(const CLI::App& command) {
+  return command.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// `name`: the command as it is typed.
+void finish_help(CLI::App& app, const std::string& name) {
+  std::string footer = app.get_footer();
+  if (!footer.empty()) footer += "\n";
+  if (app.get_parent() != nullptr && !choices(app).empty())
+    footer += "`" + name + " SUBCOMMAND --help` explains the options of each.\n";
+  app.footer(footer + std::string(exit_code_help));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    finish_help(*command, name + " " + command->get_name());
+}
+
+void print_help(const CLI::App& app) {
+  const std::vector<const CLI::App*> path = way_to_subcommand(app);
+  std::string parents;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) parents += (i == 0 ? "" : " ") + path[i]->get_name();
+  write_stdout(path.back()->help(parents));
+}
+
+// The library only says that a subcommand is required.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = *way_to_subcommand(app).back();
+  if (choices(command).empty()) return error.what();
+  std::string names;
+  for (const CLI::App* choice : choices(command)) names += (names.empty() ? "" : ", ") + choice->get_name();
+  const auto rest = command.remaining();
+  return (rest.empty() ? "found no more arguments" : "found \"" + rest.front() + "\"") +
+         ", expected one of " + names;
+}
+
+// An empty value would pass for an option not given: "--at $UNSET" must not draw another picture in silence.
+void refuse_empty_arguments(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (argv[i][0] != '\0') continue;
+    throw Failure(ExitCode::usage, "found an empty argument after \"" + std::string(argv[i - 1]) +
+                                       "\", expected something in it");
+  }
+}
+
+ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
+  refuse_empty_arguments(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print_help(app);
+  } catch (const CLI::CallForVersion& version) {
+    write_stdout(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    complain(explain(app, error));
+    std::string name;
+    for (const CLI::App* command : way_to_subcommand(app)) name += command->get_name() + " ";
+    complain("see `" + name + "--help`");
+    return ExitCode::usage;
+  }
+  check_stdout();
+  return exit_code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, const std::string& footer,
+                     const std::function<void(CLI::App&, ExitCode&)>& add_commands) {
+  // A file that grows beyond what the shell allows is an error of writing like others, not the end.
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  ExitCode exit_code = ExitCode::ok;
+  try {
+    CLI::App app("Sightline: hidden-line programs of 1971-1990 on the machines they were written for",
+                 "sightline");
+    app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
+    app.require_subcommand(1);
+    app.formatter(help_formatter());
+    add_commands(app, exit_code);
+    app.footer(footer);
+    finish_help(app, app.get_name());
+    exit_code = parse_and_run(app, argc, argv, exit_code);
+  } catch (const Failure& failure) {
+    complain(failure.what());
+    exit_code = failure.code();
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory");
+    exit_code = ExitCode::io;
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ") + error.what());
+    exit_code = ExitCode::io;
+  }
+  return static_cast<int>(exit_code);
+}
+
+}  // namespace sightline::app
