@@ -27,11 +27,6 @@ using Point3 = std::array<std::int32_t, 3>;
 using Point2 = std::array<std::int32_t, 2>;
 using Vector3 = std::array<std::int64_t, 3>;
 
-template <class Number>
-[[nodiscard]] constexpr int sign(const Number& n) {
-  return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0);
-}
-
 // From b to a.
 [[nodiscard]] constexpr Vector3 difference(const Point3& a, const Point3& b) {
   return {std::int64_t{a[0]} - b[0], std::int64_t{a[1]} - b[1], std::int64_t{a[2]} - b[2]};
