@@ -66,6 +66,10 @@ void check_stdout() {
   }
 }
 
+void print_json(const base::Json& document) {
+  write_stdout(document.dump(2) + "\n");
+}
+
 Output::Output(const std::string& path) {
   if (path == "-") return;
   auto file = picture::AtomicFile::create(path);

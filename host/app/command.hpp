@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/json.hpp"
 #include "host/picture/file_io.hpp"
 
 namespace CLI {
@@ -58,6 +59,8 @@ void warn(std::string_view text);
 // Standard output. write_stdout fails quietly; check_stdout throws Failure io if anything was lost.
 void write_stdout(std::string_view text);
 void check_stdout();
+// A document of --json.
+void print_json(const base::Json& document);
 
 // A file to be, or standard output for "-".
 class Output {

@@ -92,11 +92,7 @@ void Json::take_deep(Object& from, Array& pending) {
     if (member.value.is_deep()) pending.push_back(std::move(member.value));
 }
 
-Json Json::object(std::initializer_list<JsonMember> members) {
-  Json json;
-  json.value_ = Owned<Object>(members);
-  return json;
-}
+Json::Json(std::initializer_list<JsonMember> members) : value_(Owned<Object>(members)) {}
 
 Json Json::array(std::initializer_list<Json> elements) {
   Json json;

@@ -56,8 +56,9 @@ class Json {
     for (const auto& element : range) push_back(element);
   }
 
-  // Json::object({{"name", name}, {"count", 3}}) and Json::array({low, high})
-  [[nodiscard]] static Json object(std::initializer_list<JsonMember> members = {});
+  // An object: Json{{"name", name}, {"count", 3}}. Arrays are written Json::array({low, high}).
+  Json(std::initializer_list<JsonMember> members);
+  [[nodiscard]] static Json object() { return Json(std::initializer_list<JsonMember>()); }
   [[nodiscard]] static Json array(std::initializer_list<Json> elements = {});
 
   // The value of `key`, added as null if there is none; a null becomes an object.

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "host/base/json.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/picture/line_picture_image.hpp"
 
@@ -15,7 +15,7 @@ namespace sightline::harness {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 // FNV-1a over all that an algorithm is given of the scene: a file that has changed is noticed.
 std::string fingerprint_of(const scene::PolyScene& scene) {
@@ -44,12 +44,12 @@ std::string fingerprint_of(const scene::PolyScene& scene) {
   return digits;
 }
 
-std::string text_of(const ordered_json& document) {
-  return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+std::string text_of(const Json& document) {
+  return document.dump();
 }
 
-ordered_json json_of(const std::vector<AlgorithmCount>& counts) {
-  ordered_json document = ordered_json::object();
+Json json_of(const std::vector<AlgorithmCount>& counts) {
+  Json document = Json::object();
   for (const AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
   return document;
 }
@@ -65,7 +65,7 @@ bool before(const picture::LinePiece& a, const picture::LinePiece& b) {
 }
 
 // How many pieces are in one picture only, and the first of them.
-ordered_json difference_of(const picture::LinePicture& exact, const picture::LinePicture& other) {
+Json difference_of(const picture::LinePicture& exact, const picture::LinePicture& other) {
   std::vector<picture::LinePiece> missing;
   std::vector<picture::LinePiece> extra;
   std::set_difference(exact.pieces.begin(), exact.pieces.end(), other.pieces.begin(), other.pieces.end(),
@@ -73,17 +73,17 @@ ordered_json difference_of(const picture::LinePicture& exact, const picture::Lin
   std::set_difference(other.pieces.begin(), other.pieces.end(), exact.pieces.begin(), exact.pieces.end(),
                       std::back_inserter(extra), before);
   const bool is_missing = !missing.empty() && (extra.empty() || before(missing.front(), extra.front()));
-  ordered_json document{{"missing_pieces", missing.size()}, {"extra_pieces", extra.size()}};
+  Json document{{"missing_pieces", missing.size()}, {"extra_pieces", extra.size()}};
   if (missing.empty() && extra.empty()) return document;
   const picture::LinePiece& first = is_missing ? missing.front() : extra.front();
-  document["first"] = {{"edge", {first.edge.from, first.edge.to}},
+  document["first"] = {{"edge", Json::array({first.edge.from, first.edge.to})},
                        {"low", text_of(first.low)},
                        {"high", text_of(first.high)},
                        {"is", is_missing ? "missing" : "extra"}};
   return document;
 }
 
-ordered_json json_of(const std::variant<SweepGuestView, scene::SceneError>& result) {
+Json json_of(const std::variant<SweepGuestView, scene::SceneError>& result) {
   if (const auto* error = std::get_if<scene::SceneError>(&result)) return {{"error", error->message()}};
   const auto& view = std::get<SweepGuestView>(result);
   return {{"status", view.status},
@@ -134,10 +134,10 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
 }
 
 std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) const {
-  ordered_json algorithms = ordered_json::array();
+  Json algorithms = Json::array();
   for (const Entry& entry : entries_) algorithms.push_back(entry.algorithm->name);
-  ordered_json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
-                        {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
+  Json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
+                {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
   if (guest_) document["guest"] = options_.eae ? "with EAE" : "without EAE";
   if (options_.turned) document["directions"] = "all";
   document["camera"] = {{"perspective", camera.perspective},
@@ -152,10 +152,10 @@ std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) c
 
 std::string Sweep::line(std::uint64_t number) const {
   const scene::PolyCamera camera = sweep_camera(*scene_, cells_, options_.turned, options_.seed, number);
-  ordered_json results;
+  Json results;
   picture::LinePicture exact;
   for (const Entry& entry : entries_) {
-    ordered_json& result = results[std::string(entry.algorithm->name)];
+    Json& result = results[std::string(entry.algorithm->name)];
     if (const auto reason = entry.algorithm->why_not_seen(*scene_, camera)) {
       result["not_applicable"] = *reason;
       continue;

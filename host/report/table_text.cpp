@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "host/base/json.hpp"
 
 namespace sightline::harness::report {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 template <class... Functions>
 struct Choice : Functions... {
@@ -41,15 +42,15 @@ std::string csv_field(const Cell& cell) {
 }
 
 // nlohmann writes a number that is not finite as null.
-ordered_json json_value(const Cell& cell) {
-  return std::visit(Choice{[](std::monostate) { return ordered_json(nullptr); },
-                           [](const std::string& text) { return ordered_json(text); },
-                           [](std::int64_t count) { return ordered_json(count); },
-                           [](const Real& real) { return ordered_json(real.value); },
-                           [](const Verdict& verdict) {
-                             return ordered_json{{"good", verdict.good}, {"text", verdict.text}};
-                           }},
-                    cell);
+Json json_value(const Cell& cell) {
+  return std::visit(
+      Choice{[](std::monostate) { return Json(nullptr); }, [](const std::string& text) { return Json(text); },
+             [](std::int64_t count) { return Json(count); },
+             [](const Real& real) { return Json(real.value); },
+             [](const Verdict& verdict) {
+               return Json{{"good", verdict.good}, {"text", verdict.text}};
+             }},
+      cell);
 }
 
 // 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
@@ -91,19 +92,19 @@ std::string csv_text(const Table& table) {
 }
 
 std::string json_text(const Table& table) {
-  ordered_json document{{"schema", "sightline/table/1"}, {"id", table.id}, {"title", table.title}};
-  document["columns"] = ordered_json::array();
+  Json document{{"schema", "sightline/table/1"}, {"id", table.id}, {"title", table.title}};
+  document["columns"] = Json::array();
   for (const Column& column : table.columns)
     document["columns"].push_back({{"key", column.key}, {"title", column.title}, {"unit", column.unit}});
-  document["rows"] = ordered_json::array();
+  document["rows"] = Json::array();
   for (const auto& row : table.rows) {
-    ordered_json values = ordered_json::object();
+    Json values = Json::object();
     for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
       values[table.columns[i].key] = json_value(row[i]);
     document["rows"].push_back(std::move(values));
   }
   document["notes"] = table.notes;
-  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return document.dump(2) + "\n";
 }
 
 std::string shown_text(const Cell& cell) {

@@ -37,7 +37,7 @@ set(RULES
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES
   "png.h=host/picture"
-  "nlohmann/=host/base,host/scene,host/compare,host/report,host/app"
+  "nlohmann/=host/base,host/scene"
   "muParser=host/scene"
   "CLI/=host/app,host/report/main.cpp"
   "gtest/=tests"

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -17,19 +16,20 @@
 
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/commands/draw_camera.hpp"
+#include "host/app/commands/skala_options.hpp"
 #include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/app/commands/skala_options.hpp"
-#include "host/scene/read/builtin.hpp"
+#include "host/base/json.hpp"
 #include "host/scene/heights/function.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
 
 namespace {
 
+using base::Json;
 using harness::SkalaPicture;
-using nlohmann::ordered_json;
 
 constexpr const char* compare_examples =
     "Examples:\n"
@@ -133,7 +133,7 @@ void refuse(bool given, const char* option, const std::string& name, const char*
 struct ComparedScene {
   bool agrees = true;
   std::string table;
-  ordered_json json;
+  Json json;
   std::vector<std::string> overlays;
 };
 
@@ -218,8 +218,7 @@ ExitCode run_compare(CompareArguments arguments) {
   if (!expression && !arguments.function.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
-  ordered_json document{
-      {"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", ordered_json::array()}};
+  Json document{{"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", Json::array()}};
   bool agrees = true;
   CompareProgressLine line;
   const std::size_t count = names.size() + (expression ? 1 : 0);
@@ -239,8 +238,7 @@ ExitCode run_compare(CompareArguments arguments) {
       if (path.ends_with(".png")) write_stdout(fmt::format("overlay {}, .svg\n", path));
   }
   document["agrees"] = agrees;
-  if (arguments.json)
-    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  if (arguments.json) print_json(document);
   if (agrees) return ExitCode::ok;
   complain("an exact algorithm is not exact, or a guest is not its twin: see above");
   return ExitCode::differs;

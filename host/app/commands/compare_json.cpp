@@ -1,30 +1,30 @@
 // The JSON values of compare_output.hpp.
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/commands/skala_options.hpp"
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
 namespace jones = harness::jones;
+using base::Json;
 using harness::ComparedPicture;
 using harness::ComparedRaster;
 using harness::HeightComparison;
 using harness::SceneComparison;
-using nlohmann::ordered_json;
 using picture::LineMetrics;
 using picture::PixelMetrics;
 
-ordered_json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
-  ordered_json list = ordered_json::array();
+Json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
+  Json list = Json::array();
   for (const auto& [name, reason] : reasons) list.push_back({{"name", name}, {"reason", reason}});
   return list;
 }
 
-ordered_json metrics_json(const LineMetrics& m) {
+Json metrics_json(const LineMetrics& m) {
   return {{"true_length", m.true_length},
           {"drawn_length", m.drawn_length},
           {"missing", m.missing},
@@ -44,14 +44,14 @@ ordered_json metrics_json(const LineMetrics& m) {
           {"pieces_different", m.pieces_different}};
 }
 
-ordered_json line_json(const ComparedPicture& compared) {
-  ordered_json row{{"name", compared.name}, {"measured", compared.what}};
+Json line_json(const ComparedPicture& compared) {
+  Json row{{"name", compared.name}, {"measured", compared.what}};
   if (compared.identical) row["equal_to_oracle"] = *compared.identical;
   row.update(metrics_json(compared.metrics));
   return row;
 }
 
-ordered_json points_json(const std::string& name, const PixelMetrics& m) {
+Json points_json(const std::string& name, const PixelMetrics& m) {
   return {{"name", name},
           {"pixels", m.pixels},
           {"boundary_pixels", m.boundary_pixels},
@@ -69,20 +69,21 @@ ordered_json points_json(const std::string& name, const PixelMetrics& m) {
 
 }  // namespace
 
-ordered_json compare_json(const SceneComparison& comparison) {
-  ordered_json document{{"scene", comparison.scene},
-                        {"perspective", comparison.camera.perspective},
-                        {"eye", comparison.camera.eye},
-                        {"forward", comparison.camera.forward},
-                        {"pixels_a_unit", comparison.frame.scale},
-                        {"agrees", comparison.agrees()},
-                        {"pictures", ordered_json::array()}};
+Json compare_json(const SceneComparison& comparison) {
+  Json document{{"scene", comparison.scene},
+                {"perspective", comparison.camera.perspective},
+                {"eye", comparison.camera.eye},
+                {"forward", comparison.camera.forward},
+                {"pixels_a_unit", comparison.frame.scale},
+                {"agrees", comparison.agrees()},
+                {"pictures", Json::array()}};
   for (const ComparedPicture& compared : comparison.pictures)
     document["pictures"].push_back(line_json(compared));
-  document["faces"] = ordered_json::array();
+  document["faces"] = Json::array();
   for (const harness::ComparedFaces& compared : comparison.faces) {
-    document["faces"].push_back(points_json(compared.name, compared.metrics));
-    document["faces"].back()["not_separated"] = compared.not_solved;
+    Json row = points_json(compared.name, compared.metrics);
+    row["not_separated"] = compared.not_solved;
+    document["faces"].push_back(std::move(row));
   }
   if (comparison.guest) {
     document["guest"] = {{"identical_to_twin", comparison.guest->difference.empty()},
@@ -95,13 +96,13 @@ ordered_json compare_json(const SceneComparison& comparison) {
   return document;
 }
 
-ordered_json compare_json(const std::string& name, const HeightComparison& comparison) {
-  ordered_json document{{"function", name},
-                        {"picture", picture_name(comparison.view.picture)},
-                        {"rotation", comparison.view.rotation},
-                        {"elevation", comparison.view.elevation},
-                        {"agrees", comparison.agrees()},
-                        {"pictures", ordered_json::array()}};
+Json compare_json(const std::string& name, const HeightComparison& comparison) {
+  Json document{{"function", name},
+                {"picture", picture_name(comparison.view.picture)},
+                {"rotation", comparison.view.rotation},
+                {"elevation", comparison.view.elevation},
+                {"agrees", comparison.agrees()},
+                {"pictures", Json::array()}};
   for (const ComparedRaster& compared : comparison.rasters)
     document["pictures"].push_back(points_json(compared.name, compared.metrics));
   if (comparison.vectors) {

@@ -1,10 +1,10 @@
 // What `sightline compare` says of a comparison: a table for people, a JSON value for programs, and overlays.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "host/base/json.hpp"
 #include "host/compare/heights.hpp"
 #include "host/compare/scenes.hpp"
 
@@ -13,9 +13,8 @@ namespace sightline::app {
 [[nodiscard]] std::string compare_table(const harness::SceneComparison& comparison);
 [[nodiscard]] std::string compare_table(const std::string& name, const harness::HeightComparison& comparison);
 
-[[nodiscard]] nlohmann::ordered_json compare_json(const harness::SceneComparison& comparison);
-[[nodiscard]] nlohmann::ordered_json compare_json(const std::string& name,
-                                                  const harness::HeightComparison& comparison);
+[[nodiscard]] base::Json compare_json(const harness::SceneComparison& comparison);
+[[nodiscard]] base::Json compare_json(const std::string& name, const harness::HeightComparison& comparison);
 
 // DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture; the directory is made. Returns the paths.
 // Failure io.

@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "host/app/commands/demo_comparison.hpp"
 #include "host/app/commands/jones_session.hpp"
-#include "host/app/scene_argument.hpp"
 #include "host/app/commands/skala_demo.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/base/json.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
@@ -17,7 +17,7 @@ namespace sightline::app {
 namespace {
 
 namespace jones = harness::jones;
-using nlohmann::ordered_json;
+using base::Json;
 
 constexpr const char* demo_examples =
     "Examples:\n"
@@ -77,9 +77,9 @@ std::string table_of(const std::vector<Row>& rows) {
   return text;
 }
 
-ordered_json document_of(const std::vector<Row>& rows, const std::string& directory) {
-  ordered_json document{{"schema", "sightline/demo/1"}, {"pictures", directory}};
-  document["views"] = ordered_json::array();
+Json document_of(const std::vector<Row>& rows, const std::string& directory) {
+  Json document{{"schema", "sightline/demo/1"}, {"pictures", directory}};
+  document["views"] = Json::array();
   for (const Row& row : rows) {
     document["views"].push_back({{"scene", row.scene},
                                  {"eae", row.eae},
@@ -104,11 +104,11 @@ ExitCode run_demo(const DemoArguments& arguments) {
   const SkalaDemo skala = run_skala_demo(arguments.directory);
   const DemoComparison comparison = compare_for_demo();
   if (arguments.json) {
-    ordered_json document = document_of(rows, arguments.directory);
+    Json document = document_of(rows, arguments.directory);
     add_skala_demo(document, skala);
     add_demo_comparison(document, comparison);
     // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
-    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    print_json(document);
   } else {
     write_stdout(table_of(rows));
     write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala));

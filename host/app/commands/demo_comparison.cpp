@@ -3,23 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "host/app/command.hpp"
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/scene/read/builtin.hpp"
+#include "host/base/json.hpp"
 #include "host/scene/heights/function.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
 
 namespace {
 
+using base::Json;
 using harness::ComparedPicture;
 using harness::ComparedRaster;
 using harness::HeightComparison;
 using harness::SceneComparison;
-using nlohmann::ordered_json;
 
 const ComparedPicture* guest_of(const SceneComparison& comparison) {
   const auto found = std::find_if(comparison.pictures.begin(), comparison.pictures.end(),
@@ -111,9 +111,9 @@ std::string demo_comparison_table(const DemoComparison& comparison) {
   return text;
 }
 
-void add_demo_comparison(ordered_json& document, const DemoComparison& comparison) {
-  ordered_json& compared = document["compared"];
-  compared = {{"agrees", comparison.agrees()}, {"scenes", ordered_json::array()}};
+void add_demo_comparison(Json& document, const DemoComparison& comparison) {
+  Json& compared = document["compared"];
+  compared = {{"agrees", comparison.agrees()}, {"scenes", Json::array()}};
   for (const SceneComparison& scene : comparison.scenes) compared["scenes"].push_back(compare_json(scene));
   for (const auto& [name, function] : comparison.functions)
     compared["scenes"].push_back(compare_json(name, function));

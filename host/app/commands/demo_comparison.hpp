@@ -2,11 +2,11 @@
 // algorithms.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/base/json.hpp"
 #include "host/compare/heights.hpp"
 #include "host/compare/scenes.hpp"
 
@@ -26,6 +26,6 @@ struct DemoComparison {
 
 [[nodiscard]] std::string demo_comparison_table(const DemoComparison& comparison);
 // Adds "compared".
-void add_demo_comparison(nlohmann::ordered_json& document, const DemoComparison& comparison);
+void add_demo_comparison(base::Json& document, const DemoComparison& comparison);
 
 }  // namespace sightline::app

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "host/app/commands/draw_camera.hpp"
 #include "host/app/commands/face_shades.hpp"
 #include "host/app/scene_source.hpp"
+#include "host/base/json.hpp"
 #include "host/picture/apng.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_bounds.hpp"
@@ -140,17 +140,17 @@ picture::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource
 void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments,
                          const SceneSource& source, const harness::PreparedFaces& prepared,
                          const std::vector<harness::FaceCount>& counts) {
-  using nlohmann::ordered_json;
+  using base::Json;
   const auto object = [](const std::vector<harness::FaceCount>& list) {
-    ordered_json result = ordered_json::object();
+    Json result = Json::object();
     for (const auto& count : list) result[std::string(count.name)] = count.value;
     return result;
   };
-  const ordered_json document{
+  const Json document{
       {"schema", "sightline/draw/1"},        {"algorithm", algorithm.name},      {"scene", source.name},
       {"output", arguments.output},          {"model", object(prepared.counts)}, {"counts", object(counts)},
       {"not_separated", prepared.not_solved}};
-  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  print_json(document);
 }
 
 ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {

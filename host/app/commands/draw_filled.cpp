@@ -5,13 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "host/app/commands/face_shades.hpp"
+#include "host/base/json.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/region_svg.hpp"
 
@@ -63,15 +63,15 @@ std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prep
 
 void print_filled_summary(const harness::FaceAlgorithm& algorithm, const FilledPicture& picture,
                           const std::vector<harness::FaceCount>& counts) {
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  base::Json object = base::Json::object();
   for (const auto& count : counts) object[std::string(count.name)] = count.value;
-  const nlohmann::ordered_json document{{"schema", "sightline/draw/1"},
-                                        {"algorithm", algorithm.name},
-                                        {"scene", picture.source.name},
-                                        {"output", picture.output.file},
-                                        {"filled", true},
-                                        {"counts", object}};
-  write_stdout(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  const base::Json document{{"schema", "sightline/draw/1"},
+                            {"algorithm", algorithm.name},
+                            {"scene", picture.source.name},
+                            {"output", picture.output.file},
+                            {"filled", true},
+                            {"counts", object}};
+  print_json(document);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -15,6 +14,7 @@
 #include "host/app/commands/draw_filled.hpp"
 #include "host/app/commands/draw_output.hpp"
 #include "host/app/scene_source.hpp"
+#include "host/base/json.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/picture/line_picture_seams.hpp"
@@ -23,7 +23,7 @@ namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 struct DrawLinesArguments {
   std::string scene;
@@ -120,24 +120,24 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
 void print_summary(const harness::LineAlgorithm& algorithm, const DrawLinesArguments& arguments,
                    const SceneSource& source, const scene::PolyCamera& camera, const harness::LineView& view,
                    std::size_t drawn) {
-  ordered_json counts = ordered_json::object();
+  Json counts = Json::object();
   for (const auto& count : view.counts) counts[std::string(count.name)] = count.value;
-  const ordered_json document{{"schema", "sightline/draw/1"},
-                              {"algorithm", algorithm.name},
-                              {"scene", source.name},
-                              {"output", arguments.output.file},
-                              {"camera",
-                               {{"perspective", camera.perspective},
-                                {"eye", camera.eye},
-                                {"forward", camera.forward},
-                                {"right", camera.right},
-                                {"up", camera.up}}},
-                              {"edges", picture::edges_of(source.scene).size()},
-                              {"pieces", view.picture.pieces.size()},
-                              {"pieces_drawn", drawn},
-                              {"visible_length", picture::image_length(view.picture, source.scene, camera)},
-                              {"counts", counts}};
-  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  const Json document{{"schema", "sightline/draw/1"},
+                      {"algorithm", algorithm.name},
+                      {"scene", source.name},
+                      {"output", arguments.output.file},
+                      {"camera",
+                       {{"perspective", camera.perspective},
+                        {"eye", camera.eye},
+                        {"forward", camera.forward},
+                        {"right", camera.right},
+                        {"up", camera.up}}},
+                      {"edges", picture::edges_of(source.scene).size()},
+                      {"pieces", view.picture.pieces.size()},
+                      {"pieces_drawn", drawn},
+                      {"visible_length", picture::image_length(view.picture, source.scene, camera)},
+                      {"counts", counts}};
+  print_json(document);
 }
 
 ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArguments arguments) {

@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/app/commands/draw_output.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
@@ -63,20 +63,19 @@ Family slices_named(const std::string& name) {
 
 void print_skala_drawing(const DrawSkalaArguments& arguments, const SkalaFunction& function,
                          const picture::VectorDrawing& drawing) {
-  using nlohmann::ordered_json;
-  const ordered_json document{
-      {"schema", "sightline/draw/1"},
-      {"algorithm", "skala"},
-      {"scene", function.name},
-      {"output", arguments.output.file},
-      {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
-      {"slices", function.grid.slices()},
-      {"points", function.grid.points()},
-      {"rotation", arguments.view.rotation},
-      {"elevation", arguments.view.elevation},
-      {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
+  using base::Json;
+  const Json document{{"schema", "sightline/draw/1"},
+                      {"algorithm", "skala"},
+                      {"scene", function.name},
+                      {"output", arguments.output.file},
+                      {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
+                      {"slices", function.grid.slices()},
+                      {"points", function.grid.points()},
+                      {"rotation", arguments.view.rotation},
+                      {"elevation", arguments.view.elevation},
+                      {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
   // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
-  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  print_json(document);
 }
 
 ExitCode run_draw_skala(DrawSkalaArguments arguments) {

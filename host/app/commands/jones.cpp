@@ -4,20 +4,20 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "host/app/eae_option.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/run_scripts.hpp"
+#include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
 namespace jones = harness::jones;
-using nlohmann::ordered_json;
+using base::Json;
 
 constexpr const char* jones_examples =
     "Examples:\n"
@@ -81,19 +81,19 @@ jones::GuestOptions guest_options(const JonesArguments& arguments) {
   return options;
 }
 
-ordered_json document_of(const JonesArguments& arguments, const jones::Program& program,
-                         const jones::GuestRun& run, const std::vector<std::string>& pictures) {
-  ordered_json document{{"schema", "sightline/jones/1"},
-                        {"scene", arguments.scene},
-                        {"eae", !arguments.no_eae},
-                        {"fraction_bits", arguments.fraction},
-                        {"truncated", arguments.truncate},
-                        {"eye", program.scene.eye},
-                        {"cells", program.scene.cell_addresses.size()},
-                        {"core_words_used", program.words_used},
-                        {"refreshes_per_second", refreshes_per_second(run)},
-                        {"flicker", refreshes_per_second(run) < flicker_limit}};
-  document["views"] = ordered_json::array();
+Json document_of(const JonesArguments& arguments, const jones::Program& program, const jones::GuestRun& run,
+                 const std::vector<std::string>& pictures) {
+  Json document{{"schema", "sightline/jones/1"},
+                {"scene", arguments.scene},
+                {"eae", !arguments.no_eae},
+                {"fraction_bits", arguments.fraction},
+                {"truncated", arguments.truncate},
+                {"eye", program.scene.eye},
+                {"cells", program.scene.cell_addresses.size()},
+                {"core_words_used", program.words_used},
+                {"refreshes_per_second", refreshes_per_second(run)},
+                {"flicker", refreshes_per_second(run) < flicker_limit}};
+  document["views"] = Json::array();
   for (const jones::GuestView& view : run.views) {
     document["views"].push_back({{"status", jones::name(view.status)},
                                  {"emulated_ns", view.time.count()},
@@ -146,7 +146,7 @@ ExitCode run_jones(const JonesArguments& arguments) {
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, !arguments.no_eae), result);
   if (arguments.json) {
-    write_stdout(document_of(arguments, program, result, pictures).dump(2) + "\n");
+    print_json(document_of(arguments, program, result, pictures));
   } else {
     write_stdout(summary_of(arguments, program, result));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
+
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 // Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
 std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
@@ -21,8 +22,8 @@ std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
 }
 
 // null where no 64 bits hold it.
-ordered_json nanoseconds(core::Instant t) {
-  return t == core::never ? ordered_json() : ordered_json(core::nanoseconds_of(t));
+Json nanoseconds(core::Instant t) {
+  return t == core::never ? Json() : Json(core::nanoseconds_of(t));
 }
 
 std::string byte_text(unsigned byte) {
@@ -47,7 +48,7 @@ std::string as_utf8(std::string_view bytes) {
   return text;
 }
 
-ordered_json registers_of(const i8080::State& r) {
+Json registers_of(const i8080::State& r) {
   return {{"a", byte_text(r.a)},
           {"f", byte_text(r.f)},
           {"b", byte_text(i8080::high(r.bc))},
@@ -77,25 +78,25 @@ std::string json_report(const harness::I8080Job& job, const harness::I8080Report
   const core::ClockRate clock = job.machine.clock;
   const double seconds =
       static_cast<double>(core::t_states_of(report.end)) / static_cast<double>(clock.hertz);
-  ordered_json document{{"schema", "sightline/run-i8080/1"},
-                        {"stop_reason", harness::name_of(report.stop)},
-                        {"pc", address_text(report.registers.pc)},
-                        {"instructions", report.instructions},
-                        {"t_states", core::t_states_of(report.end)},
-                        {"clock_hz", clock.hertz},
-                        {"emulated_ns", nanoseconds(clock.to_nanoseconds(report.end))},
-                        {"emulated_seconds", seconds},
-                        {"registers", registers_of(report.registers)},
-                        {"cpm", job.cpm}};
+  Json document{{"schema", "sightline/run-i8080/1"},
+                {"stop_reason", harness::name_of(report.stop)},
+                {"pc", address_text(report.registers.pc)},
+                {"instructions", report.instructions},
+                {"t_states", core::t_states_of(report.end)},
+                {"clock_hz", clock.hertz},
+                {"emulated_ns", nanoseconds(clock.to_nanoseconds(report.end))},
+                {"emulated_seconds", seconds},
+                {"registers", registers_of(report.registers)},
+                {"cpm", job.cpm}};
   if (report.stop == harness::I8080Stop::unknown_bdos || report.stop == harness::I8080Stop::endless_string) {
     document["bdos"] = {{"function", report.bdos_function}, {"caller", address_text(report.bdos_caller)}};
   }
   if (console) document["console"] = as_utf8(*console);
-  document["devices"] = ordered_json::object();
+  document["devices"] = Json::object();
   for (const harness::DeviceReport& device : report.devices) {
     for (const auto& [name, count] : device.counts) document["devices"][device.device][name] = count;
   }
-  document["unanswered"] = ordered_json::array();
+  document["unanswered"] = Json::array();
   for (const harness::I8080UnansweredPort& port : report.unanswered) {
     document["unanswered"].push_back(
         {{"port", byte_text(port.port)}, {"reads", port.reads}, {"writes", port.writes}});

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
 #include "emulators/pdp7/cpu.hpp"
 #include "host/app/commands/run_timing.hpp"
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 // A program that has run into its data can meet thousands of codes.
 constexpr std::size_t most_warnings = 100;
@@ -40,7 +40,7 @@ pdp7::Address before(pdp7::Address pc) {
   return (pc & pdp7::bank_mask) | ((pc - 1) & pdp7::in_bank_mask);
 }
 
-ordered_json registers_of(const harness::Pdp7Report& report) {
+Json registers_of(const harness::Pdp7Report& report) {
   const pdp7::State& r = report.registers;
   return {{"pc", fmt::format("{:05o}", r.pc)},
           {"ac", word_text(r.ac)},
@@ -56,28 +56,28 @@ ordered_json registers_of(const harness::Pdp7Report& report) {
 std::string json_report(const RunArguments& arguments, const harness::Pdp7Job& job,
                         const harness::Pdp7Report& report) {
   const machines::Configuration& machine = job.machine.configuration;
-  ordered_json document{{"schema", "sightline/run-pdp7/1"},
-                        {"stop_reason", harness::name_of(report.stop)},
-                        {"pc", fmt::format("{:05o}", report.registers.pc)},
-                        {"instructions", report.counts.instructions},
-                        {"machine_cycles", report.counts.machine_cycles},
-                        {"emulated_ns", core::nanoseconds_of(report.end)},
-                        {"emulated_seconds", static_cast<double>(core::nanoseconds_of(report.end)) / 1e9},
-                        {"stolen_cycles", report.counts.stolen_cycles},
-                        {"display_words", report.display_words},
-                        {"passes", report.passes},
-                        {"passes_started", report.passes_started}};
+  Json document{{"schema", "sightline/run-pdp7/1"},
+                {"stop_reason", harness::name_of(report.stop)},
+                {"pc", fmt::format("{:05o}", report.registers.pc)},
+                {"instructions", report.counts.instructions},
+                {"machine_cycles", report.counts.machine_cycles},
+                {"emulated_ns", core::nanoseconds_of(report.end)},
+                {"emulated_seconds", static_cast<double>(core::nanoseconds_of(report.end)) / 1e9},
+                {"stolen_cycles", report.counts.stolen_cycles},
+                {"display_words", report.display_words},
+                {"passes", report.passes},
+                {"passes_started", report.passes_started}};
   document["registers"] = registers_of(report);
   document["machine"] = {{"core_words", machine.core_words},
                          {"eae", machine.model.eae},
                          {"extend_mode", machine.core_words > 8192},
                          {"display", job.machine.display.has_value()}};
-  document["timing"] = ordered_json::object();
+  document["timing"] = Json::object();
   for (const TimingSetting& setting : timing_settings(arguments.timings)) {
     document["timing"][setting.name] = setting.value;
   }
   document["reader_out_of_tape"] = report.reader_out_of_tape;
-  document["unanswered"] = ordered_json::array();
+  document["unanswered"] = Json::array();
   for (const machines::Unanswered& entry : report.unanswered) {
     document["unanswered"].push_back({{"word", fmt::format("{:06o}", entry.word)},
                                       {"count", entry.count},

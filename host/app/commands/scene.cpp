@@ -3,26 +3,26 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "host/app/scene_argument.hpp"
 #include "host/app/commands/scene_check.hpp"
 #include "host/app/commands/scene_compartment.hpp"
 #include "host/app/commands/scene_generate.hpp"
 #include "host/app/commands/scene_info.hpp"
 #include "host/app/commands/scene_poly.hpp"
+#include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/scene/read/builtin.hpp"
+#include "host/base/json.hpp"
 #include "host/guests/jones/tape.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 struct SceneArguments {
   std::string scene;
@@ -99,12 +99,11 @@ ExitCode check(const SceneArguments& arguments) {
   const SceneText file = read_scene_text(arguments.scene);
   const auto [errors, changes] = check_scene_text(file);
   if (arguments.json) {
-    ordered_json document{
-        {"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
-    document["errors"] = ordered_json::array();
+    Json document{{"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
+    document["errors"] = Json::array();
     for (const auto& error : errors)
       document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
-    write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    print_json(document);
   } else {
     for (const auto& error : errors) complain(error.message());
     tell(changes);
@@ -160,8 +159,8 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
   command->callback([arguments, &exit_code] {
     const auto names = scene::builtin_scene_names();
     if (arguments->json) {
-      const ordered_json document{{"schema", "sightline/scene-list/1"}, {"scenes", names}};
-      write_stdout(document.dump(2) + "\n");
+      const Json document{{"schema", "sightline/scene-list/1"}, {"scenes", names}};
+      print_json(document);
     } else {
       for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
     }

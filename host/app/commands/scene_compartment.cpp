@@ -6,16 +6,16 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "host/app/commands/scene_info.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/scene/read/cell_complex_file.hpp"
-#include "host/scene/check/cell_complex.hpp"
+#include "host/base/json.hpp"
 #include "host/scene/cells/decompose.hpp"
+#include "host/scene/check/cell_complex.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
 
 namespace sightline::app {
 namespace {
@@ -52,16 +52,16 @@ void describe(const CompartmentArguments& arguments, const scene::Compartments& 
   const scene::CellComplex& complex = result.complex;
   const std::size_t outer = openings_outside(complex);
   if (arguments.json) {
-    const nlohmann::ordered_json document{{"schema", "sightline/scene-compartment/1"},
-                                          {"scene", arguments.scene},
-                                          {"method", method_name(result.method)},
-                                          {"cells", complex.cells.size()},
-                                          {"openings", complex.openings.size()},
-                                          {"openings_outside", outer},
-                                          {"lines", complex.lines.size()},
-                                          {"edges", complex.edges.size()},
-                                          {"planes", complex.planes.size()}};
-    write_stdout(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    const base::Json document{{"schema", "sightline/scene-compartment/1"},
+                              {"scene", arguments.scene},
+                              {"method", method_name(result.method)},
+                              {"cells", complex.cells.size()},
+                              {"openings", complex.openings.size()},
+                              {"openings_outside", outer},
+                              {"lines", complex.lines.size()},
+                              {"edges", complex.edges.size()},
+                              {"planes", complex.planes.size()}};
+    print_json(document);
     return;
   }
   write_stdout(fmt::format("method    {}\n", method_name(result.method)));

@@ -4,29 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "host/app/scene_argument.hpp"
+#include "host/base/json.hpp"
 #include "host/guests/jones/encode.hpp"
+#include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/face_numbers.hpp"
 #include "host/scene/model/poly_bounds.hpp"
-#include "host/scene/check/poly_shells.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 constexpr const char* info_schema = "sightline/scene-info/1";
-
-// Names of scenes may be of any bytes.
-void write_info(const ordered_json& document) {
-  write_stdout(document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-}
 
 std::string point_text(const geometry::Point& p) {
   return fmt::format("{},{},{}", p[0], p[1], p[2]);
@@ -36,8 +31,8 @@ std::string box_text(const geometry::Point& low, const geometry::Point& high) {
   return fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2]);
 }
 
-ordered_json box_json(const geometry::Box& box) {
-  return ordered_json::array({box.low, box.high});
+Json box_json(const geometry::Box& box) {
+  return Json::array({box.low, box.high});
 }
 
 // --- cells of Jones's program
@@ -57,7 +52,7 @@ void describe_cells(const SceneText& file, bool json) {
   std::size_t lines = 0;
   for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
   if (json) {
-    write_info({{"schema", info_schema},
+    print_json({{"schema", info_schema},
                 {"name", scene.name},
                 {"cells", scene.cells.size()},
                 {"openings", scene.openings.size()},
@@ -104,7 +99,7 @@ struct PolyCounts {
   std::size_t sheets = 0;
 };
 
-ordered_json polyhedra_json(const scene::PolyScene& scene) {
+Json polyhedra_json(const scene::PolyScene& scene) {
   const PolyCounts counts(scene);
   const scene::PolyBounds bounds = scene::bounds_of(scene);
   return {{"schema", info_schema},
@@ -115,7 +110,7 @@ ordered_json polyhedra_json(const scene::PolyScene& scene) {
           {"holes", counts.holes},
           {"bodies", scene.bodies.size()},
           {"sheets", counts.sheets},
-          {"bounds", ordered_json::array({bounds.low, bounds.high})},
+          {"bounds", Json::array({bounds.low, bounds.high})},
           {"step", scene.step},
           {"origin", scene.origin}};
 }
@@ -138,12 +133,12 @@ void write_polyhedra(const scene::PolyScene& scene) {
 void describe_polyhedra(const SceneText& file, bool json) {
   const auto [scene, report] = load_poly_file(file, false);
   if (json) {
-    ordered_json document = polyhedra_json(scene);
+    Json document = polyhedra_json(scene);
     document["quantised"] = report.quantised;
     document["largest_shift"] = report.largest_shift;
     document["split_faces"] = report.split_faces;
     document["largest_deviation"] = report.largest_deviation;
-    write_info(document);
+    print_json(document);
     return;
   }
   tell(report);
@@ -156,7 +151,7 @@ void describe_cell_complex(const SceneText& file, bool json) {
   const auto [scene, compartments] = load_cell_complex(file);
   const scene::CellComplex& complex = compartments.complex;
   if (json) {
-    ordered_json document = polyhedra_json(scene);
+    Json document = polyhedra_json(scene);
     document["method"] = method_name(compartments.method);
     document["cells"] = complex.cells.size();
     document["openings"] = complex.openings.size();
@@ -164,7 +159,7 @@ void describe_cell_complex(const SceneText& file, bool json) {
     document["cell_lines"] = complex.lines.size();
     document["planes"] = complex.planes.size();
     document["outer"] = box_json(complex.outer);
-    write_info(document);
+    print_json(document);
     return;
   }
   write_polyhedra(scene);

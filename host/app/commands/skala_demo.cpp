@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "host/base/json.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::app {
 
 namespace {
 
+using base::Json;
 using harness::SkalaPicture;
-using nlohmann::ordered_json;
 
 constexpr std::string_view plotted_function = "rogers";
 
@@ -36,11 +35,10 @@ double seconds(const SkalaOutcome& outcome) {
   return seconds_at(core::ClockRate{}, outcome.picture.drawing);
 }
 
-ordered_json json_of(const SkalaOutcome& outcome) {
+Json json_of(const SkalaOutcome& outcome) {
   return {{"t_states", outcome.picture.drawing.count()},
           {"seconds", seconds(outcome)},
-          {"visibility_cost_per_cent",
-           outcome.visibility_cost ? ordered_json(*outcome.visibility_cost) : ordered_json(nullptr)},
+          {"visibility_cost_per_cent", outcome.visibility_cost},
           {"points_walked", outcome.points_walked},
           {"points_lit", outcome.points_lit}};
 }
@@ -84,8 +82,8 @@ std::string skala_demo_table(const SkalaDemo& demo) {
   return text;
 }
 
-void add_skala_demo(ordered_json& document, const SkalaDemo& demo) {
-  document["skala"] = ordered_json::array();
+void add_skala_demo(Json& document, const SkalaDemo& demo) {
+  document["skala"] = Json::array();
   for (const SkalaDemoRow& row : demo.rows) {
     document["skala"].push_back({{"function", row.function},
                                  {"lines", json_of(row.lines)},

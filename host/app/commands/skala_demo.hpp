@@ -2,11 +2,11 @@
 // as contours on the raster board, and one of them on a plotter.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "host/app/commands/skala_session.hpp"
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
@@ -29,6 +29,6 @@ struct SkalaDemo {
 
 [[nodiscard]] std::string skala_demo_table(const SkalaDemo& demo);
 // Adds "skala" and "skala_plot".
-void add_skala_demo(nlohmann::ordered_json& document, const SkalaDemo& demo);
+void add_skala_demo(base::Json& document, const SkalaDemo& demo);
 
 }  // namespace sightline::app

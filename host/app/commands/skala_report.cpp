@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include "host/base/json.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 
 double plotter_seconds(core::Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -51,11 +51,11 @@ std::string port_lines(const SkalaOutcome& outcome) {
   return text;
 }
 
-ordered_json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
-  ordered_json machine{{"device", std::string(name_of(order.view.device))},
-                       {"link", std::string(link_name(order.link))},
-                       {"clock_hz", order.clock.hertz}};
-  machine["unanswered_ports"] = ordered_json::array();
+Json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
+  Json machine{{"device", std::string(name_of(order.view.device))},
+               {"link", std::string(link_name(order.link))},
+               {"clock_hz", order.clock.hertz}};
+  machine["unanswered_ports"] = Json::array();
   for (const harness::SkalaUnanswered& port : outcome.picture.unanswered)
     machine["unanswered_ports"].push_back(
         {{"port", port.port}, {"reads", port.reads}, {"writes", port.writes}});
@@ -96,28 +96,27 @@ std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
 std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
                            const std::vector<std::string>& pictures) {
   const harness::SkalaGuestPicture& picture = outcome.picture;
-  ordered_json document{{"schema", "sightline/skala/1"},
-                        {"function", order.name},
-                        {"picture", std::string(name_of(order.view.picture))},
-                        {"slices", order.grid.slices()},
-                        {"points", order.grid.points()},
-                        {"rotation", order.view.rotation},
-                        {"elevation", order.view.elevation},
-                        {"zoom", order.view.zoom},
-                        {"visibility", order.view.visibility},
-                        {"machine", machine_of(order, outcome)},
-                        {"status", std::string(text_of(picture.status))},
-                        {"t_states", picture.drawing.count()},
-                        {"seconds", seconds_at(order.clock, picture.drawing)},
-                        {"total_t_states", picture.total.count()},
-                        {"instructions", picture.instructions},
-                        {"command_bytes", outcome.bytes},
-                        {"blocks", picture.blocks},
-                        {"points_walked", outcome.points_walked},
-                        {"points_lit", outcome.points_lit},
-                        {"dots_not_shown", picture.dots_not_shown}};
-  document["visibility_cost_per_cent"] =
-      outcome.visibility_cost ? ordered_json(*outcome.visibility_cost) : ordered_json(nullptr);
+  Json document{{"schema", "sightline/skala/1"},
+                {"function", order.name},
+                {"picture", std::string(name_of(order.view.picture))},
+                {"slices", order.grid.slices()},
+                {"points", order.grid.points()},
+                {"rotation", order.view.rotation},
+                {"elevation", order.view.elevation},
+                {"zoom", order.view.zoom},
+                {"visibility", order.view.visibility},
+                {"machine", machine_of(order, outcome)},
+                {"status", std::string(text_of(picture.status))},
+                {"t_states", picture.drawing.count()},
+                {"seconds", seconds_at(order.clock, picture.drawing)},
+                {"total_t_states", picture.total.count()},
+                {"instructions", picture.instructions},
+                {"command_bytes", outcome.bytes},
+                {"blocks", picture.blocks},
+                {"points_walked", outcome.points_walked},
+                {"points_lit", outcome.points_lit},
+                {"dots_not_shown", picture.dots_not_shown}};
+  document["visibility_cost_per_cent"] = outcome.visibility_cost;
   if (!is_raster(order.view.device)) {
     document["plotter"] = {{"seconds", plotter_seconds(outcome.plotter.time)},
                            {"pen_lifts", outcome.plotter.pen_lifts},
@@ -126,7 +125,7 @@ std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
   }
   document["pictures"] = pictures;
   // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
-  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return document.dump(2) + "\n";
 }
 
 }  // namespace sightline::app

@@ -53,7 +53,7 @@ TEST(Json, WritesStringsAsTheLibraryDoes) {
 TEST(Json, WritesDocumentsAsTheLibraryDoes) {
   const std::vector<std::string> names{"a", "b"};
   const std::array<int, 3> point{1, -2, 3};
-  Json ours = Json::object({{"schema", "s/1"}, {"names", names}, {"flag", true}, {"none", nullptr}});
+  Json ours = {{"schema", "s/1"}, {"names", names}, {"flag", true}, {"none", nullptr}};
   ordered_json theirs{{"schema", "s/1"}, {"names", names}, {"flag", true}, {"none", nullptr}};
   ours["box"] = Json::array({point, point});
   theirs["box"] = ordered_json::array({point, point});
@@ -61,9 +61,9 @@ TEST(Json, WritesDocumentsAsTheLibraryDoes) {
   theirs["empty"] = ordered_json::array();
   ours["nothing"] = Json::object();
   theirs["nothing"] = ordered_json::object();
-  ours["rows"].push_back(Json::object({{"x", 1.5}, {"deep", Json::array({Json::array({1}), Json()})}}));
+  ours["rows"].push_back({{"x", 1.5}, {"deep", Json::array({Json::array({1}), Json()})}});
   theirs["rows"].push_back({{"x", 1.5}, {"deep", ordered_json::array({ordered_json::array({1}), nullptr})}});
-  ours.update(Json::object({{"flag", 7}, {"last", std::optional<int>()}}));
+  ours.update({{"flag", 7}, {"last", std::optional<int>()}});
   theirs.update({{"flag", 7}, {"last", nullptr}});
   for (const int indent : {-1, 0, 1, 2}) {
     const auto ours_indent = indent < 0 ? std::nullopt : std::optional(static_cast<unsigned>(indent));
@@ -72,7 +72,7 @@ TEST(Json, WritesDocumentsAsTheLibraryDoes) {
 }
 
 TEST(Json, CopiesAreIndependent) {
-  Json first = Json::object({{"list", Json::array({1, 2})}});
+  Json first{{"list", Json::array({1, 2})}};
   Json second = first;
   second["list"].push_back(3);
   EXPECT_EQ(first.dump(), R"({"list":[1,2]})");
