@@ -1,33 +1,18 @@
 // Emulated time of the 8080's side: T-states, the periods of the processor's clock, counted from the start of a run.
 //
-// How long a T-state lasts is a parameter of the machine, so it is no unit of time: ClockRate converts, in whole
-// arithmetic, where a device's data sheet speaks of seconds. TStates cannot be mixed with core::Duration by accident:
-// their tick has no common unit with the nanosecond, and adding or comparing the two does not compile.
+// How long a T-state lasts is a parameter of the machine: ClockRate converts, in whole arithmetic, where a device's data
+// sheet speaks of seconds. Nothing else does: T-states and nanoseconds are different types (time.hpp).
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <ratio>
 
 #include "time.hpp"
 
 namespace sightline::core {
 
-// A tag, not a length: the denominator is the largest prime below 2^63, so a common unit with any other period
-// would overflow std::ratio.
-struct TStateTick {
-  using period = std::ratio<1, 9'223'372'036'854'775'783>;
-};
-using TStates = std::chrono::duration<std::int64_t, TStateTick::period>;
-
-struct TStateClock {
-  using rep = std::int64_t;
-  using period = TStateTick::period;
-  using duration = TStates;
-  using time_point = std::chrono::time_point<TStateClock, TStates>;
-  static constexpr bool is_steady = true;
-};
-using TStateInstant = TStateClock::time_point;
+struct TState;
+using TStates = TickCount<TState>;
+using TStateInstant = TickInstant<TState>;
 
 // Later than any instant a run can reach: the deadline of a device that will do nothing by itself.
 inline constexpr TStateInstant never_t = TStateInstant::max();

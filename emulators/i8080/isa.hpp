@@ -83,7 +83,9 @@ class Cycles {
  private:
   static consteval CycleKind kind_of(char letter) {
     constexpr std::string_view letters = "FRWrwIOHx";
-    return static_cast<CycleKind>(letters.find(letter) < letters.size() ? letters.find(letter) : throw letter);
+    std::size_t kind = 0;
+    while (letters[kind] != letter) ++kind;  // another letter does not compile
+    return static_cast<CycleKind>(kind);
   }
 
   std::array<MachineCycle, 5> cycles_{};

@@ -72,7 +72,7 @@ class I8080Bus {
 
   // A boundary is due when the deadline lies in the instruction that ended there, its last T-state included.
   [[nodiscard]] [[gnu::always_inline]] bool due() const {
-    return core::t_states_of(now_) > core::t_states_of(deadline_);  // one compare; <=> of instants takes two
+    return now_ > deadline_;
   }
   [[nodiscard]] core::TStateInstant now() const { return now_; }
   void set_now(core::TStateInstant now) { now_ = now; }

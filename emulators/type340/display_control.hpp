@@ -96,7 +96,7 @@ core::Instant Display<Sink>::deadline() const {
 template <class Sink>
 void Display<Sink>::catch_up(core::Instant now) {
   // So that sums of delays stay inside the clock.
-  constexpr core::Instant latest = core::never - std::chrono::milliseconds(1);
+  constexpr core::Instant latest = core::never - core::milliseconds(1);
   now = std::min(now, latest);
   if (whole_) {
     whole_ = false;

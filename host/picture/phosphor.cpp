@@ -2,7 +2,6 @@
 #include "host/picture/phosphor.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 

@@ -129,7 +129,7 @@ Outcome<std::vector<std::pair<JonesOrder, JonesRun>>> run_all_jones(const Contex
 }
 
 double seconds(core::Duration time) {
-  return std::chrono::duration<double>(time).count();
+  return core::in_seconds(time);
 }
 
 Outcome<picture::Bytes> crisp_png(const JonesRun& run) {

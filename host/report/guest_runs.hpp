@@ -53,7 +53,7 @@ struct JonesRun {
 // The screen photographed, 0.2 s; the order asked for a photograph.
 [[nodiscard]] Outcome<picture::Bytes> phosphor_png(const JonesRun& run);
 
-inline constexpr core::Duration shutter_time = std::chrono::milliseconds(200);
+inline constexpr core::Duration shutter_time = core::milliseconds(200);
 
 struct SkalaOrder {
   std::string function;  // one of the eight

@@ -98,7 +98,7 @@ TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
   const Console seen = after(0, 1.0);
   EXPECT_GT(seen.views, 10);
   GuestOptions options;
-  options.time_limit = std::chrono::seconds(5);
+  options.time_limit = core::seconds(5);
   const GuestRun run = run_guest(program, options);
   EXPECT_FALSE(run.timed_out);
   EXPECT_EQ(run.views.size(), 2U);
@@ -203,7 +203,7 @@ class JonesStatus : public testing::TestWithParam<bool> {
     ASSERT_EQ(name(expected.status), name(status));
     GuestOptions options;
     options.eae = GetParam();
-    options.time_limit = std::chrono::seconds(60);
+    options.time_limit = core::seconds(60);
     const GuestRun run = run_guest(program, options);
     ASSERT_EQ(run.views.size(), 2U);
     for (const GuestView& view : run.views) {

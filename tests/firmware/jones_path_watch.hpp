@@ -99,7 +99,7 @@ inline DarkView dark_view(const Program& program, bool eae, const Parameters& pa
   machine.console().set(core::Word18((parameters.stereo ? 1U : 0U) | (parameters.immediate ? 2U : 0U)));
   machine.start(program.labels.start);
   machines::Limits limits;
-  limits.until = core::Instant(std::chrono::seconds(600));
+  limits.until = core::Instant(core::seconds(600));
   DarkView view;
   if (machine.run(limits) != machines::StopReason::observer) return view;
   view.status = static_cast<Status>(machine.peek(program.labels.status).value());

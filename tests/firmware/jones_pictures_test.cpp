@@ -28,7 +28,7 @@ namespace oracle = algorithms::oracle;
 class JonesPictures : public testing::TestWithParam<const char*> {};
 
 TEST_P(JonesPictures, AreTheApprovedOnes) {
-  constexpr core::Duration shutter = std::chrono::milliseconds(200);
+  constexpr core::Duration shutter = core::milliseconds(200);
   const std::string scene = GetParam();
   GuestOptions options;
   options.photograph = shutter;

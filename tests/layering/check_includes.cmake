@@ -44,7 +44,7 @@ set(LIBRARY_RULES
   "benchmark/=tests")
 
 # What the machines must not need.
-set(FORBIDDEN_IN_EMULATORS "iostream;fstream;sstream;filesystem;thread;mutex;stdexcept;regex")
+set(FORBIDDEN_IN_EMULATORS "iostream;fstream;sstream;filesystem;thread;mutex;stdexcept;regex;chrono")
 
 set(problems "")
 foreach(rule IN LISTS RULES)

@@ -25,7 +25,7 @@ std::string title_of(const std::string& scene_name, bool eae) {
 }
 
 double seconds(core::Duration time) {
-  return std::chrono::duration<double>(time).count();
+  return core::in_seconds(time);
 }
 
 double refreshes_per_second(const harness::jones::GuestRun& run) {

@@ -24,7 +24,7 @@ namespace sightline::app {
 [[nodiscard]] double refreshes_per_second(const harness::jones::GuestRun& run);
 
 // What the photograph needs: the shutter stands open this long.
-inline constexpr core::Duration photograph_time = std::chrono::milliseconds(200);
+inline constexpr core::Duration photograph_time = core::milliseconds(200);
 
 // Writes DIRECTORY/STEM.png, -phosphor.png and .svg; makes the directory. Returns the paths. Failure io.
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,

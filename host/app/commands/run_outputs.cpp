@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +19,7 @@ namespace sightline::app {
 namespace {
 
 // The exposure that the photograph's parameters are set for.
-constexpr core::Duration shutter_time = std::chrono::milliseconds(200);
+constexpr core::Duration shutter_time = core::milliseconds(200);
 
 std::vector<std::uint8_t> seven_bits(std::vector<std::uint8_t> codes) {
   for (std::uint8_t& code : codes) code &= 0177U;

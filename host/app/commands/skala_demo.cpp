@@ -77,7 +77,7 @@ std::string skala_demo_table(const SkalaDemo& demo) {
       "paper: about 2 s, about 15 % for the visibility.\n";
   const harness::SkalaPlotterWork& work = demo.plot.plotter;
   text += fmt::format("{} on the CalComp 565: {:.0f} s, {} steps, {} pen lifts.\n", demo.plotted,
-                      std::chrono::duration<double>(work.time).count(),
+                      core::in_seconds(work.time),
                       work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
   return text;
 }
@@ -93,7 +93,7 @@ void add_skala_demo(Json& document, const SkalaDemo& demo) {
   const harness::SkalaPlotterWork& work = demo.plot.plotter;
   document["skala_plot"] = {{"function", demo.plotted},
                             {"device", "CalComp 565"},
-                            {"seconds", std::chrono::duration<double>(work.time).count()},
+                            {"seconds", core::in_seconds(work.time)},
                             {"pen_lifts", work.pen_lifts},
                             {"steps_pen_down", work.steps_pen_down},
                             {"steps_pen_up", work.steps_pen_up}};

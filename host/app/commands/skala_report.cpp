@@ -11,7 +11,7 @@ namespace {
 using base::Json;
 
 double plotter_seconds(core::Duration time) {
-  return std::chrono::duration<double>(time).count();
+  return core::in_seconds(time);
 }
 
 std::string megahertz(core::ClockRate clock) {

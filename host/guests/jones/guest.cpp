@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t stop_word = 0003000;
 // Far longer than the interrupt handler takes to start the display again.
-constexpr core::Duration longest_pause = std::chrono::milliseconds(10);
+constexpr core::Duration longest_pause = core::milliseconds(10);
 
 template <class Machine>
 void load(Machine& machine, const Program& program, const GuestOptions& options) {

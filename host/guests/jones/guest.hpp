@@ -31,7 +31,7 @@ struct GuestOptions {
   bool display = true;  // false: views are computed with no display on the machine
   core::Duration photograph =
       core::Duration(0);  // keep strokes of this long after the last view's first pass
-  core::Duration time_limit = std::chrono::seconds(600);  // emulated
+  core::Duration time_limit = core::seconds(600);  // emulated
 };
 
 struct GuestView {

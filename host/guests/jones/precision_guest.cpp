@@ -9,7 +9,7 @@ namespace sightline::harness::jones {
 namespace {
 
 constexpr pdp7::Address vector_pointer = 010;  // auto-index register that reads the vectors of a chain
-constexpr core::Duration time_limit = std::chrono::seconds(600);
+constexpr core::Duration time_limit = core::seconds(600);
 
 // A word that the program keeps writing.
 struct Cell {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <functional>
 #include <utility>
 
@@ -23,7 +22,7 @@ constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 
 double seconds(core::Duration time) {
-  return std::chrono::duration<double>(time).count();
+  return core::in_seconds(time);
 }
 
 using Lines = std::vector<std::optional<jones::SceneLine>>;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <random>
 
@@ -192,7 +191,7 @@ TEST(Display, EndlessVectorContinueCostsNothing) {
   display.deliver(core::Instant{}, core::Word18(0120117));
   display.advance(core::at_nanoseconds(3300));
   display.deliver(core::at_nanoseconds(3300), core::Word18(0200000));
-  const auto hour = core::at_nanoseconds(0) + std::chrono::hours(1);
+  const auto hour = core::at_nanoseconds(0) + core::seconds(3600);
   display.advance(hour);
   EXPECT_EQ(display.deadline(), core::never);
   EXPECT_EQ(display.break_request(), nullptr);

@@ -53,7 +53,7 @@ TEST_P(JonesGuest, EveryViewIsTheTwins) {
 // "A few seconds", and less with good code: view 2, the picture before it on the screen.
 TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   ASSERT_EQ(run.views.size(), 2U);
-  const auto seconds = [](core::Duration time) { return std::chrono::duration<double>(time).count(); };
+  const auto seconds = [](core::Duration time) { return core::in_seconds(time); };
   std::printf("%-10s %-11s view 1 %.4f s, view 2 %.4f s, %llu instructions\n", scene().c_str(),
               eae() ? "with EAE" : "without EAE", seconds(run.views[0].time), seconds(run.views[1].time),
               static_cast<unsigned long long>(run.views[1].instructions));
@@ -105,7 +105,7 @@ TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
     machine.start(program.labels.start);
     for (int view = 0; view < 2; ++view) {
       machines::Limits limits;
-      limits.until = core::Instant(std::chrono::seconds(60));
+      limits.until = core::Instant(core::seconds(60));
       ASSERT_EQ(machine.run(limits), machines::StopReason::observer);
       EXPECT_EQ(machine.peek(program.labels.status).value(), 0U);
       EXPECT_TRUE(same_words(file_words(machine, program), expected.display_file));

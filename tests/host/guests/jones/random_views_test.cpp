@@ -54,7 +54,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, b
     options.scale = parameters.scale;
     options.stereo = parameters.stereo;
     options.immediate = parameters.immediate;
-    options.time_limit = std::chrono::seconds(60);
+    options.time_limit = core::seconds(60);
     const GuestRun run = run_guest(program, options);
     ASSERT_EQ(run.views.size(), 2U) << expected.display_file.size() << " display words";
     for (const GuestView& view : run.views) {
@@ -105,7 +105,7 @@ TEST_P(JonesRandomViews, GuestAndTwinAgree) {
       worst_view = described(parameters);
     }
   }
-  const auto seconds = [](core::Duration time) { return std::chrono::duration<double>(time).count(); };
+  const auto seconds = [](core::Duration time) { return core::in_seconds(time); };
   std::printf(
       "%-10s %-11s %d views: mean %.3f s, worst %.3f s (%s); depth %zu of %zu cells, visits %llu, words "
       "%zu\n",

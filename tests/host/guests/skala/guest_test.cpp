@@ -179,7 +179,7 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
       // A mark where the pen comes down and one a step: no movement is lost between program and paper.
       EXPECT_EQ(guest.strokes.size(), work.pen_lifts + work.steps_pen_down);
       // The plotter is the slower one by far.
-      const double plotter = std::chrono::duration<double>(work.time).count();
+      const double plotter = core::in_seconds(work.time);
       const double drawing = static_cast<double>(guest.drawing.count()) / 3e6;
       EXPECT_GT(drawing, 0.99 * plotter);
       EXPECT_LT(drawing, 1.25 * plotter);
