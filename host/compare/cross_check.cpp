@@ -11,7 +11,7 @@
 #include "host/compare/cross_check_compare.hpp"
 #include "host/compare/cross_check_faces.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 constexpr std::array all_participants{
@@ -64,12 +64,12 @@ class Drawing {
   }
 
   void draw_lines() {
-    const LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
+    const harness::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
     if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
-    const auto& prepared = std::get<PreparedScene>(made);
+    const auto& prepared = std::get<harness::PreparedScene>(made);
     for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
       picture.same_by_image = algorithm->same_by_image;
       if (auto reason = algorithm->why_not_seen(scene_.scene, view.camera)) {
@@ -80,7 +80,7 @@ class Drawing {
       if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
         picture.problem = error->message();
       } else {
-        picture.lines = std::move(std::get<LineView>(seen).picture);
+        picture.lines = std::move(std::get<harness::LineView>(seen).picture);
       }
     });
   }
@@ -92,13 +92,13 @@ class Drawing {
       });
       return;
     }
-    const FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
+    const harness::FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
-    FaceOptions options;
+    harness::FaceOptions options;
     options.plan = scene_.plan;
     auto made = algorithm->prepare(scene_.scene, options);
     if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
-    const auto& prepared = std::get<PreparedFaces>(made);
+    const auto& prepared = std::get<harness::PreparedFaces>(made);
     if (!prepared.not_solved.empty())
       return fail(
           fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
@@ -107,7 +107,7 @@ class Drawing {
       if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
         picture.problem = error->message();
       } else {
-        picture.faces = std::move(std::get<FaceView>(seen).faces);
+        picture.faces = std::move(std::get<harness::FaceView>(seen).faces);
       }
     });
   }
@@ -231,4 +231,4 @@ SceneAgreement agreement_on(const CommonScene& scene, const AgreementTables& tab
   return agreement;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -16,13 +16,13 @@
 #include <string_view>
 #include <vector>
 
-#include "host/compare/cross_check_scenes.hpp"
-#include "host/algorithms/registry/lines.hpp"
 #include "host/algorithms/registry/faces.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/compare/cross_check_scenes.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct Participant {
   std::string_view name;  // as in the tables of algorithms; faces of oracle and skala are in none
@@ -46,8 +46,8 @@ struct NotApplicable {
 
 // Where the algorithms are looked for.
 struct AgreementTables {
-  std::span<const LineAlgorithm> lines = line_algorithms();
-  std::span<const FaceAlgorithm> faces = face_algorithms();
+  std::span<const harness::LineAlgorithm> lines = harness::line_algorithms();
+  std::span<const harness::FaceAlgorithm> faces = harness::face_algorithms();
 };
 
 // What one participant made of one view.
@@ -86,4 +86,4 @@ struct SceneAgreement {
 // How many cells are listed to run on a scene.
 [[nodiscard]] std::size_t listed_cells(const CommonScene& scene);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

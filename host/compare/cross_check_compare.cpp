@@ -12,7 +12,7 @@
 
 #include "host/picture/line_picture_image.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::LinePicture;
@@ -51,8 +51,8 @@ std::optional<std::string> first_outside(const NamedLines& a, const picture::Ima
          picture::image_set(LinePicture{{piece}}, scene, camera).segments) {
       const bool covered =
           std::any_of(other.segments.begin(), other.segments.end(), [&](const picture::ImageSegment& whole) {
-            return whole.line == part.line && compare(whole.low, part.low) <= 0 &&
-                   compare(whole.high, part.high) >= 0;
+            return whole.line == part.line && picture::compare(whole.low, part.low) <= 0 &&
+                   picture::compare(whole.high, part.high) >= 0;
           });
       if (!covered)
         return fmt::format("edge {}-{}: {} draws s = {}, {} not all of it", piece.edge.from, piece.edge.to,
@@ -269,4 +269,4 @@ ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view
   return {lines.failed == 0 && changes.failed == 0, how, std::move(text)};
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

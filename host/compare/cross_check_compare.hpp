@@ -13,7 +13,7 @@
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // What came out, in words: of a difference, where it is first.
 struct ViewVerdict {
@@ -25,7 +25,7 @@ struct ViewVerdict {
 struct NamedLines {
   std::string_view name;
   const picture::LinePicture* lines = nullptr;
-  bool same_by_image = false;  // as LineAlgorithm has it
+  bool same_by_image = false;  // as harness::LineAlgorithm has it
 };
 
 struct NamedFaces {
@@ -43,4 +43,4 @@ struct NamedFaces {
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
                                            const NamedLines& a, const NamedFaces& b);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -11,7 +11,7 @@
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/skala/draw.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::PixelGrid;
@@ -166,4 +166,4 @@ PixelGrid skala_faces(const CommonScene& scene, const AgreementView& view) {
   return grid;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -4,15 +4,15 @@
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // The face met first by the sight line of every pixel (oracle/sight_oracle.hpp), its number over all bodies
 // + 1; 0 for none.
 [[nodiscard]] picture::PixelGrid nearest_faces(const CommonScene& scene, const AgreementView& view);
 
-// The facets of native Skala's surface picture, painted far to near: number of the triangle of the scene + 1, 0
-// outside. A facet that is a whole cell is divided where the picture allows it and the scene is. Of a scene
+// The facets of native Skala's surface picture, painted far to near: number of the triangle of the scene + 1,
+// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. Of a scene
 // with heights (precondition). Nothing if a facet is no cell of the scene.
 [[nodiscard]] picture::PixelGrid skala_faces(const CommonScene& scene, const AgreementView& view);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

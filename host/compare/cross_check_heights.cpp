@@ -9,7 +9,7 @@
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/scene/heights/function.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 constexpr std::size_t side = 32;
@@ -68,4 +68,4 @@ CommonScene height_scene(std::string_view name, std::string_view title, std::str
   return common;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

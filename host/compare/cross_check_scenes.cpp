@@ -9,7 +9,7 @@
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using scene::PolyCamera;
@@ -213,4 +213,4 @@ CommonScene common_scene(std::string_view name) {
   return height_scene(name, "terrain with cliffs, 32 x 32", "terrain", 4, 3);
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

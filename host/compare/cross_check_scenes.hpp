@@ -16,17 +16,17 @@
 #include <vector>
 
 #include "host/algorithms/oracle/face_raster.hpp"
+#include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/skala/view.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/algorithms/registry/faces.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct AgreementView : algorithms::oracle::SquareImage {
-  [[nodiscard]] FaceWindow window() const;
+  [[nodiscard]] harness::FaceWindow window() const;
   // Before the eye by more than nothing worth mentioning: it has a place.
   [[nodiscard]] bool has_place(const scene::PolyPoint& point) const;
   // Where such a point is seen, in pixels, the middle of column c and row r at (c, r).
@@ -66,4 +66,4 @@ struct CommonScene {
 [[nodiscard]] AgreementView parallel_view(const scene::PolyScene& scene, std::int32_t p, std::int32_t q,
                                           std::int32_t h, int size = 256);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -5,7 +5,7 @@
 
 #include "host/compare/cross_check_scenes.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using scene::PolyPoint;
@@ -17,7 +17,7 @@ std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
 
 }  // namespace
 
-FaceWindow AgreementView::window() const {
+harness::FaceWindow AgreementView::window() const {
   const double half = size / 2.0;
   const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
   return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
@@ -93,4 +93,4 @@ AgreementView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t
   return view;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -17,7 +17,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct ComparedFaces {
   std::string name;
@@ -38,18 +38,20 @@ class FaceTruth {
                                                                const scene::PolyCamera& camera);
 
   // An error says why the algorithm does not apply.
-  [[nodiscard]] std::variant<ComparedFaces, scene::SceneError> compared(const FaceAlgorithm& algorithm) const;
+  [[nodiscard]] std::variant<ComparedFaces, scene::SceneError> compared(
+      const harness::FaceAlgorithm& algorithm) const;
 
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
 
  private:
-  FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera, const FaceWindow& window);
+  FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+            const harness::FaceWindow& window);
 
   const scene::PolyScene* scene_;
   scene::PolyCamera camera_;
-  FaceWindow window_;
+  harness::FaceWindow window_;
   picture::PixelGrid faces_;
   std::vector<picture::PixelSegment> edges_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -12,7 +12,7 @@
 #include "host/compare/height_lines.hpp"
 #include "host/guests/skala/projection.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::PixelGrid;
@@ -37,7 +37,9 @@ void for_points(const Triangle& triangle, const Visit& visit) {
   const auto [low_x, high_x] = std::minmax({a.point.x, b.point.x, c.point.x});
   const auto [low_y, high_y] = std::minmax({a.point.y, b.point.y, c.point.y});
   const auto first = [](double low) { return std::max(0, static_cast<int>(std::ceil(low))); };
-  const auto last = [](double high) { return std::min(raster_side - 1, static_cast<int>(std::floor(high))); };
+  const auto last = [](double high) {
+    return std::min(guests::skala::raster_side - 1, static_cast<int>(std::floor(high)));
+  };
   for (int y = first(low_y); y <= last(high_y); ++y) {
     for (int x = first(low_x); x <= last(high_x); ++x) {
       const PixelPoint p{static_cast<double>(x), static_cast<double>(y)};
@@ -51,10 +53,10 @@ void for_points(const Triangle& triangle, const Visit& visit) {
 }
 
 // The two triangles of the cell whose least corner this is.
-std::array<Triangle, 2> halves_of(const SkalaProjection& projection, bool rising, std::size_t point,
+std::array<Triangle, 2> halves_of(const guests::skala::Projection& projection, bool rising, std::size_t point,
                                   std::size_t slice) {
   const auto at = [&](std::size_t p, std::size_t s) {
-    const SkalaVertex& vertex = projection.at(p, s);
+    const guests::skala::Vertex& vertex = projection.at(p, s);
     return Corner{{vertex.x, vertex.y}, vertex.depth};
   };
   const std::size_t low = rising ? point : point + 1;
@@ -67,7 +69,7 @@ std::array<Triangle, 2> halves_of(const SkalaProjection& projection, bool rising
 // Numbers of cells by the middles of their outlines and of their halves.
 class CellsByMiddle {
  public:
-  CellsByMiddle(const SkalaProjection& projection, bool rising) {
+  CellsByMiddle(const guests::skala::Projection& projection, bool rising) {
     std::uint32_t number = 0;
     for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
       for (std::size_t point = 0; point + 1 < projection.points(); ++point) {
@@ -115,10 +117,10 @@ class CellsByMiddle {
 
 }  // namespace
 
-PixelGrid nearest_cells(const scene::HeightGrid& grid, const SkalaView& view) {
-  const SkalaProjection projection(grid, view);
+PixelGrid nearest_cells(const scene::HeightGrid& grid, const guests::skala::View& view) {
+  const guests::skala::Projection projection(grid, view);
   const bool rising = rising_diagonals(projection.rotation());
-  PixelGrid cells(raster_side, raster_side);
+  PixelGrid cells(guests::skala::raster_side, guests::skala::raster_side);
   std::vector<double> depths(cells.values.size(), std::numeric_limits<double>::infinity());
   std::uint32_t number = 0;
   for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
@@ -137,11 +139,11 @@ PixelGrid nearest_cells(const scene::HeightGrid& grid, const SkalaView& view) {
   return cells;
 }
 
-PixelGrid painted_cells(const scene::HeightGrid& grid, const SkalaView& view,
+PixelGrid painted_cells(const scene::HeightGrid& grid, const guests::skala::View& view,
                         const picture::VectorDrawing& drawing) {
-  const SkalaProjection projection(grid, view);
+  const guests::skala::Projection projection(grid, view);
   const CellsByMiddle cells(projection, rising_diagonals(projection.rotation()));
-  PixelGrid painted(raster_side, raster_side);
+  PixelGrid painted(guests::skala::raster_side, guests::skala::raster_side);
   for (const picture::DrawingFacet& facet : drawing.facets) {
     std::array<Corner, 4> corners{};
     double x = 0;
@@ -160,4 +162,4 @@ PixelGrid painted_cells(const scene::HeightGrid& grid, const SkalaView& view,
   return painted;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -10,16 +10,17 @@
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // Places nearer than this, in dots, are one: those of a native drawing are multiples of far less.
 inline constexpr double same_place = 0.02;
 
 // The grid is a whole one of at least two by two, the view without zoom (preconditions of both).
-[[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid, const SkalaView& view);
+[[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid,
+                                               const guests::skala::View& view);
 // The topmost facet of a native drawing of the same view, by the cell it lies on; a facet that lies on none
 // is numbered behind all cells.
-[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const guests::skala::View& view,
                                                const picture::VectorDrawing& drawing);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

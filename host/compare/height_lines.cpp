@@ -13,7 +13,7 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::DrawnPiece;
@@ -61,9 +61,9 @@ LinePart both_positive(const LinePart& part, const std::array<double, 2>& f,
   return {part.low + low * length, part.low + high * length};
 }
 
-bool runs_along_x(SkalaFamily family, const SineCosine& turn) {
-  if (family == SkalaFamily::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
-  return family != SkalaFamily::along_z;
+bool runs_along_x(guests::skala::Family family, const guests::skala::SineCosine& turn) {
+  if (family == guests::skala::Family::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
+  return family != guests::skala::Family::along_z;
 }
 
 double distance(const PixelPoint& p, const PixelSegment& segment) {
@@ -73,18 +73,19 @@ double distance(const PixelPoint& p, const PixelSegment& segment) {
 
 }  // namespace
 
-bool rising_diagonals(const SineCosine& turn) {
+bool rising_diagonals(const guests::skala::SineCosine& turn) {
   const bool greater_x_nearer = turn.sine > 0 || (turn.sine == 0 && turn.cosine < 0);
   const bool greater_z_nearer = turn.cosine < 0 || (turn.cosine == 0 && turn.sine < 0);
   return greater_x_nearer != greater_z_nearer;
 }
 
-HeightLines::HeightLines(const scene::HeightGrid& grid, const SkalaView& view, double grazing)
+HeightLines::HeightLines(const scene::HeightGrid& grid, const guests::skala::View& view, double grazing)
     : grazing_(std::max(grazing, rounding)), hiding_in_(columns), lines_in_(columns) {
-  const SkalaProjection projection(grid, view);
+  const guests::skala::Projection projection(grid, view);
   std::vector<LevelEdge> inked = add_sides(projection, view);
-  if (view.picture == SkalaPicture::contours) {
-    const auto contours = add_halves(grid, projection, contour_levels(grid.range, view.levels));
+  if (view.picture == guests::skala::PictureKind::contours) {
+    const auto contours =
+        add_halves(grid, projection, guests::skala::contour_levels(grid.range, view.levels));
     inked.insert(inked.end(), contours.begin(), contours.end());
   }
   for (std::uint32_t i = 0; i < hiding_.size(); ++i) {
@@ -94,14 +95,14 @@ HeightLines::HeightLines(const scene::HeightGrid& grid, const SkalaView& view, d
   for (const auto& [edge, level] : inked) add_line(edge, level);
 }
 
-HeightLines::Ends HeightLines::ends_of(const SkalaVertex& vertex) {
+HeightLines::Ends HeightLines::ends_of(const guests::skala::Vertex& vertex) {
   return {{vertex.x, vertex.y}, vertex.depth};
 }
 
-std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const SkalaProjection& projection,
-                                                           const SkalaView& view) {
-  const bool contours = view.picture == SkalaPicture::contours;
-  const bool both = contours || view.family == SkalaFamily::both;
+std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const guests::skala::Projection& projection,
+                                                           const guests::skala::View& view) {
+  const bool contours = view.picture == guests::skala::PictureKind::contours;
+  const bool both = contours || view.family == guests::skala::Family::both;
   const bool along_x = runs_along_x(view.family, projection.rotation());
   const std::size_t last_point = projection.points() - 1;
   const std::size_t last_slice = projection.slices() - 1;
@@ -123,19 +124,21 @@ std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const SkalaProjection
 }
 
 std::vector<HeightLines::LevelEdge> HeightLines::add_halves(const scene::HeightGrid& grid,
-                                                            const SkalaProjection& projection,
+                                                            const guests::skala::Projection& projection,
                                                             const std::vector<double>& levels) {
   const bool rising = rising_diagonals(projection.rotation());
   std::vector<LevelEdge> inked;
   for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
     for (std::size_t point = 0; point + 1 < projection.points(); ++point) {
-      const GridIndex one{rising ? point : point + 1, slice};
-      const GridIndex other{rising ? point + 1 : point, slice + 1};
+      const guests::skala::GridIndex one{rising ? point : point + 1, slice};
+      const guests::skala::GridIndex other{rising ? point + 1 : point, slice + 1};
       hiding_.push_back(
           {ends_of(projection.at(one.point, one.slice)), ends_of(projection.at(other.point, other.slice))});
-      for (const GridIndex apex : {GridIndex{other.point, one.slice}, GridIndex{one.point, other.slice}}) {
+      for (const guests::skala::GridIndex apex : {guests::skala::GridIndex{other.point, one.slice},
+                                                  guests::skala::GridIndex{one.point, other.slice}}) {
         for (std::uint32_t k = 0; k < levels.size(); ++k) {
-          const auto crossing = contour_crossing(grid, projection, {apex, one, other}, levels[k]);
+          const auto crossing =
+              guests::skala::contour_crossing(grid, projection, {apex, one, other}, levels[k]);
           if (!crossing.crossed) continue;
           inked.push_back({{ends_of(crossing.piece.from), ends_of(crossing.piece.to)}, k + 1});
         }
@@ -260,4 +263,4 @@ std::vector<DrawnPiece> HeightLines::pieces_of(const picture::VectorDrawing& dra
   return pieces;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

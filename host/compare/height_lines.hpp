@@ -19,18 +19,18 @@
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // Cells are divided between the corners at their sides, as seen: from the least x and z to the greatest if
 // this is so, else across. Where two corners are as near as each other, as the native algorithm takes them.
-[[nodiscard]] bool rising_diagonals(const SineCosine& turn);
+[[nodiscard]] bool rising_diagonals(const guests::skala::SineCosine& turn);
 
 // The lines of a picture of lines or contours in 255 x 255 units, with what is seen of them.
 class HeightLines {
  public:
   // The grid is a whole one of at least two by two, the view without zoom (preconditions).
   // What lies behind something nearer by no more than `grazing` units of the screen counts as seen.
-  HeightLines(const scene::HeightGrid& grid, const SkalaView& view, double grazing = 0);
+  HeightLines(const scene::HeightGrid& grid, const guests::skala::View& view, double grazing = 0);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
   // Pieces of a native drawing of the same view, each with the line it is on; pieces that are on none get a
@@ -53,11 +53,13 @@ class HeightLines {
   };
   class Hidden;
 
-  [[nodiscard]] static Ends ends_of(const SkalaVertex& vertex);
+  [[nodiscard]] static Ends ends_of(const guests::skala::Vertex& vertex);
   // Sides of cells, and halves of cells with the contours on them: what hides is kept, what is inked
   // returned.
-  std::vector<LevelEdge> add_sides(const SkalaProjection& projection, const SkalaView& view);
-  std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid, const SkalaProjection& projection,
+  std::vector<LevelEdge> add_sides(const guests::skala::Projection& projection,
+                                   const guests::skala::View& view);
+  std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid,
+                                    const guests::skala::Projection& projection,
                                     const std::vector<double>& levels);
   void add_line(const Edge& edge, std::uint32_t level);
   [[nodiscard]] std::vector<picture::LinePart> seen_of(const Edge& line) const;
@@ -71,4 +73,4 @@ class HeightLines {
   std::vector<std::vector<std::uint32_t>> lines_in_;  // by column of the screen
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

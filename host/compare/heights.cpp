@@ -15,7 +15,7 @@
 #include "host/guests/skala/stream.hpp"
 #include "host/guests/skala/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using algorithms::oracle::Chain;
@@ -23,32 +23,35 @@ using algorithms::oracle::SegmentRole;
 using picture::PixelGrid;
 using picture::PixelSegment;
 
-std::vector<Chain> chains_of(const scene::HeightGrid& grid, const SkalaView& view, const ViewChains& chains) {
-  if (view.picture == SkalaPicture::contours) return chains.contours(grid, view.levels);
-  if (view.picture == SkalaPicture::surface) return chains.slices(SegmentRole::shade, SegmentRole::rim);
-  if (view.family == SkalaFamily::both) return chains.cells();
+std::vector<Chain> chains_of(const scene::HeightGrid& grid, const guests::skala::View& view,
+                             const ViewChains& chains) {
+  if (view.picture == guests::skala::PictureKind::contours) return chains.contours(grid, view.levels);
+  if (view.picture == guests::skala::PictureKind::surface)
+    return chains.slices(SegmentRole::shade, SegmentRole::rim);
+  if (view.family == guests::skala::Family::both) return chains.cells();
   return chains.slices(SegmentRole::draw, SegmentRole::draw);
 }
 
 // With the polygon around all that hides, which Skala's contour pictures have, or without.
-PixelGrid oracle_raster(const scene::HeightGrid& grid, const SkalaView& view, bool outline) {
-  const SkalaProjection projection(grid, view);
+PixelGrid oracle_raster(const scene::HeightGrid& grid, const guests::skala::View& view, bool outline) {
+  const guests::skala::Projection projection(grid, view);
   const ViewChains chains(projection);
-  const bool contours = view.picture == SkalaPicture::contours;
-  const bool by_cells = contours || view.family == SkalaFamily::both;
+  const bool contours = view.picture == guests::skala::PictureKind::contours;
+  const bool by_cells = contours || view.family == guests::skala::Family::both;
   const auto seen = algorithms::oracle::column_picture(
       chains_of(grid, view, chains), by_cells ? chains.cell_tolerance() : chains.slice_tolerance());
-  PixelGrid raster(raster_side, raster_side);
-  for (int x = 0; x < raster_side; ++x) {
+  PixelGrid raster(guests::skala::raster_side, guests::skala::raster_side);
+  for (int x = 0; x < guests::skala::raster_side; ++x) {
     auto lit = seen.lit[static_cast<std::size_t>(x)];
     if (outline) lit |= seen.outline[static_cast<std::size_t>(x)];
-    for (int y = 0; y < raster_side; ++y) raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
+    for (int y = 0; y < guests::skala::raster_side; ++y)
+      raster.set(x, y, lit[static_cast<std::size_t>(y)] ? 1 : 0);
   }
   return raster;
 }
 
 PixelGrid lit_points(const core::Raster& raster) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }
@@ -63,13 +66,13 @@ void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint
   for (int along = nearest(a.x); along <= nearest(b.x); ++along) {
     const double place = b.x > a.x ? std::clamp((along - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
     const int across = nearest(a.y + place * (b.y - a.y));
-    const int x = std::clamp(steep ? across : along, 0, raster_side - 1);
-    const int y = std::clamp(steep ? along : across, 0, raster_side - 1);
+    const int x = std::clamp(steep ? across : along, 0, guests::skala::raster_side - 1);
+    const int y = std::clamp(steep ? along : across, 0, guests::skala::raster_side - 1);
     grid.set(x, y, 1);
   }
 }
 
-picture::VectorDrawing native_drawing(const scene::HeightGrid& heights, const SkalaView& view) {
+picture::VectorDrawing native_drawing(const scene::HeightGrid& heights, const guests::skala::View& view) {
   algorithms::skala::View native;
   constexpr std::array subjects{algorithms::skala::Subject::lines, algorithms::skala::Subject::surface,
                                 algorithms::skala::Subject::contours};
@@ -85,7 +88,7 @@ picture::VectorDrawing native_drawing(const scene::HeightGrid& heights, const Sk
 }
 
 PixelGrid raster_of_lines(const picture::VectorDrawing& drawing) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   for (const picture::DrawingLine& line : drawing.lines) {
     for (std::uint32_t i = 0; i + 1 < std::max(line.count, 2U); ++i)
       put_line(grid, drawing.points[line.first + i],
@@ -100,10 +103,10 @@ PixelGrid lit_where_painted(PixelGrid cells) {
 }
 
 // All sides of all cells, hidden or not.
-std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const SkalaView& view) {
-  const SkalaProjection projection(grid, view);
+std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const guests::skala::View& view) {
+  const guests::skala::Projection projection(grid, view);
   const auto at = [&](std::size_t point, std::size_t slice) {
-    const SkalaVertex& vertex = projection.at(point, slice);
+    const guests::skala::Vertex& vertex = projection.at(point, slice);
     return picture::PixelPoint{vertex.x, vertex.y};
   };
   std::vector<PixelSegment> edges;
@@ -116,58 +119,61 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const S
   return edges;
 }
 
-SkalaView comparable(SkalaView view) {
-  view.device = SkalaDevice::ef9365;
+guests::skala::View comparable(guests::skala::View view) {
+  view.device = guests::skala::Device::ef9365;
   return view;
 }
 
 // Contours without silhouettes: a colour of 0 is none.
-std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const SkalaView& view) {
+std::vector<std::uint8_t> board_stream(const scene::HeightGrid& grid, const guests::skala::View& view) {
   constexpr std::size_t colour_of_silhouette = 4;
-  auto stream = skala_stream(grid, view);
-  if (view.picture == SkalaPicture::contours) stream.at(colour_of_silhouette) = 0;
+  auto stream = guests::skala::stream_of(grid, view);
+  if (view.picture == guests::skala::PictureKind::contours) stream.at(colour_of_silhouette) = 0;
   return stream;
 }
 
 }  // namespace
 
-std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid, const SkalaView& view) {
+std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
+                                              const guests::skala::View& view) {
   if (view.zoom != 1) return "the column oracle knows pictures without zoom only";
   if (!view.visibility) return "without the visibility test there is nothing to compare";
   if (grid.points() < 2 || grid.slices() < 2) return "the column oracle needs a grid of at least two by two";
   if (std::any_of(grid.heights.begin(), grid.heights.end(), [](double h) { return !std::isfinite(h); }))
     return "the column oracle knows grids without undefined heights only";
-  const SineCosine turn = sine_and_cosine(view.rotation);
+  const guests::skala::SineCosine turn = guests::skala::sine_and_cosine(view.rotation);
   const bool x_is_less_end_on = std::abs(turn.cosine) >= std::abs(turn.sine);
-  const SkalaFamily end_on = x_is_less_end_on ? SkalaFamily::along_z : SkalaFamily::along_x;
-  if (view.picture != SkalaPicture::contours && view.family == end_on)
+  const guests::skala::Family end_on =
+      x_is_less_end_on ? guests::skala::Family::along_z : guests::skala::Family::along_x;
+  if (view.picture != guests::skala::PictureKind::contours && view.family == end_on)
     return "the column oracle draws the family that is less end-on";
   return std::nullopt;
 }
 
-HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView& asked,
+HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::skala::View& asked,
                                  const std::function<void(std::string_view)>& progress) {
   HeightComparison comparison;
-  const SkalaView view = comparison.view = comparable(asked);
+  const guests::skala::View view = comparison.view = comparable(asked);
   progress("column oracle");
-  comparison.truth = oracle_raster(grid, view, view.picture == SkalaPicture::contours);
+  comparison.truth = oracle_raster(grid, view, view.picture == guests::skala::PictureKind::contours);
   const auto edges = projected_edges(grid, view);
   const auto add = [&](const char* name, PixelGrid raster) {
     const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
     comparison.rasters.push_back({name, metrics, std::move(raster)});
   };
-  const auto stream = stream_of(grid, view);
+  const auto stream = board_stream(grid, view);
   progress("guest");
-  const SkalaGuestPicture guest = run_skala_guest(assemble_skala_program(), stream);
+  const guests::skala::GuestPicture guest =
+      guests::skala::run_guest(guests::skala::assemble_program(), stream);
   comparison.guest_time = guest.drawing;
   add("guest", lit_points(guest.raster));
   progress("twin");
-  const SkalaTwinPicture twin = run_skala_twin(stream);
-  comparison.guest_difference = difference_from_twin(guest, twin, view.device);
+  const guests::skala::TwinPicture twin = guests::skala::run_twin(stream);
+  comparison.guest_difference = guests::skala::difference_from_twin(guest, twin, view.device);
   add("twin", lit_points(twin.raster(view.device)));
   progress("native");
   const picture::VectorDrawing native = native_drawing(grid, view);
-  if (view.picture == SkalaPicture::surface) {
+  if (view.picture == guests::skala::PictureKind::surface) {
     PixelGrid cells = painted_cells(grid, view, native);
     add("native", lit_where_painted(cells));
     PixelGrid truth = nearest_cells(grid, view);
@@ -177,7 +183,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
     return comparison;
   }
   PixelGrid raster = raster_of_lines(native);
-  if (view.picture == SkalaPicture::contours) {
+  if (view.picture == guests::skala::PictureKind::contours) {
     PixelGrid truth = oracle_raster(grid, view, false);
     const auto metrics = picture::pixel_metrics(truth, raster, edges);
     comparison.rasters.push_back(
@@ -192,4 +198,4 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const SkalaView&
   return comparison;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -25,7 +25,7 @@
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct ComparedRaster {
   std::string name;  // "guest", "twin", "native", "native cells"
@@ -42,7 +42,7 @@ struct ComparedVectors {
 };
 
 struct HeightComparison {
-  SkalaView view;
+  guests::skala::View view;
   picture::PixelGrid truth;
   std::vector<ComparedRaster> rasters;
   std::optional<ComparedVectors> vectors;
@@ -54,11 +54,11 @@ struct HeightComparison {
 
 // Nothing if it can be compared.
 [[nodiscard]] std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
-                                                            const SkalaView& view);
+                                                            const guests::skala::View& view);
 
 // On the EF9365 board, whatever the view asks for. The grid and the view can be compared (precondition).
 [[nodiscard]] HeightComparison compare_heights(
-    const scene::HeightGrid& grid, const SkalaView& view,
+    const scene::HeightGrid& grid, const guests::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {});
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

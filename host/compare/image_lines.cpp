@@ -11,7 +11,7 @@
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/picture/line_picture_image.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::LineId;
@@ -85,4 +85,4 @@ std::vector<picture::DrawnPiece> ImageLines::pieces(std::vector<picture::DrawnPi
   return of_edges;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

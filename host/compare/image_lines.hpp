@@ -7,7 +7,7 @@
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 class ImageLines {
  public:
@@ -24,4 +24,4 @@ class ImageLines {
   std::vector<picture::ReferenceLine> lines_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

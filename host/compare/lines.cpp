@@ -9,7 +9,7 @@
 #include "host/compare/projection.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::DrawnPiece;
@@ -199,4 +199,4 @@ LineId CellReference::number_of(const AxisLine& line) const {
   return known == numbers_.end() ? no_line : known->second;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -14,13 +14,13 @@
 #include <vector>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/guests/jones/encode.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // The square part of the image that is looked at, and its size: pixel = scale * image + centre, the image as
 // PolyCamera defines it.
@@ -76,15 +76,15 @@ class CellReference {
 };
 
 // Which line of space each vector word of an encoded scene is on, by address: the layout of encode.hpp.
-[[nodiscard]] std::map<std::uint32_t, AxisLine> lines_of_vectors(const scene::EncodedScene& scene);
+[[nodiscard]] std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedScene& scene);
 
 // Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become
 // a single point then are not drawn.
-[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const guests::jones::View& view,
                                                            const std::map<std::uint32_t, AxisLine>& vectors,
                                                            const CellReference& reference);
 [[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(
-    const jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
+    const guests::jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
     const CellReference& reference);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -6,7 +6,7 @@
 
 #include "host/geometry/predicates.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
@@ -59,4 +59,4 @@ picture::PixelPoint SeenEdge::pixel_at(double s, const ScreenFrame& frame) const
           frame.scale * point[1] / point[2] + frame.centre.y};
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -7,7 +7,7 @@
 
 #include "host/compare/lines.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // A point as the camera has it: right, up and forward in units of the scene; an orthographic image has 1 for
 // a depth.
@@ -33,4 +33,4 @@ class SeenEdge {
   SeenPoint to_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

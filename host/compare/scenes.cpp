@@ -16,7 +16,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -53,7 +53,7 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
   const picture::LinePicture truth = oracle::visible_edges(scene, camera);
   comparison.frame = frame ? *frame : fitted_frame(truth, scene, camera);
   const auto lines = reference_lines(truth, scene, camera, comparison.frame);
-  for (const LineAlgorithm& algorithm : line_algorithms()) {
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
     if (algorithm.name == "oracle") continue;
     const std::string name(algorithm.name);
     progress(name);
@@ -67,9 +67,9 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
     }
     const auto prepared = algorithm.prepare(scene);
     if (const auto* error = std::get_if<SceneError>(&prepared)) return *error;
-    const auto view = std::get<PreparedScene>(prepared).view(camera);
+    const auto view = std::get<harness::PreparedScene>(prepared).view(camera);
     if (const auto* error = std::get_if<SceneError>(&view)) return *error;
-    const picture::LinePicture& drawn = std::get<LineView>(view).picture;
+    const picture::LinePicture& drawn = std::get<harness::LineView>(view).picture;
     const auto pieces = drawn_pieces(drawn, scene, camera, comparison.frame);
     auto row = algorithm.same_by_image ? compared_by_image(name, lines, pieces, scene, camera)
                                        : compared(name, "exact pieces of the scene's edges", lines, pieces);
@@ -84,7 +84,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
                    SceneComparison& comparison) {
   progress("oracle of sight lines");
   const auto truth = FaceTruth::of(scene, comparison.camera);
-  for (const FaceAlgorithm& algorithm : face_algorithms()) {
+  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
     const std::string name(algorithm.name);
     if (const auto* reason = std::get_if<std::string>(&truth)) {
       comparison.not_applicable.emplace_back(name, *reason);
@@ -101,15 +101,16 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
 
 // --- guest and twin
 
-std::vector<core::Word18> core_image(const jones::Program& program) {
-  std::vector<core::Word18> image(jones::core_words);
+std::vector<core::Word18> core_image(const guests::jones::Program& program) {
+  std::vector<core::Word18> image(guests::jones::core_words);
   for (const auto& [address, word] : program.core) image.at(address) = word;
   return image;
 }
 
-std::string difference_of(const jones::GuestView& guest, const jones::View& twin) {
+std::string difference_of(const guests::jones::GuestView& guest, const guests::jones::View& twin) {
   if (guest.status != twin.status)
-    return fmt::format("status {}, the twin's {}", jones::name(guest.status), jones::name(twin.status));
+    return fmt::format("status {}, the twin's {}", guests::jones::name(guest.status),
+                       guests::jones::name(twin.status));
   const auto& a = guest.display_file;
   const auto& b = twin.display_file;
   const auto [here, there] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
@@ -152,39 +153,39 @@ std::vector<PixelSegment> seen_segments(const std::vector<ReferenceLine>& lines)
 // The guest's and the twin's pictures, first and second.
 std::optional<SceneError> compare_programs(const scene::CellScene& scene, const CompareOptions& options,
                                            const CompareProgress& progress, SceneComparison& comparison) {
-  jones::ProgramOptions of_program;
+  guests::jones::ProgramOptions of_program;
   of_program.eae = options.eae;
   of_program.tape.view = comparison.camera.eye;
-  const auto assembled = jones::assemble_program(scene, of_program);
+  const auto assembled = guests::jones::assemble_program(scene, of_program);
   if (const auto* error = std::get_if<SceneError>(&assembled)) return *error;
-  const auto& program = std::get<jones::Program>(assembled);
+  const auto& program = std::get<guests::jones::Program>(assembled);
   const auto matter = oracle::Matter::of(scene);
   if (!matter) return SceneError{"", "", "is too large for the oracle"};
 
   progress("cell oracle");
   oracle::Window window;
   window.scale = options.scale;
-  window.near = jones::near_z;
+  window.near = guests::jones::near_z;
   const auto real_lines = matter->real_lines();
   const CellReference reference(real_lines,
                                 oracle::visible_lines(*matter, real_lines, comparison.camera.eye, window),
                                 comparison.camera.eye, window);
 
   progress("guest");
-  jones::GuestOptions of_guest;
+  guests::jones::GuestOptions of_guest;
   of_guest.eae = options.eae;
   of_guest.scale = options.scale;
   of_guest.views = 1;
-  const jones::GuestRun run = jones::run_guest(program, of_guest);
+  const guests::jones::GuestRun run = guests::jones::run_guest(program, of_guest);
   if (run.timed_out || run.views.empty())
     return SceneError{"", "", "the program on the PDP-7 did not complete a view"};
-  const jones::GuestView& guest = run.views.back();
+  const guests::jones::GuestView& guest = run.views.back();
 
   progress("twin");
   const auto image = core_image(program);
-  jones::Parameters parameters = jones::default_parameters(image, program.labels.scene);
+  guests::jones::Parameters parameters = guests::jones::default_parameters(image, program.labels.scene);
   parameters.scale = options.scale;
-  const jones::View twin = jones::run(image, program.labels.scene, parameters);
+  const guests::jones::View twin = guests::jones::run(image, program.labels.scene, parameters);
   comparison.guest = {guest.status, guest.time, guest.display_file.size(), difference_of(guest, twin)};
 
   const auto vectors = lines_of_vectors(program.scene);
@@ -224,7 +225,7 @@ std::variant<SceneComparison, SceneError> compare_cell_scene(const scene::CellSc
   if (auto error = compare_programs(scene, options, progress, comparison)) return *error;
   ScreenFrame frame;
   frame.scale = options.scale;
-  frame.near = jones::near_z;
+  frame.near = guests::jones::near_z;
   if (auto error = compare_algorithms(polyhedra, progress, frame, comparison)) return *error;
   compare_faces(polyhedra, progress, comparison);
   return comparison;
@@ -241,4 +242,4 @@ std::variant<SceneComparison, SceneError> compare_poly_scene(const scene::PolySc
   return comparison;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

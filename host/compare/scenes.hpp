@@ -22,7 +22,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct ComparedPicture {
   std::string name;               // "guest", "twin", or the algorithm's
@@ -34,7 +34,7 @@ struct ComparedPicture {
 
 // How the machine's run ended, beside its twin's.
 struct GuestAgreement {
-  jones::Status status = jones::Status::complete;
+  guests::jones::Status status = guests::jones::Status::complete;
   core::Duration time{};
   std::size_t words = 0;   // of the display file
   std::string difference;  // the first word that differs, or the status; empty: identical
@@ -71,4 +71,4 @@ struct CompareOptions {
     const scene::PolyScene& scene, const scene::PolyCamera& camera,
     const CompareProgress& progress = [](std::string_view) {});
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -11,7 +11,7 @@
 #include "host/compare/sweep_views.hpp"
 #include "host/picture/line_picture_image.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 namespace {
 
@@ -48,9 +48,9 @@ std::string text_of(const Json& document) {
   return document.dump();
 }
 
-Json json_of(const std::vector<AlgorithmCount>& counts) {
+Json json_of(const std::vector<harness::AlgorithmCount>& counts) {
   Json document = Json::object();
-  for (const AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
+  for (const harness::AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
   return document;
 }
 
@@ -113,15 +113,15 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
   sweep.scene_ = &scene;
   sweep.cells_ = cells;
   sweep.options_ = options;
-  std::vector<const LineAlgorithm*> algorithms{&line_algorithms().front()};
-  for (const LineAlgorithm* algorithm : options.algorithms)
+  std::vector<const harness::LineAlgorithm*> algorithms{&harness::line_algorithms().front()};
+  for (const harness::LineAlgorithm* algorithm : options.algorithms)
     if (std::find(algorithms.begin(), algorithms.end(), algorithm) == algorithms.end())
       algorithms.push_back(algorithm);
-  for (const LineAlgorithm* algorithm : algorithms) {
+  for (const harness::LineAlgorithm* algorithm : algorithms) {
     auto prepared = algorithm->prepare(scene);
     if (const auto* error = std::get_if<scene::SceneError>(&prepared))
       return scene::SceneError{source, error->place, error->cause};
-    sweep.entries_.push_back({algorithm, std::get<PreparedScene>(std::move(prepared))});
+    sweep.entries_.push_back({algorithm, std::get<harness::PreparedScene>(std::move(prepared))});
   }
   if (options.guest && cells != nullptr) {
     auto guest = SweepGuest::of(*cells, options.eae);
@@ -167,7 +167,7 @@ std::string Sweep::line(std::uint64_t number) const {
       result["error"] = error->message();
       continue;
     }
-    auto& view = std::get<LineView>(seen);
+    auto& view = std::get<harness::LineView>(seen);
     result["pieces"] = view.picture.pieces.size();
     result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
     if (&entry != &entries_.front()) {
@@ -198,4 +198,4 @@ bool Sweep::agrees(std::string_view line) {
          line.find("{\"error\":") == std::string_view::npos;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

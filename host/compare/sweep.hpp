@@ -18,15 +18,15 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct SweepOptions {
   std::uint64_t seed = 1;
-  std::vector<const LineAlgorithm*> algorithms;  // that apply to the scene, beside `exact`
-  bool guest = false;                            // of a scene of cells: Jones's program and its twin, too
-  bool eae = true;                               // of the guest
-  bool turned = false;                           // a scene of cells is looked at in all directions
-  bool time = false;                             // with host nanoseconds
+  std::vector<const harness::LineAlgorithm*> algorithms;  // that apply to the scene, beside `exact`
+  bool guest = false;   // of a scene of cells: Jones's program and its twin, too
+  bool eae = true;      // of the guest
+  bool turned = false;  // a scene of cells is looked at in all directions
+  bool time = false;    // with host nanoseconds
 };
 
 // Views `first` to `last`, excluded, of those that shard `number` (from 1) of `count` has of `views`: shards
@@ -55,8 +55,8 @@ class Sweep {
 
  private:
   struct Entry {
-    const LineAlgorithm* algorithm = nullptr;
-    PreparedScene prepared;
+    const harness::LineAlgorithm* algorithm = nullptr;
+    harness::PreparedScene prepared;
   };
 
   Sweep() = default;
@@ -71,4 +71,4 @@ class Sweep {
   std::shared_ptr<const SweepGuest> guest_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -8,28 +8,29 @@
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 namespace {
 
 namespace oracle = algorithms::oracle;
 
 // From half points about the middle of the screen to points.
-std::vector<oracle::ScreenSegment> in_points(const std::vector<jones::Piece>& pieces) {
+std::vector<oracle::ScreenSegment> in_points(const std::vector<guests::jones::Piece>& pieces) {
   constexpr double centre = 512;
   std::vector<oracle::ScreenSegment> segments;
   segments.reserve(pieces.size());
-  for (const jones::Piece& piece : pieces) {
+  for (const guests::jones::Piece& piece : pieces) {
     segments.push_back({piece.line.a.x * 0.5 + centre, piece.line.a.y * 0.5 + centre,
                         piece.line.b.x * 0.5 + centre, piece.line.b.y * 0.5 + centre});
   }
   return segments;
 }
 
-jones::View twin_view(const jones::Program& program) {
-  std::vector<core::Word18> core(jones::core_words);
+guests::jones::View twin_view(const guests::jones::Program& program) {
+  std::vector<core::Word18> core(guests::jones::core_words);
   for (const auto& [address, word] : program.core) core.at(address) = word;
-  return jones::run(core, program.labels.scene, jones::default_parameters(core, program.labels.scene));
+  return guests::jones::run(core, program.labels.scene,
+                            guests::jones::default_parameters(core, program.labels.scene));
 }
 
 }  // namespace
@@ -44,23 +45,23 @@ std::optional<SweepGuest> SweepGuest::of(const scene::CellScene& scene, bool eae
 }
 
 std::variant<SweepGuestView, scene::SceneError> SweepGuest::view(const geometry::Point& eye) const {
-  jones::ProgramOptions program_options;
+  guests::jones::ProgramOptions program_options;
   program_options.eae = eae_;
   program_options.tape.view = eye;
-  const auto assembled = jones::assemble_program(*scene_, program_options);
+  const auto assembled = guests::jones::assemble_program(*scene_, program_options);
   if (const auto* error = std::get_if<scene::SceneError>(&assembled)) return *error;
-  const auto& program = std::get<jones::Program>(assembled);
-  jones::GuestOptions options;
+  const auto& program = std::get<guests::jones::Program>(assembled);
+  guests::jones::GuestOptions options;
   options.eae = eae_;
   options.views = 1;
   options.display = false;
-  const jones::GuestRun run = jones::run_guest(program, options);
-  const jones::View twin = twin_view(program);
+  const guests::jones::GuestRun run = guests::jones::run_guest(program, options);
+  const guests::jones::View twin = twin_view(program);
   SweepGuestView result;
-  result.status = jones::name(twin.status);
+  result.status = guests::jones::name(twin.status);
   if (!run.views.empty()) {
-    const jones::GuestView& guest = run.views.front();
-    result.status = jones::name(guest.status);
+    const guests::jones::GuestView& guest = run.views.front();
+    result.status = guests::jones::name(guest.status);
     result.same_as_twin = guest.status == twin.status && guest.display_file == twin.display_file;
     result.display_words = guest.display_file.size();
     result.pieces = guest.pieces;
@@ -68,11 +69,11 @@ std::variant<SweepGuestView, scene::SceneError> SweepGuest::view(const geometry:
     result.emulated_ns = guest.time.count();
   }
   oracle::Window window;
-  window.near = scene::near_plane;
+  window.near = guests::jones::near_plane;
   result.error =
       oracle::drawn_error(oracle::on_screen(oracle::visible_lines(matter_, lines_, eye, window), eye, window),
                           in_points(twin.pieces), 1.0);
   return result;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

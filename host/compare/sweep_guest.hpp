@@ -12,7 +12,7 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 struct SweepGuestView {
   std::string_view status;
@@ -42,4 +42,4 @@ class SweepGuest {
   std::vector<algorithms::oracle::RealLine> lines_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -8,7 +8,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_bounds.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 namespace {
 
@@ -128,4 +128,4 @@ bool looks_along_z(const scene::PolyCamera& camera) {
   return camera.perspective && along(camera.forward, 2) && along(camera.right, 0) && along(camera.up, 1);
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

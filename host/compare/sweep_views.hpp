@@ -12,7 +12,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 // `cells` may be null. The scene is a checked one with a vertex, and a cell if there are cells
 // (preconditions).
@@ -22,4 +22,4 @@ namespace sightline::harness {
 // In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
 [[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

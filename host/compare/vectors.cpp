@@ -4,7 +4,7 @@
 
 #include "host/compare/lines.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 using picture::DrawnPiece;
@@ -18,7 +18,7 @@ std::int32_t number_in(std::uint32_t word) {
 
 class VectorWalk {
  public:
-  explicit VectorWalk(const scene::EncodedScene& scene) : scene_(scene) {}
+  explicit VectorWalk(const guests::jones::EncodedScene& scene) : scene_(scene) {}
 
   // `at`: the address of X, which Y Z n and the vectors follow.
   void walk(std::uint32_t at) {
@@ -41,12 +41,13 @@ class VectorWalk {
     return number_in(scene_.words[address - scene_.base].value);
   }
 
-  const scene::EncodedScene& scene_;
+  const guests::jones::EncodedScene& scene_;
   std::map<std::uint32_t, AxisLine> lines_;
 };
 
 template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
+std::vector<DrawnPiece> pieces_of(const guests::jones::View& view,
+                                  const std::map<std::uint32_t, AxisLine>& vectors,
                                   const CellReference& reference, ToPixel&& pixel) {
   std::vector<DrawnPiece> pieces;
   for (const auto& piece : view.pieces) {
@@ -60,23 +61,24 @@ std::vector<DrawnPiece> pieces_of(const jones::View& view, const std::map<std::u
 
 }  // namespace
 
-std::map<std::uint32_t, AxisLine> lines_of_vectors(const scene::EncodedScene& scene) {
+std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedScene& scene) {
   VectorWalk walk(scene);
   for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
   for (const std::uint32_t opening : scene.opening_addresses) walk.walk(opening + 2);
   return std::move(walk).take();
 }
 
-std::vector<DrawnPiece> twin_pieces(const jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
+std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view,
+                                    const std::map<std::uint32_t, AxisLine>& vectors,
                                     const CellReference& reference) {
   return pieces_of(view, vectors, reference, [](std::int32_t half) { return 0.5 * half + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const jones::View& view,
+std::vector<DrawnPiece> display_pieces(const guests::jones::View& view,
                                        const std::map<std::uint32_t, AxisLine>& vectors,
                                        const CellReference& reference) {
   return pieces_of(view, vectors, reference,
                    [](std::int32_t half) { return static_cast<double>((half + 1) >> 1) + screen_centre; });
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

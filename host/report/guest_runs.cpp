@@ -10,8 +10,8 @@
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
-#include "host/scene/read/builtin.hpp"
 #include "host/scene/heights/function.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline::harness::report {
@@ -22,21 +22,22 @@ std::string name_of(const JonesOrder& order) {
   return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");
 }
 
-jones::View twin_view(const jones::Program& program, bool stereo) {
-  std::vector<core::Word18> words(jones::core_words);
+guests::jones::View twin_view(const guests::jones::Program& program, bool stereo) {
+  std::vector<core::Word18> words(guests::jones::core_words);
   for (const auto& [address, word] : program.core) words[address] = word;
-  jones::Parameters parameters = jones::default_parameters(words, program.labels.scene);
+  guests::jones::Parameters parameters = guests::jones::default_parameters(words, program.labels.scene);
   parameters.stereo = stereo;
-  return jones::run(words, program.labels.scene, parameters);
+  return guests::jones::run(words, program.labels.scene, parameters);
 }
 
-std::optional<ReportError> check(const JonesOrder& order, const JonesRun& run, const jones::View& twin) {
+std::optional<ReportError> check(const JonesOrder& order, const JonesRun& run,
+                                 const guests::jones::View& twin) {
   const std::string name = name_of(order);
   if (run.guest.timed_out || run.guest.views.size() < 2)
     return ReportError{ErrorKind::guest_failed, name + ": the program did not complete two views"};
-  if (run.view().status != jones::Status::complete)
+  if (run.view().status != guests::jones::Status::complete)
     return ReportError{ErrorKind::guest_failed,
-                       fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status))};
+                       fmt::format("{}: the view stopped: {}", name, guests::jones::name(run.view().status))};
   if (run.view().display_file != twin.display_file)
     return ReportError{
         ErrorKind::differs,
@@ -50,31 +51,32 @@ Outcome<picture::Bytes> png_of(const picture::Image& image) {
   return std::move(*bytes);
 }
 
-SkalaTwinPicture twin_picture(std::span<const std::uint8_t> stream) {
-  SkalaEquipment equipment;
+guests::skala::TwinPicture twin_picture(std::span<const std::uint8_t> stream) {
+  guests::skala::Equipment equipment;
   equipment.present = {};
-  equipment.present[static_cast<std::size_t>(SkalaDevice::ef9365)] = true;
-  return run_skala_twin(stream, equipment);
+  equipment.present[static_cast<std::size_t>(guests::skala::Device::ef9365)] = true;
+  return guests::skala::run_twin(stream, equipment);
 }
 
-SkalaView view_of(const SkalaOrder& order, bool visibility) {
-  SkalaView view;
+guests::skala::View view_of(const SkalaOrder& order, bool visibility) {
+  guests::skala::View view;
   view.picture = order.picture;
   view.rotation = order.rotation;
   view.visibility = visibility;
   return view;
 }
 
-std::optional<ReportError> check(const SkalaOrder& order, const SkalaGuestPicture& guest,
-                                 const SkalaTwinPicture& twin) {
-  if (!guest.ended || guest.status != SkalaStatus::complete || !guest.faults.empty()) {
+std::optional<ReportError> check(const SkalaOrder& order, const guests::skala::GuestPicture& guest,
+                                 const guests::skala::TwinPicture& twin) {
+  if (!guest.ended || guest.status != guests::skala::Status::complete || !guest.faults.empty()) {
     const std::string_view why = !guest.ended            ? "it did not end"
                                  : !guest.faults.empty() ? guest.faults.front().what
                                                          : text_of(guest.status);
     return ReportError{ErrorKind::guest_failed,
                        fmt::format("{}: the program on the 8080 failed: {}", order.function, why)};
   }
-  const std::string difference = difference_from_twin(guest, twin, SkalaDevice::ef9365);
+  const std::string difference =
+      guests::skala::difference_from_twin(guest, twin, guests::skala::Device::ef9365);
   if (difference.empty()) return std::nullopt;
   return ReportError{
       ErrorKind::differs,
@@ -93,21 +95,23 @@ Outcome<JonesRun> run_jones(const JonesOrder& order) {
   auto scene = scene::load_cell_scene(order.scene);
   if (const auto* const error = std::get_if<scene::SceneError>(&scene))
     return ReportError{ErrorKind::bad_input, error->message()};
-  jones::ProgramOptions program_options;
+  guests::jones::ProgramOptions program_options;
   program_options.eae = order.eae;
-  auto program = jones::assemble_program(std::get<scene::CellScene>(scene), program_options);
+  auto program = guests::jones::assemble_program(std::get<scene::CellScene>(scene), program_options);
   if (auto* const error = std::get_if<scene::SceneError>(&program)) {
     error->source = order.scene;
     return ReportError{ErrorKind::bad_input, error->message()};
   }
-  JonesRun run{
-      std::get<scene::CellScene>(std::move(scene)), std::get<jones::Program>(std::move(program)), {}, {}};
-  jones::GuestOptions options;
+  JonesRun run{std::get<scene::CellScene>(std::move(scene)),
+               std::get<guests::jones::Program>(std::move(program)),
+               {},
+               {}};
+  guests::jones::GuestOptions options;
   options.eae = order.eae;
   options.stereo = order.stereo;
   if (order.photograph) options.photograph = shutter_time;
-  run.guest = jones::run_guest(run.program, options);
-  const jones::View twin = twin_view(run.program, order.stereo);
+  run.guest = guests::jones::run_guest(run.program, options);
+  const guests::jones::View twin = twin_view(run.program, order.stereo);
   if (auto error = check(order, run, twin)) return std::move(*error);
   run.twin = twin.counts;
   return run;
@@ -143,22 +147,22 @@ Outcome<picture::Bytes> phosphor_png(const JonesRun& run) {
   return png_of(photograph.develop());
 }
 
-Outcome<SkalaRun> run_skala(const SkalaProgram& program, const SkalaOrder& order) {
+Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOrder& order) {
   const auto function = scene::height_function(order.function);
   if (!function) return ReportError{ErrorKind::bad_input, order.function + ": no such function"};
   const scene::HeightGrid grid = scene::sample(*function, order.size);
-  const auto stream = skala_stream(grid, view_of(order, true));
+  const auto stream = guests::skala::stream_of(grid, view_of(order, true));
   SkalaRun run;
   run.stream_bytes = stream.size();
-  run.guest = run_skala_guest(program, stream);
-  const SkalaTwinPicture twin = twin_picture(stream);
+  run.guest = guests::skala::run_guest(program, stream);
+  const guests::skala::TwinPicture twin = twin_picture(stream);
   if (auto error = check(order, run.guest, twin)) return std::move(*error);
   run.twin = twin.counts;
-  run.points_lit = points_lit(run.guest);
+  run.points_lit = guests::skala::points_lit(run.guest);
   run.dots_busy = dot_time() * static_cast<std::int64_t>(twin.counts.points_plotted);
   if (order.compare_plain) {
-    const auto plain_stream = skala_stream(grid, view_of(order, false));
-    const SkalaGuestPicture plain = run_skala_guest(program, plain_stream);
+    const auto plain_stream = guests::skala::stream_of(grid, view_of(order, false));
+    const guests::skala::GuestPicture plain = guests::skala::run_guest(program, plain_stream);
     if (auto error = check(order, plain, twin_picture(plain_stream))) return std::move(*error);
     run.plain = plain.drawing;
   }
@@ -166,17 +170,19 @@ Outcome<SkalaRun> run_skala(const SkalaProgram& program, const SkalaOrder& order
 }
 
 Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Context& context,
-                                                                    const SkalaProgram& program,
+                                                                    const guests::skala::Program& program,
                                                                     bool compare_plain) {
   std::vector<std::pair<SkalaOrder, SkalaRun>> runs;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     context.progress(fmt::format("{} on the 8080", function.name));
-    for (const SkalaPicture picture : {SkalaPicture::lines, SkalaPicture::surface, SkalaPicture::contours}) {
+    for (const guests::skala::PictureKind picture :
+         {guests::skala::PictureKind::lines, guests::skala::PictureKind::surface,
+          guests::skala::PictureKind::contours}) {
       SkalaOrder order;
       order.function = function.name;
       order.picture = picture;
-      if (picture == SkalaPicture::contours) order.size = {33, 33};
-      order.compare_plain = compare_plain && picture == SkalaPicture::lines;
+      if (picture == guests::skala::PictureKind::contours) order.size = {33, 33};
+      order.compare_plain = compare_plain && picture == guests::skala::PictureKind::lines;
       auto run = run_skala(program, order);
       if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
       runs.emplace_back(std::move(order), std::get<SkalaRun>(std::move(run)));
@@ -185,11 +191,11 @@ Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Contex
   return runs;
 }
 
-std::string_view name_of(SkalaPicture picture) {
+std::string_view name_of(guests::skala::PictureKind picture) {
   switch (picture) {
-    case SkalaPicture::lines: return "lines";
-    case SkalaPicture::surface: return "surface";
-    case SkalaPicture::contours: return "contours";
+    case guests::skala::PictureKind::lines: return "lines";
+    case guests::skala::PictureKind::surface: return "surface";
+    case guests::skala::PictureKind::contours: return "contours";
   }
   return "";
 }
@@ -199,8 +205,8 @@ double seconds(core::TStates time) {
 }
 
 Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order) {
-  const auto palette =
-      order.picture == SkalaPicture::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+  const auto palette = order.picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey
+                                                                            : picture::RasterPalette::colour;
   return png_of(picture::raster_image(run.guest.raster, palette, 1));
 }
 

@@ -13,12 +13,12 @@
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
-#include "host/report/report.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/view.hpp"
-#include "host/scene/model/cell_scene.hpp"
+#include "host/report/report.hpp"
 #include "host/scene/heights/grid.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::harness::report {
 
@@ -31,11 +31,12 @@ struct JonesOrder {
 
 struct JonesRun {
   scene::CellScene scene;
-  jones::Program program;
-  jones::GuestRun guest;  // two views; figures are those of the second, while the display shows the first
-  jones::Counts twin;     // of the same view: what the machine's program does not count itself
+  guests::jones::Program program;
+  guests::jones::GuestRun
+      guest;  // two views; figures are those of the second, while the display shows the first
+  guests::jones::Counts twin;  // of the same view: what the machine's program does not count itself
 
-  [[nodiscard]] const jones::GuestView& view() const { return guest.views.back(); }
+  [[nodiscard]] const guests::jones::GuestView& view() const { return guest.views.back(); }
 };
 
 // Error guest_failed: the program stopped with a status or took too long; differs: its display file is not
@@ -57,7 +58,7 @@ inline constexpr core::Duration shutter_time = core::milliseconds(200);
 
 struct SkalaOrder {
   std::string function;  // one of the eight
-  SkalaPicture picture = SkalaPicture::lines;
+  guests::skala::PictureKind picture = guests::skala::PictureKind::lines;
   scene::GridSize size{33, 60};
   double rotation = 30;
   bool compare_plain = false;  // run once more without the visibility test
@@ -65,25 +66,24 @@ struct SkalaOrder {
 
 struct SkalaRun {
   std::size_t stream_bytes = 0;
-  SkalaGuestPicture guest;  // EF9365 board, 8080 at 3 MHz
-  SkalaTwinCounts twin;
+  guests::skala::GuestPicture guest;  // EF9365 board, 8080 at 3 MHz
+  guests::skala::TwinCounts twin;
   std::uint64_t points_lit = 0;
   core::TStates dots_busy{};           // of the board, drawing dots; clearing comes on top
   std::optional<core::TStates> plain;  // drawing without the visibility test
 };
 
 // Errors as for Jones.
-[[nodiscard]] Outcome<SkalaRun> run_skala(const SkalaProgram& program, const SkalaOrder& order);
+[[nodiscard]] Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOrder& order);
 
 // The eight functions as lines, surfaces and contours, as `sightline demo` draws them; lines also without the
 // test if asked.
-[[nodiscard]] Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Context& context,
-                                                                                  const SkalaProgram& program,
-                                                                                  bool compare_plain);
+[[nodiscard]] Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(
+    const Context& context, const guests::skala::Program& program, bool compare_plain);
 
 [[nodiscard]] double seconds(core::TStates time);
 
-[[nodiscard]] std::string_view name_of(SkalaPicture picture);  // "lines", "surface", "contours"
+[[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);  // "lines", "surface", "contours"
 
 [[nodiscard]] Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order);
 

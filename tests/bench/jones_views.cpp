@@ -8,14 +8,14 @@
 
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
-#include "host/scene/read/builtin.hpp"
 #include "host/scene/model/cell_scene.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline {
 namespace {
 
-namespace jones = harness::jones;
+namespace jones = guests::jones;
 
 // nullptr after reporting why to the benchmark.
 template <class Good, class Result>

@@ -16,16 +16,17 @@
 namespace sightline {
 namespace {
 
-using harness::SkalaDevice;
-using harness::SkalaPicture;
+using guests::skala::Device;
+using guests::skala::PictureKind;
 
-scene::HeightGrid grid_for(std::string_view function, SkalaPicture picture) {
-  return scene::sample(*scene::height_function(function),
-                       picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+scene::HeightGrid grid_for(std::string_view function, guests::skala::PictureKind picture) {
+  return scene::sample(*scene::height_function(function), picture == guests::skala::PictureKind::contours
+                                                              ? scene::GridSize{33, 33}
+                                                              : scene::GridSize{33, 60});
 }
 
-harness::SkalaView view_of(SkalaPicture picture, SkalaDevice device) {
-  harness::SkalaView view;
+guests::skala::View view_of(guests::skala::PictureKind picture, guests::skala::Device device) {
+  guests::skala::View view;
   view.picture = picture;
   view.device = device;
   view.rotation = 30;
@@ -33,59 +34,64 @@ harness::SkalaView view_of(SkalaPicture picture, SkalaDevice device) {
 }
 
 void assemble(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(harness::assemble_skala_program());
+  for (auto _ : state) benchmark::DoNotOptimize(guests::skala::assemble_program());
 }
 
-void pictures(benchmark::State& state, const std::string& function, SkalaPicture picture,
-              SkalaDevice device) {
-  const harness::SkalaProgram program = harness::assemble_skala_program();
-  const auto stream = harness::skala_stream(grid_for(function, picture), view_of(picture, device));
-  harness::SkalaGuestOptions options;
+void pictures(benchmark::State& state, const std::string& function, guests::skala::PictureKind picture,
+              guests::skala::Device device) {
+  const guests::skala::Program program = guests::skala::assemble_program();
+  const auto stream = guests::skala::stream_of(grid_for(function, picture), view_of(picture, device));
+  guests::skala::GuestOptions options;
   options.device = device;
   std::int64_t t_states = 0;
   for (auto _ : state) {
-    const auto result = harness::run_skala_guest(program, stream, options);
-    if (result.status != harness::SkalaStatus::complete) return state.SkipWithError("the program stopped");
+    const auto result = guests::skala::run_guest(program, stream, options);
+    if (result.status != guests::skala::Status::complete) return state.SkipWithError("the program stopped");
     t_states += result.total.count();
   }
   state.SetItemsProcessed(t_states);
 }
 
-void host_work(benchmark::State& state, SkalaPicture picture) {
+void host_work(benchmark::State& state, guests::skala::PictureKind picture) {
   const scene::HeightGrid grid = grid_for("sinc", picture);
-  const auto view = view_of(picture, SkalaDevice::ef9365);
-  for (auto _ : state) benchmark::DoNotOptimize(harness::skala_stream(grid, view));
+  const auto view = view_of(picture, guests::skala::Device::ef9365);
+  for (auto _ : state) benchmark::DoNotOptimize(guests::skala::stream_of(grid, view));
 }
 
-void twin(benchmark::State& state, SkalaPicture picture) {
-  const auto stream = harness::skala_stream(grid_for("sinc", picture), view_of(picture, SkalaDevice::ef9365));
-  for (auto _ : state) benchmark::DoNotOptimize(harness::run_skala_twin(stream));
+void twin(benchmark::State& state, guests::skala::PictureKind picture) {
+  const auto stream =
+      guests::skala::stream_of(grid_for("sinc", picture), view_of(picture, guests::skala::Device::ef9365));
+  for (auto _ : state) benchmark::DoNotOptimize(guests::skala::run_twin(stream));
 }
 
 BENCHMARK(assemble)->Name("skala_assembly")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pictures, lines, "sinc", SkalaPicture::lines, SkalaDevice::ef9365)
+BENCHMARK_CAPTURE(pictures, lines, "sinc", guests::skala::PictureKind::lines, guests::skala::Device::ef9365)
     ->Name("skala_picture/sinc_lines")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pictures, cosr, "cosr", SkalaPicture::lines, SkalaDevice::ef9365)
+BENCHMARK_CAPTURE(pictures, cosr, "cosr", guests::skala::PictureKind::lines, guests::skala::Device::ef9365)
     ->Name("skala_picture/cosr_lines")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pictures, surface, "sinc", SkalaPicture::surface, SkalaDevice::ef9365)
+BENCHMARK_CAPTURE(pictures, surface, "sinc", guests::skala::PictureKind::surface,
+                  guests::skala::Device::ef9365)
     ->Name("skala_picture/sinc_surface")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pictures, contours, "sinc", SkalaPicture::contours, SkalaDevice::ef9365)
+BENCHMARK_CAPTURE(pictures, contours, "sinc", guests::skala::PictureKind::contours,
+                  guests::skala::Device::ef9365)
     ->Name("skala_picture/sinc_contours")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pictures, plot, "rogers", SkalaPicture::lines, SkalaDevice::calcomp)
+BENCHMARK_CAPTURE(pictures, plot, "rogers", guests::skala::PictureKind::lines, guests::skala::Device::calcomp)
     ->Name("skala_plot/rogers_lines")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(host_work, lines, SkalaPicture::lines)
+BENCHMARK_CAPTURE(host_work, lines, guests::skala::PictureKind::lines)
     ->Name("skala_host/lines")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(host_work, contours, SkalaPicture::contours)
+BENCHMARK_CAPTURE(host_work, contours, guests::skala::PictureKind::contours)
     ->Name("skala_host/contours")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(twin, lines, SkalaPicture::lines)->Name("skala_twin/lines")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(twin, contours, SkalaPicture::contours)
+BENCHMARK_CAPTURE(twin, lines, guests::skala::PictureKind::lines)
+    ->Name("skala_twin/lines")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(twin, contours, guests::skala::PictureKind::contours)
     ->Name("skala_twin/contours")
     ->Unit(benchmark::kMillisecond);
 

@@ -1,5 +1,5 @@
-// The routines of Jones's program that clip lines and make masks, called one by one on the emulated PDP-7 and compared
-// with the twin's functions, with the EAE and without. Source: SPECIFICATION.md section 3.
+// The routines of Jones's program that clip lines and make masks, called one by one on the emulated PDP-7 and
+// compared with the twin's functions, with the EAE and without. Source: SPECIFICATION.md section 3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "tests/firmware/jones_routine.hpp"
 #include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 using End = RoutineMachine::End;
@@ -127,7 +127,8 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
     ASSERT_EQ(end, expected ? End::piece : End::returned)
         << line.a.x << ',' << line.a.y << ' ' << line.b.x << ',' << line.b.y;
     if (!expected) return;
-    const ScreenSegment left{{machine.cell("lax"), machine.cell("lay")}, {machine.cell("lbx"), machine.cell("lby")}};
+    const ScreenSegment left{{machine.cell("lax"), machine.cell("lay")},
+                             {machine.cell("lbx"), machine.cell("lby")}};
     ASSERT_EQ(left, *expected) << line.a.x << ',' << line.a.y << ' ' << line.b.x << ',' << line.b.y;
   }
 
@@ -245,7 +246,8 @@ TEST_P(JonesClipRoutines, SideOfASlopedEdge) {
   EXPECT_GT(on_edge, 10);
 }
 
-// The ratio of the distances of A and B, with as many bits as fit; without the EAE products have seven bits more.
+// The ratio of the distances of A and B, with as many bits as fit; without the EAE products have seven bits
+// more.
 TEST_P(JonesClipRoutines, RatioOfDistancesFromASlopedEdge) {
   for (int i = 0; i < rounds; ++i) {
     const std::int32_t far = i % 3 == 0 ? 1000 : i % 3 == 1 ? 100 : 8;
@@ -293,7 +295,8 @@ TEST_P(JonesClipRoutines, TooManyVertices) {
     const auto side = [&] { return static_cast<std::int32_t>(radius * 0.001 * dice(950, 1010)); };
     const std::int32_t left = -side(), right = side(), low = -side(), high = side();
     SCOPED_TRACE(i);
-    const auto outcome = expect_intersection({{left, low}, {right, low}, {right, high}, {left, high}}, ring, i % 2 == 1);
+    const auto outcome =
+        expect_intersection({{left, low}, {right, low}, {right, high}, {left, high}}, ring, i % 2 == 1);
     too_many += outcome == MaskOutcome::too_many_vertices;
     enough += outcome == MaskOutcome::visible;
     if (HasFatalFailure()) return;
@@ -306,4 +309,4 @@ INSTANTIATE_TEST_SUITE_P(Eae, JonesClipRoutines, testing::Bool(),
                          [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,5 +1,5 @@
-// What a person at the console has of Jones's program: the switches, lines added at once, a picture that is nothing,
-// and what becomes of a view that cannot be completed. Source: SPECIFICATION.md sections 5 and 6.
+// What a person at the console has of Jones's program: the switches, lines added at once, a picture that is
+// nothing, and what becomes of a view that cannot be completed. Source: SPECIFICATION.md sections 5 and 6.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,13 +12,15 @@
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_scenes.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
-constexpr std::uint32_t left = 0400000, right = 0200000, up = 0100000, down = 040000, in = 020000, out = 010000,
-                        bigger = 04000, smaller = 02000;
+constexpr std::uint32_t left = 0400000, right = 0200000, up = 0100000, down = 040000, in = 020000,
+                        out = 010000, bigger = 04000, smaller = 02000;
 
-core::Instant at(double seconds) { return core::Instant(core::Duration(static_cast<std::int64_t>(seconds * 1e9))); }
+core::Instant at(double seconds) {
+  return core::Instant(core::Duration(static_cast<std::int64_t>(seconds * 1e9)));
+}
 
 struct Console {
   SpacePoint eye;
@@ -113,7 +115,10 @@ class FileWatch {
   static constexpr bool stops = true;
 
   explicit FileWatch(const Program& program)
-      : program_(program), shadow_(image_of(program)), file_(program.labels.file), running_(tag(program, "runing")) {}
+      : program_(program),
+        shadow_(image_of(program)),
+        file_(program.labels.file),
+        running_(tag(program, "runing")) {}
 
   void cycle(const pdp7::Cycle& cycle) {
     if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
@@ -255,4 +260,4 @@ INSTANTIATE_TEST_SUITE_P(Eae, JonesStatus, testing::Bool(),
                          [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,5 +1,5 @@
-// Jones's program in core, put together once a scene and kind of machine, and the place of the eye in it changed by
-// hand, as a person at the console would deposit it (NOTES.md, "Reading and changing it").
+// Jones's program in core, put together once a scene and kind of machine, and the place of the eye in it
+// changed by hand, as a person at the console would deposit it (NOTES.md, "Reading and changing it").
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr std::array scene_names{"house", "roberts", "street4", "corridor8", "corridor32"};
 
@@ -32,7 +32,9 @@ inline Program assembled(const scene::CellScene& scene, bool eae) {
   return std::get<Program>(std::move(program));
 }
 
-inline Program assembled(std::string_view scene, bool eae) { return assembled(scene::builtin_scene(scene), eae); }
+inline Program assembled(std::string_view scene, bool eae) {
+  return assembled(scene::builtin_scene(scene), eae);
+}
 
 // A tag of the program. The tests use only such as its comments explain.
 inline pdp7::Address tag(const Program& program, std::string_view name) {
@@ -44,7 +46,9 @@ inline pdp7::Address tag(const Program& program, std::string_view name) {
   return found->second;
 }
 
-inline core::Word18 word_of(std::int32_t number) { return core::Word18(static_cast<std::uint32_t>(number)); }
+inline core::Word18 word_of(std::int32_t number) {
+  return core::Word18(static_cast<std::uint32_t>(number));
+}
 
 inline void put_eye(Program& program, const SpacePoint& eye) {
   program.core[program.labels.scene + 2] = word_of(eye.x);
@@ -84,4 +88,4 @@ inline testing::AssertionResult same_words(const std::vector<core::Word18>& gues
                                      << octal(twin, at);
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,5 +1,6 @@
-// What a Type 340 lights for a display file of Jones's program: decoded from its words alone, every vector by the rate
-// multiplier pulse by pulse. The start of a vector is dark; from its first step on every pulse flashes.
+// What a Type 340 lights for a display file of Jones's program: decoded from its words alone, every vector by
+// the rate multiplier pulse by pulse. The start of a vector is dark; from its first step on every pulse
+// flashes.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,11 @@
 #include "emulators/type340/vector_generator.hpp"
 #include "host/guests/jones/twin/arithmetic.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline void add_vector_points(core::Word18 word, ScreenPoint& beam, std::vector<ScreenPoint>& points) {
-  const auto dy = static_cast<std::uint8_t>(word.field(3, 9)), dx = static_cast<std::uint8_t>(word.field(11, 17));
+  const auto dy = static_cast<std::uint8_t>(word.field(3, 9)),
+             dx = static_cast<std::uint8_t>(word.field(11, 17));
   type340::RateMultiplier multiplier;
   bool moved = false;
   for (int pulse = 0; pulse < type340::pulses_of_vector(dx, dy); ++pulse) {
@@ -51,4 +53,4 @@ inline std::vector<ScreenPoint> points_of(const std::vector<core::Stroke>& strok
   return points;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,5 +1,5 @@
-// Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search went, and
-// which cell stood at each depth. Much less than harness/jones_watch, and independent of it.
+// Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search
+// went, and which cell stood at each depth. Much less than harness/jones_watch, and independent of it.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "emulators/machines/pdp7.hpp"
 #include "tests/firmware/jones_core.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 class PathWatch {
  public:
@@ -19,7 +19,10 @@ class PathWatch {
   static constexpr bool stops = true;
 
   PathWatch(const Program& program, bool immediate)
-      : labels_(program.labels), depth_at_(tag(program, "depth")), cell_at_(tag(program, "cell")), immediate_(immediate) {}
+      : labels_(program.labels),
+        depth_at_(tag(program, "depth")),
+        cell_at_(tag(program, "cell")),
+        immediate_(immediate) {}
 
   void cycle(const pdp7::Cycle& cycle) {
     const bool writes = cycle.verb == pdp7::Verb::write, counts = cycle.verb == pdp7::Verb::modify;
@@ -111,4 +114,4 @@ inline DarkView dark_view(const Program& program, bool eae, const Parameters& pa
   return view;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

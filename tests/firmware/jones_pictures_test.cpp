@@ -1,8 +1,8 @@
-// What is seen of Jones's program: approved pictures of every scene, and the guest's own display words against the
-// scene's exact visibility.
+// What is seen of Jones's program: approved pictures of every scene, and the guest's own display words
+// against the scene's exact visibility.
 //
-// The photographs depend on every nanosecond of a run: a change of the program's timing alone calls for a new look at
-// them.
+// The photographs depend on every nanosecond of a run: a change of the program's timing alone calls for a new
+// look at them.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -16,11 +16,11 @@
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
-#include "tests/support/dice.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 #include "tests/support/approve_png.hpp"
+#include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -82,8 +82,8 @@ TEST_P(JonesPictures, ShowWhatIsTrulySeen) {
     missing += error.missing;
     extra += error.extra;
     if (i == 0) {
-      std::printf("%-10s default view: true %.0f points, missing %.1f, extra %.1f\n", GetParam(), error.true_length,
-                  error.missing, error.extra);
+      std::printf("%-10s default view: true %.0f points, missing %.1f, extra %.1f\n", GetParam(),
+                  error.true_length, error.missing, error.extra);
     }
   }
   std::printf("%-10s %d views: true %.0f points, missing %.3f %%, extra %.3f %%\n", GetParam(), views, truth,
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesPictures, testing::ValuesIn(scene_names),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

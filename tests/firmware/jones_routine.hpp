@@ -1,9 +1,9 @@
-// Single routines of Jones's program, called through their labels on a PDP-7: arguments are deposited in the cells
-// that the routine's comment names, a JMS and a HLT stand where the display file would be, and the machine runs
-// until it halts.
+// Single routines of Jones's program, called through their labels on a PDP-7: arguments are deposited in the
+// cells that the routine's comment names, a JMS and a HLT stand where the display file would be, and the
+// machine runs until it halts.
 //
-// Two more places halt: `fault`, where whatever stops a view arrives with the status in AC, and the first word of
-// `piece`, where a clipped line would be drawn.
+// Two more places halt: `fault`, where whatever stops a view arrives with the status in AC, and the first
+// word of `piece`, where a clipped line would be drawn.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,12 @@
 #include "emulators/machines/pdp7.hpp"
 #include "tests/firmware/jones_core.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 class RoutineMachine {
  public:
-  explicit RoutineMachine(bool eae) : program_(assembled("house", eae)), eae_(eae), machine_(options(eae), sink_, nobody_) {
+  explicit RoutineMachine(bool eae)
+      : program_(assembled("house", eae)), eae_(eae), machine_(options(eae), sink_, nobody_) {
     for (const auto& [address, word] : program_.core) machine_.deposit(address, word);
     call_ = at("filea");
     fault_ = at("fault");
@@ -43,7 +44,9 @@ class RoutineMachine {
   void halt_at_piece() { machine_.deposit(piece_, core::Word18(hlt)); }
 
   [[nodiscard]] std::int32_t ac() const { return machine_.registers().ac.twos_complement(); }
-  [[nodiscard]] std::int32_t cell(std::string_view name) const { return machine_.peek(at(name)).twos_complement(); }
+  [[nodiscard]] std::int32_t cell(std::string_view name) const {
+    return machine_.peek(at(name)).twos_complement();
+  }
   [[nodiscard]] core::Word18 word(pdp7::Address address) const { return machine_.peek(address); }
   void set(std::string_view name, std::int32_t value) { machine_.deposit(at(name), word_of(value)); }
   void set(pdp7::Address address, std::int32_t value) { machine_.deposit(address, word_of(value)); }
@@ -78,4 +81,4 @@ class RoutineMachine {
   pdp7::Address piece_ = 0;
 };
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,4 +1,5 @@
-// Scenes made by hand for Jones's program, each for one thing it does. None of them is checked as a possible scene.
+// Scenes made by hand for Jones's program, each for one thing it does. None of them is checked as a possible
+// scene.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline scene::CellScene one_cell(geometry::Point eye, geometry::Box box, std::vector<scene::Line> lines) {
   scene::CellScene scene;
@@ -57,4 +58,4 @@ inline scene::CellScene stairs(std::int32_t steps) {
   return scene;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

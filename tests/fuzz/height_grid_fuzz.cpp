@@ -13,13 +13,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto result = scene::read_height_grid(text, "fuzz");
   const auto* grid = std::get_if<scene::HeightGrid>(&result);
   if (grid == nullptr) return 0;
-  harness::SkalaView view;
+  guests::skala::View view;
   view.rotation = static_cast<double>(size % 48) * 7.5;
   view.zoom = size % 3 == 0 ? 4.0 : 1.0;
-  for (const auto picture :
-       {harness::SkalaPicture::lines, harness::SkalaPicture::surface, harness::SkalaPicture::contours}) {
+  for (const auto picture : {guests::skala::PictureKind::lines, guests::skala::PictureKind::surface,
+                             guests::skala::PictureKind::contours}) {
     view.picture = picture;
-    static_cast<void>(harness::skala_stream(*grid, view));
+    static_cast<void>(guests::skala::stream_of(*grid, view));
   }
   return 0;
 }

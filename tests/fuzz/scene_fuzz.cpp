@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/guests/jones/tape.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/read/cell_scene.hpp"
-#include "host/guests/jones/tape.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto result = scene::read_cell_scene(text, "fuzz");
   const auto* scene = std::get_if<scene::CellScene>(&result);
   if (scene == nullptr || !scene::check_scene(*scene).empty()) return 0;
-  static_cast<void>(scene::write_tape(*scene));
+  static_cast<void>(guests::jones::write_tape(*scene));
   static_cast<void>(algorithms::oracle::visible_lines(*scene, scene->default_view, {}));
   return 0;
 }

@@ -8,19 +8,19 @@
 
 namespace {
 
-using namespace sightline::harness;
+using namespace sightline;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void check_path(const SkalaTwinPicture& picture) {
-  SkalaPlotterMove before;
+void check_path(const guests::skala::TwinPicture& picture) {
+  guests::skala::PlotterMove before;
   std::uint64_t steps = 0;
-  for (const SkalaPlotterMove& move : picture.moves) {
+  for (const guests::skala::PlotterMove& move : picture.moves) {
     const int dx = move.x - before.x;
     const int dy = move.y - before.y;
-    if (move.action == SkalaPlotterAction::step) {
+    if (move.action == guests::skala::PlotterAction::step) {
       ++steps;
       require(dx * dx <= 1 && dy * dy <= 1 && (dx != 0 || dy != 0));
       require(move.pen_down == before.pen_down);
@@ -36,12 +36,13 @@ void check_path(const SkalaTwinPicture& picture) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::uint8_t> stream(data, size);
-  const SkalaTwinPicture picture = run_skala_twin(stream);
+  const guests::skala::TwinPicture picture = guests::skala::run_twin(stream);
   require(picture.bytes_taken <= size);
-  require(picture.status == SkalaStatus::running || picture.status == SkalaStatus::complete ||
-          picture.status == SkalaStatus::unknown_command ||
-          picture.status == SkalaStatus::argument_out_of_range);
-  require(picture.status != SkalaStatus::running || picture.bytes_taken == size);
+  require(picture.status == guests::skala::Status::running ||
+          picture.status == guests::skala::Status::complete ||
+          picture.status == guests::skala::Status::unknown_command ||
+          picture.status == guests::skala::Status::argument_out_of_range);
+  require(picture.status != guests::skala::Status::running || picture.bytes_taken == size);
   unsigned colours = 0;
   for (const auto& raster : picture.rasters)
     for (const std::uint8_t dot : raster.points()) colours |= dot;
@@ -50,12 +51,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const int top = picture.columns.mask_top[x];
     const int bottom = picture.columns.mask_bottom[x];
     require(bottom <= top || (bottom == 255 && top == 0));
-    require(picture.columns.previous_level[x] < 8 && picture.columns.raised_from[x] <= picture.columns.mask_top[x] &&
+    require(picture.columns.previous_level[x] < 8 &&
+            picture.columns.raised_from[x] <= picture.columns.mask_top[x] &&
             picture.columns.lowered_from[x] >= picture.columns.mask_bottom[x]);
   }
   check_path(picture);
   // What comes after the byte it stopped at makes no difference.
-  const SkalaTwinPicture again = run_skala_twin(stream.first(picture.bytes_taken));
+  const guests::skala::TwinPicture again = guests::skala::run_twin(stream.first(picture.bytes_taken));
   require(again.status == picture.status && again.bytes_taken == picture.bytes_taken);
   require(again.moves == picture.moves && again.rasters == picture.rasters);
   return 0;

@@ -29,7 +29,7 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using harness::SkalaPicture;
+using guests::skala::PictureKind;
 
 constexpr const char* compare_examples =
     "Examples:\n"
@@ -74,7 +74,7 @@ struct CompareArguments {
   std::optional<int> scale;
   bool no_eae = false;
   SkalaSource function;  // without a name: names are among the scenes
-  harness::SkalaView function_view;
+  guests::skala::View function_view;
   std::string picture;  // as --picture names it
   SkalaSlices slices;
   std::optional<int> levels;
@@ -139,19 +139,19 @@ struct ComparedScene {
 
 // `source` is by name, from a file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source,
-                               const harness::CompareProgress& progress) {
+                               const compare::CompareProgress& progress) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
   refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
   refuse(!arguments.orthographic.empty(), "--orthographic", name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
-  harness::SkalaView view = arguments.function_view;
+  guests::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
-  if (const auto reason = harness::why_not_comparable(function.grid, view))
+  if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
-  const auto comparison = harness::compare_heights(function.grid, view, progress);
+  const auto comparison = compare::compare_heights(function.grid, view, progress);
   return {comparison.agrees(), compare_table(function.name, comparison),
           compare_json(function.name, comparison),
           write_overlays(arguments.directory, function.stem, comparison)};
@@ -167,7 +167,7 @@ SkalaSource source_of(const CompareArguments& arguments, const std::string& name
 }
 
 ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name,
-                            const harness::CompareProgress& progress) {
+                            const compare::CompareProgress& progress) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
   const SceneSource source = load_scene_source(name);
@@ -175,25 +175,25 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     if (source.cells) {
       refuse(!arguments.orthographic.empty(), "--orthographic", name,
              "polyhedra; Jones's program looks along +z in perspective");
-      harness::CompareOptions options;
+      compare::CompareOptions options;
       if (!arguments.view.empty()) options.eye = point_argument("--view", arguments.view);
       if (arguments.scale) options.scale = *arguments.scale;
       options.eae = !arguments.no_eae;
-      return harness::compare_cell_scene(*source.cells, options, progress);
+      return compare::compare_cell_scene(*source.cells, options, progress);
     }
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
     CameraArguments camera;
     camera.eye = arguments.view;
     camera.orthographic = arguments.orthographic;
-    return harness::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
+    return compare::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
   }();
   if (const auto* error = std::get_if<scene::SceneError>(&compared)) {
     scene::SceneError named = *error;
     named.source = name;
     throw Failure(ExitCode::bad_input, named.message());
   }
-  auto comparison = std::get<harness::SceneComparison>(compared);
+  auto comparison = std::get<compare::SceneComparison>(compared);
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
   return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
           write_overlays(arguments.directory, comparison)};
@@ -201,7 +201,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
 
 // One scene or function; the last is --function's if there is no name left.
 ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names,
-                           std::size_t n, const harness::CompareProgress& progress) {
+                           std::size_t n, const compare::CompareProgress& progress) {
   if (n == names.size()) return compare_function(arguments, arguments.function, progress);
   if (is_height_function(names[n]))
     return compare_function(arguments, source_of(arguments, names[n]), progress);
@@ -209,10 +209,10 @@ ComparedScene compare_next(const CompareArguments& arguments, const std::vector<
 }
 
 ExitCode run_compare(CompareArguments arguments) {
-  if (arguments.picture == "surface") arguments.function_view.picture = SkalaPicture::surface;
-  if (arguments.picture == "contours") arguments.function_view.picture = SkalaPicture::contours;
+  if (arguments.picture == "surface") arguments.function_view.picture = guests::skala::PictureKind::surface;
+  if (arguments.picture == "contours") arguments.function_view.picture = guests::skala::PictureKind::contours;
   require_angles(arguments.function_view.rotation, arguments.function_view.elevation);
-  if (arguments.levels && arguments.function_view.picture != SkalaPicture::contours)
+  if (arguments.levels && arguments.function_view.picture != guests::skala::PictureKind::contours)
     throw Failure(ExitCode::usage, "--levels: found without --picture contours");
   const bool expression = !arguments.function.expression.empty();
   if (!expression && !arguments.function.domain.empty())
@@ -257,9 +257,9 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       ->default_str("512")
       ->check(CLI::Range(64, 4096));
   add_eae_options(command, arguments.no_eae);
-  harness::SkalaView& view = arguments.function_view;
-  constexpr scene::GridSize usual = usual_grid_size(SkalaPicture::lines);
-  constexpr scene::GridSize of_contours = usual_grid_size(SkalaPicture::contours);
+  guests::skala::View& view = arguments.function_view;
+  constexpr scene::GridSize usual = usual_grid_size(guests::skala::PictureKind::lines);
+  constexpr scene::GridSize of_contours = usual_grid_size(guests::skala::PictureKind::contours);
   add_function_options(command, arguments.function,
                        fmt::format("{}, of contours {}", usual.slices, of_contours.slices),
                        std::to_string(usual.points));

@@ -9,12 +9,12 @@ namespace sightline::app {
 
 namespace {
 
-namespace jones = harness::jones;
+namespace jones = guests::jones;
 using base::Json;
-using harness::ComparedPicture;
-using harness::ComparedRaster;
-using harness::HeightComparison;
-using harness::SceneComparison;
+using compare::ComparedPicture;
+using compare::ComparedRaster;
+using compare::HeightComparison;
+using compare::SceneComparison;
 using picture::LineMetrics;
 using picture::PixelMetrics;
 
@@ -80,7 +80,7 @@ Json compare_json(const SceneComparison& comparison) {
   for (const ComparedPicture& compared : comparison.pictures)
     document["pictures"].push_back(line_json(compared));
   document["faces"] = Json::array();
-  for (const harness::ComparedFaces& compared : comparison.faces) {
+  for (const compare::ComparedFaces& compared : comparison.faces) {
     Json row = points_json(compared.name, compared.metrics);
     row["not_separated"] = compared.not_solved;
     document["faces"].push_back(std::move(row));

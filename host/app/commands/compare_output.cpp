@@ -9,19 +9,19 @@
 #include <string_view>
 
 #include "host/app/commands/jones_session.hpp"
-#include "host/app/outputs.hpp"
 #include "host/app/commands/skala_options.hpp"
+#include "host/app/outputs.hpp"
 #include "host/picture/overlay.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-namespace jones = harness::jones;
-using harness::ComparedPicture;
-using harness::ComparedRaster;
-using harness::HeightComparison;
-using harness::SceneComparison;
+namespace jones = guests::jones;
+using compare::ComparedPicture;
+using compare::ComparedRaster;
+using compare::HeightComparison;
+using compare::SceneComparison;
 using picture::LineMetrics;
 using picture::PixelMetrics;
 
@@ -82,7 +82,7 @@ std::string faces_text(const SceneComparison& comparison) {
   std::string text =
       fmt::format("faces, by points: {}, {} of them at edges\n", any.pixels, any.boundary_pixels) +
       points_heading();
-  for (const harness::ComparedFaces& compared : comparison.faces) {
+  for (const compare::ComparedFaces& compared : comparison.faces) {
     text += points_row(compared.name, compared.metrics);
     if (compared.not_solved > 0)
       text += fmt::format("{}: {} pairs of faces it says itself it cannot separate\n", compared.name,
@@ -97,7 +97,7 @@ std::string exactness_text(const ComparedPicture& compared) {
   return *compared.identical ? "equal to the oracle's" : "NOT THE ORACLE'S";
 }
 
-std::string guest_text(const harness::GuestAgreement& guest) {
+std::string guest_text(const compare::GuestAgreement& guest) {
   if (!guest.difference.empty()) return "guest and twin differ: " + guest.difference + "\n";
   return fmt::format("guest and twin: identical, {} display words, status {}; view 1 took {:.3f} s\n",
                      guest.words, jones::name(guest.status), seconds(guest.time));
@@ -152,7 +152,7 @@ std::string compare_table(const SceneComparison& comparison) {
 }
 
 std::string compare_table(const std::string& name, const HeightComparison& comparison) {
-  const harness::SkalaView& view = comparison.view;
+  const guests::skala::View& view = comparison.view;
   std::string text =
       fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name, picture_name(view.picture),
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
@@ -160,7 +160,7 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
     const PixelMetrics& any = comparison.rasters.front().metrics;
     text += fmt::format(", {} of {} points are lit, {} at edges", any.lit, any.pixels, any.boundary_pixels);
   }
-  if (view.picture == harness::SkalaPicture::contours) text += fmt::format(", {} levels", view.levels);
+  if (view.picture == guests::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
   text += "\n" + points_heading();
   for (const ComparedRaster& compared : comparison.rasters)
     text += points_row(compared.name, compared.metrics);
@@ -179,7 +179,7 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
 
 std::vector<std::string> write_overlays(const std::string& directory, const SceneComparison& comparison) {
   std::vector<std::string> paths;
-  const harness::ScreenFrame& frame = comparison.frame;
+  const compare::ScreenFrame& frame = comparison.frame;
   for (const ComparedPicture& compared : comparison.pictures) {
     const LineMetrics& m = compared.metrics;
     const std::string title =
@@ -190,7 +190,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const Scen
         picture::overlay_of(compared.difference, {frame.low, frame.low}, {frame.high, frame.high}, caption),
         title, paths);
   }
-  for (const harness::ComparedFaces& compared : comparison.faces) {
+  for (const compare::ComparedFaces& compared : comparison.faces) {
     const std::string title = fmt::format("{}: faces by {} against the nearest ones, {}", comparison.scene,
                                           compared.name, view_text(comparison));
     write_overlay(overlay_base(directory, comparison.scene, compared.name + " faces"),

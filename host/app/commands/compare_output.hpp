@@ -10,17 +10,17 @@
 
 namespace sightline::app {
 
-[[nodiscard]] std::string compare_table(const harness::SceneComparison& comparison);
-[[nodiscard]] std::string compare_table(const std::string& name, const harness::HeightComparison& comparison);
+[[nodiscard]] std::string compare_table(const compare::SceneComparison& comparison);
+[[nodiscard]] std::string compare_table(const std::string& name, const compare::HeightComparison& comparison);
 
-[[nodiscard]] base::Json compare_json(const harness::SceneComparison& comparison);
-[[nodiscard]] base::Json compare_json(const std::string& name, const harness::HeightComparison& comparison);
+[[nodiscard]] base::Json compare_json(const compare::SceneComparison& comparison);
+[[nodiscard]] base::Json compare_json(const std::string& name, const compare::HeightComparison& comparison);
 
 // DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture; the directory is made. Returns the paths.
 // Failure io.
 std::vector<std::string> write_overlays(const std::string& directory,
-                                        const harness::SceneComparison& comparison);
+                                        const compare::SceneComparison& comparison);
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
-                                        const harness::HeightComparison& comparison);
+                                        const compare::HeightComparison& comparison);
 
 }  // namespace sightline::app

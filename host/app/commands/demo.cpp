@@ -16,7 +16,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace jones = harness::jones;
+namespace jones = guests::jones;
 using base::Json;
 
 constexpr const char* demo_examples =
@@ -68,10 +68,10 @@ std::string table_of(const std::vector<Row>& rows) {
   text += fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
                       "segments", "words of core", "refreshes/s");
   for (const Row& row : rows) {
-    text +=
-        fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
-                    seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells),
-                    row.view.pieces, fmt::format("{}/{}", row.words, scene::core_words), row.refreshes);
+    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene,
+                        row.eae ? "yes" : "no", seconds(row.view.time),
+                        fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
+                        fmt::format("{}/{}", row.words, guests::jones::core_words), row.refreshes);
   }
   text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
   return text;

@@ -16,10 +16,10 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using harness::ComparedPicture;
-using harness::ComparedRaster;
-using harness::HeightComparison;
-using harness::SceneComparison;
+using compare::ComparedPicture;
+using compare::ComparedRaster;
+using compare::HeightComparison;
+using compare::SceneComparison;
 
 const ComparedPicture* guest_of(const SceneComparison& comparison) {
   const auto found = std::find_if(comparison.pictures.begin(), comparison.pictures.end(),
@@ -81,16 +81,16 @@ bool DemoComparison::agrees() const {
 DemoComparison compare_for_demo() {
   DemoComparison comparison;
   for (const std::string_view name : scene::builtin_scene_names()) {
-    auto compared = harness::compare_cell_scene(load_scene(std::string(name)), {});
+    auto compared = compare::compare_cell_scene(load_scene(std::string(name)), {});
     if (const auto* error = std::get_if<scene::SceneError>(&compared))
       throw Failure(ExitCode::guest_failed, fmt::format("{}: {}", name, error->message()));
     comparison.scenes.push_back(std::get<SceneComparison>(std::move(compared)));
   }
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    harness::SkalaView view;
+    guests::skala::View view;
     view.rotation = 30;
     comparison.functions.emplace_back(function.name,
-                                      harness::compare_heights(sample(function, {33, 60}), view));
+                                      compare::compare_heights(sample(function, {33, 60}), view));
   }
   return comparison;
 }

@@ -13,8 +13,8 @@
 namespace sightline::app {
 
 struct DemoComparison {
-  std::vector<harness::SceneComparison> scenes;                              // the built-in ones
-  std::vector<std::pair<std::string, harness::HeightComparison>> functions;  // by name; lines
+  std::vector<compare::SceneComparison> scenes;                              // the built-in ones
+  std::vector<std::pair<std::string, compare::HeightComparison>> functions;  // by name; lines
 
   // No guest differs from its twin, no exact algorithm from the oracle.
   [[nodiscard]] bool agrees() const;

@@ -16,7 +16,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace jones = harness::jones;
+namespace jones = guests::jones;
 using base::Json;
 
 constexpr const char* jones_examples =
@@ -127,7 +127,7 @@ std::string summary_of(const JonesArguments& arguments, const jones::Program& pr
   text += fmt::format("lines clipped    {}\n", view.lines_clipped);
   text += fmt::format("segments         {}\n", view.pieces);
   text += fmt::format("display words    {}\n", view.display_file.size());
-  text += fmt::format("core used        {} of {} words\n", program.words_used, scene::core_words);
+  text += fmt::format("core used        {} of {} words\n", program.words_used, guests::jones::core_words);
   if (run.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
   text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
                       refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");

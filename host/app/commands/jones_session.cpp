@@ -10,14 +10,14 @@
 
 namespace sightline::app {
 
-harness::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
-                                  const harness::jones::ProgramOptions& options) {
-  auto program = harness::jones::assemble_program(scene, options);
+guests::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
+                                 const guests::jones::ProgramOptions& options) {
+  auto program = guests::jones::assemble_program(scene, options);
   if (auto* error = std::get_if<scene::SceneError>(&program)) {
     error->source = source;
     throw Failure(ExitCode::bad_input, error->message());
   }
-  return std::get<harness::jones::Program>(std::move(program));
+  return std::get<guests::jones::Program>(std::move(program));
 }
 
 std::string title_of(const std::string& scene_name, bool eae) {
@@ -28,12 +28,12 @@ double seconds(core::Duration time) {
   return core::in_seconds(time);
 }
 
-double refreshes_per_second(const harness::jones::GuestRun& run) {
+double refreshes_per_second(const guests::jones::GuestRun& run) {
   return run.refresh_period.count() > 0 ? 1.0 / seconds(run.refresh_period) : 0.0;
 }
 
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,
-                                              const std::string& title, const harness::jones::GuestRun& run) {
+                                              const std::string& title, const guests::jones::GuestRun& run) {
   make_directory(directory);
   const std::string base = (std::filesystem::path(directory) / stem).string();
   std::vector<std::string> paths;

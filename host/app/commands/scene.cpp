@@ -44,10 +44,10 @@ constexpr const char* tape_examples =
     "everything, or too near the far side of its cell is an error.\n";
 
 void tape(const SceneArguments& arguments) {
-  scene::TapeOptions options;
+  guests::jones::TapeOptions options;
   if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_scene(arguments.scene);
-  auto text = scene::write_tape(scene, options);
+  auto text = guests::jones::write_tape(scene, options);
   if (auto* error = std::get_if<scene::SceneError>(&text)) {
     error->source = arguments.scene;
     throw Failure(ExitCode::bad_input, error->message());

@@ -37,18 +37,18 @@ Json box_json(const geometry::Box& box) {
 
 // --- cells of Jones's program
 
-scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
-  auto result = scene::encode(scene);
+guests::jones::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
+  auto result = guests::jones::encode(scene);
   if (auto* error = std::get_if<scene::SceneError>(&result)) {
     error->source = source;
     throw Failure(ExitCode::bad_input, error->message());
   }
-  return std::get<scene::EncodedScene>(std::move(result));
+  return std::get<guests::jones::EncodedScene>(std::move(result));
 }
 
 void describe_cells(const SceneText& file, bool json) {
   const scene::CellScene scene = load_scene(file.text, file.name);
-  const scene::EncodedScene core = encoded(scene, file.name);
+  const guests::jones::EncodedScene core = encoded(scene, file.name);
   std::size_t lines = 0;
   for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
   if (json) {
@@ -77,8 +77,8 @@ void describe_cells(const SceneText& file, bool json) {
       fmt::format("default view   {}, in cell {}\n", point_text(scene.default_view), core.initial_cell));
   write_stdout(fmt::format("eye may move   {}\n", box_text(core.eye_limits.low, core.eye_limits.high)));
   write_stdout(fmt::format("words of core  {} of {} (cells {}, openings {}, header {})\n", core.words.size(),
-                           scene::core_words, core.cell_words, core.opening_words,
-                           scene::scene_header_words));
+                           guests::jones::core_words, core.cell_words, core.opening_words,
+                           guests::jones::scene_header_words));
 }
 
 // --- polyhedra

@@ -16,9 +16,9 @@ namespace sightline::app {
 
 namespace {
 
-using harness::SkalaDevice;
-using harness::SkalaLink;
-using harness::SkalaPicture;
+using guests::skala::Device;
+using guests::skala::Link;
+using guests::skala::PictureKind;
 using picture::RasterPalette;
 
 constexpr const char* skala_examples =
@@ -61,10 +61,10 @@ struct SkalaArguments {
 };
 
 // By the names the option takes.
-SkalaDevice device_named(const std::string& name) {
-  if (name == "alt256") return SkalaDevice::alt256;
-  if (name == "calcomp") return SkalaDevice::calcomp;
-  return name == "minigraf" ? SkalaDevice::minigraf : SkalaDevice::ef9365;
+guests::skala::Device device_named(const std::string& name) {
+  if (name == "alt256") return guests::skala::Device::alt256;
+  if (name == "calcomp") return guests::skala::Device::calcomp;
+  return name == "minigraf" ? guests::skala::Device::minigraf : guests::skala::Device::ef9365;
 }
 
 ExitCode run_skala(SkalaArguments arguments) {
@@ -78,8 +78,8 @@ ExitCode run_skala(SkalaArguments arguments) {
   order.view.visibility = !arguments.no_visibility;
   order.view.family = family_of(arguments.slices);
   order.view.device = device_named(arguments.device);
-  if (arguments.link == "serial") order.link = SkalaLink::serial;
-  const SkalaOutcome outcome = run_skala_order(harness::assemble_skala_program(), order);
+  if (arguments.link == "serial") order.link = guests::skala::Link::serial;
+  const SkalaOutcome outcome = run_skala_order(guests::skala::assemble_program(), order);
   SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
@@ -96,16 +96,16 @@ void add_skala_source_options(CLI::App& command, SkalaArguments& arguments) {
 }
 
 void add_view_options(CLI::App& command, SkalaArguments& arguments) {
-  harness::SkalaView& view = arguments.order.view;
+  guests::skala::View& view = arguments.order.view;
   add_angle_options(command, view.rotation, view.elevation);
   command.add_option("--zoom", view.zoom, "Enlarge about the middle")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("F");
-  if (view.picture != SkalaPicture::contours) {
+  if (view.picture != guests::skala::PictureKind::contours) {
     add_slices_options(command, arguments.slices);
     // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
-    if (view.picture == SkalaPicture::surface) command.get_option("--both")->description("");
+    if (view.picture == guests::skala::PictureKind::surface) command.get_option("--both")->description("");
     return;
   }
   command.add_flag("--both", arguments.slices.both);
@@ -145,8 +145,8 @@ void add_output_options(CLI::App& command, SkalaArguments& arguments) {
   command.add_flag("--json", arguments.json, "One JSON document instead of the summary");
 }
 
-void add_picture(CLI::App& parent, const char* name, const char* description, SkalaPicture picture,
-                 ExitCode& exit_code) {
+void add_picture(CLI::App& parent, const char* name, const char* description,
+                 guests::skala::PictureKind picture, ExitCode& exit_code) {
   CLI::App* const command = parent.add_subcommand(name, description);
   const auto arguments = std::make_shared<SkalaArguments>();
   arguments->order.view.picture = picture;
@@ -165,12 +165,12 @@ void add_skala_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
   command->require_subcommand(1);
-  add_picture(*command, "lines", "Slices of a surface with hidden lines removed", SkalaPicture::lines,
-              exit_code);
-  add_picture(*command, "surface", "A shaded surface with hidden parts removed", SkalaPicture::surface,
-              exit_code);
+  add_picture(*command, "lines", "Slices of a surface with hidden lines removed",
+              guests::skala::PictureKind::lines, exit_code);
+  add_picture(*command, "surface", "A shaded surface with hidden parts removed",
+              guests::skala::PictureKind::surface, exit_code);
   add_picture(*command, "contours", "Contour lines on a surface with hidden parts removed",
-              SkalaPicture::contours, exit_code);
+              guests::skala::PictureKind::contours, exit_code);
   command->footer(footer());
 }
 

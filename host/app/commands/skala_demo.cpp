@@ -10,21 +10,23 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using harness::SkalaPicture;
+using guests::skala::PictureKind;
 
 constexpr std::string_view plotted_function = "rogers";
 
-SkalaOutcome drawn(const harness::SkalaProgram& program, const scene::HeightFunction& function,
-                   SkalaPicture picture, harness::SkalaDevice device, const std::string& directory,
-                   std::string_view suffix) {
+SkalaOutcome drawn(const guests::skala::Program& program, const scene::HeightFunction& function,
+                   guests::skala::PictureKind picture, guests::skala::Device device,
+                   const std::string& directory, std::string_view suffix) {
   SkalaOrder order;
   order.name = function.name;
-  order.grid = scene::sample(
-      function, picture == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+  order.grid =
+      scene::sample(function, picture == guests::skala::PictureKind::contours ? scene::GridSize{33, 33}
+                                                                              : scene::GridSize{33, 60});
   order.view.picture = picture;
   order.view.device = device;
   order.view.rotation = 30;
-  order.measure_visibility = picture == SkalaPicture::lines && device == harness::SkalaDevice::ef9365;
+  order.measure_visibility =
+      picture == guests::skala::PictureKind::lines && device == guests::skala::Device::ef9365;
   const SkalaOutcome outcome = run_skala_order(program, order);
   write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
                        order, outcome);
@@ -46,19 +48,19 @@ Json json_of(const SkalaOutcome& outcome) {
 }  // namespace
 
 SkalaDemo run_skala_demo(const std::string& directory) {
-  const harness::SkalaProgram program = harness::assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    const auto raster = [&](SkalaPicture picture, std::string_view suffix) {
-      return drawn(program, function, picture, harness::SkalaDevice::ef9365, directory, suffix);
+    const auto raster = [&](guests::skala::PictureKind picture, std::string_view suffix) {
+      return drawn(program, function, picture, guests::skala::Device::ef9365, directory, suffix);
     };
-    demo.rows.push_back({std::string(function.name), raster(SkalaPicture::lines, "lines"),
-                         raster(SkalaPicture::surface, "surface"),
-                         raster(SkalaPicture::contours, "contours")});
+    demo.rows.push_back({std::string(function.name), raster(guests::skala::PictureKind::lines, "lines"),
+                         raster(guests::skala::PictureKind::surface, "surface"),
+                         raster(guests::skala::PictureKind::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(program, *scene::height_function(plotted_function), SkalaPicture::lines,
-                    harness::SkalaDevice::calcomp, directory, "calcomp");
+  demo.plot = drawn(program, *scene::height_function(plotted_function), guests::skala::PictureKind::lines,
+                    guests::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }
 
@@ -75,7 +77,7 @@ std::string skala_demo_table(const SkalaDemo& demo) {
       "Seconds of the emulated 8080 at 3 MHz, 60 slices of 33 points rotated 30 degrees (contours 33 by 33); "
       "the\n"
       "paper: about 2 s, about 15 % for the visibility.\n";
-  const harness::SkalaPlotterWork& work = demo.plot.plotter;
+  const guests::skala::PlotterWork& work = demo.plot.plotter;
   text += fmt::format("{} on the CalComp 565: {:.0f} s, {} steps, {} pen lifts.\n", demo.plotted,
                       core::in_seconds(work.time),
                       work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
@@ -90,7 +92,7 @@ void add_skala_demo(Json& document, const SkalaDemo& demo) {
                                  {"surface", json_of(row.surface)},
                                  {"contours", json_of(row.contours)}});
   }
-  const harness::SkalaPlotterWork& work = demo.plot.plotter;
+  const guests::skala::PlotterWork& work = demo.plot.plotter;
   document["skala_plot"] = {{"function", demo.plotted},
                             {"device", "CalComp 565"},
                             {"seconds", core::in_seconds(work.time)},

@@ -60,7 +60,7 @@ void add_slices_options(CLI::App& command, SkalaSlices& slices) {
       ->excludes(both);
 }
 
-std::string_view picture_name(harness::SkalaPicture picture) {
+std::string_view picture_name(guests::skala::PictureKind picture) {
   constexpr std::array<std::string_view, 3> names{"lines", "surface", "contours"};
   return names[static_cast<std::size_t>(picture)];
 }
@@ -71,10 +71,10 @@ void add_picture_option(CLI::App& command, std::string& picture, const std::stri
       ->default_str("lines");
 }
 
-harness::SkalaFamily family_of(const SkalaSlices& slices) {
-  if (slices.both) return harness::SkalaFamily::both;
-  if (slices.along.empty()) return harness::SkalaFamily::automatic;
-  return slices.along == "x" ? harness::SkalaFamily::along_x : harness::SkalaFamily::along_z;
+guests::skala::Family family_of(const SkalaSlices& slices) {
+  if (slices.both) return guests::skala::Family::both;
+  if (slices.along.empty()) return guests::skala::Family::automatic;
+  return slices.along == "x" ? guests::skala::Family::along_x : guests::skala::Family::along_z;
 }
 
 void add_levels_option(CLI::App& command, int& levels) {
@@ -84,7 +84,7 @@ void add_levels_option(CLI::App& command, int& levels) {
 void add_levels_option(CLI::App& command, std::optional<int>& levels) {
   command.add_option("--levels", levels, levels_help)
       ->check(CLI::Range(1, 255))
-      ->default_str(std::to_string(harness::SkalaView{}.levels));
+      ->default_str(std::to_string(guests::skala::View{}.levels));
 }
 
 }  // namespace sightline::app

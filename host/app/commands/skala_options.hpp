@@ -16,8 +16,8 @@ class App;
 namespace sightline::app {
 
 // How finely a function is sampled unless the options say so: as in the figures of the paper.
-[[nodiscard]] constexpr scene::GridSize usual_grid_size(harness::SkalaPicture picture) {
-  return picture == harness::SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+[[nodiscard]] constexpr scene::GridSize usual_grid_size(guests::skala::PictureKind picture) {
+  return picture == guests::skala::PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
 // --function, --domain, --slices and --points. `slices` and `points` are what help says is usual.
@@ -35,10 +35,10 @@ struct SkalaSlices {
   std::string along;  // "x" or "z"; empty: the less end-on
 };
 void add_slices_options(CLI::App& command, SkalaSlices& slices);
-[[nodiscard]] harness::SkalaFamily family_of(const SkalaSlices& slices);
+[[nodiscard]] guests::skala::Family family_of(const SkalaSlices& slices);
 
 // "lines", "surface" or "contours"
-[[nodiscard]] std::string_view picture_name(harness::SkalaPicture picture);
+[[nodiscard]] std::string_view picture_name(guests::skala::PictureKind picture);
 
 // --picture: "lines", "surface" or "contours"; empty: not given, lines.
 void add_picture_option(CLI::App& command, std::string& picture, const std::string& help);

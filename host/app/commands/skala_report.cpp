@@ -18,33 +18,33 @@ std::string megahertz(core::ClockRate clock) {
   return fmt::format("{:g} MHz", static_cast<double>(clock.hertz) / 1e6);
 }
 
-std::string_view link_name(harness::SkalaLink link) {
-  return link == harness::SkalaLink::serial ? "serial" : "parallel";
+std::string_view link_name(guests::skala::Link link) {
+  return link == guests::skala::Link::serial ? "serial" : "parallel";
 }
 
 // The paper gives both figures for lines on a raster display, 60 slices of 33 points.
 bool in_the_paper(const SkalaOrder& order) {
-  return order.view.picture == harness::SkalaPicture::lines && is_raster(order.view.device) &&
+  return order.view.picture == guests::skala::PictureKind::lines && is_raster(order.view.device) &&
          order.view.visibility && order.grid.slices() == 60 && order.grid.points() == 33;
 }
 
 std::string plotter_lines(const SkalaOrder& order, const SkalaOutcome& outcome) {
   if (is_raster(order.view.device)) return {};
-  const harness::SkalaPlotterWork& work = outcome.plotter;
+  const guests::skala::PlotterWork& work = outcome.plotter;
   return fmt::format(
       "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
       work.pen_lifts, plotter_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
 // The program looks once for the EF9365 board: that nobody answers is no finding.
-bool is_the_look_for_a_board(const harness::SkalaUnanswered& port) {
+bool is_the_look_for_a_board(const guests::skala::Unanswered& port) {
   constexpr std::uint8_t ef9365_status = 0x40;
   return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
 }
 
 std::string port_lines(const SkalaOutcome& outcome) {
   std::string text;
-  for (const harness::SkalaUnanswered& port : outcome.picture.unanswered)
+  for (const guests::skala::Unanswered& port : outcome.picture.unanswered)
     if (!is_the_look_for_a_board(port))
       text += fmt::format("unanswered       port {:02X}: reads {}, writes {}\n", port.port, port.reads,
                           port.writes);
@@ -56,7 +56,7 @@ Json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
                {"link", std::string(link_name(order.link))},
                {"clock_hz", order.clock.hertz}};
   machine["unanswered_ports"] = Json::array();
-  for (const harness::SkalaUnanswered& port : outcome.picture.unanswered)
+  for (const guests::skala::Unanswered& port : outcome.picture.unanswered)
     machine["unanswered_ports"].push_back(
         {{"port", port.port}, {"reads", port.reads}, {"writes", port.writes}});
   return machine;
@@ -66,7 +66,7 @@ Json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
 
 std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
                           const std::vector<std::string>& pictures) {
-  const harness::SkalaGuestPicture& picture = outcome.picture;
+  const guests::skala::GuestPicture& picture = outcome.picture;
   std::string text = fmt::format(
       "{}, {}{}: {} slices of {} points, rotated {:g}, elevation {:g}\n"
       "machine          8080 at {}, {}, {} link\n",
@@ -95,7 +95,7 @@ std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
 
 std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
                            const std::vector<std::string>& pictures) {
-  const harness::SkalaGuestPicture& picture = outcome.picture;
+  const guests::skala::GuestPicture& picture = outcome.picture;
   Json document{{"schema", "sightline/skala/1"},
                 {"function", order.name},
                 {"picture", std::string(name_of(order.view.picture))},

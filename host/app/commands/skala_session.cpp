@@ -18,18 +18,18 @@ namespace sightline::app {
 
 namespace {
 
-using harness::SkalaDevice;
-using harness::SkalaGuestPicture;
+using guests::skala::Device;
+using guests::skala::GuestPicture;
 
-harness::SkalaEquipment only(SkalaDevice device) {
-  harness::SkalaEquipment equipment;
+guests::skala::Equipment only(guests::skala::Device device) {
+  guests::skala::Equipment equipment;
   equipment.present = {};
   equipment.present[static_cast<std::size_t>(device)] = true;
   return equipment;
 }
 
 struct Drawn {
-  SkalaGuestPicture picture;
+  guests::skala::GuestPicture picture;
   std::size_t bytes = 0;
   std::uint64_t points_walked = 0;
 };
@@ -43,7 +43,7 @@ std::string_view clock_hint(const SkalaOrder& order) {
   return order.clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
 }
 
-void check(const SkalaOrder& order, const SkalaGuestPicture& picture) {
+void check(const SkalaOrder& order, const guests::skala::GuestPicture& picture) {
   if (!picture.ended) {
     fail(order, ExitCode::guest_failed,
          fmt::format("the program did not end within {:.0f} emulated seconds",
@@ -51,30 +51,30 @@ void check(const SkalaOrder& order, const SkalaGuestPicture& picture) {
   }
   if (!picture.faults.empty()) {
     std::string text = "the program and the device do not get along";
-    for (const harness::SkalaDeviceFault& fault : picture.faults)
+    for (const guests::skala::DeviceFault& fault : picture.faults)
       text +=
           fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
     fail(order, ExitCode::guest_failed, text.append(clock_hint(order)));
   }
-  if (picture.status != harness::SkalaStatus::complete) {
-    const bool timing = picture.status == harness::SkalaStatus::link_error;
+  if (picture.status != guests::skala::Status::complete) {
+    const bool timing = picture.status == guests::skala::Status::link_error;
     fail(order, ExitCode::guest_failed,
          fmt::format("the program stopped: {}{}", text_of(picture.status), timing ? clock_hint(order) : ""));
   }
 }
 
-Drawn drawn(const harness::SkalaProgram& program, const SkalaOrder& order, bool visibility) {
-  harness::SkalaView view = order.view;
+Drawn drawn(const guests::skala::Program& program, const SkalaOrder& order, bool visibility) {
+  guests::skala::View view = order.view;
   view.visibility = visibility;
-  const auto stream = harness::skala_stream(order.grid, view);
-  harness::SkalaGuestOptions options;
+  const auto stream = guests::skala::stream_of(order.grid, view);
+  guests::skala::GuestOptions options;
   options.device = view.device;
   options.link = order.link;
   options.clock = order.clock;
-  Drawn result{harness::run_skala_guest(program, stream, options), stream.size(), 0};
+  Drawn result{guests::skala::run_guest(program, stream, options), stream.size(), 0};
   check(order, result.picture);
-  const harness::SkalaTwinPicture twin = harness::run_skala_twin(stream, only(view.device));
-  const std::string difference = harness::difference_from_twin(result.picture, twin, view.device);
+  const guests::skala::TwinPicture twin = guests::skala::run_twin(stream, only(view.device));
+  const std::string difference = guests::skala::difference_from_twin(result.picture, twin, view.device);
   if (!difference.empty()) {
     fail(order, ExitCode::differs,
          "internal error: the 8080's picture is not the one its native twin makes; " + difference);
@@ -118,29 +118,29 @@ double seconds_at(core::ClockRate clock, core::TStates time) {
   return static_cast<double>(time.count()) / static_cast<double>(clock.hertz);
 }
 
-std::string_view name_of(SkalaDevice device) {
+std::string_view name_of(guests::skala::Device device) {
   constexpr std::array<std::string_view, 4> names{"EF9365 board", "ALT-256 board", "CalComp 565",
                                                   "Minigraf 0507"};
   return names[static_cast<std::size_t>(device)];
 }
 
-std::string_view name_of(harness::SkalaPicture picture) {
+std::string_view name_of(guests::skala::PictureKind picture) {
   constexpr std::array<std::string_view, 3> names{"hidden lines", "shaded surface", "contours"};
   return names[static_cast<std::size_t>(picture)];
 }
 
-picture::RasterPalette usual_palette(harness::SkalaPicture picture) {
-  return picture == harness::SkalaPicture::surface ? picture::RasterPalette::grey
-                                                   : picture::RasterPalette::colour;
+picture::RasterPalette usual_palette(guests::skala::PictureKind picture) {
+  return picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey
+                                                        : picture::RasterPalette::colour;
 }
 
-SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOrder& order) {
+SkalaOutcome run_skala_order(const guests::skala::Program& program, const SkalaOrder& order) {
   Drawn asked = drawn(program, order, order.view.visibility);
   SkalaOutcome outcome;
   outcome.bytes = asked.bytes;
   outcome.points_walked = asked.points_walked;
-  outcome.points_lit = harness::points_lit(asked.picture);
-  outcome.plotter = harness::plotter_work(asked.picture.moves);
+  outcome.points_lit = guests::skala::points_lit(asked.picture);
+  outcome.plotter = guests::skala::plotter_work(asked.picture.moves);
   outcome.picture = std::move(asked.picture);
   if (order.view.visibility && order.measure_visibility) {
     const auto plain = static_cast<double>(drawn(program, order, false).picture.drawing.count());
@@ -161,9 +161,9 @@ std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const Ska
     write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), text);
     return set.commit();
   }
-  const auto paths = harness::pen_paths(outcome.picture.moves);
+  const auto paths = guests::skala::pen_paths(outcome.picture.moves);
   const picture::PlotterPaper paper =
-      order.view.device == SkalaDevice::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
+      order.view.device == guests::skala::Device::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
   PictureSet set(base, {".png", ".svg", ".hpgl"});
   write_png(set.at(0), picture::pen_image(paths, paper, files.scale), text);
   set.at(1).write(picture::pen_svg(paths, paper, title));

@@ -18,18 +18,18 @@ namespace sightline::app {
 struct SkalaOrder {
   std::string name;  // of the function, as messages and titles show it
   scene::HeightGrid grid;
-  harness::SkalaView view;
-  harness::SkalaLink link = harness::SkalaLink::parallel;
+  guests::skala::View view;
+  guests::skala::Link link = guests::skala::Link::parallel;
   core::ClockRate clock{};
   bool measure_visibility = true;  // by a second run without the test
 };
 
 struct SkalaOutcome {
-  harness::SkalaGuestPicture picture;
+  guests::skala::GuestPicture picture;
   std::size_t bytes = 0;  // of the command stream
   std::uint64_t points_walked = 0;
   std::uint64_t points_lit = 0;
-  harness::SkalaPlotterWork plotter;  // nothing on a raster board
+  guests::skala::PlotterWork plotter;  // nothing on a raster board
   // How much longer than without the visibility test, in per cent; below 0 if not. Nothing if the order is
   // without the test itself, or if nothing is drawn.
   std::optional<double> visibility_cost;
@@ -38,17 +38,17 @@ struct SkalaOutcome {
 // Runs the program, and where asked once more without the visibility test. Failure guest_failed: it did not
 // end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
 // twin's, which is a defect of this program.
-[[nodiscard]] SkalaOutcome run_skala_order(const harness::SkalaProgram& program, const SkalaOrder& order);
+[[nodiscard]] SkalaOutcome run_skala_order(const guests::skala::Program& program, const SkalaOrder& order);
 
 [[nodiscard]] double seconds_at(core::ClockRate clock, core::TStates time);
 
 // "EF9365 board", "ALT-256 board", "CalComp 565", "Minigraf 0507".
-[[nodiscard]] std::string_view name_of(harness::SkalaDevice device);
+[[nodiscard]] std::string_view name_of(guests::skala::Device device);
 // "hidden lines", "shaded surface", "contours"
-[[nodiscard]] std::string_view name_of(harness::SkalaPicture picture);
+[[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);
 
 // Greys for a surface, colours for everything else.
-[[nodiscard]] picture::RasterPalette usual_palette(harness::SkalaPicture picture);
+[[nodiscard]] picture::RasterPalette usual_palette(guests::skala::PictureKind picture);
 
 struct SkalaFiles {
   std::string directory;  // made if it is not there
@@ -57,7 +57,8 @@ struct SkalaFiles {
   int scale = 3;  // pixels a point
 };
 
-// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths. Failure io.
+// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths.
+// Failure io.
 std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
                                               const SkalaOutcome& outcome);
 

@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
+#include "host/app/commands/sweep_file.hpp"
 #include "host/app/eae_option.hpp"
 #include "host/app/progress.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/app/commands/sweep_file.hpp"
-#include "host/harness/in_order.hpp"
 #include "host/compare/sweep.hpp"
+#include "host/harness/in_order.hpp"
 
 namespace sightline::app {
 
@@ -71,7 +71,7 @@ std::string known_algorithms() {
   return names;
 }
 
-harness::SweepShard shard_argument(const SweepArguments& arguments) {
+compare::SweepShard shard_argument(const SweepArguments& arguments) {
   std::uint64_t number = 0;
   std::uint64_t count = 0;
   const std::string& text = arguments.shard;
@@ -84,7 +84,7 @@ harness::SweepShard shard_argument(const SweepArguments& arguments) {
   }
   if (!good)
     throw Failure(ExitCode::usage, fmt::format("--shard: found \"{}\", expected I/N, I from 1 to N", text));
-  return harness::sweep_shard(arguments.views, number, count);
+  return compare::sweep_shard(arguments.views, number, count);
 }
 
 // Unless asked for: all that apply but the oracle, which is slow.
@@ -107,7 +107,7 @@ std::vector<const harness::LineAlgorithm*> algorithms_of(const SweepArguments& a
   return result;
 }
 
-harness::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& source) {
+compare::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& source) {
   if (source.scene.vertices.empty())
     throw Failure(ExitCode::bad_input, fmt::format("{}: nothing in it can be seen", source.name));
   if (arguments.guest && !source.cells) {
@@ -119,7 +119,7 @@ harness::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
     throw Failure(ExitCode::usage, fmt::format("--turn: found {}, expected a scene of cells; all others are "
                                                "looked at in all directions anyhow",
                                                source.name));
-  harness::SweepOptions options;
+  compare::SweepOptions options;
   options.seed = arguments.seed;
   options.algorithms = algorithms_of(arguments, source);
   options.guest = arguments.guest;
@@ -127,19 +127,19 @@ harness::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
   options.time = arguments.time;
   options.turned = arguments.turn;
   auto sweep =
-      harness::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
+      compare::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
   if (const auto* error = std::get_if<scene::SceneError>(&sweep))
     throw Failure(ExitCode::bad_input, error->message());
-  return std::get<harness::Sweep>(std::move(sweep));
+  return std::get<compare::Sweep>(std::move(sweep));
 }
 
 // How many views of the shard the file has already.
-std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const harness::Sweep& sweep,
-                         const harness::SweepShard& shard, std::uint64_t& differing) {
+std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const compare::Sweep& sweep,
+                         const compare::SweepShard& shard, std::uint64_t& differing) {
   std::uint64_t next = shard.first;
   const std::int64_t kept = file.keep_lines([&](std::string_view line) {
     if (next >= shard.last || !sweep.is_line(next, line)) return false;
-    differing += harness::Sweep::agrees(line) ? 0 : 1;
+    differing += compare::Sweep::agrees(line) ? 0 : 1;
     ++next;
     return true;
   });
@@ -153,9 +153,9 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
 }
 
 ExitCode run_sweep(const SweepArguments& arguments) {
-  const harness::SweepShard shard = shard_argument(arguments);
+  const compare::SweepShard shard = shard_argument(arguments);
   const SceneSource source = load_scene_source(arguments.scene);
-  const harness::Sweep sweep = sweep_of(arguments, source);
+  const compare::Sweep sweep = sweep_of(arguments, source);
   SweepFile file(arguments.output);
   std::uint64_t differing = 0;
   const std::uint64_t kept = kept_views(file, arguments, sweep, shard, differing);
@@ -170,7 +170,7 @@ ExitCode run_sweep(const SweepArguments& arguments) {
     work.make = [&sweep](std::uint64_t number) { return sweep.line(number); };
     work.take = [&](std::uint64_t, const std::string& line) {
       file.append(line);
-      differing += harness::Sweep::agrees(line) ? 0 : 1;
+      differing += compare::Sweep::agrees(line) ? 0 : 1;
       ++done;
     };
     work.go_on = [&] {

@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "host/scene/check/problems.hpp"
 #include "host/scene/model/locate.hpp"
 #include "host/scene/read/octal.hpp"
-#include "host/scene/check/problems.hpp"
 
-namespace sightline::scene {
+namespace sightline::guests::jones {
 namespace {
 
 using geometry::Box;
@@ -30,7 +30,8 @@ std::size_t vectors_for(std::int32_t distance) {
 
 class Encoder {
  public:
-  Encoder(const CellScene& scene, std::uint32_t base) : scene_(scene), openings_of_(scene.cells.size()) {
+  Encoder(const scene::CellScene& scene, std::uint32_t base)
+      : scene_(scene), openings_of_(scene.cells.size()) {
     result_.base = base;
     for (std::size_t o = 0; o < scene.openings.size(); ++o) {
       for (const std::size_t cell : scene.openings[o].cells) openings_of_[cell].push_back(o);
@@ -63,17 +64,17 @@ class Encoder {
     tag_ = "scene";
     reference(0, false, result_.initial_cell, 0, "initial cell");
     number(static_cast<std::int32_t>(scene_.cells.size()), "number of cells");
-    for (std::size_t a = 0; a < 3; ++a) number(result_.eye[a], "eye " + axis_name(a));
+    for (std::size_t a = 0; a < 3; ++a) number(result_.eye[a], "eye " + scene::axis_name(a));
     for (std::size_t a = 0; a < 3; ++a) {
-      number(result_.eye_limits.low[a], "eye: lowest " + axis_name(a));
-      number(result_.eye_limits.high[a], "eye: highest " + axis_name(a));
+      number(result_.eye_limits.low[a], "eye: lowest " + scene::axis_name(a));
+      number(result_.eye_limits.high[a], "eye: highest " + scene::axis_name(a));
     }
   }
 
   void cell(std::size_t c) {
     result_.cell_addresses.push_back(next_address());
     tag_ = "c" + std::to_string(c);
-    std::vector<Line> left = scene_.cells[c].lines;
+    std::vector<scene::Line> left = scene_.cells[c].lines;
     const Point origin = left.empty() ? scene_.cells[c].box.low : left.front().from;
     place(origin, "cell " + std::to_string(c));
     const std::size_t count = result_.words.size();
@@ -86,7 +87,7 @@ class Encoder {
   }
 
   // Moves to and draws the line that takes the fewest dummy vectors; ties go to the scene's order.
-  void draw_nearest(std::vector<Line>& left, Point& pen) {
+  void draw_nearest(std::vector<scene::Line>& left, Point& pen) {
     std::size_t best = 0;
     bool best_reversed = false;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -102,7 +103,7 @@ class Encoder {
         }
       }
     }
-    const Line line = left[best];
+    const scene::Line line = left[best];
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
     move(pen, best_reversed ? line.to : line.from, false);
     move(pen, best_reversed ? line.from : line.to, true);
@@ -121,7 +122,7 @@ class Encoder {
   void opening_list(std::size_t c) {
     const auto& list = openings_of_[c];
     if (list.empty()) {
-      append(flag, octal(flag), "no openings");
+      append(flag, scene::octal(flag), "no openings");
       return;
     }
     for (const std::size_t o : list) {
@@ -132,25 +133,25 @@ class Encoder {
   }
 
   void opening(std::size_t o) {
-    const Opening& element = scene_.openings[o];
+    const scene::Opening& element = scene_.openings[o];
     result_.opening_addresses.push_back(next_address());
     tag_ = "o" + std::to_string(o);
     reference(flag, false, element.cells[0], 0, "opening " + std::to_string(o) + ": cell on the low side");
     reference(0, false, element.cells[1], 0, "cell on the high side");
     place(element.ring[0], "opening " + std::to_string(o));
     number(static_cast<std::int32_t>(element.vectors.size()), "vectors");
-    for (const RingVector& v : element.vectors) vector(v);
+    for (const scene::RingVector& v : element.vectors) vector(v);
   }
 
   void place(const Point& origin, const std::string& of) {
-    for (std::size_t a = 0; a < 3; ++a) number(origin[a], of + ": origin " + axis_name(a));
+    for (std::size_t a = 0; a < 3; ++a) number(origin[a], of + ": origin " + scene::axis_name(a));
   }
 
-  void vector(const RingVector& v) {
+  void vector(const scene::RingVector& v) {
     const std::uint32_t word = (v.actual ? flag : 0) | static_cast<std::uint32_t>(v.axis + 1) << 15 |
                                (static_cast<std::uint32_t>(v.magnitude) & magnitude_mask);
     const std::string sign = v.magnitude > 0 ? "+" : "";
-    append(word, octal(word),
+    append(word, scene::octal(word),
            std::string(v.actual ? "real " : "dummy ") + "ijk"[v.axis] + " " + sign +
                std::to_string(v.magnitude));
   }
@@ -162,7 +163,7 @@ class Encoder {
 
   static void set_number(EncodedWord& word, std::int32_t value, const std::string& what) {
     word.value = twos_complement(value);
-    word.expression = octal(word.value);
+    word.expression = scene::octal(word.value);
     word.comment = what + " " + std::to_string(value);
   }
 
@@ -170,7 +171,7 @@ class Encoder {
                  const std::string& comment) {
     references_.push_back({result_.words.size(), to_opening, number, offset});
     append(flags,
-           (flags ? octal(flags) + "+" : "") + (to_opening ? "o" : "c") + std::to_string(number) +
+           (flags ? scene::octal(flags) + "+" : "") + (to_opening ? "o" : "c") + std::to_string(number) +
                (offset ? "+1" : ""),
            comment);
   }
@@ -191,7 +192,7 @@ class Encoder {
     return result_.base + static_cast<std::uint32_t>(result_.words.size());
   }
 
-  const CellScene& scene_;
+  const scene::CellScene& scene_;
   std::vector<std::vector<std::size_t>> openings_of_;
   std::vector<Reference> references_;
   std::string tag_;  // for the next word
@@ -199,13 +200,13 @@ class Encoder {
 };
 
 // Refuses what cannot fit before any of it is built: every line is a word, an opening is at least ten.
-std::optional<SceneError> too_large(const CellScene& scene, std::uint32_t base) {
+std::optional<scene::SceneError> too_large(const scene::CellScene& scene, std::uint32_t base) {
   std::uint64_t words = scene_header_words + 10 * std::uint64_t{scene.openings.size()};
-  for (const Cell& cell : scene.cells) words += 5 + cell.lines.size();
+  for (const scene::Cell& cell : scene.cells) words += 5 + cell.lines.size();
   if (base <= core_words && words <= core_words - base) return std::nullopt;
-  return SceneError{"", "",
-                    "needs at least " + std::to_string(words) + " words from address " + octal(base) +
-                        "; core ends at " + octal(core_words - 1)};
+  return scene::SceneError{"", "",
+                           "needs at least " + std::to_string(words) + " words from address " +
+                               scene::octal(base) + "; core ends at " + scene::octal(core_words - 1)};
 }
 
 Box limits_in(const Box& cell) {
@@ -219,27 +220,28 @@ Box limits_in(const Box& cell) {
 
 }  // namespace
 
-std::variant<EncodedScene, SceneError> encode(const CellScene& scene, const TapeOptions& options,
-                                              std::uint32_t base) {
+std::variant<EncodedScene, scene::SceneError> encode(const scene::CellScene& scene,
+                                                     const TapeOptions& options, std::uint32_t base) {
   if (const auto error = too_large(scene, base)) return *error;
   const Point eye = options.view.value_or(scene.default_view);
-  const auto location = locate(scene, eye);
-  if (const auto* error = std::get_if<SceneError>(&location)) return *error;
+  const auto location = scene::locate(scene, eye);
+  if (const auto* error = std::get_if<scene::SceneError>(&location)) return *error;
   const std::size_t initial_cell = std::get<std::size_t>(location);
   const Box limits = limits_in(scene.cells[initial_cell].box);
   if (!limits.contains(eye)) {
-    return SceneError{"", "point " + text_of(eye),
-                      "is too close to the faces of cell " + std::to_string(initial_cell) + ": expected " +
-                          text_of(0, limits.span(0)) + ", " + text_of(1, limits.span(1)) + ", " +
-                          text_of(2, limits.span(2))};
+    return scene::SceneError{"", "point " + scene::text_of(eye),
+                             "is too close to the faces of cell " + std::to_string(initial_cell) +
+                                 ": expected " + scene::text_of(0, limits.span(0)) + ", " +
+                                 scene::text_of(1, limits.span(1)) + ", " +
+                                 scene::text_of(2, limits.span(2))};
   }
   EncodedScene result = Encoder(scene, base).encode(initial_cell, eye, limits);
   if (base + result.words.size() > core_words) {
-    return SceneError{"", "",
-                      "needs " + std::to_string(result.words.size()) + " words from address " + octal(base) +
-                          "; core ends at " + octal(core_words - 1)};
+    return scene::SceneError{"", "",
+                             "needs " + std::to_string(result.words.size()) + " words from address " +
+                                 scene::octal(base) + "; core ends at " + scene::octal(core_words - 1)};
   }
   return result;
 }
 
-}  // namespace sightline::scene
+}  // namespace sightline::guests::jones

@@ -25,11 +25,11 @@
 #include <variant>
 #include <vector>
 
+#include "host/guests/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::scene {
+namespace sightline::guests::jones {
 
-inline constexpr std::uint32_t core_words = 8192;  // of the machine Jones used
 inline constexpr std::size_t scene_header_words = 11;
 inline constexpr std::int32_t near_plane = 1;  // the eye keeps this far from its cell's faces
 
@@ -60,8 +60,8 @@ struct EncodedScene {
 
 // Precondition: check_scene(scene) found nothing. Errors: the eye is in no cell or not within the limits of
 // its own (it would see through the near plane), the scene does not fit between base and the end of core.
-[[nodiscard]] std::variant<EncodedScene, SceneError> encode(const CellScene& scene,
-                                                            const TapeOptions& options = {},
-                                                            std::uint32_t base = 0);
+[[nodiscard]] std::variant<EncodedScene, scene::SceneError> encode(const scene::CellScene& scene,
+                                                                   const TapeOptions& options = {},
+                                                                   std::uint32_t base = 0);
 
-}  // namespace sightline::scene
+}  // namespace sightline::guests::jones

@@ -5,7 +5,7 @@
 #include "emulators/machines/pdp7.hpp"
 #include "host/guests/jones/watch.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 namespace {
 
@@ -103,4 +103,4 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
   return run;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -18,7 +18,7 @@
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 struct GuestOptions {
   bool eae = true;
@@ -62,4 +62,4 @@ struct GuestRun {
 
 [[nodiscard]] GuestRun run_guest(const Program& program, const GuestOptions& options);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -120,4 +120,4 @@ LineError line_error(const std::vector<oracle::VisibleLine>& truth, const std::v
   return error;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

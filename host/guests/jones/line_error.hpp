@@ -14,7 +14,7 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/guests/jones/precision.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 // A line of the scene as drawn.
 struct DrawnLine {
@@ -45,4 +45,4 @@ struct LineError {
                                    const std::vector<DrawnLine>& drawn, const geometry::Point& eye,
                                    const algorithms::oracle::Window& window, double named_from);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -9,7 +9,7 @@
 #include "host/guests/jones/twin/elements.hpp"
 #include "host/guests/jones/twin/search.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr int longest_short_word = 30;
@@ -76,7 +76,7 @@ PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scen
   return run_in(LongWords(precision.word_bits, precision.fraction_bits, precision.truncate));
 }
 
-std::vector<std::optional<SceneLine>> lines_by_address(const scene::EncodedScene& scene,
+std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene,
                                                        std::span<const core::Word18> core) {
   std::vector<std::optional<SceneLine>> lines(core_words);
   const CoreImage image(core);
@@ -87,9 +87,9 @@ std::vector<std::optional<SceneLine>> lines_by_address(const scene::EncodedScene
 
 std::variant<SceneInCore, scene::SceneError> scene_in_core(const scene::CellScene& scene,
                                                            const geometry::Point& eye) {
-  auto encoded = scene::encode(scene, {eye});
+  auto encoded = encode(scene, {eye});
   if (auto* error = std::get_if<scene::SceneError>(&encoded)) return std::move(*error);
-  const auto& image = std::get<scene::EncodedScene>(encoded);
+  const auto& image = std::get<EncodedScene>(encoded);
   SceneInCore result;
   result.core.resize(core_words);
   for (std::size_t i = 0; i < image.words.size(); ++i) result.core.at(i) = core::Word18(image.words[i].value);
@@ -97,4 +97,4 @@ std::variant<SceneInCore, scene::SceneError> scene_in_core(const scene::CellScen
   return result;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

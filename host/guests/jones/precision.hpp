@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "host/algorithms/oracle/drawn_error.hpp"
+#include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
-#include "host/guests/jones/encode.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 enum class NumberKind : std::uint8_t { fixed_point, single_float, double_float };
 
@@ -69,11 +69,11 @@ struct SceneInCore {
   std::vector<core::Word18> core;
   std::vector<std::optional<SceneLine>> lines;  // by address
 };
-// Error: as of scene::encode.
+// Error: as of encode.
 [[nodiscard]] std::variant<SceneInCore, scene::SceneError> scene_in_core(const scene::CellScene& scene,
                                                                          const geometry::Point& eye);
 // Of an image in which the scene was encoded; core: the words by address.
-[[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const scene::EncodedScene& scene,
+[[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene,
                                                                      std::span<const core::Word18> core);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -5,7 +5,7 @@
 
 #include "emulators/machines/pdp7.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr pdp7::Address vector_pointer = 010;  // auto-index register that reads the vectors of a chain
@@ -96,4 +96,4 @@ GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale)
   return pieces;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -12,7 +12,7 @@
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 struct GuestPieces {
   Status status = Status::unfinished;     // no view within the limit of time
@@ -24,4 +24,4 @@ struct GuestPieces {
 // program: assembled for a machine with the EAE or without, as `eae` says. scale: 64..4096. One eye only.
 [[nodiscard]] GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale = 512);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

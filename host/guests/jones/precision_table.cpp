@@ -9,7 +9,7 @@
 #include "host/guests/jones/views.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -162,4 +162,4 @@ ErrorTable measure_error_table(bool eae) {
   return table;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -19,7 +19,7 @@
 #include "host/guests/jones/precision.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr double named_from_points = 20;  // a wrong piece longer than this is named
 
@@ -92,4 +92,4 @@ struct ErrorTable {
 // Of the four scenes of views.hpp, on the emulated machine.
 [[nodiscard]] ErrorTable measure_error_table(bool eae = true);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -7,7 +7,7 @@
 #include "host/guests/jones/tape.hpp"
 #include "tools/asm/pdp7.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 namespace {
 
@@ -55,7 +55,7 @@ std::string all_diagnostics(const assembler::Assembly& assembly) {
 
 std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene& scene,
                                                           const ProgramOptions& options) {
-  auto tape = scene::write_tape(scene, options.tape);
+  auto tape = write_tape(scene, options.tape);
   if (auto* error = std::get_if<scene::SceneError>(&tape)) return *error;
   assembler::Options assembler_options;
   assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
@@ -76,13 +76,13 @@ std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene
         "", "",
         fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
   }
-  auto encoded = scene::encode(scene, options.tape, program.labels.scene);
+  auto encoded = encode(scene, options.tape, program.labels.scene);
   if (auto* error = std::get_if<scene::SceneError>(&encoded)) return *error;
-  program.scene = std::get<scene::EncodedScene>(std::move(encoded));
+  program.scene = std::get<EncodedScene>(std::move(encoded));
   const auto image_words = static_cast<std::uint32_t>(program.core.size());
   program.program_words = image_words - static_cast<std::uint32_t>(program.scene.words.size());
-  program.words_used = image_words + (scene::core_words - tables);
+  program.words_used = image_words + (core_words - tables);
   return program;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

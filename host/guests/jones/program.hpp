@@ -17,10 +17,10 @@
 
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/state.hpp"
-#include "host/scene/model/cell_scene.hpp"
 #include "host/guests/jones/encode.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 // (file name, text) of the program's tapes in the order in which they are assembled.
 [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> firmware_tapes();
@@ -50,7 +50,7 @@ struct Program {
   std::map<pdp7::Address, core::Word18> core;
   std::map<std::string, std::uint32_t, std::less<>> symbols;  // all tags, for tests of single routines
   Labels labels;
-  scene::EncodedScene scene;        // based at labels.scene: which words belong to which cell
+  EncodedScene scene;               // based at labels.scene: which words belong to which cell
   std::uint32_t program_words = 0;  // instructions, variables and constants
   std::uint32_t words_used =
       0;  // all that the run needs of core: the above, scene, records, stack, two files
@@ -60,11 +60,11 @@ struct ProgramOptions {
   bool eae = true;
   std::uint32_t fraction_bits = 1;  // -D FRACTION, 0..3: of a coordinate on the screen
   bool truncate = false;            // -D TRUNCATE: quotients and points are cut off, not rounded
-  scene::TapeOptions tape;          // the eye, and with it the initial cell
+  TapeOptions tape;                 // the eye, and with it the initial cell
 };
 
 // Error: the eye is not in a cell, or the scene does not fit into core beside the program.
 [[nodiscard]] std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene& scene,
                                                                         const ProgramOptions& options);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sightline::scene {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr std::size_t expression_column = 8;
@@ -18,9 +18,10 @@ std::string line_of(const EncodedWord& word) {
 
 }  // namespace
 
-std::variant<std::string, SceneError> write_tape(const CellScene& scene, const TapeOptions& options) {
+std::variant<std::string, scene::SceneError> write_tape(const scene::CellScene& scene,
+                                                        const TapeOptions& options) {
   const auto encoded = encode(scene, options);
-  if (const auto* error = std::get_if<SceneError>(&encoded)) return *error;
+  if (const auto* error = std::get_if<scene::SceneError>(&encoded)) return *error;
   const auto& result = std::get<EncodedScene>(encoded);
   std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +
                      std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
@@ -30,4 +31,4 @@ std::variant<std::string, SceneError> write_tape(const CellScene& scene, const T
   return text;
 }
 
-}  // namespace sightline::scene
+}  // namespace sightline::guests::jones

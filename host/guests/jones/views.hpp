@@ -9,7 +9,7 @@
 
 #include "host/geometry/box.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 struct SixViews {
   std::string_view scene;  // a built-in scene
@@ -25,4 +25,4 @@ inline constexpr std::array<SixViews, 4> six_views{{
      {{{140, 150, 30}, {128, 146, 30}, {144, 127, 30}, {129, 155, 30}, {153, 131, 30}, {147, 156, 30}}}},
 }};
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

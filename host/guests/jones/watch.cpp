@@ -1,11 +1,11 @@
 #include "host/guests/jones/watch.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 Watch::Watch(const Program& program, bool immediate)
     : labels_(program.labels),
       immediate_(immediate),
-      cell_of_(scene::core_words, -1),
+      cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
   // Cell-elements stand one after the other; the first opening-element ends the last of them.
   const auto& cells = program.scene.cell_addresses;
@@ -106,4 +106,4 @@ core::Duration PassWatch::period() const {
   return next_begun_ && begun_ ? *next_begun_ - *begun_ : core::Duration(0);
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

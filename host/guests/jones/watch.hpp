@@ -12,7 +12,7 @@
 #include "emulators/pdp7/bus.hpp"
 #include "host/guests/jones/program.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 class Watch {
  public:
@@ -91,4 +91,4 @@ class PassWatch {
   std::vector<core::Stroke> kept_;
 };
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-enum class SkalaCommand : std::uint8_t {
+enum class Command : std::uint8_t {
   end = 0x00,
   move = 0x01,       // x y
   draw = 0x02,       // x y
@@ -29,50 +29,50 @@ enum class SkalaCommand : std::uint8_t {
 };
 
 // Arguments that always come: for CURVE and SURFACE those up to and including the count n.
-struct SkalaCommandRow {
-  SkalaCommand command;
+struct CommandRow {
+  Command command;
   std::string_view name;
   int leading_arguments;
   int bytes_per_item;  // what each of the n items that follow takes; 0 when the command has no list
 };
 
-inline constexpr std::array<SkalaCommandRow, 15> skala_commands{{
-    {SkalaCommand::end, "END", 0, 0},
-    {SkalaCommand::move, "MOVE", 2, 0},
-    {SkalaCommand::draw, "DRAW", 2, 0},
-    {SkalaCommand::test_draw, "TESTDRAW", 2, 0},
-    {SkalaCommand::mask, "MASK", 2, 0},
-    {SkalaCommand::colour, "COLOUR", 1, 0},
-    {SkalaCommand::commit, "COMMIT", 0, 0},
-    {SkalaCommand::reset, "RESET", 0, 0},
-    {SkalaCommand::curve, "CURVE", 2, 1},
-    {SkalaCommand::surface, "SURFACE", 1, 3},
-    {SkalaCommand::device, "DEVICE", 1, 0},
-    {SkalaCommand::rim, "RIM", 3, 0},
-    {SkalaCommand::silhouette, "SILHOUETTE", 1, 0},
-    {SkalaCommand::outline, "OUTLINE", 0, 0},
-    {SkalaCommand::gap, "GAP", 2, 0},
+inline constexpr std::array<CommandRow, 15> commands{{
+    {Command::end, "END", 0, 0},
+    {Command::move, "MOVE", 2, 0},
+    {Command::draw, "DRAW", 2, 0},
+    {Command::test_draw, "TESTDRAW", 2, 0},
+    {Command::mask, "MASK", 2, 0},
+    {Command::colour, "COLOUR", 1, 0},
+    {Command::commit, "COMMIT", 0, 0},
+    {Command::reset, "RESET", 0, 0},
+    {Command::curve, "CURVE", 2, 1},
+    {Command::surface, "SURFACE", 1, 3},
+    {Command::device, "DEVICE", 1, 0},
+    {Command::rim, "RIM", 3, 0},
+    {Command::silhouette, "SILHOUETTE", 1, 0},
+    {Command::outline, "OUTLINE", 0, 0},
+    {Command::gap, "GAP", 2, 0},
 }};
 
 // Nothing for a byte that is no command.
-[[nodiscard]] constexpr std::optional<SkalaCommandRow> skala_command(std::uint8_t byte) {
-  if (byte >= skala_commands.size()) return std::nullopt;
-  return skala_commands[byte];
+[[nodiscard]] constexpr std::optional<CommandRow> find_command(std::uint8_t byte) {
+  if (byte >= commands.size()) return std::nullopt;
+  return commands[byte];
 }
 
 // The counts n of CURVE, SURFACE and GAP: 1..255, and 0 for 256.
-[[nodiscard]] constexpr int skala_count(std::uint8_t n) {
+[[nodiscard]] constexpr int count_of(std::uint8_t n) {
   return n == 0 ? 256 : n;
 }
 
-enum class SkalaDevice : std::uint8_t { ef9365, alt256, calcomp, minigraf };
-inline constexpr std::uint8_t skala_no_visibility = 0x80;  // added to the argument of DEVICE
+enum class Device : std::uint8_t { ef9365, alt256, calcomp, minigraf };
+inline constexpr std::uint8_t no_visibility = 0x80;  // added to the argument of DEVICE
 
-[[nodiscard]] constexpr bool is_raster(SkalaDevice device) {
-  return device == SkalaDevice::ef9365 || device == SkalaDevice::alt256;
+[[nodiscard]] constexpr bool is_raster(Device device) {
+  return device == Device::ef9365 || device == Device::alt256;
 }
 
-enum class SkalaStatus : std::uint8_t {
+enum class Status : std::uint8_t {
   running,
   complete,
   unknown_command,
@@ -82,7 +82,7 @@ enum class SkalaStatus : std::uint8_t {
   device_missing,
 };
 
-inline constexpr std::array<std::string_view, 7> skala_status_texts{
+inline constexpr std::array<std::string_view, 7> status_texts{
     "running: waiting for more of the stream",
     "complete",
     "unknown command",
@@ -92,21 +92,21 @@ inline constexpr std::array<std::string_view, 7> skala_status_texts{
     "the device does not answer",
 };
 
-[[nodiscard]] constexpr std::string_view text_of(SkalaStatus status) {
+[[nodiscard]] constexpr std::string_view text_of(Status status) {
   const auto number = static_cast<std::size_t>(status);
-  return number < skala_status_texts.size() ? skala_status_texts[number] : "no status of this program";
+  return number < status_texts.size() ? status_texts[number] : "no status of this program";
 }
 
-// The buffer of section 9: drawn and used again when fewer than skala_buffer_reserve bytes are free after a
+// The buffer of section 9: drawn and used again when fewer than buffer_reserve bytes are free after a
 // command.
-inline constexpr std::size_t skala_buffer_bytes = 49'152;
-inline constexpr std::size_t skala_buffer_reserve = 800;
+inline constexpr std::size_t buffer_bytes = 49'152;
+inline constexpr std::size_t buffer_reserve = 800;
 
 // The numbers of the commands are their places in the table.
 static_assert([] {
-  for (std::size_t i = 0; i < skala_commands.size(); ++i)
-    if (static_cast<std::size_t>(skala_commands[i].command) != i) return false;
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    if (static_cast<std::size_t>(commands[i].command) != i) return false;
   return true;
 }());
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -6,7 +6,7 @@
 
 #include "host/guests/skala/stream_writer.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 // Heights whose differences might overflow are scaled down, which changes no ratio, being by a power of two.
@@ -17,18 +17,18 @@ double scale_for(double a, double b) {
 }
 
 // The crossing of an edge is computed from its lower grid index, so that neighbours meet in the same dot.
-SkalaVertex crossing_of_edge(const scene::HeightGrid& grid, const SkalaProjection& projection, GridIndex a,
-                             GridIndex b, double level) {
+Vertex crossing_of_edge(const scene::HeightGrid& grid, const Projection& projection, GridIndex a, GridIndex b,
+                        double level) {
   if (b.slice < a.slice || (b.slice == a.slice && b.point < a.point)) std::swap(a, b);
-  const SkalaVertex& from = projection.at(a.point, a.slice);
-  const SkalaVertex& to = projection.at(b.point, b.slice);
+  const Vertex& from = projection.at(a.point, a.slice);
+  const Vertex& to = projection.at(b.point, b.slice);
   const double first = grid.height(a.point, a.slice);
   const double second = grid.height(b.point, b.slice);
   const double scale = scale_for(first, second);  // and for the level, which is between them
   const double low = scale * first;
   const double high = scale * second;
   const double t = (scale * level - low) / (high - low);
-  SkalaVertex result;
+  Vertex result;
   result.x = from.x + t * (to.x - from.x);
   result.y = from.y + t * (to.y - from.y);
   result.depth = from.depth + t * (to.depth - from.depth);
@@ -40,59 +40,59 @@ SkalaVertex crossing_of_edge(const scene::HeightGrid& grid, const SkalaProjectio
 
 class Contours {
  public:
-  Contours(const scene::HeightGrid& grid, const SkalaView& view)
+  Contours(const scene::HeightGrid& grid, const View& view)
       : grid_(grid),
         projection_(grid, view),
         cells_(projection_),
-        writer_(view, skala_margin_colour, skala_margin_colour),
+        writer_(view, margin_colour, margin_colour),
         levels_(contour_levels(grid.range, view.levels)),
-        inner_margin_(view.net ? SkalaStep::draw : SkalaStep::mask) {}
+        inner_margin_(view.net ? ChainStep::draw : ChainStep::mask) {}
 
   std::vector<std::uint8_t> stream() {
-    writer_.chain_and_commit(cells_.near_margins(SkalaStep::draw));
+    writer_.chain_and_commit(cells_.near_margins(ChainStep::draw));
     for (std::size_t row = 0; row + 1 < cells_.rows(); ++row) {
       for (std::size_t column = 0; column + 1 < cells_.columns(); ++column) cell(row, column);
     }
-    writer_.colour(skala_margin_colour);
+    writer_.colour(margin_colour);
     writer_.outline();
     return writer_.finish();
   }
 
  private:
   void cell(std::size_t row, std::size_t column) {
-    const SkalaCell cell = cells_.cell(row, column);
+    const Cell cell = cells_.cell(row, column);
     if (defined(cell.nearest) && defined(cell.left) && defined(cell.right) && defined(cell.farthest)) {
       pieces({cell.nearest, cell.left, cell.right});
-      SkalaChain diagonal;
-      diagonal.segment(cells_.at(cell.left), cells_.at(cell.right), SkalaStep::mask);
+      RasterChain diagonal;
+      diagonal.segment(cells_.at(cell.left), cells_.at(cell.right), ChainStep::mask);
       writer_.chain_and_commit(diagonal);
       pieces({cell.left, cell.farthest, cell.right});
     }
-    if (inner_margin_ == SkalaStep::draw || cell.left_margin_is_border || cell.right_margin_is_border)
-      writer_.colour(skala_margin_colour);
-    writer_.chain_and_commit(cells_.far_margins(row, column, inner_margin_, SkalaStep::draw));
+    if (inner_margin_ == ChainStep::draw || cell.left_margin_is_border || cell.right_margin_is_border)
+      writer_.colour(margin_colour);
+    writer_.chain_and_commit(cells_.far_margins(row, column, inner_margin_, ChainStep::draw));
   }
 
   [[nodiscard]] bool defined(GridIndex index) const { return cells_.at(index).defined; }
 
   void pieces(const std::array<GridIndex, 3>& triangle) {
-    std::vector<SkalaColouredChain> chains;
+    std::vector<ColouredChain> chains;
     for (std::size_t k = 0; k < levels_.size(); ++k) {
       const ContourCrossing crossing = contour_crossing(grid_, projection_, triangle, levels_[k]);
       const auto& [from, to] = crossing.piece;
       if (!crossing.crossed || (from.column == to.column && from.row == to.row)) continue;
-      chains.push_back({skala_contour_colours[k % skala_contour_colours.size()], {}});
-      chains.back().chain.segment(from, to, SkalaStep::test);
+      chains.push_back({contour_colours[k % contour_colours.size()], {}});
+      chains.back().chain.segment(from, to, ChainStep::test);
     }
     writer_.test_chains(std::move(chains));
   }
 
   const scene::HeightGrid& grid_;
-  SkalaProjection projection_;
-  SkalaCells cells_;
-  SkalaStreamWriter writer_;
+  Projection projection_;
+  Cells cells_;
+  StreamWriter writer_;
   std::vector<double> levels_;
-  SkalaStep inner_margin_;
+  ChainStep inner_margin_;
 };
 
 }  // namespace
@@ -107,7 +107,7 @@ std::vector<double> contour_levels(scene::Interval range, int count) {
   return levels;
 }
 
-ContourCrossing contour_crossing(const scene::HeightGrid& grid, const SkalaProjection& projection,
+ContourCrossing contour_crossing(const scene::HeightGrid& grid, const Projection& projection,
                                  const std::array<GridIndex, 3>& triangle, double level) {
   std::array<bool, 3> above{};
   for (std::size_t i = 0; i < 3; ++i) above[i] = grid.height(triangle[i].point, triangle[i].slice) >= level;
@@ -120,8 +120,8 @@ ContourCrossing contour_crossing(const scene::HeightGrid& grid, const SkalaProje
   return {true, {edge((alone + 2) % 3), edge((alone + 1) % 3)}};
 }
 
-std::vector<std::uint8_t> skala_contours(const scene::HeightGrid& grid, const SkalaView& view) {
+std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view) {
   return Contours(grid, view).stream();
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

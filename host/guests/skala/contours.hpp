@@ -15,11 +15,11 @@
 #include "host/guests/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // Of the levels, lowest first and around again. White is for margins and silhouette.
-inline constexpr std::array<int, 6> skala_contour_colours{1, 3, 2, 6, 4, 5};
-inline constexpr int skala_margin_colour = 7;
+inline constexpr std::array<int, 6> contour_colours{1, 3, 2, 6, 4, 5};
+inline constexpr int margin_colour = 7;
 
 // Heights of the levels between the ends of the range: low + k (high - low) / (count + 1), k = 1 .. count.
 // None if the range is empty.
@@ -27,8 +27,8 @@ inline constexpr int skala_margin_colour = 7;
 
 // Where the contour of a level crosses a triangle.
 struct ContourPiece {
-  SkalaVertex from;
-  SkalaVertex to;
+  Vertex from;
+  Vertex to;
 };
 
 // Corners must be defined. `crossed` is false if all corners are on one side of the level.
@@ -36,10 +36,9 @@ struct ContourCrossing {
   bool crossed = false;
   ContourPiece piece;
 };
-[[nodiscard]] ContourCrossing contour_crossing(const scene::HeightGrid& grid,
-                                               const SkalaProjection& projection,
+[[nodiscard]] ContourCrossing contour_crossing(const scene::HeightGrid& grid, const Projection& projection,
                                                const std::array<GridIndex, 3>& triangle, double level);
 
-[[nodiscard]] std::vector<std::uint8_t> skala_contours(const scene::HeightGrid& grid, const SkalaView& view);
+[[nodiscard]] std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view);
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

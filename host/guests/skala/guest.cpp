@@ -8,7 +8,7 @@
 #include "emulators/machines/i8080_machine.hpp"
 #include "host/guests/skala/guest_ports.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 namespace {
 
@@ -21,17 +21,17 @@ std::vector<std::size_t> block_ends(std::span<const std::uint8_t> stream) {
   std::vector<std::size_t> ends;
   std::size_t begin = 0;
   for (std::size_t at = 0; at < stream.size();) {
-    const auto row = skala_command(stream[at]);
+    const auto row = find_command(stream[at]);
     if (!row) break;
     std::size_t length = 1 + static_cast<std::size_t>(row->leading_arguments);
     if (row->bytes_per_item != 0) {
       if (at + length > stream.size()) break;
-      length += static_cast<std::size_t>(skala_count(stream[at + length - 1]) * row->bytes_per_item);
+      length += static_cast<std::size_t>(count_of(stream[at + length - 1]) * row->bytes_per_item);
     }
     at += length;
     if (at > stream.size()) break;
-    const bool last = row->command == SkalaCommand::end;
-    if (last || at - begin + skala_buffer_reserve > skala_buffer_bytes) {
+    const bool last = row->command == Command::end;
+    if (last || at - begin + buffer_reserve > buffer_bytes) {
       ends.push_back(at);
       begin = at;
     }
@@ -41,43 +41,42 @@ std::vector<std::size_t> block_ends(std::span<const std::uint8_t> stream) {
 }
 
 // Generous: a command of three bytes steps through 255 points at most.
-std::int64_t limit_for(std::size_t bytes, const SkalaGuestOptions& options) {
+std::int64_t limit_for(std::size_t bytes, const GuestOptions& options) {
   const std::int64_t seconds = is_raster(options.device) ? 60 + static_cast<std::int64_t>(bytes) / 20
                                                          : 600 + static_cast<std::int64_t>(bytes);
   return seconds * std::max(options.clock.hertz, core::ClockRate{}.hertz);
 }
 
 machines::SkalaConfiguration configuration_for(std::span<const std::uint8_t> stream,
-                                               const SkalaGuestOptions& options) {
+                                               const GuestOptions& options) {
   machines::SkalaConfiguration configuration;
   configuration.clock = options.clock;
-  configuration.ef9365 = options.device == SkalaDevice::ef9365;
-  configuration.alt256 = options.device == SkalaDevice::alt256;
-  configuration.calcomp565 = options.device == SkalaDevice::calcomp;
-  configuration.minigraf0507 = options.device == SkalaDevice::minigraf;
-  (options.link == SkalaLink::serial ? configuration.serial : configuration.parallel) = stream;
+  configuration.ef9365 = options.device == Device::ef9365;
+  configuration.alt256 = options.device == Device::alt256;
+  configuration.calcomp565 = options.device == Device::calcomp;
+  configuration.minigraf0507 = options.device == Device::minigraf;
+  (options.link == Link::serial ? configuration.serial : configuration.parallel) = stream;
   return configuration;
 }
 
 template <class Ports>
-class GuestPicture {
+class GuestMachine {
  public:
-  GuestPicture(const SkalaProgram& program, std::span<const std::uint8_t> stream,
-               const SkalaGuestOptions& options)
+  GuestMachine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options)
       : program_(program),
         blocks_(block_ends(stream)),
         ports_(std::make_unique<Ports>(configuration_for(stream, options))),
         machine_(*ports_, observer_) {
     std::copy(program.memory.begin(), program.memory.end(), machine_.memory().begin());
-    machine_.deposit(program.labels.link_switch, options.link == SkalaLink::serial ? 1 : 0);
+    machine_.deposit(program.labels.link_switch, options.link == Link::serial ? 1 : 0);
     machine_.registers().pc = program.labels.start;
     ports_->keep_strokes(options.keep_strokes);
     limits_.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit
                                                                : limit_for(stream.size(), options));
   }
 
-  SkalaGuestPicture picture() {
-    SkalaGuestPicture result;
+  GuestPicture picture() {
+    GuestPicture result;
     machines::I8080StopReason reason = machines::I8080StopReason::ports;
     for (std::size_t block = 0; block < blocks_.size() && reason == machines::I8080StopReason::ports;
          ++block) {
@@ -120,11 +119,11 @@ class GuestPicture {
     return end > begun ? end : machine_.now();
   }
 
-  void report(SkalaGuestPicture& result) {
+  void report(GuestPicture& result) {
     const auto page = [&](i8080::Address from, std::array<std::uint8_t, 256>& to) {
       std::copy_n(machine_.memory().begin() + from, to.size(), to.begin());
     };
-    result.status = static_cast<SkalaStatus>(machine_.peek(program_.labels.status));
+    result.status = static_cast<Status>(machine_.peek(program_.labels.status));
     page(program_.labels.mask_top, result.columns.mask_top);
     page(program_.labels.mask_bottom, result.columns.mask_bottom);
     page(program_.labels.previous_row, result.columns.previous_y);
@@ -134,7 +133,7 @@ class GuestPicture {
     ports_->report(result);
   }
 
-  const SkalaProgram& program_;
+  const Program& program_;
   std::vector<std::size_t> blocks_;
   std::unique_ptr<Ports> ports_;  // large
   machines::NoI8080Observer observer_;
@@ -144,10 +143,10 @@ class GuestPicture {
 
 }  // namespace
 
-SkalaGuestPicture run_skala_guest(const SkalaProgram& program, std::span<const std::uint8_t> stream,
-                                  const SkalaGuestOptions& options) {
-  if (is_raster(options.device)) return GuestPicture<SkalaRasterPorts>(program, stream, options).picture();
-  return GuestPicture<SkalaPlotterPorts>(program, stream, options).picture();
+GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
+                       const GuestOptions& options) {
+  if (is_raster(options.device)) return GuestMachine<RasterPorts>(program, stream, options).picture();
+  return GuestMachine<PlotterPorts>(program, stream, options).picture();
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

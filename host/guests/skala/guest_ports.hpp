@@ -12,16 +12,16 @@
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/skala/guest.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // What of a device's counts is an error, and the dots no monitor shows.
-void report_faults(const devices::Ef9365& board, SkalaGuestPicture& picture);
-void report_faults(const devices::Alt256& board, SkalaGuestPicture& picture);
-void report_faults(const devices::CalComp565Counts& counts, SkalaGuestPicture& picture);
-void report_faults(const devices::MinigrafCounts& counts, SkalaGuestPicture& picture);
+void report_faults(const devices::Ef9365& board, GuestPicture& picture);
+void report_faults(const devices::Alt256& board, GuestPicture& picture);
+void report_faults(const devices::CalComp565Counts& counts, GuestPicture& picture);
+void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture);
 
 template <class Sink>
-class SkalaLinkPorts : public machines::SkalaPorts<Sink> {
+class LinkPorts : public machines::SkalaPorts<Sink> {
  public:
   using Base = machines::SkalaPorts<Sink>;
   using Base::Base;
@@ -54,7 +54,7 @@ class SkalaLinkPorts : public machines::SkalaPorts<Sink> {
     stopped_ = false;
   }
 
-  void report(SkalaGuestPicture& picture) {
+  void report(GuestPicture& picture) {
     if (const auto* board = this->ef9365()) {
       picture.raster = board->raster();
       report_faults(*board, picture);
@@ -89,15 +89,15 @@ class SkalaLinkPorts : public machines::SkalaPorts<Sink> {
 };
 
 // A Ports owns its sink, which the devices hold by reference from construction on.
-class SkalaRasterPorts : private core::NoStrokes, public SkalaLinkPorts<core::NoStrokes> {
+class RasterPorts : private core::NoStrokes, public LinkPorts<core::NoStrokes> {
  public:
-  explicit SkalaRasterPorts(const machines::SkalaConfiguration& configuration)
-      : SkalaLinkPorts(configuration, static_cast<core::NoStrokes&>(*this)) {}
+  explicit RasterPorts(const machines::SkalaConfiguration& configuration)
+      : LinkPorts(configuration, static_cast<core::NoStrokes&>(*this)) {}
 
   static void keep_strokes(bool) {}  // a board makes none
 };
 
-struct SkalaStrokes {
+struct PortStrokes {
   static constexpr bool consumes = true;
   void begin_pass(core::Instant) {}
   void stroke(const core::Stroke& stroke) {
@@ -108,21 +108,21 @@ struct SkalaStrokes {
   std::vector<core::Stroke> marks;
 };
 
-class SkalaPlotterPorts : private SkalaStrokes, public SkalaLinkPorts<SkalaStrokes> {
+class PlotterPorts : private PortStrokes, public LinkPorts<PortStrokes> {
  public:
-  explicit SkalaPlotterPorts(const machines::SkalaConfiguration& configuration)
-      : SkalaLinkPorts(configuration, static_cast<SkalaStrokes&>(*this)) {}
+  explicit PlotterPorts(const machines::SkalaConfiguration& configuration)
+      : LinkPorts(configuration, static_cast<PortStrokes&>(*this)) {}
 
   void keep_strokes(bool kept) { keep = kept; }
 
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    SkalaLinkPorts::out(port, value, at);
+    LinkPorts::out(port, value, at);
     if (calcomp565() != nullptr) note_movement(calcomp565()->place(), calcomp565()->pen_is_down());
     if (minigraf0507() != nullptr) note_movement(minigraf0507()->place(), minigraf0507()->pen_is_down());
   }
 
-  void report(SkalaGuestPicture& picture) {
-    SkalaLinkPorts::report(picture);
+  void report(GuestPicture& picture) {
+    LinkPorts::report(picture);
     picture.moves = std::move(moves_);
     picture.strokes = std::move(marks);
   }
@@ -130,20 +130,20 @@ class SkalaPlotterPorts : private SkalaStrokes, public SkalaLinkPorts<SkalaStrok
  private:
   // What the output changed: a plotter is asked where it is, not what it was told.
   void note_movement(devices::PlotterPlace place, bool pen_down) {
-    if (place != place_) add(SkalaPlotterAction::step, place, pen_down_);
+    if (place != place_) add(PlotterAction::step, place, pen_down_);
     if (pen_down != pen_down_)
-      add(pen_down ? SkalaPlotterAction::pen_down : SkalaPlotterAction::pen_up, place, pen_down);
+      add(pen_down ? PlotterAction::pen_down : PlotterAction::pen_up, place, pen_down);
     place_ = place;
     pen_down_ = pen_down;
   }
-  void add(SkalaPlotterAction action, devices::PlotterPlace place, bool pen_down) {
+  void add(PlotterAction action, devices::PlotterPlace place, bool pen_down) {
     moves_.push_back(
         {action, static_cast<std::uint8_t>(place.x), static_cast<std::uint8_t>(place.y), pen_down});
   }
 
   devices::PlotterPlace place_{};
   bool pen_down_ = false;
-  std::vector<SkalaPlotterMove> moves_;
+  std::vector<PlotterMove> moves_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

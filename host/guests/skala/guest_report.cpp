@@ -9,11 +9,11 @@
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/guest_ports.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 namespace {
 
-void add(SkalaGuestPicture& picture, std::string_view what, std::uint64_t count) {
+void add(GuestPicture& picture, std::string_view what, std::uint64_t count) {
   if (count > 0) picture.faults.push_back({what, count});
 }
 
@@ -38,14 +38,14 @@ std::string difference(const core::Raster& guest, const core::Raster& twin) {
   return text;
 }
 
-std::string described(std::span<const SkalaPlotterMove> moves, std::size_t number) {
+std::string described(std::span<const PlotterMove> moves, std::size_t number) {
   if (number >= moves.size()) return "nothing more";
   constexpr std::array<std::string_view, 3> names{"a step to", "pen up at", "pen down at"};
-  const SkalaPlotterMove& move = moves[number];
+  const PlotterMove& move = moves[number];
   return fmt::format("{} ({}, {})", names[static_cast<std::size_t>(move.action)], move.x, move.y);
 }
 
-std::string difference(std::span<const SkalaPlotterMove> guest, std::span<const SkalaPlotterMove> twin) {
+std::string difference(std::span<const PlotterMove> guest, std::span<const PlotterMove> twin) {
   const auto [in_guest, in_twin] = std::mismatch(guest.begin(), guest.end(), twin.begin(), twin.end());
   if (in_guest == guest.end() && in_twin == twin.end()) return {};
   const auto number = static_cast<std::size_t>(in_guest - guest.begin());
@@ -54,7 +54,7 @@ std::string difference(std::span<const SkalaPlotterMove> guest, std::span<const 
 }
 
 // Of a surface's slices a plotter's program keeps nothing.
-std::string difference(const SkalaColumns& guest, const SkalaColumns& twin, bool slices) {
+std::string difference(const Columns& guest, const Columns& twin, bool slices) {
   for (std::size_t x = 0; x < guest.mask_top.size(); ++x) {
     const auto said = [x](std::string_view mask, int in_guest, int in_twin) {
       return fmt::format("{} of column {}: the program {}, its twin {}", mask, x, in_guest, in_twin);
@@ -73,7 +73,7 @@ std::string difference(const SkalaColumns& guest, const SkalaColumns& twin, bool
 
 }  // namespace
 
-void report_faults(const devices::Ef9365& board, SkalaGuestPicture& picture) {
+void report_faults(const devices::Ef9365& board, GuestPicture& picture) {
   const devices::Ef9365Counts counts = board.counts();
   add(picture, "commands to the busy EF9365", counts.commands_while_busy);
   add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
@@ -81,27 +81,26 @@ void report_faults(const devices::Ef9365& board, SkalaGuestPicture& picture) {
   add(picture, "dots outside the EF9365's planes", counts.dots_outside);
 }
 
-void report_faults(const devices::Alt256& board, SkalaGuestPicture& picture) {
+void report_faults(const devices::Alt256& board, GuestPicture& picture) {
   add(picture, "bytes written to the ALT-256 before it was ready", board.counts().writes_lost);
   picture.dots_not_shown = board.counts().dots_invisible;
 }
 
-void report_faults(const devices::CalComp565Counts& counts, SkalaGuestPicture& picture) {
+void report_faults(const devices::CalComp565Counts& counts, GuestPicture& picture) {
   add(picture, "commands to the busy CalComp", counts.commands_while_busy);
   add(picture, "steps off the CalComp's carriage", counts.off_carriage);
   add(picture, "codes the CalComp does not know", counts.unknown_codes);
   add(picture, "marks beside the CalComp's paper", counts.off_paper);
 }
 
-void report_faults(const devices::MinigrafCounts& counts, SkalaGuestPicture& picture) {
+void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture) {
   add(picture, "steps the Minigraf's motors missed: too soon after the last", counts.missed_fast);
   add(picture, "steps the Minigraf's motors missed: phase changed by more than one", counts.missed_jump);
   add(picture, "steps before the Minigraf's pen had touched", counts.steps_early);
   add(picture, "steps off the Minigraf's field", counts.off_field);
 }
 
-std::string difference_from_twin(const SkalaGuestPicture& guest, const SkalaTwinPicture& twin,
-                                 SkalaDevice device) {
+std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin, Device device) {
   if (guest.status != twin.status)
     return fmt::format("status: the program \"{}\", its twin \"{}\"", text_of(guest.status),
                        text_of(twin.status));
@@ -112,27 +111,27 @@ std::string difference_from_twin(const SkalaGuestPicture& guest, const SkalaTwin
   return text;
 }
 
-std::uint64_t points_lit(const SkalaGuestPicture& guest) {
+std::uint64_t points_lit(const GuestPicture& guest) {
   core::Raster marked = guest.raster;
-  for (const SkalaPlotterMove& move : guest.moves)
+  for (const PlotterMove& move : guest.moves)
     if (move.pen_down) marked.set(move.x, move.y, 1);
   const auto points = marked.points();
   return points.size() -
          static_cast<std::uint64_t>(std::count(points.begin(), points.end(), std::uint8_t{0}));
 }
 
-SkalaPlotterWork plotter_work(std::span<const SkalaPlotterMove> moves) {
-  SkalaPlotterWork work;
-  for (const SkalaPlotterMove& move : moves) {
-    if (move.action == SkalaPlotterAction::step) {
+PlotterWork plotter_work(std::span<const PlotterMove> moves) {
+  PlotterWork work;
+  for (const PlotterMove& move : moves) {
+    if (move.action == PlotterAction::step) {
       ++(move.pen_down ? work.steps_pen_down : work.steps_pen_up);
       work.time += devices::calcomp565::step;
     } else {
-      work.pen_lifts += move.action == SkalaPlotterAction::pen_up ? 1 : 0;
+      work.pen_lifts += move.action == PlotterAction::pen_up ? 1 : 0;
       work.time += devices::calcomp565::pen;
     }
   }
   return work;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

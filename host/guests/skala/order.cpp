@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-SkalaFamily less_end_on(SineCosine rotation) {
-  return std::abs(rotation.cosine) >= std::abs(rotation.sine) ? SkalaFamily::along_x : SkalaFamily::along_z;
+Family less_end_on(SineCosine rotation) {
+  return std::abs(rotation.cosine) >= std::abs(rotation.sine) ? Family::along_x : Family::along_z;
 }
 
-SkalaOrder slice_order(const SkalaProjection& projection, SkalaFamily family) {
+DrawingOrder slice_order(const Projection& projection, Family family) {
   const auto [sine, cosine] = projection.rotation();
-  SkalaOrder order;
-  if (family == SkalaFamily::along_x) {
+  DrawingOrder order;
+  if (family == Family::along_x) {
     order.rows = projection.slices();
     order.columns = projection.points();
     order.rows_reversed = cosine < 0;
@@ -30,12 +30,12 @@ SkalaOrder slice_order(const SkalaProjection& projection, SkalaFamily family) {
   return order;
 }
 
-SkalaOrder cell_order(const SkalaProjection& projection) {
+DrawingOrder cell_order(const Projection& projection) {
   const auto [sine, cosine] = projection.rotation();
-  SkalaOrder order = slice_order(projection, SkalaFamily::along_x);
+  DrawingOrder order = slice_order(projection, Family::along_x);
   order.columns_reversed = sine > 0;
   order.column_shift = sine > 0 ? -cosine : cosine;
   return order;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -11,7 +11,7 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/view.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 struct GridIndex {
   std::size_t point = 0;
@@ -20,7 +20,7 @@ struct GridIndex {
   friend bool operator==(const GridIndex&, const GridIndex&) = default;
 };
 
-struct SkalaOrder {
+struct DrawingOrder {
   std::size_t rows = 0;     // near to far
   std::size_t columns = 0;  // slices: from left to right; cells: near to far too
   bool row_is_slice = true;
@@ -37,13 +37,13 @@ struct SkalaOrder {
 };
 
 // The family that is drawn: along_x or along_z, for one family at a rotation.
-[[nodiscard]] SkalaFamily less_end_on(SineCosine rotation);
+[[nodiscard]] Family less_end_on(SineCosine rotation);
 
 // Rows are the slices of the family (along_x or along_z). Of directions that do not matter the index's own
 // is taken.
-[[nodiscard]] SkalaOrder slice_order(const SkalaProjection& projection, SkalaFamily family);
+[[nodiscard]] DrawingOrder slice_order(const Projection& projection, Family family);
 
 // Row-major from the nearest corner, for cells.
-[[nodiscard]] SkalaOrder cell_order(const SkalaProjection& projection);
+[[nodiscard]] DrawingOrder cell_order(const Projection& projection);
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -7,27 +7,27 @@
 
 #include "tools/asm/i8080.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 namespace {
 
 constexpr std::string_view main_source = "skala.asm";
 
 std::optional<std::string> embedded_source(const std::string& name) {
-  const auto sources = skala_sources();
+  const auto sources = embedded_sources();
   const auto found =
       std::find_if(sources.begin(), sources.end(), [&](const auto& source) { return source.first == name; });
   if (found == sources.end()) return std::nullopt;
   return std::string(found->second);
 }
 
-SkalaLabels labels_of(const assembler::I8080Assembly& assembly) {
+Labels labels_of(const assembler::I8080Assembly& assembly) {
   const auto at = [&](std::string_view name) {
     const auto value = assembly.value_of(name);
     if (!value) throw std::logic_error(fmt::format("the Skala program has no label {}", name));
     return *value;
   };
-  SkalaLabels labels;
+  Labels labels;
   labels.start = at("START");
   labels.status = at("STATUS");
   labels.link_switch = at("LINKSW");
@@ -41,7 +41,7 @@ SkalaLabels labels_of(const assembler::I8080Assembly& assembly) {
 
 }  // namespace
 
-SkalaProgram assemble_skala_program() {
+Program assemble_program() {
   assembler::I8080Options options;
   options.listing = false;
   options.include = embedded_source;
@@ -57,4 +57,4 @@ SkalaProgram assemble_skala_program() {
   return {{bytes.begin(), bytes.end()}, labels_of(assembly)};
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

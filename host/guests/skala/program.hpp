@@ -15,13 +15,13 @@
 
 #include "emulators/i8080/state.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // (file name, text) of the program's sources; skala.asm includes the others.
-[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> skala_sources();
+[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> embedded_sources();
 
 // Labels of the program (NOTES.md maps the paper's terms to them).
-struct SkalaLabels {
+struct Labels {
   i8080::Address start = 0;           // where the processor is started
   i8080::Address status = 0;          // why the program stopped
   i8080::Address link_switch = 0;     // LINKSW: 0 parallel, 1 serial
@@ -32,13 +32,13 @@ struct SkalaLabels {
   i8080::Address previous_level = 0;  // IP
 };
 
-struct SkalaProgram {
+struct Program {
   std::vector<std::uint8_t> memory;  // from 0000 on: instructions, tables, variables
-  SkalaLabels labels;
+  Labels labels;
 };
 
 // The embedded program. std::logic_error with the assembler's messages if it has an error: it is part of this
 // build.
-[[nodiscard]] SkalaProgram assemble_skala_program();
+[[nodiscard]] Program assemble_program();
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 constexpr double height_of_unit = 0.6;
@@ -77,7 +77,7 @@ double normalised_height(const scene::HeightGrid& grid, double height) {
   return 2.0 * ((0.5 * height - 0.5 * grid.range.low) / extent) - 1.0;
 }
 
-SkalaProjection::SkalaProjection(const scene::HeightGrid& grid, const SkalaView& view)
+Projection::Projection(const scene::HeightGrid& grid, const View& view)
     : points_(grid.points()),
       slices_(grid.slices()),
       rotation_(sine_and_cosine(view.rotation)),
@@ -87,7 +87,7 @@ SkalaProjection::SkalaProjection(const scene::HeightGrid& grid, const SkalaView&
   Fit up;
   for (std::size_t slice = 0; slice < slices_; ++slice) {
     for (std::size_t point = 0; point < points_; ++point) {
-      SkalaVertex& vertex = vertices_[slice * points_ + point];
+      Vertex& vertex = vertices_[slice * points_ + point];
       const double x = grid.x[point];
       const double z = grid.z[slice];
       const double h = normalised_height(grid, grid.height(point, slice));
@@ -100,7 +100,7 @@ SkalaProjection::SkalaProjection(const scene::HeightGrid& grid, const SkalaView&
       up.take(vertex.y);
     }
   }
-  for (SkalaVertex& vertex : vertices_) {
+  for (Vertex& vertex : vertices_) {
     vertex.x = across.place(vertex.x, view.zoom);
     vertex.column = raster_coordinate(vertex.x);
     if (!vertex.defined) continue;
@@ -109,4 +109,4 @@ SkalaProjection::SkalaProjection(const scene::HeightGrid& grid, const SkalaView&
   }
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -14,7 +14,7 @@
 #include "host/guests/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 struct SineCosine {
   double sine = 0;
@@ -32,7 +32,7 @@ inline constexpr int raster_side = 256;  // dots
 // Beyond +-2^20 the result is +-2^20.
 [[nodiscard]] int raster_coordinate(double value);
 
-struct SkalaVertex {
+struct Vertex {
   double x = 0;  // real screen coordinates: 0..255 but for a zoom
   double y = 0;  // (only if defined)
   int column = 0;
@@ -41,12 +41,12 @@ struct SkalaVertex {
   bool defined = false;  // x, column and depth are right even if not
 };
 
-class SkalaProjection {
+class Projection {
  public:
   // Heights are scaled by the grid's range. View: rotation, elevation and zoom are used.
-  SkalaProjection(const scene::HeightGrid& grid, const SkalaView& view);
+  Projection(const scene::HeightGrid& grid, const View& view);
 
-  [[nodiscard]] const SkalaVertex& at(std::size_t point, std::size_t slice) const {
+  [[nodiscard]] const Vertex& at(std::size_t point, std::size_t slice) const {
     return vertices_[slice * points_ + point];
   }
   [[nodiscard]] std::size_t points() const { return points_; }
@@ -57,10 +57,10 @@ class SkalaProjection {
   std::size_t points_;
   std::size_t slices_;
   SineCosine rotation_;
-  std::vector<SkalaVertex> vertices_;
+  std::vector<Vertex> vertices_;
 };
 
 // A height as h in [-1, 1] by the grid's range; 0 if that is empty; NaN for an undefined height.
 [[nodiscard]] double normalised_height(const scene::HeightGrid& grid, double height);
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -8,30 +8,30 @@
 #include "host/guests/skala/stream_cells.hpp"
 #include "host/guests/skala/stream_writer.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 // One family of slices, as lines or as a shaded surface.
 class Slices {
  public:
-  Slices(const scene::HeightGrid& grid, const SkalaView& view)
-      : shaded_(view.picture == SkalaPicture::surface),
+  Slices(const scene::HeightGrid& grid, const View& view)
+      : shaded_(view.picture == PictureKind::surface),
         projection_(grid, view),
         order_(slice_order(projection_, family(view))),
-        writer_(view, skala_line_colour) {
-    if (shaded_) shades_ = skala_shades(grid);
+        writer_(view, line_colour) {
+    if (shaded_) shades_ = shades(grid);
   }
 
   std::vector<std::uint8_t> stream() {
     if (order_.rows != 0 && order_.columns != 0) {
       writer_.chain_and_commit(near_chain());
       for (std::size_t row = 1; row < order_.rows; ++row) {
-        SkalaChain chain;
+        RasterChain chain;
         slice(chain, row);
         writer_.chain_and_commit(chain);
         if (shaded_) gaps(row);
       }
-      SkalaChain trailing;
+      RasterChain trailing;
       rim(trailing, leading_right() ? 0 : order_.columns - 1, leading_right(), drawn());
       writer_.chain_and_commit(trailing);
     }
@@ -39,15 +39,15 @@ class Slices {
   }
 
  private:
-  [[nodiscard]] SkalaFamily family(const SkalaView& view) const {
-    const bool chosen = view.family == SkalaFamily::along_x || view.family == SkalaFamily::along_z;
+  [[nodiscard]] Family family(const View& view) const {
+    const bool chosen = view.family == Family::along_x || view.family == Family::along_z;
     return chosen ? view.family : less_end_on(projection_.rotation());
   }
 
   [[nodiscard]] bool leading_right() const { return order_.row_shift >= 0; }
-  [[nodiscard]] SkalaStep drawn() const { return shaded_ ? SkalaStep::shade : SkalaStep::draw; }
+  [[nodiscard]] ChainStep drawn() const { return shaded_ ? ChainStep::shade : ChainStep::draw; }
 
-  [[nodiscard]] const SkalaVertex& at(std::size_t row, std::size_t column) const {
+  [[nodiscard]] const Vertex& at(std::size_t row, std::size_t column) const {
     const GridIndex index = order_.index(row, column);
     return projection_.at(index.point, index.slice);
   }
@@ -58,9 +58,9 @@ class Slices {
 
   // The leading rim is nearest in the columns beyond slice 0, so they are one chain. The trailing rim is
   // farthest in its columns, so it comes last.
-  SkalaChain near_chain() const {
-    SkalaChain chain;
-    const SkalaStep rim_step = shaded_ ? SkalaStep::rim : SkalaStep::draw;
+  RasterChain near_chain() const {
+    RasterChain chain;
+    const ChainStep rim_step = shaded_ ? ChainStep::rim : ChainStep::draw;
     if (!leading_right()) rim(chain, 0, false, rim_step);
     slice(chain, 0);
     if (leading_right()) rim(chain, order_.columns - 1, true, rim_step);
@@ -68,14 +68,14 @@ class Slices {
   }
 
   // Along a column, from the near end or towards it.
-  void rim(SkalaChain& chain, std::size_t column, bool from_near, SkalaStep step) const {
+  void rim(RasterChain& chain, std::size_t column, bool from_near, ChainStep step) const {
     for (std::size_t i = 0; i + 1 < order_.rows; ++i) {
       const std::size_t from = from_near ? i : order_.rows - 1 - i;
       join(chain, {from, column}, {from_near ? from + 1 : from - 1, column}, step);
     }
   }
 
-  void slice(SkalaChain& chain, std::size_t row) const {
+  void slice(RasterChain& chain, std::size_t row) const {
     for (std::size_t column = 0; column < order_.columns; ++column) {
       const bool alone = !defined(row, column + 1) && (column == 0 || !defined(row, column - 1));
       if (alone && defined(row, column)) chain.point(at(row, column), drawn(), shade(row, column));
@@ -87,9 +87,9 @@ class Slices {
     std::size_t row;
     std::size_t column;
   };
-  void join(SkalaChain& chain, Place from, Place to, SkalaStep step) const {
-    const SkalaVertex& a = at(from.row, from.column);
-    const SkalaVertex& b = at(to.row, to.column);
+  void join(RasterChain& chain, Place from, Place to, ChainStep step) const {
+    const Vertex& a = at(from.row, from.column);
+    const Vertex& b = at(to.row, to.column);
     if (a.defined && b.defined)
       chain.segment(a, b, step, {shade(from.row, from.column), shade(to.row, to.column)});
   }
@@ -111,21 +111,21 @@ class Slices {
   }
 
   bool shaded_;
-  SkalaProjection projection_;
-  SkalaOrder order_;
-  SkalaStreamWriter writer_;
+  Projection projection_;
+  DrawingOrder order_;
+  StreamWriter writer_;
   std::vector<int> shades_;
 };
 
 // Both families: one pass, the far margins of a cell tested before they hide anything.
-std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const SkalaView& view) {
-  const SkalaProjection projection(grid, view);
-  const SkalaCells cells(projection);
-  SkalaStreamWriter writer(view, skala_line_colour);
-  writer.chain_and_commit(cells.near_margins(SkalaStep::draw));
+std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const View& view) {
+  const Projection projection(grid, view);
+  const Cells cells(projection);
+  StreamWriter writer(view, line_colour);
+  writer.chain_and_commit(cells.near_margins(ChainStep::draw));
   for (std::size_t row = 0; row + 1 < cells.rows(); ++row) {
     for (std::size_t column = 0; column + 1 < cells.columns(); ++column) {
-      writer.chain_and_commit(cells.far_margins(row, column, SkalaStep::draw, SkalaStep::draw));
+      writer.chain_and_commit(cells.far_margins(row, column, ChainStep::draw, ChainStep::draw));
     }
   }
   return writer.finish();
@@ -150,7 +150,7 @@ int shade_of(double across, double along) {
 
 }  // namespace
 
-std::vector<int> skala_shades(const scene::HeightGrid& grid) {
+std::vector<int> shades(const scene::HeightGrid& grid) {
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   const auto h = [&](std::size_t point, std::size_t slice) {
     if (point >= grid.points() || slice >= grid.slices()) return undefined;  // also before the first one
@@ -174,10 +174,10 @@ std::vector<int> skala_shades(const scene::HeightGrid& grid) {
   return shades;
 }
 
-std::vector<std::uint8_t> skala_stream(const scene::HeightGrid& grid, const SkalaView& view) {
-  if (view.picture == SkalaPicture::contours) return skala_contours(grid, view);
-  if (view.picture == SkalaPicture::lines && view.family == SkalaFamily::both) return cell_lines(grid, view);
+std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view) {
+  if (view.picture == PictureKind::contours) return contour_stream(grid, view);
+  if (view.picture == PictureKind::lines && view.family == Family::both) return cell_lines(grid, view);
   return Slices(grid, view).stream();
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -15,17 +15,17 @@
 #include "host/guests/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // From DEVICE to END. The grid may have any size from one point up and any undefined heights; the view must
 // be as its comments say.
-[[nodiscard]] std::vector<std::uint8_t> skala_stream(const scene::HeightGrid& grid, const SkalaView& view);
+[[nodiscard]] std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view);
 
 // Levels 1..7 of a shaded surface, in the order of the grid's heights: from the x component of the unit
 // normal of the normalised surface (h at 0.6), by central differences, one-sided at the border and beside an
 // undefined height.
-[[nodiscard]] std::vector<int> skala_shades(const scene::HeightGrid& grid);
+[[nodiscard]] std::vector<int> shades(const scene::HeightGrid& grid);
 
-inline constexpr int skala_line_colour = 7;
+inline constexpr int line_colour = 7;
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -1,8 +1,8 @@
 #include "host/guests/skala/stream_cells.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-SkalaCell SkalaCells::cell(std::size_t row, std::size_t column) const {
+Cell Cells::cell(std::size_t row, std::size_t column) const {
   const GridIndex along_row = order_.index(row, column + 1);
   const GridIndex across_rows = order_.index(row + 1, column);
   const bool last_row = row + 2 == order_.rows;
@@ -12,12 +12,12 @@ SkalaCell SkalaCells::cell(std::size_t row, std::size_t column) const {
           order_.index(row + 1, column + 1), swap ? last_row : last_column,  swap ? last_column : last_row};
 }
 
-void SkalaCells::join(SkalaChain& chain, GridIndex from, GridIndex to, SkalaStep step) const {
+void Cells::join(RasterChain& chain, GridIndex from, GridIndex to, ChainStep step) const {
   if (at(from).defined && at(to).defined) chain.segment(at(from), at(to), step);
 }
 
-SkalaChain SkalaCells::near_margins(SkalaStep step) const {
-  SkalaChain chain;
+RasterChain Cells::near_margins(ChainStep step) const {
+  RasterChain chain;
   if (rows() == 0 || columns() == 0) return chain;
   if (rows() == 1 && columns() == 1) {
     if (at(order_.index(0, 0)).defined) chain.point(at(order_.index(0, 0)), step);
@@ -34,13 +34,12 @@ SkalaChain SkalaCells::near_margins(SkalaStep step) const {
   return chain;
 }
 
-SkalaChain SkalaCells::far_margins(std::size_t row, std::size_t column, SkalaStep step,
-                                   SkalaStep border) const {
-  const SkalaCell here = cell(row, column);
-  SkalaChain chain;
+RasterChain Cells::far_margins(std::size_t row, std::size_t column, ChainStep step, ChainStep border) const {
+  const Cell here = cell(row, column);
+  RasterChain chain;
   join(chain, here.left, here.farthest, here.left_margin_is_border ? border : step);
   join(chain, here.farthest, here.right, here.right_margin_is_border ? border : step);
   return chain;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -11,9 +11,9 @@
 #include "host/guests/skala/order.hpp"
 #include "host/guests/skala/stream_chain.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-struct SkalaCell {
+struct Cell {
   GridIndex nearest;
   GridIndex left;
   GridIndex right;
@@ -22,34 +22,31 @@ struct SkalaCell {
   bool right_margin_is_border = false;
 };
 
-class SkalaCells {
+class Cells {
  public:
   // The projection must outlive it.
-  explicit SkalaCells(const SkalaProjection& projection)
-      : projection_(projection), order_(cell_order(projection)) {}
+  explicit Cells(const Projection& projection) : projection_(projection), order_(cell_order(projection)) {}
 
   // Of grid points; one more than of cells.
   [[nodiscard]] std::size_t rows() const { return order_.rows; }
   [[nodiscard]] std::size_t columns() const { return order_.columns; }
 
-  [[nodiscard]] const SkalaVertex& at(GridIndex index) const {
-    return projection_.at(index.point, index.slice);
-  }
-  [[nodiscard]] SkalaCell cell(std::size_t row, std::size_t column) const;
+  [[nodiscard]] const Vertex& at(GridIndex index) const { return projection_.at(index.point, index.slice); }
+  [[nodiscard]] Cell cell(std::size_t row, std::size_t column) const;
 
   // The two edges of the domain that meet in its nearest corner, as far as defined, from left to right.
-  [[nodiscard]] SkalaChain near_margins(SkalaStep step) const;
+  [[nodiscard]] RasterChain near_margins(ChainStep step) const;
   // L - F - R as far as defined; `border` is the step on the domain's edge.
-  [[nodiscard]] SkalaChain far_margins(std::size_t row, std::size_t column, SkalaStep step,
-                                       SkalaStep border) const;
+  [[nodiscard]] RasterChain far_margins(std::size_t row, std::size_t column, ChainStep step,
+                                        ChainStep border) const;
 
  private:
   // Of the two directions away from the eye the one that goes left, or goes less to the right.
   [[nodiscard]] bool columns_go_left() const { return order_.column_shift < order_.row_shift; }
-  void join(SkalaChain& chain, GridIndex from, GridIndex to, SkalaStep step) const;
+  void join(RasterChain& chain, GridIndex from, GridIndex to, ChainStep step) const;
 
-  const SkalaProjection& projection_;
-  SkalaOrder order_;
+  const Projection& projection_;
+  DrawingOrder order_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 constexpr int last_place = 255;
@@ -13,18 +13,18 @@ constexpr std::array<double, 2> borders{0.0, last_place};
 
 enum class Side { on_screen, above, below, beside };
 
-bool on_screen(const SkalaVertex& v) {
+bool on_screen(const Vertex& v) {
   return v.column >= 0 && v.column <= last_place && v.row >= 0 && v.row <= last_place;
 }
 
-bool is_shading(SkalaStep step) {
-  return step == SkalaStep::shade || step == SkalaStep::rim;
+bool is_shading(ChainStep step) {
+  return step == ChainStep::shade || step == ChainStep::rim;
 }
 
 // A segment by its parameter t from 0 to 1.
 class Segment {
  public:
-  Segment(const SkalaVertex& from, const SkalaVertex& to, SkalaChain::Levels levels)
+  Segment(const Vertex& from, const Vertex& to, RasterChain::Levels levels)
       : from_(from), to_(to), levels_(levels) {}
 
   // Where it crosses the border lines of the raster, with 0 and 1, ascending.
@@ -50,7 +50,7 @@ class Segment {
     return y < 0 ? Side::below : y > last_place ? Side::above : Side::on_screen;
   }
 
-  [[nodiscard]] SkalaNode node(double t, Side side, SkalaStep step) const {
+  [[nodiscard]] ChainNode node(double t, Side side, ChainStep step) const {
     const auto [low, high] = std::minmax(from_.column, to_.column);
     int column = t == 0 ? from_.column : t == 1 ? to_.column : raster_coordinate(between(from_.x, to_.x, t));
     column = std::clamp(std::clamp(column, low, high), 0, last_place);
@@ -74,24 +74,24 @@ class Segment {
     cuts.at[place] = t;
   }
 
-  const SkalaVertex& from_;
-  const SkalaVertex& to_;
-  SkalaChain::Levels levels_;
+  const Vertex& from_;
+  const Vertex& to_;
+  RasterChain::Levels levels_;
 };
 
 }  // namespace
 
-void SkalaChain::part(const SkalaNode& from, const SkalaNode& to) {
+void RasterChain::part(const ChainNode& from, const ChainNode& to) {
   if (end_ == nullptr) {
     nodes_.push_back(from);
     nodes_.back().fresh = true;
   }
-  const SkalaNode& here = nodes_.back();
+  const ChainNode& here = nodes_.back();
   const bool moves = here.column != to.column || here.row != to.row;
   if (moves || (is_shading(to.step) && here.level != to.level)) nodes_.push_back(to);
 }
 
-void SkalaChain::segment(const SkalaVertex& from, const SkalaVertex& to, SkalaStep step, Levels levels) {
+void RasterChain::segment(const Vertex& from, const Vertex& to, ChainStep step, Levels levels) {
   if (end_ != &from) end_ = nullptr;
   const Segment segment(from, to, levels);
   if (on_screen(from) && on_screen(to)) {
@@ -103,37 +103,37 @@ void SkalaChain::segment(const SkalaVertex& from, const SkalaVertex& to, SkalaSt
   for (std::size_t i = 0; i + 1 < cuts.count; ++i) {
     const Side side = segment.side((cuts.at[i] + cuts.at[i + 1]) / 2);
     const bool off = side == Side::above || side == Side::below;
-    if (side == Side::beside || (off && step == SkalaStep::test)) {
+    if (side == Side::beside || (off && step == ChainStep::test)) {
       end_ = nullptr;
       continue;
     }
-    const SkalaStep inkless = off && step == SkalaStep::draw ? SkalaStep::mask : step;
+    const ChainStep inkless = off && step == ChainStep::draw ? ChainStep::mask : step;
     part(segment.node(cuts.at[i], side, inkless), segment.node(cuts.at[i + 1], side, inkless));
     end_ = &to;
   }
 }
 
-void SkalaChain::point(const SkalaVertex& vertex, SkalaStep step, int level) {
+void RasterChain::point(const Vertex& vertex, ChainStep step, int level) {
   end_ = nullptr;
   if (vertex.column < 0 || vertex.column > last_place) return;
   if (!on_screen(vertex)) {
-    if (step == SkalaStep::test) return;
-    if (step == SkalaStep::draw) step = SkalaStep::mask;
+    if (step == ChainStep::test) return;
+    if (step == ChainStep::draw) step = ChainStep::mask;
   }
   nodes_.push_back({vertex.column, std::clamp(vertex.row, 0, last_place), level, step, true});
 }
 
-SkalaChain SkalaChain::reversed() const {
-  SkalaChain result;
+RasterChain RasterChain::reversed() const {
+  RasterChain result;
   result.nodes_.assign(nodes_.rbegin(), nodes_.rend());
   // Steps belong to lines, so they move to the other end; so does the beginning of a piece.
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t old = nodes_.size() - 1 - i;
-    SkalaNode& node = result.nodes_[i];
+    ChainNode& node = result.nodes_[i];
     node.fresh = old + 1 == nodes_.size() || nodes_[old + 1].fresh;
     if (!node.fresh) node.step = nodes_[old + 1].step;
   }
   return result;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

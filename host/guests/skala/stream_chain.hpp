@@ -10,21 +10,21 @@
 
 #include "host/guests/skala/projection.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-enum class SkalaStep { draw, test, mask, shade, rim };
+enum class ChainStep { draw, test, mask, shade, rim };
 
-struct SkalaNode {
+struct ChainNode {
   int column = 0;  // 0..255
   int row = 0;
   int level = 0;
-  SkalaStep step = SkalaStep::draw;  // of the line that leads here; of the dot, if this is all of the piece
+  ChainStep step = ChainStep::draw;  // of the line that leads here; of the dot, if this is all of the piece
   bool fresh = true;                 // a piece begins here: nothing leads here
 
-  friend bool operator==(const SkalaNode&, const SkalaNode&) = default;
+  friend bool operator==(const ChainNode&, const ChainNode&) = default;
 };
 
-class SkalaChain {
+class RasterChain {
  public:
   struct Levels {
     int from = 0;
@@ -32,22 +32,20 @@ class SkalaChain {
   };
 
   // Both ends defined. Continues the piece if `from` is the very object the segment before this ended with.
-  void segment(const SkalaVertex& from, const SkalaVertex& to, SkalaStep step, Levels levels);
-  void segment(const SkalaVertex& from, const SkalaVertex& to, SkalaStep step) {
-    segment(from, to, step, Levels{});
-  }
+  void segment(const Vertex& from, const Vertex& to, ChainStep step, Levels levels);
+  void segment(const Vertex& from, const Vertex& to, ChainStep step) { segment(from, to, step, Levels{}); }
   // A defined vertex without neighbours.
-  void point(const SkalaVertex& vertex, SkalaStep step, int level = 0);
+  void point(const Vertex& vertex, ChainStep step, int level = 0);
 
-  [[nodiscard]] const std::vector<SkalaNode>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<ChainNode>& nodes() const { return nodes_; }
   // The same lines from the other end.
-  [[nodiscard]] SkalaChain reversed() const;
+  [[nodiscard]] RasterChain reversed() const;
 
  private:
-  void part(const SkalaNode& from, const SkalaNode& to);
+  void part(const ChainNode& from, const ChainNode& to);
 
-  std::vector<SkalaNode> nodes_;
-  const SkalaVertex* end_ = nullptr;  // of the last segment; null if that was cut away
+  std::vector<ChainNode> nodes_;
+  const Vertex* end_ = nullptr;  // of the last segment; null if that was cut away
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

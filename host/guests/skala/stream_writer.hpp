@@ -11,25 +11,25 @@
 #include "host/guests/skala/stream_chain.hpp"
 #include "host/guests/skala/view.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-struct SkalaColouredChain {
+struct ColouredChain {
   int colour = 0;
-  SkalaChain chain;
+  RasterChain chain;
 };
 
-class SkalaStreamWriter {
+class StreamWriter {
  public:
   // DEVICE, RESET; then SILHOUETTE unless 0; then COLOUR.
-  SkalaStreamWriter(const SkalaView& view, int colour, int silhouette = 0);
+  StreamWriter(const View& view, int colour, int silhouette = 0);
 
   void colour(int colour);
   // On a plotter, if the view is serpentine, from the end nearer to the pen. Nothing for an empty chain.
-  void chain(const SkalaChain& chain);
-  void chain_and_commit(const SkalaChain& chain);
+  void chain(const RasterChain& chain);
+  void chain_and_commit(const RasterChain& chain);
   // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
   // last colours a dot; on a plotter, if the view is serpentine, always the one nearest to the pen.
-  void test_chains(std::vector<SkalaColouredChain> chains);
+  void test_chains(std::vector<ColouredChain> chains);
   // The slice just sent is undefined in these columns; cut to the raster, nothing if none are left.
   void gap(int first_column, int last_column);
   void outline();
@@ -37,22 +37,22 @@ class SkalaStreamWriter {
   [[nodiscard]] std::vector<std::uint8_t> finish();
 
  private:
-  using Nodes = std::vector<SkalaNode>;
+  using Nodes = std::vector<ChainNode>;
 
-  void command(SkalaCommand command) { bytes_.push_back(static_cast<std::uint8_t>(command)); }
+  void command(Command command) { bytes_.push_back(static_cast<std::uint8_t>(command)); }
   void byte(int value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
-  void to(SkalaCommand command, const SkalaNode& node);
-  void pen_at(const SkalaNode& node, bool inked);
-  void move(const SkalaNode& node);
+  void to(Command command, const ChainNode& node);
+  void pen_at(const ChainNode& node, bool inked);
+  void move(const ChainNode& node);
   void pieces(const Nodes& nodes);
   void piece(const Nodes& nodes, std::size_t begin, std::size_t end);
   void curve(const Nodes& nodes, std::size_t begin, std::size_t end);
-  void dot(const SkalaNode& node);
+  void dot(const ChainNode& node);
   // The lines from `begin` on that are shaded, as many as one command takes; answers the node they end at.
   [[nodiscard]] std::size_t surface(const Nodes& nodes, std::size_t begin, std::size_t end);
   void surface_list(const Nodes& nodes);
-  [[nodiscard]] int distance(const SkalaNode& node) const;
-  [[nodiscard]] int distance(const SkalaChain& chain) const;
+  [[nodiscard]] int distance(const ChainNode& node) const;
+  [[nodiscard]] int distance(const RasterChain& chain) const;
 
   std::vector<std::uint8_t> bytes_;
   bool nearer_end_first_;
@@ -64,4 +64,4 @@ class SkalaStreamWriter {
   int ink_row_ = 0;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

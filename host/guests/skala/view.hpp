@@ -4,19 +4,19 @@
 
 #include "host/guests/skala/commands.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-enum class SkalaPicture { lines, surface, contours };
+enum class PictureKind { lines, surface, contours };
 
 // Which slices are drawn: along x (z constant), along z (x constant), both cell by cell; automatic takes the
 // family that is less end-on. A surface is always one family (both counts as automatic), contours go by
 // cells.
-enum class SkalaFamily { along_x, along_z, both, automatic };
+enum class Family { along_x, along_z, both, automatic };
 
-struct SkalaView {
-  SkalaPicture picture = SkalaPicture::lines;
-  SkalaFamily family = SkalaFamily::automatic;
-  SkalaDevice device = SkalaDevice::ef9365;
+struct View {
+  PictureKind picture = PictureKind::lines;
+  Family family = Family::automatic;
+  Device device = Device::ef9365;
   double rotation = 0;    // degrees about the vertical; a quarter turn brings x = -1 to the front
   double elevation = 30;  // degrees of the eye above the horizon; negative: seen from below
   double zoom = 1;        // > 0, about the middle of the picture
@@ -26,4 +26,4 @@ struct SkalaView {
   bool net = false;        // contours: every cell's margins are inked, not only the domain's
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

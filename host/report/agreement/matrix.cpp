@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "host/report/agreement/pictures.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/report/agreement/pictures.hpp"
 #include "host/scene/model/face_numbers.hpp"
 
 namespace sightline::harness::report {
@@ -26,22 +26,22 @@ std::string key_of(std::string_view scene) {
   return key;
 }
 
-std::string pair_name(const AgreementCell& cell) {
+std::string pair_name(const compare::AgreementCell& cell) {
   return fmt::format("{} and {}", cell.first, cell.second);
 }
 
-Cell verdict_of(const AgreementCell& cell) {
+Cell verdict_of(const compare::AgreementCell& cell) {
   switch (cell.state) {
-    case AgreementState::agrees: return Verdict{true, cell.how};
-    case AgreementState::differs: return Verdict{false, "differs"};
-    case AgreementState::not_run: return Verdict{false, "not run"};
-    case AgreementState::not_applicable: return std::string("n/a");
+    case compare::AgreementState::agrees: return Verdict{true, cell.how};
+    case compare::AgreementState::differs: return Verdict{false, "differs"};
+    case compare::AgreementState::not_run: return Verdict{false, "not run"};
+    case compare::AgreementState::not_applicable: return std::string("n/a");
   }
   return {};
 }
 
-bool failed(const AgreementCell& cell) {
-  return cell.state == AgreementState::differs || cell.state == AgreementState::not_run;
+bool failed(const compare::AgreementCell& cell) {
+  return cell.state == compare::AgreementState::differs || cell.state == compare::AgreementState::not_run;
 }
 
 Table scenes_table(std::span<const AgreedScene> scenes) {
@@ -59,11 +59,13 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
                    {"result", "Result", "", false}};
   for (const auto& [scene, agreement] : scenes) {
     std::size_t perspective = 0;
-    for (const AgreementView& view : scene.views) perspective += view.camera.perspective ? 1 : 0;
+    for (const compare::AgreementView& view : scene.views) perspective += view.camera.perspective ? 1 : 0;
     std::size_t run = 0;
-    for (const AgreementCell& cell : agreement.cells)
-      run += cell.state == AgreementState::agrees || cell.state == AgreementState::differs ? 1 : 0;
-    const std::size_t listed = listed_cells(scene);
+    for (const compare::AgreementCell& cell : agreement.cells)
+      run += cell.state == compare::AgreementState::agrees || cell.state == compare::AgreementState::differs
+                 ? 1
+                 : 0;
+    const std::size_t listed = compare::listed_cells(scene);
     const bool good = agreement.agrees() && run == listed;
     table.rows.push_back({std::string(scene.name), std::string(scene.title),
                           count(picture::edges_of(scene.scene).size()), count(scene::face_count(scene.scene)),
@@ -87,8 +89,8 @@ Table reasons_table() {
                    {"scenes", "Scenes", "whose name begins so", false},
                    {"views", "Views", "", false},
                    {"reason", "Reason", "", false}};
-  for (const NotApplicable& listed : not_applicable()) {
-    const bool all = listed.views == NotApplicable::Views::all;
+  for (const compare::NotApplicable& listed : compare::not_applicable()) {
+    const bool all = listed.views == compare::NotApplicable::Views::all;
     table.rows.push_back({std::string(listed.who), std::string(listed.scenes),
                           std::string(all ? "all" : "in perspective"), std::string(listed.reason)});
   }
@@ -129,16 +131,16 @@ Table agreement_failures(std::span<const AgreedScene> scenes) {
   table.columns = {
       {"scene", "Scene", "", false}, {"pair", "Pair", "", false}, {"first", "First difference", "", false}};
   for (const AgreedScene& agreed : scenes)
-    for (const AgreementCell& cell : agreed.agreement.cells)
+    for (const compare::AgreementCell& cell : agreed.agreement.cells)
       if (failed(cell)) table.rows.push_back({std::string(agreed.scene.name), pair_name(cell), cell.text});
   return table;
 }
 
 Outcome<Section> all_against_each_other(const Context& context) {
   std::vector<AgreedScene> scenes;
-  for (const std::string_view name : common_scene_names()) {
-    scenes.push_back({common_scene(name), {}});
-    scenes.back().agreement = agreement_on(scenes.back().scene, {}, context.progress);
+  for (const std::string_view name : compare::common_scene_names()) {
+    scenes.push_back({compare::common_scene(name), {}});
+    scenes.back().agreement = compare::agreement_on(scenes.back().scene, {}, context.progress);
   }
   Section section{"agreement", "All five against each other", {}};
   section.blocks.emplace_back(

@@ -1,5 +1,6 @@
-// Part 5 of the report: all algorithms held against each other on the common scenes (host/compare/cross_check.hpp),
-// as one matrix of pairs and scenes, with what does not apply and why, and the pictures.
+// Part 5 of the report: all algorithms held against each other on the common scenes
+// (host/compare/cross_check.hpp), as one matrix of pairs and scenes, with what does not apply and why, and
+// the pictures.
 #pragma once
 
 #include <span>
@@ -14,8 +15,8 @@ namespace sightline::harness::report {
 
 // The matrix of some scenes: how each pair agrees on each, or that it does not.
 struct AgreedScene {
-  CommonScene scene;
-  SceneAgreement agreement;
+  compare::CommonScene scene;
+  compare::SceneAgreement agreement;
 };
 [[nodiscard]] Table agreement_matrix(std::span<const AgreedScene> scenes);
 // Every cell that failed, with its first difference.

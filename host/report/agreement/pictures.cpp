@@ -23,7 +23,7 @@ namespace {
 constexpr int side = 200;  // pixels of one picture
 constexpr int gap = 8;
 
-picture::Image lines_image(const CommonScene& scene, const AgreementView& view,
+picture::Image lines_image(const compare::CommonScene& scene, const compare::AgreementView& view,
                            const picture::LinePicture& lines) {
   const FaceWindow window = view.window();
   const double half = window.width / 2.0 / window.scale;
@@ -61,14 +61,14 @@ picture::Image side_by_side(const std::vector<picture::Image>& images) {
 
 }  // namespace
 
-Outcome<Figure> agreement_strip(const CommonScene& scene, const SceneAgreement& agreement) {
+Outcome<Figure> agreement_strip(const compare::CommonScene& scene, const compare::SceneAgreement& agreement) {
   std::vector<picture::Image> images;
   std::string names;
-  for (std::size_t who = 0; who < participants().size(); ++who) {
-    const AgreementPicture& picture = agreement.pictures[who].front();
+  for (std::size_t who = 0; who < compare::participants().size(); ++who) {
+    const compare::AgreementPicture& picture = agreement.pictures[who].front();
     const auto add = [&](picture::Image image, std::string_view what) {
       images.push_back(std::move(image));
-      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", participants()[who].name, what);
+      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", compare::participants()[who].name, what);
     };
     if (picture.lines) add(lines_image(scene, scene.views.front(), *picture.lines), "");
     if (picture.faces) add(faces_image(*picture.faces), picture.lines ? " (faces)" : "");

@@ -7,6 +7,7 @@
 namespace sightline::harness::report {
 
 // Of the first view; lines as lines, faces as areas. The caption names them from the left.
-[[nodiscard]] Outcome<Figure> agreement_strip(const CommonScene& scene, const SceneAgreement& agreement);
+[[nodiscard]] Outcome<Figure> agreement_strip(const compare::CommonScene& scene,
+                                              const compare::SceneAgreement& agreement);
 
 }  // namespace sightline::harness::report

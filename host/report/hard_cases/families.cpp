@@ -22,7 +22,7 @@ namespace sightline::harness::report {
 
 namespace {
 
-using jones::Precision;
+using guests::jones::Precision;
 
 constexpr geometry::Span wide{-20, 20};
 
@@ -75,29 +75,32 @@ std::vector<Family> families() {
 // What goes wrong; nothing: all the corridor's cells are visited, and no more.
 using Trial = std::function<std::optional<std::string>(const scene::CellScene&)>;
 
-std::optional<std::string> fault(jones::Status status, std::uint64_t cells, const scene::CellScene& scene) {
-  if (status != jones::Status::complete) return std::string(jones::name(status));
+std::optional<std::string> fault(guests::jones::Status status, std::uint64_t cells,
+                                 const scene::CellScene& scene) {
+  if (status != guests::jones::Status::complete) return std::string(guests::jones::name(status));
   if (cells == scene.cells.size()) return std::nullopt;
   return fmt::format("cells {}, not {}", cells, scene.cells.size());
 }
 
 std::optional<std::string> try_program(const scene::CellScene& scene) {
-  const auto assembled = jones::assemble_program(scene, {});
+  const auto assembled = guests::jones::assemble_program(scene, {});
   if (const auto* const error = std::get_if<scene::SceneError>(&assembled)) return error->message();
-  jones::GuestOptions options;
+  guests::jones::GuestOptions options;
   options.views = 1;
   options.display = false;
-  const jones::GuestRun run = jones::run_guest(std::get<jones::Program>(assembled), options);
+  const guests::jones::GuestRun run =
+      guests::jones::run_guest(std::get<guests::jones::Program>(assembled), options);
   if (run.views.empty()) return "no view within the limit of time";
   return fault(run.views.front().status, run.views.front().distinct_cells, scene);
 }
 
 Trial in_arithmetic(const Precision& precision) {
   return [precision](const scene::CellScene& scene) -> std::optional<std::string> {
-    const auto made = jones::scene_in_core(scene, scene.default_view);
+    const auto made = guests::jones::scene_in_core(scene, scene.default_view);
     if (const auto* const error = std::get_if<scene::SceneError>(&made)) return error->message();
-    const auto& core = std::get<jones::SceneInCore>(made).core;
-    const auto view = jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+    const auto& core = std::get<guests::jones::SceneInCore>(made).core;
+    const auto view =
+        guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
     return fault(view.status, view.counts.distinct_cells, scene);
   };
 }
@@ -110,18 +113,19 @@ std::optional<std::string> try_native(const scene::CellScene& scene) {
   const auto& view = std::get<algorithms::jones::View>(result);
   if (view.picture != algorithms::exact::visible_edges(poly, poly.camera)) return "not the picture of exact";
   if (view.counts.mask_sides > 4) return fmt::format("a mask of {} sides", view.counts.mask_sides);
-  return fault(jones::Status::complete, view.counts.cells, scene);
+  return fault(guests::jones::Status::complete, view.counts.cells, scene);
 }
 
 std::vector<Precision> precisions() {
   std::vector<Precision> all;
   for (const int bits : {12, 14, 16, 18, 24, 36})
-    all.push_back({jones::NumberKind::fixed_point, bits, 1, false});
-  for (const int fraction : {0, 2, 3}) all.push_back({jones::NumberKind::fixed_point, 18, fraction, false});
-  all.push_back({jones::NumberKind::fixed_point, 18, 1, true});
-  all.push_back({jones::NumberKind::fixed_point, 36, 8, false});
-  all.push_back({jones::NumberKind::single_float, 0, 0, false});
-  all.push_back({jones::NumberKind::double_float, 0, 0, false});
+    all.push_back({guests::jones::NumberKind::fixed_point, bits, 1, false});
+  for (const int fraction : {0, 2, 3})
+    all.push_back({guests::jones::NumberKind::fixed_point, 18, fraction, false});
+  all.push_back({guests::jones::NumberKind::fixed_point, 18, 1, true});
+  all.push_back({guests::jones::NumberKind::fixed_point, 36, 8, false});
+  all.push_back({guests::jones::NumberKind::single_float, 0, 0, false});
+  all.push_back({guests::jones::NumberKind::double_float, 0, 0, false});
   return all;
 }
 
@@ -156,7 +160,7 @@ Outcome<Table> jones_families(const Context& context) {
     context.progress(fmt::format("hard case {}: first failures", family.id));
     add_row(table, family, "program on the PDP-7", try_program, family.machine_values);
     for (const Precision& precision : precisions())
-      add_row(table, family, "twin, " + jones::name(precision), in_arithmetic(precision),
+      add_row(table, family, "twin, " + guests::jones::name(precision), in_arithmetic(precision),
               family.machine_values);
     add_row(table, family, "native Jones", try_native, family.values.size());
   }

@@ -29,7 +29,7 @@ std::string view_text(const SkalaHardCase& hard) {
   if (hard.file.empty() || hard.file.ends_with(".txt")) return "commands";
   constexpr std::array families{"x", "z", "both", "auto"};
   std::string text = fmt::format("rotation {}, elevation {}", hard.view.rotation, hard.view.elevation);
-  if (hard.view.picture == SkalaPicture::contours)
+  if (hard.view.picture == guests::skala::PictureKind::contours)
     return fmt::format("{} contours, {}", hard.view.levels, text);
   if (hard.view.zoom != 1) text += fmt::format(", zoom {}", hard.view.zoom);
   return fmt::format("family {}, {}", families[static_cast<std::size_t>(hard.view.family)], text);

@@ -9,12 +9,12 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/compare/heights.hpp"
-#include "host/report/hard_cases/hard_cases.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/stream.hpp"
 #include "host/guests/skala/twin/twin.hpp"
+#include "host/report/hard_cases/hard_cases.hpp"
 #include "host/scene/heights/read_grid.hpp"
 
 namespace sightline::harness::report {
@@ -55,9 +55,9 @@ algorithms::skala::View native_view(const SkalaHardCase& hard) {
 
 // Each line as the dots nearest to it.
 PixelGrid dots_of(const picture::VectorDrawing& drawing) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   const auto dot = [](double value) {
-    return std::clamp(static_cast<int>(std::floor(value + 0.5)), 0, raster_side - 1);
+    return std::clamp(static_cast<int>(std::floor(value + 0.5)), 0, guests::skala::raster_side - 1);
   };
   for (const picture::DrawingLine& line : drawing.lines) {
     for (std::uint32_t i = 0; i < line.count; ++i) {
@@ -78,8 +78,8 @@ PixelGrid dots_of(const picture::VectorDrawing& drawing) {
 // Straight on, rims are in one column with the ends of all slices. The raster's order, slices first, hides
 // one of the two there; vectors show both.
 PixelGrid without_outer_columns(PixelGrid grid) {
-  for (int y = 0; y < raster_side; ++y) {
-    for (const int x : {0, raster_side - 1}) grid.set(x, y, 0);
+  for (int y = 0; y < guests::skala::raster_side; ++y) {
+    for (const int x : {0, guests::skala::raster_side - 1}) grid.set(x, y, 0);
   }
   return grid;
 }
@@ -102,7 +102,7 @@ Complaint within_a_dot(const SkalaHardCase& hard, const HeightGrid& grid, const 
 Cell native_cell(const SkalaHardCase& hard, const HeightGrid& grid, const PixelGrid* truth) {
   if (hard.view.zoom != 1) return "not applicable: its drawings have any size, and are not cut";
   std::vector<Complaint> complaints;
-  if (truth != nullptr && hard.view.picture == SkalaPicture::lines)
+  if (truth != nullptr && hard.view.picture == guests::skala::PictureKind::lines)
     complaints.push_back(within_a_dot(hard, grid, *truth));
   if (hard.lines != nullptr)
     complaints.push_back(hard.lines(grid, algorithms::skala::draw(grid, native_view(hard))));
@@ -115,10 +115,10 @@ Complaint exactly(const picture::PixelMetrics& metrics) {
 }
 
 SkalaHardResult run_against_oracle(const SkalaHardCase& hard, const HeightGrid& grid) {
-  const HeightComparison comparison = compare_heights(grid, hard.view);
+  const compare::HeightComparison comparison = compare::compare_heights(grid, hard.view);
   SkalaHardResult result;
   result.oracle = verdict({check_dots(hard, grid, comparison.truth)});
-  for (const ComparedRaster& raster : comparison.rasters) {
+  for (const compare::ComparedRaster& raster : comparison.rasters) {
     const std::vector<Complaint> complaints{exactly(raster.metrics), check_dots(hard, grid, raster.grid)};
     if (raster.name == "guest") {
       const std::string& difference = comparison.guest_difference;
@@ -132,21 +132,23 @@ SkalaHardResult run_against_oracle(const SkalaHardCase& hard, const HeightGrid& 
 }
 
 PixelGrid lit_dots(const core::Raster& raster) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }
 
 SkalaHardResult run_without_oracle(const SkalaHardCase& hard, const HeightGrid& grid,
                                    const std::string& reason) {
-  const auto stream = skala_stream(grid, hard.view);
-  const SkalaTwinPicture twin = run_skala_twin(stream);
-  const SkalaGuestPicture guest = run_skala_guest(assemble_skala_program(), stream);
-  const std::string difference = difference_from_twin(guest, twin, SkalaDevice::ef9365);
+  const auto stream = guests::skala::stream_of(grid, hard.view);
+  const guests::skala::TwinPicture twin = guests::skala::run_twin(stream);
+  const guests::skala::GuestPicture guest =
+      guests::skala::run_guest(guests::skala::assemble_program(), stream);
+  const std::string difference =
+      guests::skala::difference_from_twin(guest, twin, guests::skala::Device::ef9365);
   SkalaHardResult result;
   result.guest = difference.empty() ? verdict({check_dots(hard, grid, lit_dots(guest.raster))})
                                     : verdict({"not its twin's picture: " + difference});
-  result.twin = verdict({check_dots(hard, grid, lit_dots(twin.raster(SkalaDevice::ef9365)))});
+  result.twin = verdict({check_dots(hard, grid, lit_dots(twin.raster(guests::skala::Device::ef9365)))});
   result.native = native_cell(hard, grid, nullptr);
   result.oracle = "not applicable: " + reason;
   return result;
@@ -163,7 +165,8 @@ SkalaHardResult run_hard_case(const SkalaHardCase& hard) {
     return {cell, cell, cell, cell};
   }
   const auto& grid = std::get<HeightGrid>(read);
-  if (const auto reason = why_not_comparable(grid, hard.view)) return run_without_oracle(hard, grid, *reason);
+  if (const auto reason = compare::why_not_comparable(grid, hard.view))
+    return run_without_oracle(hard, grid, *reason);
   return run_against_oracle(hard, grid);
 }
 

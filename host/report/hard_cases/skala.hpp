@@ -9,10 +9,10 @@
 
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "host/algorithms/skala/view.hpp"
-#include "host/report/report.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/report/report.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::harness::report {
@@ -27,8 +27,9 @@ struct SkalaHardCase {
   std::string_view expected;
   std::string_view value;  // what is checked, beside the oracle's picture
   // Grids.
-  SkalaView view{};
-  Complaint (*dots)(const scene::HeightGrid&, const SkalaView&, const picture::PixelGrid&) = nullptr;
+  guests::skala::View view{};
+  Complaint (*dots)(const scene::HeightGrid&, const guests::skala::View&,
+                    const picture::PixelGrid&) = nullptr;
   Complaint (*lines)(const scene::HeightGrid&,
                      const picture::VectorDrawing&) = nullptr;  // of the native picture
   int columns = 4096;                                           // of its masks

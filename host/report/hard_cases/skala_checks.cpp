@@ -17,7 +17,7 @@ using picture::VectorDrawing;
 using scene::HeightGrid;
 
 // Dots of a chain of vertices on the screen.
-std::vector<RasterDot> dots_between(const std::vector<SkalaVertex>& vertices) {
+std::vector<RasterDot> dots_between(const std::vector<guests::skala::Vertex>& vertices) {
   std::vector<RasterDot> dots;
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     const auto some = algorithms::oracle::segment_dots(vertices[i].column, vertices[i].row,
@@ -27,9 +27,10 @@ std::vector<RasterDot> dots_between(const std::vector<SkalaVertex>& vertices) {
   return dots;
 }
 
-std::vector<RasterDot> slice_dots(const HeightGrid& grid, const SkalaView& view, std::size_t slice) {
-  const SkalaProjection projection(grid, view);
-  std::vector<SkalaVertex> vertices;
+std::vector<RasterDot> slice_dots(const HeightGrid& grid, const guests::skala::View& view,
+                                  std::size_t slice) {
+  const guests::skala::Projection projection(grid, view);
+  std::vector<guests::skala::Vertex> vertices;
   for (std::size_t i = 0; i < grid.points(); ++i) vertices.push_back(projection.at(i, slice));
   return dots_between(vertices);
 }
@@ -56,11 +57,11 @@ Complaint expect_lines(const VectorDrawing& drawing, std::uint32_t layer, std::s
 
 }  // namespace
 
-Complaint near_slice_lit(const HeightGrid& grid, const SkalaView& view, const PixelGrid& dots) {
+Complaint near_slice_lit(const HeightGrid& grid, const guests::skala::View& view, const PixelGrid& dots) {
   return all_lit(slice_dots(grid, view, 0), dots);
 }
 
-Complaint near_slice_only(const HeightGrid& grid, const SkalaView& view, const PixelGrid& dots) {
+Complaint near_slice_only(const HeightGrid& grid, const guests::skala::View& view, const PixelGrid& dots) {
   const auto expected = slice_dots(grid, view, 0);
   if (auto dark = all_lit(expected, dots)) return dark;
   PixelGrid slice(dots.width, dots.height);
@@ -69,24 +70,24 @@ Complaint near_slice_only(const HeightGrid& grid, const SkalaView& view, const P
   return fmt::format("{} dots beside the first slice", lit(dots) - lit(slice));
 }
 
-Complaint every_slice_lit(const HeightGrid& grid, const SkalaView& view, const PixelGrid& dots) {
+Complaint every_slice_lit(const HeightGrid& grid, const guests::skala::View& view, const PixelGrid& dots) {
   for (std::size_t slice = 0; slice < grid.slices(); ++slice) {
     if (auto dark = all_lit(slice_dots(grid, view, slice), dots)) return dark;
   }
   return std::nullopt;
 }
 
-Complaint whole_net_lit(const HeightGrid& grid, const SkalaView& view, const PixelGrid& dots) {
-  const SkalaProjection projection(grid, view);
+Complaint whole_net_lit(const HeightGrid& grid, const guests::skala::View& view, const PixelGrid& dots) {
+  const guests::skala::Projection projection(grid, view);
   for (std::size_t i = 0; i < grid.points(); ++i) {
-    std::vector<SkalaVertex> vertices;
+    std::vector<guests::skala::Vertex> vertices;
     for (std::size_t slice = 0; slice < grid.slices(); ++slice) vertices.push_back(projection.at(i, slice));
     if (auto dark = all_lit(dots_between(vertices), dots)) return dark;
   }
   return every_slice_lit(grid, view, dots);
 }
 
-Complaint one_row(const HeightGrid&, const SkalaView&, const PixelGrid& dots) {
+Complaint one_row(const HeightGrid&, const guests::skala::View&, const PixelGrid& dots) {
   const auto row = static_cast<std::size_t>(dots.width);
   for (std::size_t from = 0; from < dots.values.size(); from += row) {
     const auto begin = dots.values.begin() + static_cast<std::ptrdiff_t>(from);
@@ -96,13 +97,13 @@ Complaint one_row(const HeightGrid&, const SkalaView&, const PixelGrid& dots) {
 }
 
 // The far slice in the middle of the gap between two islands.
-Complaint far_slice_in_gap(const HeightGrid& grid, const SkalaView& view, const PixelGrid& dots) {
+Complaint far_slice_in_gap(const HeightGrid& grid, const guests::skala::View& view, const PixelGrid& dots) {
   auto expected = slice_dots(grid, view, 1);
   std::erase_if(expected, [](const RasterDot& dot) { return dot.x < 100 || dot.x > 155; });
   return all_lit(expected, dots);
 }
 
-Complaint bottom_lit(const HeightGrid&, const SkalaView&, const PixelGrid& dots) {
+Complaint bottom_lit(const HeightGrid&, const guests::skala::View&, const PixelGrid& dots) {
   for (int x = 0; x < dots.width; ++x) {
     if (dots.at(x, 0) != 0) return std::nullopt;
   }

@@ -6,23 +6,23 @@
 namespace sightline::harness::report {
 
 // Of dots. Slice 0 is the nearest.
-[[nodiscard]] Complaint near_slice_lit(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint near_slice_lit(const scene::HeightGrid& grid, const guests::skala::View& view,
                                        const picture::PixelGrid& dots);
 // And no other dot.
-[[nodiscard]] Complaint near_slice_only(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint near_slice_only(const scene::HeightGrid& grid, const guests::skala::View& view,
                                         const picture::PixelGrid& dots);
-[[nodiscard]] Complaint every_slice_lit(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint every_slice_lit(const scene::HeightGrid& grid, const guests::skala::View& view,
                                         const picture::PixelGrid& dots);
 // Slices of both families.
-[[nodiscard]] Complaint whole_net_lit(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint whole_net_lit(const scene::HeightGrid& grid, const guests::skala::View& view,
                                       const picture::PixelGrid& dots);
 // All dots of one row and no other.
-[[nodiscard]] Complaint one_row(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint one_row(const scene::HeightGrid& grid, const guests::skala::View& view,
                                 const picture::PixelGrid& dots);
 // Slice 1 from column 100 to 155.
-[[nodiscard]] Complaint far_slice_in_gap(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint far_slice_in_gap(const scene::HeightGrid& grid, const guests::skala::View& view,
                                          const picture::PixelGrid& dots);
-[[nodiscard]] Complaint bottom_lit(const scene::HeightGrid& grid, const SkalaView& view,
+[[nodiscard]] Complaint bottom_lit(const scene::HeightGrid& grid, const guests::skala::View& view,
                                    const picture::PixelGrid& dots);
 
 // Of lines.

@@ -4,12 +4,12 @@
 #include <charconv>
 #include <cstdint>
 
-#include "host/report/hard_cases/hard_cases.hpp"
-#include "host/report/hard_cases/skala.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/twin/twin.hpp"
+#include "host/report/hard_cases/hard_cases.hpp"
+#include "host/report/hard_cases/skala.hpp"
 
 namespace sightline::harness::report {
 
@@ -32,9 +32,9 @@ std::string_view next_word(std::string_view& text) {
 std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
   std::vector<std::uint8_t> bytes;
   for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
-    const auto row = std::find_if(skala_commands.begin(), skala_commands.end(),
-                                  [word](const SkalaCommandRow& r) { return r.name == word; });
-    if (row != skala_commands.end()) {
+    const auto row = std::find_if(guests::skala::commands.begin(), guests::skala::commands.end(),
+                                  [word](const guests::skala::CommandRow& r) { return r.name == word; });
+    if (row != guests::skala::commands.end()) {
       bytes.push_back(static_cast<std::uint8_t>(row->command));
       continue;
     }
@@ -47,16 +47,16 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
 }
 
 PixelGrid grid_of(const core::Raster& raster) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
   return grid;
 }
 
 PixelGrid truth_of(const std::vector<oracle::Chain>& chains) {
-  PixelGrid grid(raster_side, raster_side);
+  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
   const auto picture = oracle::column_picture(chains, 0);
-  for (int x = 0; x < raster_side; ++x) {
-    for (int y = 0; y < raster_side; ++y)
+  for (int x = 0; x < guests::skala::raster_side; ++x) {
+    for (int y = 0; y < guests::skala::raster_side; ++y)
       grid.set(x, y, picture.lit[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)] ? 1 : 0);
   }
   return grid;
@@ -74,18 +74,19 @@ Cell compared(const PixelGrid& truth, const PixelGrid& drawn) {
 }
 
 struct Runs {
-  SkalaGuestPicture guest;
-  SkalaTwinPicture twin;
+  guests::skala::GuestPicture guest;
+  guests::skala::TwinPicture twin;
 };
 
-Runs run(const SkalaProgram& program, const std::vector<std::uint8_t>& stream) {
-  return {run_skala_guest(program, stream), run_skala_twin(stream)};
+Runs run(const guests::skala::Program& program, const std::vector<std::uint8_t>& stream) {
+  return {guests::skala::run_guest(program, stream), guests::skala::run_twin(stream)};
 }
 
 Cell guest_cell(const Runs& runs, const PixelGrid& truth) {
-  if (!runs.guest.ended || runs.guest.status != SkalaStatus::complete)
+  if (!runs.guest.ended || runs.guest.status != guests::skala::Status::complete)
     return Verdict{false, fmt::format("differs: stops: {}", text_of(runs.guest.status))};
-  const std::string difference = difference_from_twin(runs.guest, runs.twin, SkalaDevice::ef9365);
+  const std::string difference =
+      guests::skala::difference_from_twin(runs.guest, runs.twin, guests::skala::Device::ef9365);
   if (!difference.empty()) return Verdict{false, "differs: not its twin's picture: " + difference};
   return compared(truth, grid_of(runs.guest.raster));
 }
@@ -104,24 +105,26 @@ class Fan {
     for (const bool forwards : {true, false}) {
       const auto from = forwards ? std::pair{x, y} : std::pair{x + u, y + v};
       const auto to = forwards ? std::pair{x + u, y + v} : std::pair{x, y};
-      const auto move = {static_cast<std::uint8_t>(SkalaCommand::move), byte(from.first), byte(from.second),
-                         static_cast<std::uint8_t>(SkalaCommand::draw), byte(to.first),   byte(to.second)};
+      const auto move = {
+          static_cast<std::uint8_t>(guests::skala::Command::move), byte(from.first), byte(from.second),
+          static_cast<std::uint8_t>(guests::skala::Command::draw), byte(to.first),   byte(to.second)};
       stream_.insert(stream_.end(), move);
     }
     for (const oracle::RasterDot& dot : oracle::segment_dots(x, y, x + u, y + v)) truth_.set(dot.x, dot.y, 1);
   }
   [[nodiscard]] const PixelGrid& truth() const { return truth_; }
   [[nodiscard]] std::vector<std::uint8_t> stream() const {
-    std::vector<std::uint8_t> whole{static_cast<std::uint8_t>(SkalaCommand::device), skala_no_visibility,
-                                    static_cast<std::uint8_t>(SkalaCommand::reset)};
+    std::vector<std::uint8_t> whole{static_cast<std::uint8_t>(guests::skala::Command::device),
+                                    guests::skala::no_visibility,
+                                    static_cast<std::uint8_t>(guests::skala::Command::reset)};
     whole.insert(whole.end(), stream_.begin(), stream_.end());
-    whole.push_back(static_cast<std::uint8_t>(SkalaCommand::end));
+    whole.push_back(static_cast<std::uint8_t>(guests::skala::Command::end));
     return whole;
   }
 
  private:
   std::vector<std::uint8_t> stream_;
-  PixelGrid truth_{raster_side, raster_side};
+  PixelGrid truth_{guests::skala::raster_side, guests::skala::raster_side};
 };
 
 // 49 lines a screen, none near another.
@@ -152,19 +155,19 @@ SkalaHardResult run_commands(const SkalaHardCase& hard) {
   const auto stream = bytes_of(hard_case_text(hard.file));
   if (!stream) return {Verdict{false, "no commands"}, Verdict{false, "no commands"}, no_native, Cell()};
   const PixelGrid truth = truth_of(hard.chains);
-  const Runs runs = run(assemble_skala_program(), *stream);
-  return {guest_cell(runs, truth), compared(truth, grid_of(runs.twin.raster(SkalaDevice::ef9365))),
+  const Runs runs = run(guests::skala::assemble_program(), *stream);
+  return {guest_cell(runs, truth), compared(truth, grid_of(runs.twin.raster(guests::skala::Device::ef9365))),
           std::string(no_native), counted(truth, hard.lit)};
 }
 
 SkalaHardResult run_all_octants() {
   SkalaHardResult result{Verdict{true, "right"}, Verdict{true, "right"}, std::string(no_native),
                          Verdict{true, "right"}};
-  const SkalaProgram program = assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   for (const Fan& fan : fans()) {
     const Runs runs = run(program, fan.stream());
     const Cell guest = guest_cell(runs, fan.truth());
-    const Cell twin = compared(fan.truth(), grid_of(runs.twin.raster(SkalaDevice::ef9365)));
+    const Cell twin = compared(fan.truth(), grid_of(runs.twin.raster(guests::skala::Device::ef9365)));
     if (is_right(result.guest)) result.guest = guest;
     if (is_right(result.twin)) result.twin = twin;
   }

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/report/hard_cases/skala.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/stream.hpp"
 #include "host/guests/skala/twin/twin.hpp"
+#include "host/report/hard_cases/skala.hpp"
 
 namespace sightline::harness::report {
 
@@ -38,9 +38,9 @@ HeightGrid crossing(int d) {
   return grid_of(2, {0, 0, 100, 101, 99, 100 + last / d, last, last});
 }
 
-SkalaView level_view() {
-  SkalaView view;
-  view.family = SkalaFamily::along_x;
+guests::skala::View level_view() {
+  guests::skala::View view;
+  view.family = guests::skala::Family::along_x;
   view.elevation = 0;
   return view;
 }
@@ -93,7 +93,7 @@ Cell failure(const Curve& curve, const std::vector<int>& parameters, std::option
 Outcome<Table> skala_families(const Context& context) {
   context.progress("hard case S11: first failures");
   const std::vector<int> parameters{2, 4, 8, 16, 32, 64, 128};
-  const SkalaProgram program = assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   std::vector<Curve> curves{{"program on the 8080", {}}, {"twin", {}}};
   const std::vector<int> masks{algorithms::skala::fewest_columns, 256, 1024, 4096,
                                algorithms::skala::most_columns};
@@ -101,13 +101,13 @@ Outcome<Table> skala_families(const Context& context) {
     curves.push_back({fmt::format("native Skala, masks of {} columns", columns), {}});
   for (const int d : parameters) {
     const HeightGrid grid = crossing(d);
-    const auto stream = skala_stream(grid, level_view());
+    const auto stream = guests::skala::stream_of(grid, level_view());
     const double exact = d;
     const auto add = [&](std::size_t curve, double place) {
       curves[curve].errors.push_back(std::abs(place - exact));
     };
-    add(0, first_above(run_skala_guest(program, stream).raster));
-    add(1, first_above(run_skala_twin(stream).raster(SkalaDevice::ef9365)));
+    add(0, first_above(guests::skala::run_guest(program, stream).raster));
+    add(1, first_above(guests::skala::run_twin(stream).raster(guests::skala::Device::ef9365)));
     for (std::size_t i = 0; i < masks.size(); ++i) add(2 + i, native_place(grid, masks[i]));
   }
   Table table;

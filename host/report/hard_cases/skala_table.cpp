@@ -10,8 +10,8 @@ namespace {
 using algorithms::oracle::Chain;
 using algorithms::oracle::SegmentRole;
 
-SkalaView lines(SkalaFamily family, double rotation, double elevation) {
-  SkalaView view;
+guests::skala::View lines(guests::skala::Family family, double rotation, double elevation) {
+  guests::skala::View view;
   view.family = family;
   view.rotation = rotation;
   view.elevation = elevation;
@@ -41,7 +41,7 @@ void add_first_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "the first slice, before any mask is set",
                    .expected = "wholly visible",
                    .value = "every dot of the first slice; one line of 5 points",
-                   .view = lines(SkalaFamily::along_x, 0, 30),
+                   .view = lines(guests::skala::Family::along_x, 0, 30),
                    .dots = near_slice_lit,
                    .lines = first_line_whole});
   cases.push_back({.id = "S2",
@@ -49,7 +49,7 @@ void add_first_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "a flat surface seen edge-on",
                    .expected = "slices after the first lie on the mask: drawn once",
                    .value = "256 dots, one row; ink of one row",
-                   .view = lines(SkalaFamily::along_x, 0, 0),
+                   .view = lines(guests::skala::Family::along_x, 0, 0),
                    .dots = one_row,
                    .lines = ink_of_one_row});
   cases.push_back({.id = "S3",
@@ -57,7 +57,7 @@ void add_first_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "six equal slices, seen without elevation",
                    .expected = "what equals the horizon is not drawn again",
                    .value = "the dots of the first slice and no other; one line of 7 points",
-                   .view = lines(SkalaFamily::along_x, 0, 0),
+                   .view = lines(guests::skala::Family::along_x, 0, 0),
                    .dots = near_slice_only,
                    .lines = one_line});
   cases.push_back({.id = "S4",
@@ -72,7 +72,7 @@ void add_first_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "a cliff in 1/100 of the width",
                    .expected = "the first slice is wholly visible",
                    .value = "every dot of the first slice; one line of 5 points",
-                   .view = lines(SkalaFamily::along_x, 0, 30),
+                   .view = lines(guests::skala::Family::along_x, 0, 30),
                    .dots = near_slice_lit,
                    .lines = first_line_whole});
   cases.push_back({.id = "S5",
@@ -87,7 +87,7 @@ void add_first_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "four slices seen end-on",
                    .expected = "four upright lines",
                    .value = "every dot of every slice; 4 lines",
-                   .view = lines(SkalaFamily::along_x, 90, 30),
+                   .view = lines(guests::skala::Family::along_x, 90, 30),
                    .dots = every_slice_lit,
                    .lines = line_a_slice});
   cases.push_back({.id = "S6",
@@ -112,7 +112,7 @@ void add_order_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "slices in the file from far to near, turned by 30 degrees",
                    .expected = "order is by depth, not by the file: the right picture",
                    .value = "the oracle's picture, made of depths alone",
-                   .view = lines(SkalaFamily::along_x, 30, 30)});
+                   .view = lines(guests::skala::Family::along_x, 30, 30)});
   cases.push_back({.id = "S8",
                    .file = "S8-backwards.txt",
                    .what = "commands sent from the background to the foreground",
@@ -125,7 +125,7 @@ void add_order_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "two families of slices, a flat net seen from above",
                    .expected = "no line of either is lost",
                    .value = "every dot of the net; 3 and 4 lines",
-                   .view = lines(SkalaFamily::both, 0, 40),
+                   .view = lines(guests::skala::Family::both, 0, 40),
                    .dots = whole_net_lit,
                    .lines = line_a_slice_and_point});
   cases.push_back({.id = "S9",
@@ -133,7 +133,7 @@ void add_order_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "two families of slices, hills turned by 30 degrees",
                    .expected = "hidden cell by cell from front to back",
                    .value = "the oracle's picture, made of depths alone",
-                   .view = lines(SkalaFamily::both, 30, 30)});
+                   .view = lines(guests::skala::Family::both, 30, 30)});
   cases.push_back({.id = "S10",
                    .file = "S10.txt",
                    .what = "two islands in one slice, and a farther line at their height",
@@ -147,7 +147,7 @@ void add_order_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "a slice with undefined heights between two islands, and a farther slice",
                    .expected = "the farther slice is seen through the gap",
                    .value = "its dots from column 100 to 155; a line across the gap",
-                   .view = lines(SkalaFamily::along_x, 0, 5),
+                   .view = lines(guests::skala::Family::along_x, 0, 5),
                    .dots = far_slice_in_gap,
                    .lines = line_through_gap});
 }
@@ -160,13 +160,13 @@ void add_raster_cases(std::vector<SkalaHardCase>& cases) {
        .expected = "the crossing is off by no more than 1 / (difference of slopes) columns (see the table "
                    "of first failures)",
        .value = "the oracle's picture",
-       .view = lines(SkalaFamily::along_x, 0, 0)});
+       .view = lines(guests::skala::Family::along_x, 0, 0)});
   cases.push_back({.id = "S12",
                    .file = "S12.csv",
                    .what = "a spike in one sample",
                    .expected = "drawn as the triangle it is in linear interpolation",
                    .value = "the oracle's picture; every dot of the first slice",
-                   .view = lines(SkalaFamily::along_x, 0, 30),
+                   .view = lines(guests::skala::Family::along_x, 0, 30),
                    .dots = near_slice_lit});
   cases.push_back({.id = "S13",
                    .file = "S13.txt",
@@ -188,13 +188,13 @@ void add_raster_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "hills; native masks of 16384 columns",
                    .expected = "the same picture, finer",
                    .value = "the oracle's picture; the first slice whole",
-                   .view = lines(SkalaFamily::along_x, 0, 30),
+                   .view = lines(guests::skala::Family::along_x, 0, 30),
                    .lines = first_line_whole,
                    .columns = algorithms::skala::most_columns});
 }
 
 void add_surface_cases(std::vector<SkalaHardCase>& cases) {
-  SkalaView zoomed = lines(SkalaFamily::along_x, 0, 30);
+  guests::skala::View zoomed = lines(guests::skala::Family::along_x, 0, 30);
   zoomed.zoom = 3;
   cases.push_back({.id = "S13",
                    .file = "S13.csv",
@@ -208,7 +208,7 @@ void add_surface_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "a pit whose bottom hangs below the near edge",
                    .expected = "the underside is seen by the bottom masks",
                    .value = "the oracle's picture; ink in the bottom row",
-                   .view = lines(SkalaFamily::along_x, 0, 10),
+                   .view = lines(guests::skala::Family::along_x, 0, 10),
                    .dots = bottom_lit,
                    .lines = reaches_bottom});
   cases.push_back({.id = "S15",
@@ -216,9 +216,9 @@ void add_surface_cases(std::vector<SkalaHardCase>& cases) {
                    .what = "hills seen from below, by -30 degrees",
                    .expected = "both horizons are independent",
                    .value = "the oracle's picture",
-                   .view = lines(SkalaFamily::along_x, 0, -30)});
-  SkalaView contours = lines(SkalaFamily::automatic, 0, 60);
-  contours.picture = SkalaPicture::contours;
+                   .view = lines(guests::skala::Family::along_x, 0, -30)});
+  guests::skala::View contours = lines(guests::skala::Family::automatic, 0, 60);
+  contours.picture = guests::skala::PictureKind::contours;
   contours.levels = 3;
   cases.push_back({.id = "S16",
                    .file = "S16.csv",

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "emulators/core/time.hpp"
+#include "host/guests/skala/commands.hpp"
 #include "host/report/guest_runs.hpp"
 #include "host/report/scene_needs/unseen_building.hpp"
-#include "host/guests/skala/commands.hpp"
 
 namespace sightline::harness::report {
 
@@ -35,13 +35,13 @@ Table core_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
                    {"file_words", "Display file", "words", false},
                    {"file_room_words", "There were", "words", false}};
   for (const auto& [order, run] : runs) {
-    const jones::Program& program = run.program;
+    const guests::jones::Program& program = run.program;
     table.rows.push_back(
         {order.scene, fmt::format("PDP-7, {}clock, switches, Type 340", order.eae ? "EAE, " : ""),
          count(program.program_words), count(program.scene.words.size()), count(program.words_used),
-         count(scene::core_words), Real{100.0 * program.words_used / scene::core_words, 1},
-         count(run.twin.stack_words), count(jones::mask_stack_words), count(run.view().display_file.size()),
-         count(program.labels.file_words)});
+         count(guests::jones::core_words), Real{100.0 * program.words_used / guests::jones::core_words, 1},
+         count(run.twin.stack_words), count(guests::jones::mask_stack_words),
+         count(run.view().display_file.size()), count(program.labels.file_words)});
   }
   table.notes = {
       "In all: instructions, variables and constants, the scene, records of its openings, the mask stack and "
@@ -68,7 +68,7 @@ Table work_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
                    {"stolen_cycles", "Cycles stolen", "by the display", false},
                    {"stolen_percent", "Stolen", "% of the view", false}};
   for (const auto& [order, run] : runs) {
-    const jones::GuestView& view = run.view();
+    const guests::jones::GuestView& view = run.view();
     const double time = seconds(view.time);
     table.rows.push_back({order.scene, std::string(order.eae ? "yes" : "no"), count(run.scene.cells.size()),
                           count(view.distinct_cells), count(view.visits), count(run.twin.depth),
@@ -83,7 +83,7 @@ Table work_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
   return table;
 }
 
-Table memory_table(const SkalaProgram& program) {
+Table memory_table(const guests::skala::Program& program) {
   constexpr std::int64_t page = 256;
   Table table;
   table.id = "skala-memory";
@@ -103,7 +103,8 @@ Table memory_table(const SkalaProgram& program) {
   row("the slice before: rows and levels", 0, 2 * page, 0);
   row("folds, for silhouettes", 0, 0, 2 * page);
   row("pages written but never read, and the stack", 3 * page, 3 * page, 3 * page);
-  row("buffer of commands", skala_buffer_bytes, skala_buffer_bytes, skala_buffer_bytes);
+  row("buffer of commands", guests::skala::buffer_bytes, guests::skala::buffer_bytes,
+      guests::skala::buffer_bytes);
   row("there were", 65536, 65536, 65536);
   table.notes = {
       "One program draws all three kinds of picture. The paper does not say what its memory held."};
@@ -149,7 +150,7 @@ Outcome<Section> scene_needs(const Context& context) {
   auto jones_runs = run_all_jones(context, false);
   if (auto* const error = std::get_if<ReportError>(&jones_runs)) return std::move(*error);
   const auto& jones = std::get<0>(jones_runs);
-  const SkalaProgram program = assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   const auto skala_runs = run_all_skala(context, program, false);
   if (const auto* const error = std::get_if<ReportError>(&skala_runs)) return *error;
   auto unseen = unseen_building(context);

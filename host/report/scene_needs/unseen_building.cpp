@@ -29,7 +29,7 @@ Outcome<Table> corridors(const Context& context) {
       const auto made = run_jones({name, eae, false, false});
       if (const auto* const error = std::get_if<ReportError>(&made)) return *error;
       const auto& run = std::get<JonesRun>(made);
-      const jones::GuestView& view = run.guest.views.front();
+      const guests::jones::GuestView& view = run.guest.views.front();
       table.rows.push_back({std::string(name), std::string(eae ? "yes" : "no"),
                             static_cast<std::int64_t>(run.scene.cells.size()),
                             static_cast<std::int64_t>(view.distinct_cells),

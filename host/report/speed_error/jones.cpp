@@ -25,28 +25,29 @@ double seconds(core::Duration time) {
   return core::in_seconds(time);
 }
 
-using Lines = std::vector<std::optional<jones::SceneLine>>;
+using Lines = std::vector<std::optional<guests::jones::SceneLine>>;
 
 struct GuestView {
-  jones::GuestPieces pieces;
+  guests::jones::GuestPieces pieces;
   Lines lines;  // of its vector words
 };
 
-Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const jones::Precision& build,
+Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const guests::jones::Precision& build,
                              bool eae) {
-  jones::ProgramOptions options;
+  guests::jones::ProgramOptions options;
   options.eae = eae;
   options.fraction_bits = static_cast<std::uint32_t>(build.fraction_bits);
   options.truncate = build.truncate;
   options.tape.view = views.eye(view);
-  const auto assembled = jones::assemble_program(views.scene(), options);
+  const auto assembled = guests::jones::assemble_program(views.scene(), options);
   if (const auto* const error = std::get_if<scene::SceneError>(&assembled))
     return ReportError{ErrorKind::bad_input, views.name() + ": " + error->message()};
-  const auto& program = std::get<jones::Program>(assembled);
-  std::vector<core::Word18> words(jones::core_words);
+  const auto& program = std::get<guests::jones::Program>(assembled);
+  std::vector<core::Word18> words(guests::jones::core_words);
   for (const auto& [address, word] : program.core) words.at(address) = word;
-  GuestView run{jones::run_for_pieces(program, eae), jones::lines_by_address(program.scene, words)};
-  if (run.pieces.status != jones::Status::complete)
+  GuestView run{guests::jones::run_for_pieces(program, eae),
+                guests::jones::lines_by_address(program.scene, words)};
+  if (run.pieces.status != guests::jones::Status::complete)
     return ReportError{ErrorKind::guest_failed, fmt::format("{}, {}: the view stopped: {}", views.name(),
                                                             name(build), name(run.pieces.status))};
   return run;
@@ -56,8 +57,8 @@ Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const jo
 bool same_pieces(const GuestView& a, const GuestView& b) {
   if (a.pieces.clipped.size() != b.pieces.clipped.size()) return false;
   for (std::size_t i = 0; i < a.pieces.clipped.size(); ++i) {
-    const jones::Piece& here = a.pieces.clipped[i];
-    const jones::Piece& there = b.pieces.clipped[i];
+    const guests::jones::Piece& here = a.pieces.clipped[i];
+    const guests::jones::Piece& there = b.pieces.clipped[i];
     if (here.line != there.line || here.drawn != there.drawn ||
         a.lines.at(here.vector_address) != b.lines.at(there.vector_address))
       return false;
@@ -66,9 +67,9 @@ bool same_pieces(const GuestView& a, const GuestView& b) {
 }
 
 void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, const GuestView& run) {
-  const jones::ShortWords number(jones::machine_word_bits, build.precision.fraction_bits,
-                                 build.precision.truncate);
-  const jones::Window window;
+  const guests::jones::ShortWords number(guests::jones::machine_word_bits, build.precision.fraction_bits,
+                                         build.precision.truncate);
+  const guests::jones::Window window;
   const auto x = [&](std::int32_t units) { return number.points(units) + window.centre_x; };
   const auto y = [&](std::int32_t units) { return number.points(units) + window.centre_y; };
   std::vector<picture::DrawnPiece> clipped;
@@ -76,10 +77,10 @@ void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, c
   for (std::size_t i = 0; i < run.pieces.clipped.size(); ++i) {
     const auto& line = run.lines.at(run.pieces.clipped[i].vector_address);
     if (!line) continue;
-    const jones::ScreenSegment& at = run.pieces.clipped[i].line;
+    const guests::jones::ScreenSegment& at = run.pieces.clipped[i].line;
     clipped.push_back(views.piece(view, *line, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}));
     if (!run.pieces.clipped[i].drawn) continue;
-    const jones::ScreenSegment& shown = run.pieces.on_display.at(i);
+    const guests::jones::ScreenSegment& shown = run.pieces.on_display.at(i);
     const auto point = [](std::int32_t place) { return static_cast<double>(place); };
     displayed.push_back(
         views.piece(view, *line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}));
@@ -88,18 +89,19 @@ void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, c
   views.add(build.displayed, view, run.pieces.status, displayed);
 }
 
-jones::PreciseView run_twin(const SceneViews& views, std::size_t view, const jones::Precision& precision) {
+guests::jones::PreciseView run_twin(const SceneViews& views, std::size_t view,
+                                    const guests::jones::Precision& precision) {
   const auto& core = views.in_core(view).core;
-  return jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+  return guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
 }
 
 // The most fraction bits with which every view is complete; 0 if none are.
 int most_complete(const SceneViews& views, int word_bits) {
-  for (int f = jones::most_fraction_bits; f > 0; --f) {
-    const jones::Precision precision{jones::NumberKind::fixed_point, word_bits, f, false};
+  for (int f = guests::jones::most_fraction_bits; f > 0; --f) {
+    const guests::jones::Precision precision{guests::jones::NumberKind::fixed_point, word_bits, f, false};
     bool complete = true;
     for (std::size_t view = 0; view < views.size() && complete; ++view)
-      complete = run_twin(views, view, precision).status == jones::Status::complete;
+      complete = run_twin(views, view, precision).status == guests::jones::Status::complete;
     if (complete) return f;
   }
   return 0;
@@ -107,14 +109,14 @@ int most_complete(const SceneViews& views, int word_bits) {
 
 void measure_twins(const SceneViews& views, JonesMeasured& measured) {
   for (const bool truncate : {false, true}) {
-    for (int f = 0; f <= jones::most_fraction_bits; ++f)
-      measured.fractions.push_back(
-          measure_twin(views, {jones::NumberKind::fixed_point, jones::longest_word, f, truncate}));
+    for (int f = 0; f <= guests::jones::most_fraction_bits; ++f)
+      measured.fractions.push_back(measure_twin(
+          views, {guests::jones::NumberKind::fixed_point, guests::jones::longest_word, f, truncate}));
   }
   for (const int bits : tried_lengths)
-    measured.words.push_back(
-        measure_twin(views, {jones::NumberKind::fixed_point, bits, most_complete(views, bits), false}));
-  for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float})
+    measured.words.push_back(measure_twin(
+        views, {guests::jones::NumberKind::fixed_point, bits, most_complete(views, bits), false}));
+  for (const auto kind : {guests::jones::NumberKind::single_float, guests::jones::NumberKind::double_float})
     measured.floating.push_back(measure_twin(views, {kind}));
 }
 
@@ -139,7 +141,7 @@ struct ExactScene {
     }
   }
 
-  // Every view has a picture: jones::Walker gives none for an eye in a solid.
+  // Every view has a picture: guests::jones::Walker gives none for an eye in a solid.
   [[nodiscard]] std::optional<picture::LinePicture> by_jones(std::size_t view) {
     auto seen = walker.visible_edges(cameras[view]);
     auto* const found = std::get_if<algorithms::jones::View>(&seen);
@@ -193,8 +195,8 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
   context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
-      auto build =
-          measure_build(views, {jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate});
+      auto build = measure_build(
+          views, {guests::jones::NumberKind::fixed_point, guests::jones::machine_word_bits, f, truncate});
       if (auto* const error = std::get_if<ReportError>(&build)) return std::move(*error);
       measured.machine.push_back(std::get<MachineBuild>(std::move(build)));
     }
@@ -210,7 +212,7 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
 
 }  // namespace
 
-Outcome<MachineBuild> measure_build(const SceneViews& views, const jones::Precision& precision) {
+Outcome<MachineBuild> measure_build(const SceneViews& views, const guests::jones::Precision& precision) {
   MachineBuild build;
   build.precision = precision;
   for (std::size_t view = 0; view < views.size(); ++view) {
@@ -231,13 +233,13 @@ Outcome<MachineBuild> measure_build(const SceneViews& views, const jones::Precis
   return build;
 }
 
-Twin measure_twin(const SceneViews& views, const jones::Precision& precision) {
+Twin measure_twin(const SceneViews& views, const guests::jones::Precision& precision) {
   Twin twin;
   twin.precision = precision;
   for (std::size_t view = 0; view < views.size(); ++view) {
-    const jones::PreciseView seen = run_twin(views, view, precision);
+    const guests::jones::PreciseView seen = run_twin(views, view, precision);
     std::vector<picture::DrawnPiece> drawn;
-    for (const jones::PrecisePiece& piece : seen.pieces) {
+    for (const guests::jones::PrecisePiece& piece : seen.pieces) {
       if (const auto& line = views.in_core(view).lines.at(piece.vector_address))
         drawn.push_back(views.piece(view, *line, piece.line));
     }
@@ -248,7 +250,7 @@ Twin measure_twin(const SceneViews& views, const jones::Precision& precision) {
 
 Outcome<std::vector<JonesMeasured>> measure_jones(const Context& context) {
   std::vector<JonesMeasured> scenes;
-  for (const jones::SixViews& six : jones::six_views) {
+  for (const guests::jones::SixViews& six : guests::jones::six_views) {
     const auto views = SceneViews::of(six);
     if (const auto* const error = std::get_if<ReportError>(&views)) return *error;
     auto measured = measure_scene(std::get<SceneViews>(views), context);

@@ -16,7 +16,7 @@ namespace sightline::harness::report {
 
 // A build of the program on the machine. Times are means of a view.
 struct MachineBuild {
-  jones::Precision precision;
+  guests::jones::Precision precision;
   PictureError clipped;    // pieces as they left the clip, with their fraction of a point
   PictureError displayed;  // the same between the whole points of the display
   double eae_s = 0;
@@ -24,7 +24,7 @@ struct MachineBuild {
 };
 
 struct Twin {
-  jones::Precision precision;
+  guests::jones::Precision precision;
   PictureError error;
   std::optional<double> view_ns;  // a view, mean of six
 };
@@ -45,13 +45,14 @@ struct JonesMeasured {
   std::vector<ExactProgram> exact;
 };
 
-// In the order of jones::six_views. Errors: differs, if a build without the EAE does not draw what that with
-// it draws, or an exact algorithm not what the oracle finds; guest_failed.
+// In the order of guests::jones::six_views. Errors: differs, if a build without the EAE does not draw what
+// that with it draws, or an exact algorithm not what the oracle finds; guest_failed.
 [[nodiscard]] Outcome<std::vector<JonesMeasured>> measure_jones(const Context& context);
 
 // One scene on the machine.
-[[nodiscard]] Outcome<MachineBuild> measure_build(const SceneViews& views, const jones::Precision& build);
+[[nodiscard]] Outcome<MachineBuild> measure_build(const SceneViews& views,
+                                                  const guests::jones::Precision& build);
 // In C++, without its time.
-[[nodiscard]] Twin measure_twin(const SceneViews& views, const jones::Precision& precision);
+[[nodiscard]] Twin measure_twin(const SceneViews& views, const guests::jones::Precision& precision);
 
 }  // namespace sightline::harness::report

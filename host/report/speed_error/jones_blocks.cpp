@@ -38,7 +38,7 @@ double told(const Measure& measure, const PictureError& error) {
   return value < least_told ? 0 : value;
 }
 
-std::string_view rounding(const jones::Precision& precision) {
+std::string_view rounding(const guests::jones::Precision& precision) {
   return precision.truncate ? "cut off" : "rounded";
 }
 
@@ -70,7 +70,7 @@ Cell time_cell(const std::optional<double>& ns) {
 }
 
 void add_twin(Table& table, const std::string& scene, const Twin& twin) {
-  const bool fixed = twin.precision.kind == jones::NumberKind::fixed_point;
+  const bool fixed = twin.precision.kind == guests::jones::NumberKind::fixed_point;
   const auto count = [fixed](int value) { return fixed ? Cell(std::int64_t{value}) : Cell(); };
   std::vector<Cell> row{scene,
                         name(twin.precision),
@@ -96,7 +96,7 @@ Plot plot_of(const Measure& measure, std::string_view id, std::string_view title
   return plot;
 }
 
-std::string bits(const jones::Precision& precision) {
+std::string bits(const guests::jones::Precision& precision) {
   return fmt::format("f={}", precision.fraction_bits);
 }
 

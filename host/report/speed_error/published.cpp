@@ -22,17 +22,17 @@ constexpr std::array<Published, 4> published{{{"house", {0.23, 0.11, 0.05, 0.03,
                                               {"corridor8", {0.89, 0.76, 0.06, 0.03, 0.53, 0.11}}}};
 constexpr int places = 3;
 
-Table error_table(const jones::ErrorTable& measured) {
+Table error_table(const guests::jones::ErrorTable& measured) {
   Table table;
   table.id = "jones-error-table";
   table.title = "Jones: wrong length in per cent of the visible, six views a scene";
   table.columns = {{"scene", "Scene", "", false}, {"measured", "Measured", "", false}};
-  for (const jones::Precision& column : measured.columns)
+  for (const guests::jones::Precision& column : measured.columns)
     table.columns.push_back(
         {fmt::format("{}_f{}", column.truncate ? "cut" : "round", column.fraction_bits),
          fmt::format("{} f={}", column.truncate ? "cut off," : "rounded,", column.fraction_bits), "%",
          false});
-  for (const jones::ErrorTableRow& row : measured.rows) {
+  for (const guests::jones::ErrorTableRow& row : measured.rows) {
     for (const Published& before : published) {
       if (before.scene != row.scene) continue;
       auto& cells = table.rows.emplace_back();
@@ -41,11 +41,11 @@ Table error_table(const jones::ErrorTable& measured) {
     }
     auto& clipped = table.rows.emplace_back();
     clipped = {row.scene, std::string("here, on the PDP-7, after the clip")};
-    for (const jones::Measured& cell : row.cells)
+    for (const guests::jones::Measured& cell : row.cells)
       clipped.emplace_back(Real{100 * cell.clipped.share(), places});
     auto& shown = table.rows.emplace_back();
     shown = {row.scene, std::string("here, between the points of the display")};
-    for (const jones::Measured& cell : row.cells)
+    for (const guests::jones::Measured& cell : row.cells)
       shown.emplace_back(Real{100 * cell.displayed.value().share(), places});
   }
   table.notes = {
@@ -60,10 +60,11 @@ std::string place_of(const geometry::Point& p) {
   return fmt::format("({}, {}, {})", p[0], p[1], p[2]);
 }
 
-Table named_table(const jones::ErrorTable& measured) {
+Table named_table(const guests::jones::ErrorTable& measured) {
   Table table;
   table.id = "jones-named-pieces";
-  table.title = fmt::format("Jones: every piece wrong by more than {} pixels", jones::named_from_points);
+  table.title =
+      fmt::format("Jones: every piece wrong by more than {} pixels", guests::jones::named_from_points);
   table.columns = {{"scene", "Scene", "", false},
                    {"arithmetic", "Arithmetic", "", false},
                    {"eye", "Eye", "", false},
@@ -72,10 +73,10 @@ Table named_table(const jones::ErrorTable& measured) {
                    {"from", "On the line from", "", false},
                    {"to", "to", "", false}};
   std::size_t pieces = 0;
-  for (const jones::ErrorTableRow& row : measured.rows) {
-    for (const jones::Measured& cell : row.cells) {
+  for (const guests::jones::ErrorTableRow& row : measured.rows) {
+    for (const guests::jones::Measured& cell : row.cells) {
       pieces += cell.clipped.named.size();
-      for (const jones::NamedStretch& named : cell.clipped.named)
+      for (const guests::jones::NamedStretch& named : cell.clipped.named)
         table.rows.push_back({row.scene, name(cell.precision), place_of(row.eyes.at(named.view)),
                               std::string(named.stretch.extra ? "drawn, not visible" : "visible, not drawn"),
                               Real{named.stretch.length, 1}, place_of(named.stretch.line.from),
@@ -93,7 +94,7 @@ Table named_table(const jones::ErrorTable& measured) {
 
 }  // namespace
 
-std::vector<Block> published_error_blocks(const jones::ErrorTable& table) {
+std::vector<Block> published_error_blocks(const guests::jones::ErrorTable& table) {
   return {error_table(table), named_table(table)};
 }
 

@@ -10,6 +10,6 @@
 namespace sightline::harness::report {
 
 // Two tables.
-[[nodiscard]] std::vector<Block> published_error_blocks(const jones::ErrorTable& table);
+[[nodiscard]] std::vector<Block> published_error_blocks(const guests::jones::ErrorTable& table);
 
 }  // namespace sightline::harness::report

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/report/speed_error/clock.hpp"
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/stream.hpp"
+#include "host/report/speed_error/clock.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::harness::report {
@@ -38,27 +38,27 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
 
 // One picture in both programs' words.
 struct Order {
-  SkalaPicture picture = SkalaPicture::lines;
+  guests::skala::PictureKind picture = guests::skala::PictureKind::lines;
   int levels = 8;
-  int raster = raster_side;  // dots a side; the program on the 8080 has up to 256
-  SkalaDevice device = SkalaDevice::ef9365;
-  SkalaLink link = SkalaLink::parallel;
+  int raster = guests::skala::raster_side;  // dots a side; the program on the 8080 has up to 256
+  guests::skala::Device device = guests::skala::Device::ef9365;
+  guests::skala::Link link = guests::skala::Link::parallel;
 };
 
-SkalaView view_of(const Order& order) {
-  SkalaView view;
+guests::skala::View view_of(const Order& order) {
+  guests::skala::View view;
   view.picture = order.picture;
-  view.family = SkalaFamily::along_x;
+  view.family = guests::skala::Family::along_x;
   view.device = order.device;
   view.rotation = rotation;
   view.levels = order.levels;
-  view.zoom = static_cast<double>(order.raster) / raster_side;
+  view.zoom = static_cast<double>(order.raster) / guests::skala::raster_side;
   return view;
 }
 
 native::View native_view(const Order& order, int columns) {
   native::View view;
-  const bool contours = order.picture == SkalaPicture::contours;
+  const bool contours = order.picture == guests::skala::PictureKind::contours;
   view.subject = contours ? native::Subject::contours : native::Subject::lines;
   view.silhouette = contours;  // the program draws the outline of the surface with its contours
   view.family = native::Family::along_x;
@@ -72,22 +72,23 @@ FinePicture fine_picture(const scene::HeightGrid& grid, const Order& order) {
   return FinePicture(native::draw(grid, native_view(order, native::most_columns)));
 }
 
-SkalaTwinPicture twin_of(std::span<const std::uint8_t> stream, SkalaDevice device) {
-  SkalaEquipment equipment;
+guests::skala::TwinPicture twin_of(std::span<const std::uint8_t> stream, guests::skala::Device device) {
+  guests::skala::Equipment equipment;
   equipment.present = {};
   equipment.present[static_cast<std::size_t>(device)] = true;
-  return run_skala_twin(stream, equipment);
+  return guests::skala::run_twin(stream, equipment);
 }
 
-Outcome<SkalaGuestPicture> run_guest(const SkalaProgram& program, const std::vector<std::uint8_t>& stream,
-                                     const Order& order) {
-  SkalaGuestOptions options;
+Outcome<guests::skala::GuestPicture> run_guest(const guests::skala::Program& program,
+                                               const std::vector<std::uint8_t>& stream, const Order& order) {
+  guests::skala::GuestOptions options;
   options.device = order.device;
   options.link = order.link;
-  SkalaGuestPicture guest = run_skala_guest(program, stream, options);
-  if (!guest.ended || guest.status != SkalaStatus::complete || !guest.faults.empty())
+  guests::skala::GuestPicture guest = guests::skala::run_guest(program, stream, options);
+  if (!guest.ended || guest.status != guests::skala::Status::complete || !guest.faults.empty())
     return ReportError{ErrorKind::guest_failed, "the program on the 8080 failed"};
-  const std::string difference = difference_from_twin(guest, twin_of(stream, order.device), order.device);
+  const std::string difference =
+      guests::skala::difference_from_twin(guest, twin_of(stream, order.device), order.device);
   if (!difference.empty())
     return ReportError{
         ErrorKind::differs,
@@ -98,18 +99,19 @@ Outcome<SkalaGuestPicture> run_guest(const SkalaProgram& program, const std::vec
 // Measures pictures, and keeps what is to be timed when all are measured.
 class Bench {
  public:
-  Bench(const SkalaProgram& program, bool host_times) : program_(program), host_times_(host_times) {}
+  Bench(const guests::skala::Program& program, bool host_times)
+      : program_(program), host_times_(host_times) {}
 
   // Adds to the program's points.
   [[nodiscard]] std::optional<ReportError> add_program(std::vector<SkalaPoint>& points, int setting,
                                                        const scene::HeightGrid& grid, const Order& order,
                                                        const FinePicture& fine) {
-    auto stream = skala_stream(grid, view_of(order));
+    auto stream = guests::skala::stream_of(grid, view_of(order));
     const auto run = run_guest(program_, stream, order);
     if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
-    const auto& guest = std::get<SkalaGuestPicture>(run);
+    const auto& guest = std::get<guests::skala::GuestPicture>(run);
     points.push_back({setting, fine.error_of(dots_of(guest.raster, order.raster)), guest.drawing, {}});
-    later(points, [stream = std::move(stream)] { (void)twin_of(stream, SkalaDevice::ef9365); });
+    later(points, [stream = std::move(stream)] { (void)twin_of(stream, guests::skala::Device::ef9365); });
     return std::nullopt;
   }
 
@@ -124,7 +126,7 @@ class Bench {
   void add_native_vectors(std::vector<SkalaPoint>& points, int setting, const scene::HeightGrid& grid,
                           const Order& order, const FinePicture& fine) {
     const native::View view = native_view(order, native::View{}.columns);
-    points.push_back({setting, fine.error_of(native::draw(grid, view), raster_side), {}, {}});
+    points.push_back({setting, fine.error_of(native::draw(grid, view), guests::skala::raster_side), {}, {}});
     later(points, [grid, view] { (void)native::draw(grid, view); });
   }
 
@@ -142,7 +144,7 @@ class Bench {
     jobs_.push_back(std::move(job));
   }
 
-  const SkalaProgram& program_;
+  const guests::skala::Program& program_;
   bool host_times_;
   std::vector<std::function<void()>> jobs_;
   std::vector<std::pair<std::vector<SkalaPoint>*, std::size_t>> results_;
@@ -155,7 +157,7 @@ std::optional<ReportError> measure_rasters(SkalaCurve& curve, Bench& bench) {
     Order order;
     order.raster = raster;
     bench.add_native_dots(curve.native, grid, order, fine);
-    if (raster > raster_side) continue;
+    if (raster > guests::skala::raster_side) continue;
     if (auto error = bench.add_program(curve.program, raster, grid, order, fine)) return error;
   }
   return std::nullopt;
@@ -176,7 +178,7 @@ std::optional<ReportError> measure_levels(SkalaCurve& curve, Bench& bench) {
   const auto finest = grid_of(curve.function, finest_contour_grid);
   for (const int levels : level_counts) {
     Order order;
-    order.picture = SkalaPicture::contours;
+    order.picture = guests::skala::PictureKind::contours;
     order.levels = levels;
     const FinePicture fine = fine_picture(finest, order);
     bench.add_native_vectors(curve.native, levels, grid, order, fine);
@@ -185,20 +187,23 @@ std::optional<ReportError> measure_levels(SkalaCurve& curve, Bench& bench) {
   return std::nullopt;
 }
 
-std::optional<ReportError> measure_boards(const SkalaProgram& program, std::vector<SkalaBoard>& boards) {
+std::optional<ReportError> measure_boards(const guests::skala::Program& program,
+                                          std::vector<SkalaBoard>& boards) {
   for (const char* const function : functions) {
     const auto grid = grid_of(function, board_grid);
     const FinePicture fine = fine_picture(grid, {});
-    for (const SkalaDevice device : {SkalaDevice::ef9365, SkalaDevice::alt256}) {
-      for (const SkalaLink link : {SkalaLink::parallel, SkalaLink::serial}) {
+    for (const guests::skala::Device device :
+         {guests::skala::Device::ef9365, guests::skala::Device::alt256}) {
+      for (const guests::skala::Link link : {guests::skala::Link::parallel, guests::skala::Link::serial}) {
         Order order;
         order.device = device;
         order.link = link;
-        const auto run = run_guest(program, skala_stream(grid, view_of(order)), order);
+        const auto run = run_guest(program, guests::skala::stream_of(grid, view_of(order)), order);
         if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
-        const auto& guest = std::get<SkalaGuestPicture>(run);
-        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, raster_side)),
-                          guest.drawing, guest.total, guest.dots_not_shown});
+        const auto& guest = std::get<guests::skala::GuestPicture>(run);
+        boards.push_back({function, device, link,
+                          fine.error_of(dots_of(guest.raster, guests::skala::raster_side)), guest.drawing,
+                          guest.total, guest.dots_not_shown});
       }
     }
   }
@@ -208,7 +213,7 @@ std::optional<ReportError> measure_boards(const SkalaProgram& program, std::vect
 }  // namespace
 
 Outcome<SkalaMeasured> measure_skala(const Context& context) {
-  const SkalaProgram program = assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   SkalaMeasured measured;
   Bench bench(program, context.host_times);
   const std::array knobs{std::pair{&measured.rasters, &measure_rasters},

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
+#include "host/guests/skala/guest.hpp"
 #include "host/report/report.hpp"
 #include "host/report/speed_error/pictures.hpp"
-#include "host/guests/skala/guest.hpp"
 
 namespace sightline::harness::report {
 
@@ -33,8 +33,8 @@ struct SkalaCurve {
 
 struct SkalaBoard {
   std::string function;
-  SkalaDevice device = SkalaDevice::ef9365;
-  SkalaLink link = SkalaLink::parallel;
+  guests::skala::Device device = guests::skala::Device::ef9365;
+  guests::skala::Link link = guests::skala::Link::parallel;
   SurfaceError error;
   core::TStates drawing{};
   core::TStates total{};

@@ -127,9 +127,9 @@ Table table_of(const SkalaMeasured& measured, const Knob& knob) {
   return table;
 }
 
-std::string name_of(SkalaDevice device, SkalaLink link) {
-  return fmt::format("{}, {} link", device == SkalaDevice::ef9365 ? "EF9365" : "ALT-256",
-                     link == SkalaLink::serial ? "serial" : "parallel");
+std::string name_of(guests::skala::Device device, guests::skala::Link link) {
+  return fmt::format("{}, {} link", device == guests::skala::Device::ef9365 ? "EF9365" : "ALT-256",
+                     link == guests::skala::Link::serial ? "serial" : "parallel");
 }
 
 Table boards_table(const std::vector<SkalaBoard>& boards) {
@@ -172,8 +172,8 @@ Plot boards_plot(const std::vector<SkalaBoard>& boards) {
       "fastest, the serial link takes several times as long with either board.";
   plot.x = {std::string(measure.title), std::string(measure.unit), false, {}};
   plot.y = {fmt::format("a picture, {}", emulated_title), "s", true, {}};
-  for (const SkalaDevice device : {SkalaDevice::ef9365, SkalaDevice::alt256}) {
-    for (const SkalaLink link : {SkalaLink::parallel, SkalaLink::serial}) {
+  for (const guests::skala::Device device : {guests::skala::Device::ef9365, guests::skala::Device::alt256}) {
+    for (const guests::skala::Link link : {guests::skala::Link::parallel, guests::skala::Link::serial}) {
       Curve curve;
       curve.name = name_of(device, link);
       for (const SkalaBoard& board : boards) {

@@ -46,7 +46,7 @@ Outcome<Section> speed_against_error(const Context& context) {
   if (auto* const error = std::get_if<ReportError>(&jones_blocks)) return std::move(*error);
   append(section, std::get<std::vector<Block>>(std::move(jones_blocks)));
   context.progress("the error table on the PDP-7");
-  append(section, published_error_blocks(jones::measure_error_table()));
+  append(section, published_error_blocks(guests::jones::measure_error_table()));
 
   section.blocks.emplace_back(Heading{"Skala"});
   section.blocks.emplace_back(Paragraph{

@@ -23,7 +23,7 @@ ReportError unusable(std::string_view scene, const std::string& why) {
 
 }  // namespace
 
-Outcome<SceneViews> SceneViews::of(const jones::SixViews& views) {
+Outcome<SceneViews> SceneViews::of(const guests::jones::SixViews& views) {
   auto scene = scene::load_cell_scene(std::string(views.scene));
   if (const auto* const error = std::get_if<scene::SceneError>(&scene))
     return ReportError{ErrorKind::bad_input, error->message()};
@@ -34,26 +34,26 @@ Outcome<SceneViews> SceneViews::of(const jones::SixViews& views) {
   if (!matter) return unusable(views.scene, "found a scene with too many grid units for the exact reference");
   const auto lines = matter->real_lines();
   oracle::Window window;
-  window.near = jones::near_z;
+  window.near = guests::jones::near_z;
   for (const geometry::Point& eye : views.eyes) {
-    auto in_core = jones::scene_in_core(result.scene_, eye);
+    auto in_core = guests::jones::scene_in_core(result.scene_, eye);
     if (const auto* const error = std::get_if<scene::SceneError>(&in_core))
       return unusable(views.scene, error->message());
     const auto visible = oracle::visible_lines(*matter, lines, eye, window);
-    result.views_.push_back(
-        {eye, std::get<jones::SceneInCore>(std::move(in_core)), CellReference(lines, visible, eye, window)});
+    result.views_.push_back({eye, std::get<guests::jones::SceneInCore>(std::move(in_core)),
+                             compare::CellReference(lines, visible, eye, window)});
   }
   return result;
 }
 
-picture::DrawnPiece SceneViews::piece(std::size_t view, const jones::SceneLine& line,
+picture::DrawnPiece SceneViews::piece(std::size_t view, const guests::jones::SceneLine& line,
                                       const algorithms::oracle::ScreenSegment& image) const {
   const auto [u, v] = geometry::other_axes(line.axis);
-  const AxisLine of{line.axis, {line.from[u], line.from[v]}};
+  const compare::AxisLine of{line.axis, {line.from[u], line.from[v]}};
   return {views_[view].reference.number_of(of), {{image.x0, image.y0}, {image.x1, image.y1}}};
 }
 
-void SceneViews::add(PictureError& error, std::size_t view, jones::Status status,
+void SceneViews::add(PictureError& error, std::size_t view, guests::jones::Status status,
                      const std::vector<picture::DrawnPiece>& drawn) const {
   const auto metrics =
       picture::line_metrics(views_[view].reference.lines(), drawn, {.points = points_a_view, .seed = 1971});
@@ -64,7 +64,7 @@ void SceneViews::add(PictureError& error, std::size_t view, jones::Status status
   error.hausdorff = std::max(error.hausdorff, metrics.hausdorff.greatest);
   error.wrong_visibility = picture::rate_of(error.wrong_visibility.wrong + metrics.wrong_visibility.wrong,
                                             error.wrong_visibility.points + metrics.wrong_visibility.points);
-  error.incomplete += status == jones::Status::complete ? 0 : 1;
+  error.incomplete += status == guests::jones::Status::complete ? 0 : 1;
 }
 
 }  // namespace sightline::harness::report

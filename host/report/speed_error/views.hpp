@@ -8,8 +8,8 @@
 #include "host/compare/lines.hpp"
 #include "host/guests/jones/precision.hpp"
 #include "host/guests/jones/views.hpp"
-#include "host/report/report.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/report/report.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::harness::report {
@@ -33,25 +33,27 @@ struct PictureError {
 class SceneViews {
  public:
   // Error bad_input: the scene is not there, or is beyond the limits of the oracle or of the machine's core.
-  [[nodiscard]] static Outcome<SceneViews> of(const jones::SixViews& views);
+  [[nodiscard]] static Outcome<SceneViews> of(const guests::jones::SixViews& views);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const scene::CellScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t size() const { return views_.size(); }
   [[nodiscard]] const geometry::Point& eye(std::size_t view) const { return views_[view].eye; }
-  [[nodiscard]] const jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
+  [[nodiscard]] const guests::jones::SceneInCore& in_core(std::size_t view) const {
+    return views_[view].in_core;
+  }
 
   // `line` in points of the screen.
-  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const jones::SceneLine& line,
+  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const guests::jones::SceneLine& line,
                                           const algorithms::oracle::ScreenSegment& image) const;
-  void add(PictureError& error, std::size_t view, jones::Status status,
+  void add(PictureError& error, std::size_t view, guests::jones::Status status,
            const std::vector<picture::DrawnPiece>& drawn) const;
 
  private:
   struct View {
     geometry::Point eye{};
-    jones::SceneInCore in_core;
-    CellReference reference;
+    guests::jones::SceneInCore in_core;
+    compare::CellReference reference;
   };
 
   std::string name_;

@@ -149,7 +149,7 @@ Table views_table(const Runs& runs) {
                    {"pieces", "Pieces drawn", "", false},
                    {"refreshes_per_s", "Refresh", "1/s", false}};
   for (const auto& [order, run] : runs) {
-    const jones::GuestView& view = run.view();
+    const guests::jones::GuestView& view = run.view();
     const double period = seconds(run.guest.refresh_period);
     table.rows.push_back(
         {order.scene, std::string(order.eae ? "yes" : "no"),

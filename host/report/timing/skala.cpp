@@ -33,7 +33,7 @@ struct Extremes {
   }
 };
 
-Extremes drawing_times(const Runs& runs, SkalaPicture picture) {
+Extremes drawing_times(const Runs& runs, guests::skala::PictureKind picture) {
   Extremes times;
   for (const auto& [order, run] : runs)
     if (order.picture == picture) times.add(seconds(run.guest.drawing));
@@ -48,11 +48,11 @@ Extremes costs(const Runs& runs) {
 }
 
 // Long slices sent as curves, the picture where the test is the larger part of the work per dot.
-Outcome<Runs> run_curves(const Context& context, const SkalaProgram& program) {
+Outcome<Runs> run_curves(const Context& context, const guests::skala::Program& program) {
   Runs runs;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     context.progress(fmt::format("{} in long slices on the 8080", function.name));
-    SkalaOrder order{std::string(function.name), SkalaPicture::lines, {256, 30}, 0, true};
+    SkalaOrder order{std::string(function.name), guests::skala::PictureKind::lines, {256, 30}, 0, true};
     auto run = run_skala(program, order);
     if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
     runs.emplace_back(std::move(order), std::get<SkalaRun>(std::move(run)));
@@ -62,7 +62,7 @@ Outcome<Runs> run_curves(const Context& context, const SkalaProgram& program) {
 
 constexpr const char* machine = "8080 at 3 MHz, EF9365 board, eight functions";
 
-PaperNumber time_row(const Runs& runs, SkalaPicture picture, const std::string& what) {
+PaperNumber time_row(const Runs& runs, guests::skala::PictureKind picture, const std::string& what) {
   const Extremes times = drawing_times(runs, picture);
   return {"6, conclusion",
           "\"drawn in 2 sec. approximately including the visibility solution\"",
@@ -81,9 +81,10 @@ std::vector<PaperNumber> numbers(const Runs& runs, const Runs& curves) {
   const auto count = [](std::int64_t value) { return Cell(value); };
   const std::string says = "\"about 15% slower than drawing without the solution of the visibility\"";
   return {
-      time_row(runs, SkalaPicture::lines, "lines, 60 slices of 33 points, rotated 30 degrees"),
-      time_row(runs, SkalaPicture::surface, "surface, 60 slices of 33 points, rotated 30 degrees"),
-      time_row(runs, SkalaPicture::contours, "contours, 8 levels on 33 by 33 points"),
+      time_row(runs, guests::skala::PictureKind::lines, "lines, 60 slices of 33 points, rotated 30 degrees"),
+      time_row(runs, guests::skala::PictureKind::surface,
+               "surface, 60 slices of 33 points, rotated 30 degrees"),
+      time_row(runs, guests::skala::PictureKind::contours, "contours, 8 levels on 33 by 33 points"),
       {"6, conclusion", says, Real{straight.least, 1}, Real{straight.greatest, 1}, "%",
        fmt::format("lines, 30 slices of 256 points, not rotated, {}", machine),
        "about the same; below 0 where hidden dots save more than the test costs"},
@@ -149,7 +150,7 @@ Outcome<Gallery> rasters(const Runs& runs) {
 }  // namespace
 
 Outcome<std::vector<Block>> timing_of_skala(const Context& context) {
-  const SkalaProgram program = assemble_skala_program();
+  const guests::skala::Program program = guests::skala::assemble_program();
   auto made = run_all_skala(context, program, true);
   if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
   auto long_slices = run_curves(context, program);

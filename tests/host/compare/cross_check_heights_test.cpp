@@ -1,7 +1,7 @@
 // All algorithms that can against each other on surfaces of functions, as triangles.
 #include "tests/host/compare/cross_check_suite.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 TEST_P(AgreementOn, Heights) {
@@ -13,4 +13,4 @@ INSTANTIATE_TEST_SUITE_P(Agreement, AgreementOn,
                          agreement_name);
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::compare

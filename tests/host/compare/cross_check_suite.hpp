@@ -12,7 +12,7 @@
 
 #include "host/compare/cross_check.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 
 inline std::size_t pair_count() {
   return participants().size() * (participants().size() - 1) / 2;
@@ -56,4 +56,4 @@ inline std::string agreement_name(const testing::TestParamInfo<std::tuple<std::s
   return name;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::compare

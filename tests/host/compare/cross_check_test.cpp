@@ -1,5 +1,5 @@
-// All algorithms against each other on the common scenes of polyhedra, and that the comparison notices what it
-// is there to notice.
+// All algorithms against each other on the common scenes of polyhedra, and that the comparison notices what
+// it is there to notice.
 #include "host/compare/cross_check.hpp"
 
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "host/compare/cross_check_faces.hpp"
-#include "host/scene/model/eye_place.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "tests/host/compare/cross_check_suite.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 constexpr std::size_t polyhedra = 9;  // C1 to C9
@@ -33,8 +33,8 @@ TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
       EXPECT_FALSE(eye_error(scene.scene, view.camera)) << name;
       for (const scene::PolyPoint& p : scene.scene.vertices) {
         if (view.camera.perspective) continue;
-        const auto ahead = geometry::dot(geometry::vector_of(view.camera.forward),
-                                         geometry::difference(p, view.camera.eye));
+        const auto ahead =
+            geometry::dot(geometry::vector_of(view.camera.forward), geometry::difference(p, view.camera.eye));
         EXPECT_GT(ahead, 0) << name;
       }
     }
@@ -68,19 +68,21 @@ TEST(CommonScenes, ListedCells) {
 }
 
 TEST(CommonScenes, EveryAlgorithmTakesPart) {
-  const auto takes_part = [](std::string_view name, bool Participant::* what) {
+  const auto takes_part = [](std::string_view name, bool Participant::*what) {
     return std::any_of(participants().begin(), participants().end(),
                        [&](const Participant& who) { return who.name == name && who.*what; });
   };
-  for (const LineAlgorithm& algorithm : line_algorithms())
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
     EXPECT_TRUE(takes_part(algorithm.name, &Participant::lines)) << algorithm.name;
-  for (const FaceAlgorithm& algorithm : face_algorithms())
+  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
     EXPECT_TRUE(takes_part(algorithm.name, &Participant::faces)) << algorithm.name;
 }
 
-std::vector<LineAlgorithm> tables_with(std::string_view name, void (*change)(LineAlgorithm&)) {
-  std::vector<LineAlgorithm> lines(line_algorithms().begin(), line_algorithms().end());
-  for (LineAlgorithm& algorithm : lines)
+std::vector<harness::LineAlgorithm> tables_with(std::string_view name,
+                                                void (*change)(harness::LineAlgorithm&)) {
+  std::vector<harness::LineAlgorithm> lines(harness::line_algorithms().begin(),
+                                            harness::line_algorithms().end());
+  for (harness::LineAlgorithm& algorithm : lines)
     if (algorithm.name == name) change(algorithm);
   return lines;
 }
@@ -97,32 +99,34 @@ void expect_only(const SceneAgreement& agreement, std::string_view name, Agreeme
 }
 
 TEST(AgreementFails, WhenAnAlgorithmIsMissing) {
-  const auto lines = tables_with("plantinga", [](LineAlgorithm& a) { a.name = "other"; });
-  expect_only(agreement_on(common_scene("C5"), {lines, face_algorithms()}), "plantinga",
+  const auto lines = tables_with("plantinga", [](harness::LineAlgorithm& a) { a.name = "other"; });
+  expect_only(agreement_on(common_scene("C5"), {lines, harness::face_algorithms()}), "plantinga",
               AgreementState::not_run);
-  std::vector<FaceAlgorithm> faces(face_algorithms().begin(), face_algorithms().end());
-  std::erase_if(faces, [](const FaceAlgorithm& a) { return a.name == "willis"; });
-  expect_only(agreement_on(common_scene("C5"), {line_algorithms(), faces}), "willis", AgreementState::not_run);
+  std::vector<harness::FaceAlgorithm> faces(harness::face_algorithms().begin(),
+                                            harness::face_algorithms().end());
+  std::erase_if(faces, [](const harness::FaceAlgorithm& a) { return a.name == "willis"; });
+  expect_only(agreement_on(common_scene("C5"), {harness::line_algorithms(), faces}), "willis",
+              AgreementState::not_run);
 }
 
 TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
-  const auto lines = tables_with("jones", [](LineAlgorithm& a) {
+  const auto lines = tables_with("jones", [](harness::LineAlgorithm& a) {
     a.why_not = [](const scene::PolyScene&) { return std::optional<std::string>("not today"); };
   });
-  const auto agreement = agreement_on(common_scene("C5"), {lines, face_algorithms()});
+  const auto agreement = agreement_on(common_scene("C5"), {lines, harness::face_algorithms()});
   expect_only(agreement, "jones", AgreementState::not_run);
   EXPECT_EQ(agreement.cells[1].text, "view 1: jones: not today");
 }
 
 // One end of one piece of the second view moved by a little, for each kind of comparison.
 TEST(AgreementFails, WhenAPieceIsShorter) {
-  const auto lines = tables_with("montani-re", [](LineAlgorithm& a) {
-    a.prepare = [](const scene::PolyScene& scene) -> std::variant<PreparedScene, scene::SceneError> {
-      auto made = find_line_algorithm("exact")->prepare(scene);
-      auto& prepared = std::get<PreparedScene>(made);
+  const auto lines = tables_with("montani-re", [](harness::LineAlgorithm& a) {
+    a.prepare = [](const scene::PolyScene& scene) -> std::variant<harness::PreparedScene, scene::SceneError> {
+      auto made = harness::find_line_algorithm("exact")->prepare(scene);
+      auto& prepared = std::get<harness::PreparedScene>(made);
       prepared.view = [whole = prepared.view](const scene::PolyCamera& camera) {
         auto seen = whole(camera);
-        picture::LinePiece& piece = std::get<LineView>(seen).picture.pieces[7];
+        picture::LinePiece& piece = std::get<harness::LineView>(seen).picture.pieces[7];
         if (camera.forward[0] == 3) piece.low = mediant(piece.low, piece.high);
         return seen;
       };
@@ -130,27 +134,30 @@ TEST(AgreementFails, WhenAPieceIsShorter) {
     };
   });
   const CommonScene scene = common_scene("C5");
-  const auto agreement = agreement_on(scene, {lines, face_algorithms()});
+  const auto agreement = agreement_on(scene, {lines, harness::face_algorithms()});
   EXPECT_FALSE(agreement.agrees());
   const AgreementCell& cell = agreement.cells[3];
   EXPECT_EQ(cell.second, "montani-re");
   EXPECT_EQ(cell.state, AgreementState::differs);
   const picture::LinePiece& piece = agreement.pictures[0][1].lines->pieces[7];
-  const std::string edge = "edge " + std::to_string(piece.edge.from) + "-" + std::to_string(piece.edge.to) + ":";
+  const std::string edge =
+      "edge " + std::to_string(piece.edge.from) + "-" + std::to_string(piece.edge.to) + ":";
   EXPECT_TRUE(cell.text.starts_with("view 2: " + edge)) << cell.text;
 }
 
 // A face that is shown where another one is, in nine pixels.
 TEST(AgreementFails, WhenAFaceIsAnother) {
-  std::vector<FaceAlgorithm> faces(face_algorithms().begin(), face_algorithms().end());
-  for (FaceAlgorithm& algorithm : faces) {
+  std::vector<harness::FaceAlgorithm> faces(harness::face_algorithms().begin(),
+                                            harness::face_algorithms().end());
+  for (harness::FaceAlgorithm& algorithm : faces) {
     if (algorithm.name != "willis") continue;
-    algorithm.prepare = [](const scene::PolyScene& scene, const FaceOptions& options) {
-      auto made = find_face_algorithm("willis")->prepare(scene, options);
-      auto& prepared = std::get<PreparedFaces>(made);
-      prepared.view = [view = prepared.view](const scene::PolyCamera& camera, const FaceWindow& window) {
+    algorithm.prepare = [](const scene::PolyScene& scene, const harness::FaceOptions& options) {
+      auto made = harness::find_face_algorithm("willis")->prepare(scene, options);
+      auto& prepared = std::get<harness::PreparedFaces>(made);
+      prepared.view = [view = prepared.view](const scene::PolyCamera& camera,
+                                             const harness::FaceWindow& window) {
         auto seen = view(camera, window);
-        picture::PixelGrid& grid = std::get<FaceView>(seen).faces;
+        picture::PixelGrid& grid = std::get<harness::FaceView>(seen).faces;
         for (int row = 100; row < 103; ++row)
           for (int column = 60; column < 63; ++column) grid.set(column, row, 99);
         return seen;
@@ -158,9 +165,9 @@ TEST(AgreementFails, WhenAFaceIsAnother) {
       return made;
     };
   }
-  const auto agreement = agreement_on(common_scene("C8"), {line_algorithms(), faces});
+  const auto agreement = agreement_on(common_scene("C8"), {harness::line_algorithms(), faces});
   expect_only(agreement, "willis", AgreementState::differs);
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::compare

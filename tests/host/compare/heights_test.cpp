@@ -14,15 +14,15 @@
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/heights/function.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 scene::HeightGrid sampled(const char* name, scene::GridSize size) {
   return scene::sample(*scene::height_function(name), size);
 }
 
-SkalaView view_of(SkalaPicture picture, double rotation, double elevation = 30) {
-  SkalaView view;
+guests::skala::View view_of(guests::skala::PictureKind picture, double rotation, double elevation = 30) {
+  guests::skala::View view;
   view.picture = picture;
   view.rotation = rotation;
   view.elevation = elevation;
@@ -37,14 +37,14 @@ double seen_length(const HeightLines& lines) {
 }
 
 TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
-  const HeightLines plane(sampled("flat", {5, 5}), view_of(SkalaPicture::lines, 20));
+  const HeightLines plane(sampled("flat", {5, 5}), view_of(guests::skala::PictureKind::lines, 20));
   for (const auto& line : plane.lines()) EXPECT_NEAR(picture::total(line.visible), 1, 1e-9);
   // A ridge across the view, seen from the horizon: of the three slices, only the first and the ridge.
   scene::HeightGrid ridge = sampled("flat", {3, 3});
   for (std::size_t i = 0; i < 9; ++i) ridge.heights[i] = i / 3 == 1 ? 1 : 0;
   ridge.range = {0, 1};
-  SkalaView level = view_of(SkalaPicture::lines, 0, 10);
-  level.family = SkalaFamily::along_x;
+  guests::skala::View level = view_of(guests::skala::PictureKind::lines, 0, 10);
+  level.family = guests::skala::Family::along_x;
   double back = 0;
   double front = 0;
   const HeightLines ridges(ridge, level);
@@ -59,7 +59,7 @@ TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
 
 TEST(HeightLines, APieceLeftOutIsMissing) {
   const auto grid = sampled("peaks", {21, 21});
-  const SkalaView view = view_of(SkalaPicture::contours, 30);
+  const guests::skala::View view = view_of(guests::skala::PictureKind::contours, 30);
   const HeightLines lines(grid, view);
   algorithms::skala::View native;
   native.subject = algorithms::skala::Subject::contours;
@@ -87,16 +87,17 @@ TEST(HeightLines, APieceLeftOutIsMissing) {
 
 TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
   for (const char* name : {"sinc", "peaks", "saddle"}) {
-    for (const auto picture : {SkalaPicture::lines, SkalaPicture::contours}) {
+    for (const auto picture : {guests::skala::PictureKind::lines, guests::skala::PictureKind::contours}) {
       for (const double rotation : {0.0, 30.0, 180.0, 257.0}) {
-        SCOPED_TRACE(std::string(name) + (picture == SkalaPicture::lines ? " lines " : " contours ") +
+        SCOPED_TRACE(std::string(name) +
+                     (picture == guests::skala::PictureKind::lines ? " lines " : " contours ") +
                      std::to_string(rotation));
         const auto grid = sampled(name, {21, 25});
-        const SkalaView view = view_of(picture, rotation);
+        const guests::skala::View view = view_of(picture, rotation);
         const HeightLines lines(grid, view);
         algorithms::skala::View native;
-        native.subject = picture == SkalaPicture::lines ? algorithms::skala::Subject::lines
-                                                        : algorithms::skala::Subject::contours;
+        native.subject = picture == guests::skala::PictureKind::lines ? algorithms::skala::Subject::lines
+                                                                      : algorithms::skala::Subject::contours;
         native.rotation = rotation;
         const auto metrics =
             picture::line_metrics(lines.lines(), lines.pieces_of(algorithms::skala::draw(grid, native)));
@@ -119,7 +120,8 @@ TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
 TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
   for (const double rotation : {30.0, 200.0}) {
     const auto grid = sampled("peaks", {17, 17});
-    const HeightComparison comparison = compare_heights(grid, view_of(SkalaPicture::surface, rotation));
+    const HeightComparison comparison =
+        compare_heights(grid, view_of(guests::skala::PictureKind::surface, rotation));
     EXPECT_TRUE(comparison.agrees());
     ASSERT_EQ(comparison.rasters.size(), 4U);
     EXPECT_EQ(comparison.rasters[2].name, "native");
@@ -130,12 +132,12 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
     EXPECT_GT(cells.metrics.lit, 20'000U);
     // All facets lie on a cell, and many cells are hidden in part: the truth without order has others.
     EXPECT_LT(*std::max_element(cells.grid.values.begin(), cells.grid.values.end()), 257U);
-    EXPECT_EQ(nearest_cells(grid, view_of(SkalaPicture::surface, rotation)), cells.truth);
+    EXPECT_EQ(nearest_cells(grid, view_of(guests::skala::PictureKind::surface, rotation)), cells.truth);
   }
 }
 
 TEST(CompareHeights, ContoursHaveRasterAndVectors) {
-  SkalaView view = view_of(SkalaPicture::contours, 30);
+  guests::skala::View view = view_of(guests::skala::PictureKind::contours, 30);
   view.levels = 5;
   const HeightComparison comparison = compare_heights(sampled("sinc", {25, 25}), view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
@@ -150,4 +152,4 @@ TEST(CompareHeights, ContoursHaveRasterAndVectors) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::compare

@@ -1,4 +1,6 @@
 // Comparisons: what the metrics are given is what the oracles and programs drew.
+#include "host/compare/scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,14 +15,13 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/compare/heights.hpp"
 #include "host/compare/projection.hpp"
-#include "host/compare/scenes.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -117,7 +118,7 @@ TEST(LinesOfVectors, AreTheScenesLines) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     SCOPED_TRACE(name);
     const scene::CellScene scene = scene::builtin_scene(name);
-    const auto encoded = std::get<scene::EncodedScene>(scene::encode(scene, {}, 04000));
+    const auto encoded = std::get<guests::jones::EncodedScene>(guests::jones::encode(scene, {}, 04000));
     std::multiset<AxisLine> found;
     for (const auto& [address, line] : lines_of_vectors(encoded)) {
       if (encoded.words.at(address - encoded.base).value & 0400000) found.insert(line);
@@ -225,7 +226,7 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
         camera.eye = eye;
         const auto truth = FaceTruth::of(scene, camera);
         truths.push_back(std::get<FaceTruth>(truth).faces());
-        for (const FaceAlgorithm& algorithm : face_algorithms()) {
+        for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
           const auto compared = std::get<FaceTruth>(truth).compared(algorithm);
           const auto& metrics = std::get<ComparedFaces>(compared).metrics;
           EXPECT_EQ(metrics.different_inside, 0U) << scene.name << ' ' << algorithm.name;
@@ -265,7 +266,7 @@ TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
 
 TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
   const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
-  SkalaView view;
+  guests::skala::View view;
   view.rotation = 30;
   const HeightComparison comparison = compare_heights(grid, view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
@@ -281,22 +282,22 @@ TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
 
 TEST(CompareHeights, SaysWhatItCannotCompare) {
   auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
-  SkalaView view;
+  guests::skala::View view;
   EXPECT_FALSE(why_not_comparable(grid, view));
   view.zoom = 2;
   EXPECT_TRUE(why_not_comparable(grid, view));
   view.zoom = 1;
-  view.family = SkalaFamily::along_z;
+  view.family = guests::skala::Family::along_z;
   EXPECT_TRUE(why_not_comparable(grid, view)) << "seen end-on";
   view.rotation = 80;
   EXPECT_FALSE(why_not_comparable(grid, view));
-  view.family = SkalaFamily::along_x;
+  view.family = guests::skala::Family::along_x;
   EXPECT_TRUE(why_not_comparable(grid, view));
-  view.picture = SkalaPicture::contours;
+  view.picture = guests::skala::PictureKind::contours;
   EXPECT_FALSE(why_not_comparable(grid, view)) << "contours go by cells";
   grid.heights[5] = std::nan("");
   EXPECT_TRUE(why_not_comparable(grid, view));
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::compare

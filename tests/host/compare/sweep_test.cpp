@@ -10,14 +10,14 @@
 #include <string>
 #include <variant>
 
-#include "host/harness/in_order.hpp"
 #include "host/compare/sweep_views.hpp"
-#include "host/scene/model/eye_place.hpp"
+#include "host/harness/in_order.hpp"
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::harness {
+namespace sightline::compare {
 namespace {
 
 scene::PolyScene generated(std::string_view family, std::size_t size) {
@@ -32,15 +32,15 @@ Sweep sweep_of(const scene::PolyScene& scene, const SweepOptions& options,
 }
 
 TEST(Algorithms, AreFoundByNameAndExactIsTheFirst) {
-  EXPECT_EQ(line_algorithms().front().name, "exact");
+  EXPECT_EQ(harness::line_algorithms().front().name, "exact");
   std::set<std::string_view> names;
-  for (const LineAlgorithm& algorithm : line_algorithms()) {
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
     EXPECT_TRUE(names.insert(algorithm.name).second);
-    EXPECT_EQ(find_line_algorithm(algorithm.name), &algorithm);
+    EXPECT_EQ(harness::find_line_algorithm(algorithm.name), &algorithm);
     EXPECT_FALSE(algorithm.description.empty());
   }
   EXPECT_TRUE(names.contains("oracle") && names.contains("jones"));
-  EXPECT_EQ(find_line_algorithm("Exact"), nullptr);
+  EXPECT_EQ(harness::find_line_algorithm("Exact"), nullptr);
 }
 
 // Every entry of the table gives the same picture of everything it applies to.
@@ -48,9 +48,9 @@ TEST(Algorithms, AgreeOnEveryFamily) {
   for (const std::string_view family : {"boxes", "town", "triangles", "bricks"}) {
     const scene::PolyScene scene = generated(family, 5);
     SweepOptions options;
-    for (const LineAlgorithm& algorithm : line_algorithms())
+    for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
       if (!algorithm.why_not(scene)) options.algorithms.push_back(&algorithm);
-    ASSERT_EQ(options.algorithms.size(), line_algorithms().size());
+    ASSERT_EQ(options.algorithms.size(), harness::line_algorithms().size());
     const Sweep sweep = sweep_of(scene, options);
     for (std::uint64_t view = 0; view < 6; ++view) {
       const std::string line = sweep.line(view);
@@ -109,7 +109,7 @@ TEST(Sweep, TurnedViewsAgreeAndTheGuestSaysWhereItDoesNotApply) {
   options.turned = true;
   options.guest = true;
   for (const char* name : {"jones", "montani-re", "oracle"})
-    options.algorithms.push_back(find_line_algorithm(name));
+    options.algorithms.push_back(harness::find_line_algorithm(name));
   const Sweep sweep = sweep_of(scene, options, &cells);
   int guests = 0;
   for (std::uint64_t k = 0; k < 40; ++k) {
@@ -155,7 +155,7 @@ TEST(Sweep, KnowsItsOwnLines) {
   options.seed = 2;
   EXPECT_FALSE(sweep_of(scene, options).is_line(4, line));
   options.seed = 1;
-  options.algorithms = {find_line_algorithm("oracle")};
+  options.algorithms = {harness::find_line_algorithm("oracle")};
   EXPECT_FALSE(sweep_of(scene, options).is_line(4, line));
   scene::PolyScene other = scene;
   other.bodies.back().sheet = true;
@@ -188,7 +188,7 @@ TEST(Sweep, TheGuestAgainstItsTwin) {
 TEST(InOrder, EveryResultOnceAndInOrder) {
   for (const unsigned jobs : {1U, 2U, 7U}) {
     std::vector<std::uint64_t> taken;
-    OrderedWork<std::uint64_t> work;
+    harness::OrderedWork<std::uint64_t> work;
     work.first = 5;
     work.last = 1005;
     work.jobs = jobs;
@@ -198,7 +198,7 @@ TEST(InOrder, EveryResultOnceAndInOrder) {
       taken.push_back(n);
     };
     work.go_on = [] { return true; };
-    run_in_order(work);
+    harness::run_in_order(work);
     ASSERT_EQ(taken.size(), 1000U);
     for (std::size_t i = 0; i < taken.size(); ++i) EXPECT_EQ(taken[i], 5 + i);
   }
@@ -206,21 +206,21 @@ TEST(InOrder, EveryResultOnceAndInOrder) {
 
 TEST(InOrder, StopsWhenToldToAndPassesOnWhatIsThrown) {
   std::uint64_t count = 0;
-  OrderedWork<int> work;
+  harness::OrderedWork<int> work;
   work.last = std::uint64_t{1} << 40;
   work.jobs = 2;
   work.make = [](std::uint64_t) { return 1; };
   work.take = [&](std::uint64_t, int) { ++count; };
   work.go_on = [&] { return count < 50; };
-  run_in_order(work);
+  harness::run_in_order(work);
   EXPECT_EQ(count, 50U);
   work.go_on = [] { return true; };
   work.make = [](std::uint64_t n) -> int { return n < 70 ? 1 : throw std::runtime_error("made"); };
-  EXPECT_THROW(run_in_order(work), std::runtime_error);
+  EXPECT_THROW(harness::run_in_order(work), std::runtime_error);
   work.make = [](std::uint64_t) { return 1; };
   work.take = [](std::uint64_t n, int) { n < 7 ? void() : throw std::runtime_error("taken"); };
-  EXPECT_THROW(run_in_order(work), std::runtime_error);
+  EXPECT_THROW(harness::run_in_order(work), std::runtime_error);
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::compare

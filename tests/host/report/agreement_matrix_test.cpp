@@ -13,13 +13,13 @@ namespace {
 std::vector<AgreedScene> two_scenes() {
   std::vector<AgreedScene> scenes;
   for (const char* name : {"C5", "C8"}) {
-    const CommonScene scene = common_scene(name);
-    scenes.push_back({scene, agreement_on(scene)});
+    const compare::CommonScene scene = compare::common_scene(name);
+    scenes.push_back({scene, compare::agreement_on(scene)});
   }
-  AgreementCell& differs = scenes[1].agreement.cells[0];
-  differs.state = AgreementState::differs;
+  compare::AgreementCell& differs = scenes[1].agreement.cells[0];
+  differs.state = compare::AgreementState::differs;
   differs.text = "view 2: edge 1-2: here and there";
-  scenes[1].agreement.cells[1].state = AgreementState::not_run;
+  scenes[1].agreement.cells[1].state = compare::AgreementState::not_run;
   return scenes;
 }
 
@@ -49,8 +49,8 @@ TEST(AgreementMatrix, FailuresAreNamed) {
 }
 
 TEST(AgreementMatrix, TheStripShowsEveryPictureThereIs) {
-  const CommonScene scene = common_scene("C5");
-  const auto strip = agreement_strip(scene, agreement_on(scene));
+  const compare::CommonScene scene = compare::common_scene("C5");
+  const auto strip = agreement_strip(scene, compare::agreement_on(scene));
   ASSERT_TRUE(std::holds_alternative<Figure>(strip));
   EXPECT_EQ(std::get<Figure>(strip).caption,
             "From the left: exact, oracle, oracle (faces), jones, montani-re, montani-re (faces), willis, "

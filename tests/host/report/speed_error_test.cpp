@@ -89,9 +89,10 @@ TEST(SpeedErrorPictures, DotsOnAnyRasterLieWhereTheLineIs) {
 
 class SpeedErrorJones : public testing::Test {
  protected:
-  static void SetUpTestSuite() { house = std::get<SceneViews>(SceneViews::of(jones::six_views[0])); }
-  static jones::Precision fixed(int f, bool truncate = false, int bits = jones::machine_word_bits) {
-    return {jones::NumberKind::fixed_point, bits, f, truncate};
+  static void SetUpTestSuite() { house = std::get<SceneViews>(SceneViews::of(guests::jones::six_views[0])); }
+  static guests::jones::Precision fixed(int f, bool truncate = false,
+                                        int bits = guests::jones::machine_word_bits) {
+    return {guests::jones::NumberKind::fixed_point, bits, f, truncate};
   }
   static inline SceneViews house;
 };
@@ -107,9 +108,9 @@ TEST_F(SpeedErrorJones, TheHouseHasThePublishedError) {
 // By another measure of the same pictures: line by line instead of by number of the line.
 TEST_F(SpeedErrorJones, TheStudyOfArithmeticMeasuresTheSame) {
   const auto scene = house.scene();
-  const auto study = jones::PrecisionStudy::of(scene, jones::six_views[0].eyes);
+  const auto study = guests::jones::PrecisionStudy::of(scene, guests::jones::six_views[0].eyes);
   for (const int f : {0, 2, 5}) {
-    const auto study_error = std::get<jones::PrecisionStudy>(study).measure(fixed(f)).clipped;
+    const auto study_error = std::get<guests::jones::PrecisionStudy>(study).measure(fixed(f)).clipped;
     const auto error = measure_twin(house, fixed(f)).error;
     EXPECT_NEAR(error.symmetric_per_cent(), 100 * study_error.share(), 1e-3) << f;
     EXPECT_NEAR(error.visible, study_error.visible, 1) << f;
@@ -117,7 +118,7 @@ TEST_F(SpeedErrorJones, TheStudyOfArithmeticMeasuresTheSame) {
 }
 
 TEST_F(SpeedErrorJones, DoublePrecisionHasNoErrorThatCanBeTold) {
-  const auto error = measure_twin(house, {jones::NumberKind::double_float}).error;
+  const auto error = measure_twin(house, {guests::jones::NumberKind::double_float}).error;
   EXPECT_LT(error.symmetric_per_cent(), 1e-9);
   EXPECT_LT(error.hausdorff, 1e-9);
   EXPECT_EQ(error.wrong_visibility.wrong, 0U);
@@ -143,9 +144,9 @@ TEST_F(SpeedErrorJones, AViewThatOverflowsIsIncompleteAndCountsAsItIs) {
 }
 
 TEST(SpeedErrorTables, APieceThatIsWrongIsNamedWithItsPlace) {
-  jones::ErrorTable measured;
+  guests::jones::ErrorTable measured;
   measured.columns = {{}};
-  jones::Measured cell;
+  guests::jones::Measured cell;
   cell.clipped.visible = 1000;
   cell.clipped.extra = 30;
   cell.displayed = cell.clipped;
@@ -169,7 +170,7 @@ TEST(SpeedErrorTables, RowsAreAsWideAsTheirTables) {
   scene.scene = "house";
   scene.machine.resize(2);
   scene.fractions.resize(1);
-  scene.floating.push_back({{jones::NumberKind::double_float}, {}, {}});
+  scene.floating.push_back({{guests::jones::NumberKind::double_float}, {}, {}});
   scene.exact = {{"Jones, exact", {}}};
   for (const Table& table : {machine_error_table({scene}), twin_error_table({scene})}) {
     ASSERT_FALSE(table.rows.empty());

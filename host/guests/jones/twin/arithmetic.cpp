@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 // The vector moves along `along`; `across` is the other of x and y.
@@ -77,4 +77,4 @@ std::optional<ScreenPoint> project(const SpacePoint& point, std::int32_t width_s
   return project(ShortWords(), point, width_scale, operations);
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

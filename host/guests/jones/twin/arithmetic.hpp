@@ -14,7 +14,7 @@
 
 #include "host/guests/jones/twin/number.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr std::int32_t near_z = 1;
 inline constexpr std::int32_t separation = 5;  // half the distance between the eyes of a stereo pair
@@ -105,4 +105,4 @@ template <class Number>
 [[nodiscard]] std::optional<ScreenPoint> project(const SpacePoint& point, std::int32_t width_scale,
                                                  Operations& operations);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

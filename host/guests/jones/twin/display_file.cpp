@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 using core::Word18;
@@ -80,4 +80,4 @@ std::vector<Word18> DisplayFile::finish() && {
   return std::move(words_);
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -9,7 +9,7 @@
 #include "emulators/core/word.hpp"
 #include "host/guests/jones/twin/arithmetic.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 class DisplayFile {
  public:
@@ -33,4 +33,4 @@ class DisplayFile {
   std::optional<ScreenPoint> beam_;  // end of the last piece, in points of the screen
 };
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -8,7 +8,7 @@
 #include "emulators/core/word.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr std::uint32_t address_mask = core_words - 1;
 
@@ -63,4 +63,4 @@ struct Chain {
   return Axis{static_cast<std::uint8_t>(vector.axis_code)};
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

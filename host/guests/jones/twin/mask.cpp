@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 template <class Number>
 auto MaskClip<Number>::box_lines(const BasicMask<Coordinate>& m) -> std::array<BoxLine, 4> {
@@ -163,4 +163,4 @@ Intersection intersect(const Mask& mask, std::span<const ScreenPoint> ring, Oper
   return MaskClip(number, operations).intersect(mask, ring);
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

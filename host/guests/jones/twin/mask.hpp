@@ -13,7 +13,7 @@
 
 #include "host/guests/jones/twin/arithmetic.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr int max_mask_vertices = 16;
 
@@ -165,4 +165,4 @@ extern template class MaskClip<DoubleFloat>;
 [[nodiscard]] Intersection intersect(const Mask& mask, std::span<const ScreenPoint> ring,
                                      Operations& operations);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

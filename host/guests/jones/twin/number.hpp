@@ -16,7 +16,7 @@
 
 #include "host/geometry/integer.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline constexpr int machine_word_bits = 18;
 inline constexpr int machine_fraction_bits = 1;
@@ -150,4 +150,4 @@ using LongWords = FixedPoint<std::int64_t, geometry::Int128>;  // up to 36 bits
 using SingleFloat = FloatingPoint<float>;
 using DoubleFloat = FloatingPoint<double>;
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

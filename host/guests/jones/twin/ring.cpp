@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 RingBound::RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor,
                      std::int32_t largest)
@@ -29,4 +29,4 @@ std::optional<SpacePoint> RingBound::bend(const SpaceSegment& vector) const {
   return SpacePoint{vector.p.x, vector.p.y, depth};
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

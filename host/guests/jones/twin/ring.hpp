@@ -11,7 +11,7 @@
 
 #include "host/guests/jones/twin/arithmetic.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 class RingBound {
  public:
@@ -33,4 +33,4 @@ class RingBound {
   std::int32_t nearest_;  // least z at which the plane is inside the bound
 };
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 using core::Word18;
@@ -240,4 +240,4 @@ template class Search<LongWords>;
 template class Search<SingleFloat>;
 template class Search<DoubleFloat>;
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

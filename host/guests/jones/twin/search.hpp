@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "host/guests/jones/twin/twin.hpp"
 #include "host/guests/jones/twin/display_file.hpp"
 #include "host/guests/jones/twin/elements.hpp"
 #include "host/guests/jones/twin/mask.hpp"
 #include "host/guests/jones/twin/ring.hpp"
+#include "host/guests/jones/twin/twin.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 // Words that the stack takes to come back to a cell seen through this mask: place in the list, entry, cell,
 // the link to the frame before; count and box of the mask, its sloped edges.
@@ -112,4 +112,4 @@ extern template class Search<LongWords>;
 extern template class Search<SingleFloat>;
 extern template class Search<DoubleFloat>;
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -3,7 +3,7 @@
 #include "host/guests/jones/twin/elements.hpp"
 #include "host/guests/jones/twin/search.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 using core::Word18;
 
@@ -34,4 +34,4 @@ View run(std::span<const Word18> core, std::uint32_t scene_header, const Paramet
   return Search(core, scene_header, parameters, number).run();
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -15,9 +15,9 @@
 #include "emulators/core/word.hpp"
 #include "host/guests/jones/twin/arithmetic.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
-inline constexpr std::size_t core_words = 8192;
+inline constexpr std::uint32_t core_words = 8192;  // of the machine Jones used
 inline constexpr int mask_stack_words = 450;
 inline constexpr std::size_t display_file_words = 1384;
 
@@ -90,4 +90,4 @@ using View = BasicView<std::int32_t>;
 [[nodiscard]] View run(std::span<const core::Word18> core, std::uint32_t scene_header,
                        const Parameters& parameters);
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,9 +1,9 @@
 #include "host/guests/skala/twin/drawing.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
-[[nodiscard]] SkalaPoint point_of(std::span<const std::uint8_t> arguments) {
+[[nodiscard]] Point point_of(std::span<const std::uint8_t> arguments) {
   return {arguments[0], arguments[1]};
 }
 
@@ -13,47 +13,47 @@ namespace {
 
 }  // namespace
 
-SkalaTwinDrawing::SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment)
+TwinDrawing::TwinDrawing(TwinPicture& picture, const Equipment& equipment)
     : picture_(picture),
       equipment_(equipment),
       masks_(picture.columns),
       pen_(picture.moves, picture.counts) {}
 
-bool SkalaTwinDrawing::obey(const SkalaReceivedCommand& received) {
+bool TwinDrawing::obey(const ReceivedCommand& received) {
   const auto arguments = received.arguments;
   switch (received.command) {
-    case SkalaCommand::end:
+    case Command::end:
       pen_.end_run();
       pen_.lift();
       break;
-    case SkalaCommand::move: move_to(point_of(arguments)); break;
-    case SkalaCommand::draw: line_to(point_of(arguments), Mode::draw); break;
-    case SkalaCommand::test_draw: line_to(point_of(arguments), Mode::test); break;
-    case SkalaCommand::mask: line_to(point_of(arguments), Mode::mask); break;
-    case SkalaCommand::colour: colour_ = three_bits(arguments[0]); break;
-    case SkalaCommand::commit: commit(); break;
-    case SkalaCommand::reset: reset(); break;
-    case SkalaCommand::curve: curve(arguments); break;
-    case SkalaCommand::surface: surface(arguments); break;
-    case SkalaCommand::device: return select_device(arguments[0]);
-    case SkalaCommand::rim: rim(point_of(arguments), three_bits(arguments[2])); break;
-    case SkalaCommand::silhouette: silhouette_ = three_bits(arguments[0]); break;
-    case SkalaCommand::outline: outline(); break;
-    case SkalaCommand::gap: gap(arguments); break;
+    case Command::move: move_to(point_of(arguments)); break;
+    case Command::draw: line_to(point_of(arguments), Mode::draw); break;
+    case Command::test_draw: line_to(point_of(arguments), Mode::test); break;
+    case Command::mask: line_to(point_of(arguments), Mode::mask); break;
+    case Command::colour: colour_ = three_bits(arguments[0]); break;
+    case Command::commit: commit(); break;
+    case Command::reset: reset(); break;
+    case Command::curve: curve(arguments); break;
+    case Command::surface: surface(arguments); break;
+    case Command::device: return select_device(arguments[0]);
+    case Command::rim: rim(point_of(arguments), three_bits(arguments[2])); break;
+    case Command::silhouette: silhouette_ = three_bits(arguments[0]); break;
+    case Command::outline: outline(); break;
+    case Command::gap: gap(arguments); break;
   }
   return true;
 }
 
-bool SkalaTwinDrawing::select_device(std::uint8_t argument) {
+bool TwinDrawing::select_device(std::uint8_t argument) {
   const std::uint8_t number = argument & 3U;
-  const auto device = static_cast<SkalaDevice>(number);
-  if (!equipment_.present[number] && device != SkalaDevice::minigraf) return false;
+  const auto device = static_cast<Device>(number);
+  if (!equipment_.present[number] && device != Device::minigraf) return false;
   device_ = device;
-  visibility_ = (argument & skala_no_visibility) == 0;
+  visibility_ = (argument & no_visibility) == 0;
   return true;
 }
 
-void SkalaTwinDrawing::reset() {
+void TwinDrawing::reset() {
   masks_.reset();
   picture_.columns.previous_level.fill(0);
   at_ = {};
@@ -63,32 +63,32 @@ void SkalaTwinDrawing::reset() {
   colour_ = 7;
   silhouette_ = 0;
   if (on_raster()) {
-    picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].fill(0);
+    picture_.rasters[device_ == Device::alt256 ? 1 : 0].fill(0);
   } else {
     pen_.end_run();
     pen_.lift();
   }
 }
 
-void SkalaTwinDrawing::move_to(SkalaPoint point) {
+void TwinDrawing::move_to(Point point) {
   if (point != at_) set_down(point);
 }
 
-void SkalaTwinDrawing::set_down(SkalaPoint point) {
+void TwinDrawing::set_down(Point point) {
   at_ = point;
   fresh_ = true;
   shaded_column_.reset();
   pen_.end_run();
 }
 
-void SkalaTwinDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) {
+void TwinDrawing::line_to(Point point, Mode mode, std::uint8_t level) {
   mode = effective(mode);
   if (mode == Mode::travel) {
     if (point != at_) pen_.end_run();
   } else {
     if (fresh_) step(at_, mode);
-    SkalaLevelRamp ramp(level_, level, skala_line_steps(at_, point));
-    walk_skala_line(at_, point, [&](SkalaPoint next) {
+    LevelRamp ramp(level_, level, line_steps(at_, point));
+    walk_line(at_, point, [&](Point next) {
       level_ = ramp.next();
       step(next, mode);
     });
@@ -98,7 +98,7 @@ void SkalaTwinDrawing::line_to(SkalaPoint point, Mode mode, std::uint8_t level) 
   level_ = level;
 }
 
-void SkalaTwinDrawing::curve(std::span<const std::uint8_t> arguments) {
+void TwinDrawing::curve(std::span<const std::uint8_t> arguments) {
   std::uint8_t x = arguments[0];
   const auto heights = arguments.subspan(2);
   move_to({x, heights[0]});
@@ -106,12 +106,12 @@ void SkalaTwinDrawing::curve(std::span<const std::uint8_t> arguments) {
 }
 
 // Ends a slice. A shaded column of the next slice is entered anew, with visibility or without.
-void SkalaTwinDrawing::commit() {
+void TwinDrawing::commit() {
   shaded_column_.reset();
   if (visibility_) plot_folds(masks_.fold());
 }
 
-void SkalaTwinDrawing::outline() {
+void TwinDrawing::outline() {
   if (!visibility_) return;
   plot_folds(masks_.fold());
   for (int first = 0; first < 256; ++first) {
@@ -124,25 +124,25 @@ void SkalaTwinDrawing::outline() {
 }
 
 // Along the top of the visited columns first..last and back along the bottom.
-void SkalaTwinDrawing::outline_run(int first, int last) {
+void TwinDrawing::outline_run(int first, int last) {
   const auto point = [](int x, const std::array<std::uint8_t, 256>& mask) {
-    return SkalaPoint{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
+    return Point{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
   };
-  const SkalaColumns& columns = picture_.columns;
+  const Columns& columns = picture_.columns;
   set_down(point(first, columns.mask_top));
   for (int x = first + 1; x <= last; ++x) line_to(point(x, columns.mask_top), Mode::plain);
   for (int x = last; x >= first; --x) line_to(point(x, columns.mask_bottom), Mode::plain);
   line_to(point(first, columns.mask_top), Mode::plain);
 }
 
-SkalaTwinDrawing::Mode SkalaTwinDrawing::effective(Mode mode) const {
+TwinDrawing::Mode TwinDrawing::effective(Mode mode) const {
   if ((mode == Mode::surface || mode == Mode::rim) && !on_raster()) mode = Mode::draw;
   if (visibility_) return mode;
   if (mode == Mode::mask) return Mode::travel;
   return mode == Mode::draw || mode == Mode::test ? Mode::plain : mode;
 }
 
-void SkalaTwinDrawing::step(SkalaPoint point, Mode mode) {
+void TwinDrawing::step(Point point, Mode mode) {
   ++picture_.counts.points_walked;
   switch (mode) {
     case Mode::draw:
@@ -163,12 +163,12 @@ void SkalaTwinDrawing::step(SkalaPoint point, Mode mode) {
 
 // A pen goes on along the border of the strip once it draws: lifting it for every point that only touches the
 // horizon would turn close curves into dots.
-bool SkalaTwinDrawing::visible_to_draw(SkalaPoint point) const {
+bool TwinDrawing::visible_to_draw(Point point) const {
   if (masks_.outside(point)) return true;
   return !on_raster() && pen_.in_run() && masks_.on_border(point);
 }
 
-void SkalaTwinDrawing::ink(bool visible, SkalaPoint point) {
+void TwinDrawing::ink(bool visible, Point point) {
   if (on_raster()) {
     if (visible) plot(point, colour_);
   } else if (visible) {
@@ -179,21 +179,21 @@ void SkalaTwinDrawing::ink(bool visible, SkalaPoint point) {
   }
 }
 
-void SkalaTwinDrawing::plot(SkalaPoint point, std::uint8_t colour) {
+void TwinDrawing::plot(Point point, std::uint8_t colour) {
   ++picture_.counts.points_plotted;
-  picture_.rasters[device_ == SkalaDevice::alt256 ? 1 : 0].set(point.x, point.y, colour);
+  picture_.rasters[device_ == Device::alt256 ? 1 : 0].set(point.x, point.y, colour);
 }
 
-void SkalaTwinDrawing::plot_folds(const SkalaFoldLines& lines) {
+void TwinDrawing::plot_folds(const FoldLines& lines) {
   if (silhouette_ == 0 || !on_raster()) return;
   if (lines.top) plot_fold(*lines.top);
   if (lines.bottom) plot_fold(*lines.bottom);
 }
 
-void SkalaTwinDrawing::plot_fold(const SkalaFoldLine& line) {
+void TwinDrawing::plot_fold(const FoldLine& line) {
   const int step = line.to < line.from ? -1 : 1;
   for (int y = line.from; y != line.to + step; y += step)
     plot({line.x, static_cast<std::uint8_t>(y)}, silhouette_);
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -7,21 +7,21 @@
 #include <optional>
 #include <span>
 
-#include "host/guests/skala/twin/twin.hpp"
 #include "host/guests/skala/twin/line.hpp"
 #include "host/guests/skala/twin/masks.hpp"
 #include "host/guests/skala/twin/plotter.hpp"
 #include "host/guests/skala/twin/receipt.hpp"
+#include "host/guests/skala/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-class SkalaTwinDrawing {
+class TwinDrawing {
  public:
   // Draws into `picture`, which must outlive it, as a program that has just been started.
-  SkalaTwinDrawing(SkalaTwinPicture& picture, const SkalaEquipment& equipment);
+  TwinDrawing(TwinPicture& picture, const Equipment& equipment);
 
   // False when the device of a DEVICE command does not answer; nothing has changed then.
-  [[nodiscard]] bool obey(const SkalaReceivedCommand& received);
+  [[nodiscard]] bool obey(const ReceivedCommand& received);
 
  private:
   // What happens to the points of a line.
@@ -37,44 +37,44 @@ class SkalaTwinDrawing {
 
   [[nodiscard]] bool select_device(std::uint8_t argument);
   void reset();
-  void move_to(SkalaPoint point);
+  void move_to(Point point);
   // A MOVE that is obeyed wherever the pen is.
-  void set_down(SkalaPoint point);
+  void set_down(Point point);
   // `mode` is what the command asks for; what the device and visibility make of it is decided here.
-  void line_to(SkalaPoint point, Mode mode) { line_to(point, mode, level_); }
-  void line_to(SkalaPoint point, Mode mode, std::uint8_t level);
+  void line_to(Point point, Mode mode) { line_to(point, mode, level_); }
+  void line_to(Point point, Mode mode, std::uint8_t level);
   void curve(std::span<const std::uint8_t> arguments);
   void surface(std::span<const std::uint8_t> arguments);
-  void rim(SkalaPoint point, std::uint8_t level);
+  void rim(Point point, std::uint8_t level);
   void gap(std::span<const std::uint8_t> arguments);
   void commit();
   void outline();
   void outline_run(int first, int last);
 
   [[nodiscard]] Mode effective(Mode mode) const;
-  void step(SkalaPoint point, Mode mode);
-  [[nodiscard]] bool visible_to_draw(SkalaPoint point) const;
-  void ink(bool visible, SkalaPoint point);
-  void plot(SkalaPoint point, std::uint8_t colour);
-  void plot_folds(const SkalaFoldLines& lines);
-  void plot_fold(const SkalaFoldLine& line);
-  void shade(SkalaPoint point, bool may_fill);
-  void fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level);
+  void step(Point point, Mode mode);
+  [[nodiscard]] bool visible_to_draw(Point point) const;
+  void ink(bool visible, Point point);
+  void plot(Point point, std::uint8_t colour);
+  void plot_folds(const FoldLines& lines);
+  void plot_fold(const FoldLine& line);
+  void shade(Point point, bool may_fill);
+  void fill(Point from, std::uint8_t to_y, std::uint8_t to_level);
 
   [[nodiscard]] bool on_raster() const { return is_raster(device_); }
 
-  SkalaTwinPicture& picture_;
-  SkalaEquipment equipment_;
-  SkalaMasks masks_;
-  SkalaPlotterPen pen_;
-  SkalaDevice device_ = SkalaDevice::ef9365;
+  TwinPicture& picture_;
+  Equipment equipment_;
+  Masks masks_;
+  PlotterPen pen_;
+  Device device_ = Device::ef9365;
   bool visibility_ = true;
   std::uint8_t colour_ = 7;
   std::uint8_t silhouette_ = 0;
-  SkalaPoint at_;      // the pen position (xp, yp) of the specification
+  Point at_;           // the pen position (xp, yp) of the specification
   bool fresh_ = true;  // at_ has not been stepped
   std::uint8_t level_ = 0;
   std::optional<std::uint8_t> shaded_column_;  // of the last shaded point of this slice
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -6,21 +6,21 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-struct SkalaPoint {
+struct Point {
   std::uint8_t x = 0;
   std::uint8_t y = 0;
 
-  friend constexpr bool operator==(const SkalaPoint&, const SkalaPoint&) = default;
+  friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 
-[[nodiscard]] constexpr int skala_sign(int value) {
+[[nodiscard]] constexpr int sign_of(int value) {
   return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
 // The steps of the line from `from` to `to`: its first point is no step, its last is one.
-[[nodiscard]] constexpr int skala_line_steps(SkalaPoint from, SkalaPoint to) {
+[[nodiscard]] constexpr int line_steps(Point from, Point to) {
   const int u = to.x < from.x ? from.x - to.x : to.x - from.x;
   const int v = to.y < from.y ? from.y - to.y : to.y - from.y;
   return u >= v ? u : v;
@@ -28,9 +28,9 @@ struct SkalaPoint {
 
 // Calls step(point) for each step of the line, in order.
 template <class Step>
-constexpr void walk_skala_line(SkalaPoint from, SkalaPoint to, Step&& step) {
-  const int towards_x = skala_sign(to.x - from.x);
-  const int towards_y = skala_sign(to.y - from.y);
+constexpr void walk_line(Point from, Point to, Step&& step) {
+  const int towards_x = sign_of(to.x - from.x);
+  const int towards_y = sign_of(to.y - from.y);
   const int u = towards_x * (to.x - from.x);
   const int v = towards_y * (to.y - from.y);
   const bool x_is_major = u >= v;
@@ -45,17 +45,17 @@ constexpr void walk_skala_line(SkalaPoint from, SkalaPoint to, Step&& step) {
     if (minor_step) error -= length;
     if (x_is_major || minor_step) x += towards_x;
     if (!x_is_major || minor_step) y += towards_y;
-    step(SkalaPoint{static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)});
+    step(Point{static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)});
   }
 }
 
 // A level on its way from one value to another in a number of steps; it arrives with the last. With 0 steps
 // next() is not to be called.
-class SkalaLevelRamp {
+class LevelRamp {
  public:
-  constexpr SkalaLevelRamp(int from, int to, int steps)
+  constexpr LevelRamp(int from, int to, int steps)
       : level_(from),
-        towards_(skala_sign(to - from)),
+        towards_(sign_of(to - from)),
         change_(towards_ * (to - from)),
         steps_(steps),
         error_(-((steps + 1) >> 1)) {}
@@ -74,4 +74,4 @@ class SkalaLevelRamp {
   int error_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -7,28 +7,28 @@
 #include <optional>
 #include <vector>
 
-#include "host/guests/skala/twin/twin.hpp"
 #include "host/guests/skala/twin/line.hpp"
+#include "host/guests/skala/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // Dots of one column, from one row to another, both included and in either order.
-struct SkalaFoldLine {
+struct FoldLine {
   std::uint8_t x = 0;
   std::uint8_t from = 0;
   std::uint8_t to = 0;
 };
 
 // Where the surface turned away from the eye in a column just folded.
-struct SkalaFoldLines {
-  std::optional<SkalaFoldLine> top;
-  std::optional<SkalaFoldLine> bottom;
+struct FoldLines {
+  std::optional<FoldLine> top;
+  std::optional<FoldLine> bottom;
 };
 
-class SkalaMasks {
+class Masks {
  public:
   // Works on the masks and fold flags in `columns`, which must outlive it.
-  explicit SkalaMasks(SkalaColumns& columns) : columns_(columns) { reset(); }
+  explicit Masks(Columns& columns) : columns_(columns) { reset(); }
 
   void reset();
 
@@ -36,19 +36,19 @@ class SkalaMasks {
     return columns_.mask_top[x] != 0 || columns_.mask_bottom[x] != 255;
   }
   // The test of DRAW and SURFACE: strictly outside the strip.
-  [[nodiscard]] bool outside(SkalaPoint point) const {
+  [[nodiscard]] bool outside(Point point) const {
     return point.y > columns_.mask_top[point.x] || point.y < columns_.mask_bottom[point.x];
   }
-  [[nodiscard]] bool on_border(SkalaPoint point) const {
+  [[nodiscard]] bool on_border(Point point) const {
     return point.y == columns_.mask_top[point.x] || point.y == columns_.mask_bottom[point.x];
   }
   // The test of TESTDRAW: outside, or in the outermost two rows of the strip; or outside or on the border of
   // the strip in a column beside it that has been visited.
-  [[nodiscard]] bool outside_with_slack(SkalaPoint point) const;
+  [[nodiscard]] bool outside_with_slack(Point point) const;
 
   // The point belongs to the pending column. The fold lines are those of the column that was pending before.
-  SkalaFoldLines touch(SkalaPoint point);
-  SkalaFoldLines fold();
+  FoldLines touch(Point point);
+  FoldLines fold();
 
  private:
   struct Pending {
@@ -57,12 +57,12 @@ class SkalaMasks {
     std::uint8_t high;
   };
 
-  [[nodiscard]] std::optional<SkalaFoldLine> fold_top(const Pending& column);
-  [[nodiscard]] std::optional<SkalaFoldLine> fold_bottom(const Pending& column);
+  [[nodiscard]] std::optional<FoldLine> fold_top(const Pending& column);
+  [[nodiscard]] std::optional<FoldLine> fold_bottom(const Pending& column);
   [[nodiscard]] std::vector<std::uint8_t> visited_neighbours(std::uint8_t x) const;
 
-  SkalaColumns& columns_;
+  Columns& columns_;
   std::optional<Pending> pending_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -1,8 +1,8 @@
 #include "host/guests/skala/twin/plotter.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-void SkalaPlotterPen::visible(SkalaPoint point) {
+void PlotterPen::visible(Point point) {
   if (run_points_ == 0) {
     remembered_ = point;
     run_points_ = 1;
@@ -15,26 +15,26 @@ void SkalaPlotterPen::visible(SkalaPoint point) {
   step_towards(point);
 }
 
-void SkalaPlotterPen::lift() {
+void PlotterPen::lift() {
   if (!down_) return;
   down_ = false;
   ++counts_.pen_lifts;
-  moves_.push_back({SkalaPlotterAction::pen_up, at_.x, at_.y, false});
+  moves_.push_back({PlotterAction::pen_up, at_.x, at_.y, false});
 }
 
-void SkalaPlotterPen::put_down_at(SkalaPoint point) {
+void PlotterPen::put_down_at(Point point) {
   if (down_ && at_ == point) return;
   lift();
   while (at_ != point) step_towards(point);
   down_ = true;
-  moves_.push_back({SkalaPlotterAction::pen_down, at_.x, at_.y, true});
+  moves_.push_back({PlotterAction::pen_down, at_.x, at_.y, true});
 }
 
-void SkalaPlotterPen::step_towards(SkalaPoint point) {
-  at_.x = static_cast<std::uint8_t>(at_.x + skala_sign(point.x - at_.x));
-  at_.y = static_cast<std::uint8_t>(at_.y + skala_sign(point.y - at_.y));
+void PlotterPen::step_towards(Point point) {
+  at_.x = static_cast<std::uint8_t>(at_.x + sign_of(point.x - at_.x));
+  at_.y = static_cast<std::uint8_t>(at_.y + sign_of(point.y - at_.y));
   ++(down_ ? counts_.steps_pen_down : counts_.steps_pen_up);
-  moves_.push_back({SkalaPlotterAction::step, at_.x, at_.y, down_});
+  moves_.push_back({PlotterAction::step, at_.x, at_.y, down_});
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

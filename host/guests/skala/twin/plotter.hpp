@@ -6,19 +6,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/guests/skala/twin/twin.hpp"
 #include "host/guests/skala/twin/line.hpp"
+#include "host/guests/skala/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-class SkalaPlotterPen {
+class PlotterPen {
  public:
   // Movements are appended to `moves` and counted in `counts`; both must outlive the pen.
-  SkalaPlotterPen(std::vector<SkalaPlotterMove>& moves, SkalaTwinCounts& counts)
-      : moves_(moves), counts_(counts) {}
+  PlotterPen(std::vector<PlotterMove>& moves, TwinCounts& counts) : moves_(moves), counts_(counts) {}
 
   // The next visible point. Within a run it is a neighbour of the one before.
-  void visible(SkalaPoint point);
+  void visible(Point point);
   // A hidden point, a movement to another place, or the end of the picture.
   void end_run() { run_points_ = 0; }
   void lift();
@@ -26,15 +25,15 @@ class SkalaPlotterPen {
   [[nodiscard]] bool in_run() const { return run_points_ != 0; }
 
  private:
-  void put_down_at(SkalaPoint point);
-  void step_towards(SkalaPoint point);
+  void put_down_at(Point point);
+  void step_towards(Point point);
 
-  std::vector<SkalaPlotterMove>& moves_;
-  SkalaTwinCounts& counts_;
-  SkalaPoint at_;  // where the pen really is
+  std::vector<PlotterMove>& moves_;
+  TwinCounts& counts_;
+  Point at_;  // where the pen really is
   bool down_ = false;
-  int run_points_ = 0;     // of the present run, not counted beyond two
-  SkalaPoint remembered_;  // its first point
+  int run_points_ = 0;  // of the present run, not counted beyond two
+  Point remembered_;    // its first point
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

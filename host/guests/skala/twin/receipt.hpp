@@ -9,23 +9,23 @@
 
 #include "host/guests/skala/commands.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-struct SkalaReceivedCommand {
-  SkalaCommand command;
+struct ReceivedCommand {
+  Command command;
   std::size_t last_byte;  // its place in the stream
   std::span<const std::uint8_t> arguments;
 };
 
-struct SkalaReceipt {
+struct Receipt {
   // The commands that are drawn, in order: those buffered when the buffer filled up, and all when END came.
-  std::vector<SkalaReceivedCommand> drawn;
+  std::vector<ReceivedCommand> drawn;
   // What receipt itself ends with: complete, an error, or running when the stream is at its end too early.
-  SkalaStatus status = SkalaStatus::running;
+  Status status = Status::running;
   std::size_t bytes_taken = 0;
 };
 
 // The spans point into `stream`.
-[[nodiscard]] SkalaReceipt receive_skala_stream(std::span<const std::uint8_t> stream);
+[[nodiscard]] Receipt receive_stream(std::span<const std::uint8_t> stream);
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -2,9 +2,9 @@
 // firmware/i8080/skala/SPECIFICATION.md section 6.
 #include "host/guests/skala/twin/drawing.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-void SkalaTwinDrawing::surface(std::span<const std::uint8_t> arguments) {
+void TwinDrawing::surface(std::span<const std::uint8_t> arguments) {
   auto vertices = arguments.subspan(1);
   move_to({vertices[0], vertices[1]});
   level_ = vertices[2] & 7U;
@@ -14,7 +14,7 @@ void SkalaTwinDrawing::surface(std::span<const std::uint8_t> arguments) {
 
 // A chain that begins with a rim makes the step of its first vertex at once: if it were left to what follows,
 // as for MOVE, a second rim vertex would find the pen fresh again and no rim would ever be drawn.
-void SkalaTwinDrawing::rim(SkalaPoint point, std::uint8_t level) {
+void TwinDrawing::rim(Point point, std::uint8_t level) {
   if (fresh_) {
     move_to(point);
     level_ = level;
@@ -22,15 +22,15 @@ void SkalaTwinDrawing::rim(SkalaPoint point, std::uint8_t level) {
   line_to(point, Mode::rim, level);
 }
 
-void SkalaTwinDrawing::gap(std::span<const std::uint8_t> arguments) {
+void TwinDrawing::gap(std::span<const std::uint8_t> arguments) {
   const int first = arguments[0];
-  const int count = skala_count(arguments[1]);
+  const int count = count_of(arguments[1]);
   for (int x = first; x < first + count; ++x)
     picture_.columns.previous_level[static_cast<std::size_t>(x)] = 0;
 }
 
-void SkalaTwinDrawing::shade(SkalaPoint point, bool may_fill) {
-  SkalaColumns& columns = picture_.columns;
+void TwinDrawing::shade(Point point, bool may_fill) {
+  Columns& columns = picture_.columns;
   const bool visible = !visibility_ || masks_.outside(point);
   const bool entered = shaded_column_ != point.x;
   shaded_column_ = point.x;
@@ -43,11 +43,11 @@ void SkalaTwinDrawing::shade(SkalaPoint point, bool may_fill) {
   if (visibility_) plot_folds(masks_.touch(point));
 }
 
-void SkalaTwinDrawing::fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_level) {
+void TwinDrawing::fill(Point from, std::uint8_t to_y, std::uint8_t to_level) {
   plot(from, level_);
-  const SkalaPoint to{from.x, to_y};
-  const int towards = skala_sign(to.y - from.y);
-  SkalaLevelRamp ramp(level_, to_level, skala_line_steps(from, to));
+  const Point to{from.x, to_y};
+  const int towards = sign_of(to.y - from.y);
+  LevelRamp ramp(level_, to_level, line_steps(from, to));
   while (from != to) {
     from.y = static_cast<std::uint8_t>(from.y + towards);
     const std::uint8_t level = ramp.next();
@@ -56,4 +56,4 @@ void SkalaTwinDrawing::fill(SkalaPoint from, std::uint8_t to_y, std::uint8_t to_
   }
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -3,15 +3,15 @@
 #include "host/guests/skala/twin/drawing.hpp"
 #include "host/guests/skala/twin/receipt.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
-SkalaTwinPicture run_skala_twin(std::span<const std::uint8_t> stream, const SkalaEquipment& equipment) {
-  const SkalaReceipt receipt = receive_skala_stream(stream);
-  SkalaTwinPicture picture;
-  SkalaTwinDrawing drawing(picture, equipment);
-  for (const SkalaReceivedCommand& received : receipt.drawn) {
+TwinPicture run_twin(std::span<const std::uint8_t> stream, const Equipment& equipment) {
+  const Receipt receipt = receive_stream(stream);
+  TwinPicture picture;
+  TwinDrawing drawing(picture, equipment);
+  for (const ReceivedCommand& received : receipt.drawn) {
     if (drawing.obey(received)) continue;
-    picture.status = SkalaStatus::device_missing;
+    picture.status = Status::device_missing;
     picture.bytes_taken = received.last_byte + 1;
     return picture;
   }
@@ -20,4 +20,4 @@ SkalaTwinPicture run_skala_twin(std::span<const std::uint8_t> stream, const Skal
   return picture;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

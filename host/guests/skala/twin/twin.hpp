@@ -18,10 +18,10 @@
 #include "emulators/core/raster.hpp"
 #include "host/guests/skala/commands.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // What the columns of the screen hold, by x: section 2 of the specification.
-struct SkalaColumns {
+struct Columns {
   std::array<std::uint8_t, 256> mask_top{};        // MT
   std::array<std::uint8_t, 256> mask_bottom{};     // MB
   std::array<std::uint8_t, 256> previous_y{};      // MP, of no meaning where the level is 0
@@ -30,20 +30,20 @@ struct SkalaColumns {
   std::array<std::uint8_t, 256> lowered_from{};    // HB, 255: nothing has lowered the bottom
 };
 
-enum class SkalaPlotterAction : std::uint8_t { step, pen_up, pen_down };
+enum class PlotterAction : std::uint8_t { step, pen_up, pen_down };
 
 // One movement a plotter is told to make. x and y are where the pen stands after it, in steps from (0, 0); a
 // step changes each by at most one.
-struct SkalaPlotterMove {
-  SkalaPlotterAction action = SkalaPlotterAction::step;
+struct PlotterMove {
+  PlotterAction action = PlotterAction::step;
   std::uint8_t x = 0;
   std::uint8_t y = 0;
   bool pen_down = false;  // during a step; after a change of the pen
 
-  friend bool operator==(const SkalaPlotterMove&, const SkalaPlotterMove&) = default;
+  friend bool operator==(const PlotterMove&, const PlotterMove&) = default;
 };
 
-struct SkalaTwinCounts {
+struct TwinCounts {
   std::uint64_t points_walked = 0;   // steps of lines, curves, slices and outlines, seen or not
   std::uint64_t points_plotted = 0;  // dots written to a raster board, a dot written twice counted twice;
                                      // visible points on a plotter, dropped ones included
@@ -52,30 +52,28 @@ struct SkalaTwinCounts {
   std::uint64_t steps_pen_up = 0;
 };
 
-struct SkalaTwinPicture {
-  SkalaStatus status = SkalaStatus::running;
+struct TwinPicture {
+  Status status = Status::running;
   // How many bytes of the stream the program has looked at; after an error the last of them is the offending
   // one.
   std::size_t bytes_taken = 0;
   std::array<core::Raster, 2> rasters{};  // of the EF9365 board and of the ALT-256 board
-  std::vector<SkalaPlotterMove> moves;    // of the plotters, in order
-  SkalaColumns columns;                   // at the end; the pending column is not folded in
-  SkalaTwinCounts counts;
+  std::vector<PlotterMove> moves;         // of the plotters, in order
+  Columns columns;                        // at the end; the pending column is not folded in
+  TwinCounts counts;
 
   // Of a raster device only.
-  [[nodiscard]] const core::Raster& raster(SkalaDevice device) const {
-    return rasters[device == SkalaDevice::alt256 ? 1 : 0];
+  [[nodiscard]] const core::Raster& raster(Device device) const {
+    return rasters[device == Device::alt256 ? 1 : 0];
   }
 };
 
-struct SkalaEquipment {
-  std::array<bool, 4> present{true, true, true,
-                              true};  // by SkalaDevice; the Minigraf always counts as present
+struct Equipment {
+  std::array<bool, 4> present{true, true, true, true};  // by Device; the Minigraf always counts as present
 };
 
 // What has happened when the program has taken all bytes of `stream` it ever will. A stream without END ends
 // in status `running`, and what stands in the buffer then is not drawn.
-[[nodiscard]] SkalaTwinPicture run_skala_twin(std::span<const std::uint8_t> stream,
-                                              const SkalaEquipment& equipment = {});
+[[nodiscard]] TwinPicture run_twin(std::span<const std::uint8_t> stream, const Equipment& equipment = {});
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

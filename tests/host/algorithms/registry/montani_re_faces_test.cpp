@@ -14,8 +14,8 @@
 #include "host/algorithms/registry/faces.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
-#include "host/scene/model/eye_place.hpp"
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 
 namespace sightline::harness {
 namespace {

@@ -8,10 +8,10 @@
 #include "host/guests/jones/precision_guest.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/support/dice.hpp"
-#include "tools/asm/pdp7.hpp"
 #include "tests/support/effort.hpp"
+#include "tools/asm/pdp7.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr int views = tests::effort(4, 2);
@@ -161,4 +161,4 @@ TEST(JonesFractionBits, MoreThanThreeDoNotAssemble) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

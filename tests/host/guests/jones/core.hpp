@@ -7,7 +7,7 @@
 
 #include "emulators/core/word.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 // A vector word: F, A, magnitude.
 struct TestVector {
@@ -96,4 +96,4 @@ inline TestCore grazing_doorways(std::int32_t count) {
   return {cells, openings};
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

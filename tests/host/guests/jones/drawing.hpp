@@ -6,7 +6,7 @@
 #include "host/guests/jones/twin/twin.hpp"
 #include "tests/host/guests/jones/core.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 
 inline View view_of(const TestCore& core, const Parameters& parameters = {}) {
   return run(core.words, TestCore::header, parameters);
@@ -57,4 +57,4 @@ inline Drawing decode(const View& view) {
   return drawing;
 }
 
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -7,7 +7,7 @@
 
 #include "host/guests/jones/precision_table.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr std::size_t scenes = 4, builds = 6;
@@ -101,4 +101,4 @@ TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyMendTheWrongPiece) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,5 +1,7 @@
-// Jones's program on the emulated PDP-7 with its display: the default view of every scene, what it costs and what is
-// seen of it. Switches, statuses and lines added at once: tests/firmware/jones_control_test.cpp.
+// Jones's program on the emulated PDP-7 with its display: the default view of every scene, what it costs and
+// what is seen of it. Switches, statuses and lines added at once: tests/firmware/jones_control_test.cpp.
+#include "host/guests/jones/guest.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,13 +10,12 @@
 #include <string>
 #include <tuple>
 
-#include "host/guests/jones/guest.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/firmware/jones_scenes.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 GuestOptions with_eae(bool eae) {
@@ -58,7 +59,9 @@ TEST_P(JonesGuest, TakesNoLongerThanItMay) {
               eae() ? "with EAE" : "without EAE", seconds(run.views[0].time), seconds(run.views[1].time),
               static_cast<unsigned long long>(run.views[1].instructions));
   EXPECT_LE(seconds(run.views[1].time), eae() ? 1.0 : 6.0);
-  const auto ticks = [&](const GuestView& view) { return static_cast<std::uint64_t>(seconds(view.time) * 50) + 1; };
+  const auto ticks = [&](const GuestView& view) {
+    return static_cast<std::uint64_t>(seconds(view.time) * 50) + 1;
+  };
   EXPECT_LE(run.views[0].stolen_cycles, ticks(run.views[0])) << "the display is dark: only the clock steals";
   EXPECT_GT(run.views[1].stolen_cycles, ticks(run.views[1]));
 }
@@ -72,7 +75,8 @@ TEST_P(JonesGuest, ThePictureIsWhatTheWordsSay) {
   EXPECT_LT(run.pass.back().time - run.pass.front().time, run.refresh_period);
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest, testing::Combine(testing::ValuesIn(scene_names), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
+                         testing::Combine(testing::ValuesIn(scene_names), testing::Bool()),
                          [](const auto& p) {
                            return std::string(std::get<0>(p.param)) +
                                   (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae");
@@ -141,14 +145,16 @@ TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
 
 // Ten units between the eyes: 51 half points at a distance of 100, a third of one at 16000.
 TEST(JonesGuestStereo, FarPointsLieEquallyInBothHalves) {
-  const scene::CellScene scene = one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},
-                                          {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});
+  const scene::CellScene scene =
+      one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},
+               {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});
   GuestOptions options = with_eae(true);
   options.stereo = true;
   const GuestRun run = run_guest(assembled(scene, true), options);
   ASSERT_EQ(run.views.size(), 2U);
   std::vector<ScreenSegment> left, right;
-  for (const ScreenSegment& piece : pieces_of(run.views[1])) (piece.a.x < 512 ? left : right).push_back(piece);
+  for (const ScreenSegment& piece : pieces_of(run.views[1]))
+    (piece.a.x < 512 ? left : right).push_back(piece);
   ASSERT_EQ(left.size(), 2U);
   ASSERT_EQ(right.size(), 2U);
   const auto apart = [&](std::size_t i) { return left[i].a.x - (right[i].a.x - 512); };
@@ -159,4 +165,4 @@ TEST(JonesGuestStereo, FarPointsLieEquallyInBothHalves) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

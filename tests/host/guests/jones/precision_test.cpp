@@ -10,7 +10,7 @@
 #include "host/guests/jones/views.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -177,4 +177,4 @@ TEST_F(JonesLineError, APieceOfAHiddenLineIsWrongEvenOnAVisibleOne) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -15,14 +15,14 @@
 #include "host/algorithms/oracle/drawn_error.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/guests/jones/twin/twin.hpp"
 #include "host/guests/jones/encode.hpp"
-#include "tests/support/dice.hpp"
+#include "host/guests/jones/twin/twin.hpp"
 #include "tests/host/guests/jones/core.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 #include "tests/host/scene/scene_support.hpp"
+#include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -33,8 +33,8 @@ constexpr double allowed_share = 0.01;
 
 // The scene in core with the eye there; nothing if no eye can stand there.
 std::optional<std::vector<core::Word18>> core_of(const scene::CellScene& scene, const geometry::Point& eye) {
-  const auto encoded = scene::encode(scene, {eye}, TestCore::header);
-  const auto* image = std::get_if<scene::EncodedScene>(&encoded);
+  const auto encoded = encode(scene, {eye}, TestCore::header);
+  const auto* image = std::get_if<EncodedScene>(&encoded);
   if (!image) return std::nullopt;
   std::vector<core::Word18> words(core_words);
   for (std::size_t i = 0; i < image->words.size(); ++i) {
@@ -80,9 +80,9 @@ TEST_P(JonesQuality, AtMostOnePerCentIsWrongByMoreThanAPoint) {
   const auto matter = oracle::Matter::of(scene);
   ASSERT_TRUE(matter);
   const auto lines = matter->real_lines();
-  const auto home = scene::encode(scene, {}, TestCore::header);
-  ASSERT_TRUE(std::holds_alternative<scene::EncodedScene>(home));
-  const geometry::Box& home_box = std::get<scene::EncodedScene>(home).eye_limits;
+  const auto home = encode(scene, {}, TestCore::header);
+  ASSERT_TRUE(std::holds_alternative<EncodedScene>(home));
+  const geometry::Box& home_box = std::get<EncodedScene>(home).eye_limits;
   oracle::Window window;
   window.near = 1;
   Dice dice(1971);
@@ -114,4 +114,4 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesQuality,
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -14,7 +14,7 @@
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 constexpr int views = tests::effort(1000, 10);
@@ -24,7 +24,7 @@ constexpr std::int32_t room_before_far_side = 8;
 // Strictly inside the initial cell, and not close to its far side.
 SpacePoint random_eye(const geometry::Box& limits, Dice& dice) {
   return {dice(limits.low[0], limits.high[0]), dice(limits.low[1], limits.high[1]),
-          dice(limits.low[2], limits.high[2] + scene::near_plane - room_before_far_side)};
+          dice(limits.low[2], limits.high[2] + near_plane - room_before_far_side)};
 }
 
 Parameters random_parameters(Dice& dice) {
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& p) { return std::get<0>(p.param) + (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -1,6 +1,6 @@
-// The routines of Jones's program that calculate, called one by one on the emulated PDP-7 and compared with plain
-// 64-bit arithmetic or with the twin's functions, with the EAE and without. Ranges: SPECIFICATION.md and the comment
-// at each label. Clipping and masks: jones_clip_routines_test.cpp.
+// The routines of Jones's program that calculate, called one by one on the emulated PDP-7 and compared with
+// plain 64-bit arithmetic or with the twin's functions, with the EAE and without. Ranges: SPECIFICATION.md
+// and the comment at each label. Clipping and masks: jones_clip_routines_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "tests/firmware/jones_routine.hpp"
 #include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 using End = RoutineMachine::End;
@@ -23,7 +23,9 @@ class JonesRoutines : public testing::TestWithParam<bool> {
   RoutineMachine machine{GetParam()};
   Dice dice{1971};
 
-  std::int32_t up_to(std::int32_t high) { return dice(0, 3) == 0 ? high - dice(0, std::min(high, 3)) : dice(0, high); }
+  std::int32_t up_to(std::int32_t high) {
+    return dice(0, 3) == 0 ? high - dice(0, std::min(high, 3)) : dice(0, high);
+  }
 
   void expect_muldiv(std::int32_t a, std::int32_t b, std::int32_t c) {
     machine.set("mdm", b);
@@ -116,7 +118,8 @@ TEST_P(JonesRoutines, LeastDepthInTheBound) {
     for (int i = 0; i < 200; ++i) {
       const std::int32_t x = i < 100 ? i - 50 : dice(-100000, 100000);
       ASSERT_EQ(machine.call("zleast", x), End::returned);
-      ASSERT_EQ(machine.ac(), std::max(near_z, (std::abs(x) + window.bound_factor - 1) / window.bound_factor)) << x;
+      ASSERT_EQ(machine.ac(), std::max(near_z, (std::abs(x) + window.bound_factor - 1) / window.bound_factor))
+          << x;
       ASSERT_EQ(machine.ac(), depth_inside(std::abs(x), window.bound_factor)) << x;
     }
   }
@@ -125,7 +128,9 @@ TEST_P(JonesRoutines, LeastDepthInTheBound) {
 TEST_P(JonesRoutines, LimitKeepsANumberInItsRange) {
   for (int i = 0; i < rounds; ++i) {
     const std::int32_t low = dice(-16000, 16000), high = low + dice(0, 16000);
-    const std::int32_t value = i % 4 == 0 ? low + dice(-1, 1) : i % 4 == 1 ? high + dice(-1, 1) : dice(-60000, 60000);
+    const std::int32_t value = i % 4 == 0   ? low + dice(-1, 1)
+                               : i % 4 == 1 ? high + dice(-1, 1)
+                                            : dice(-60000, 60000);
     machine.set("limlo", low);
     machine.set("limhi", high);
     ASSERT_EQ(machine.call("limit", value), End::returned);
@@ -156,7 +161,8 @@ TEST_P(JonesRoutines, ElevenStepMultiplication) {
     const std::int32_t a = up_to(2047), b = up_to(2047);
     machine.set("mpyb", b);
     ASSERT_EQ(machine.call("mpy", a), End::returned);
-    const std::int64_t product = std::int64_t{machine.cell("mpyh")} << 18 | machine.word(machine.at("mpyl")).value();
+    const std::int64_t product =
+        std::int64_t{machine.cell("mpyh")} << 18 | machine.word(machine.at("mpyl")).value();
     ASSERT_EQ(product, (std::int64_t{a} * b) << 7) << a << " * " << b;
   }
 }
@@ -173,7 +179,8 @@ TEST_P(JonesRoutines, DisplayWordsOfPieces) {
     Operations operations;
     machine.set("mode", joining ? 0 : 2);
     machine.set("runing", 1);
-    machine.set("file", static_cast<std::int32_t>(machine.at("filea")));  // so the other is the one being made
+    machine.set("file",
+                static_cast<std::int32_t>(machine.at("filea")));  // so the other is the one being made
     machine.set("cx2", 2 * window.centre_x + 1);
     ASSERT_EQ(machine.call("newfil"), End::returned);
     ASSERT_EQ(machine.cell("dfs"), static_cast<std::int32_t>(machine.at("fileb")));
@@ -207,4 +214,4 @@ INSTANTIATE_TEST_SUITE_P(Eae, JonesRoutines, testing::Bool(),
                          [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -12,14 +12,14 @@
 #include "tests/host/scene/scene_support.hpp"
 #include "tests/support/approve.hpp"
 
-namespace sightline::scene {
+namespace sightline::guests::jones {
 namespace {
 
 using geometry::Point;
 
-EncodedScene encoded(const CellScene& scene, const TapeOptions& options = {}, std::uint32_t base = 0) {
+EncodedScene encoded(const scene::CellScene& scene, const TapeOptions& options = {}, std::uint32_t base = 0) {
   auto result = encode(scene, options, base);
-  if (const auto* error = std::get_if<SceneError>(&result)) {
+  if (const auto* error = std::get_if<scene::SceneError>(&result)) {
     ADD_FAILURE() << error->message();
     return {};
   }
@@ -34,7 +34,7 @@ TEST(Encode, TakesTheWordsOfTheSpecification) {
                                                                                  {"corridor8", {194, 70}},
                                                                                  {"corridor32", {794, 310}}};
   for (const auto& [name, words] : expected) {
-    const EncodedScene result = encoded(builtin_scene(name));
+    const EncodedScene result = encoded(scene::builtin_scene(name));
     EXPECT_EQ(result.cell_words, words.first) << name;
     EXPECT_EQ(result.opening_words, words.second) << name;
     EXPECT_EQ(result.words.size(), words.first + words.second + scene_header_words) << name;
@@ -86,8 +86,8 @@ Ends ordered(const Point& a, const Point& b) {
 }
 
 TEST(Encode, ElementsReadBackAsTheScene) {
-  for (const std::string_view name : builtin_scene_names()) {
-    const CellScene scene = builtin_scene(name);
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::CellScene scene = scene::builtin_scene(name);
     const EncodedScene result = encoded(scene, {}, 04000);
     const Core core(result);
     for (std::size_t c = 0; c < scene.cells.size(); ++c) {
@@ -95,7 +95,7 @@ TEST(Encode, ElementsReadBackAsTheScene) {
       std::multiset<Ends> drawn;
       std::multiset<Ends> given;
       for (const auto& [from, to] : chain.actual) drawn.insert(ordered(from, to));
-      for (const Line& line : scene.cells[c].lines) given.insert(ordered(line.from, line.to));
+      for (const scene::Line& line : scene.cells[c].lines) given.insert(ordered(line.from, line.to));
       EXPECT_EQ(drawn, given) << name << " cell " << c;
 
       std::set<std::uint32_t> neighbours;
@@ -105,7 +105,7 @@ TEST(Encode, ElementsReadBackAsTheScene) {
         if (address != 0) neighbours.insert(core[address] & 017777);
         if (core[entry] & 0400000) break;
       }
-      for (const Opening& o : scene.openings) {
+      for (const scene::Opening& o : scene.openings) {
         if (o.cells[0] == c) expected.insert(result.cell_addresses[o.cells[1]]);
         if (o.cells[1] == c) expected.insert(result.cell_addresses[o.cells[0]]);
       }
@@ -115,7 +115,7 @@ TEST(Encode, ElementsReadBackAsTheScene) {
 }
 
 TEST(Encode, OpeningsFollowTheFormat) {
-  const CellScene scene = builtin_scene("street4");
+  const scene::CellScene scene = scene::builtin_scene("street4");
   const EncodedScene result = encoded(scene, {}, 02000);
   const Core core(result);
   for (std::size_t o = 0; o < scene.openings.size(); ++o) {
@@ -131,10 +131,10 @@ TEST(Encode, OpeningsFollowTheFormat) {
 
 // The house by hand: living room limits x 1..599, y 1..249, z 1..399.
 TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
-  const EncodedScene result = encoded(builtin_scene("house"), {}, 01000);
+  const EncodedScene result = encoded(scene::builtin_scene("house"), {}, 01000);
   const std::vector<std::uint32_t> expected{01013, 3, 480, 160, 20, 1, 599, 1, 249, 1, 399};
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(result.words[n].value, expected[n]) << n;
-  const EncodedScene kitchen = encoded(builtin_scene("house"), {Point{100, 100, 500}}, 01000);
+  const EncodedScene kitchen = encoded(scene::builtin_scene("house"), {Point{100, 100, 500}}, 01000);
   EXPECT_EQ(kitchen.initial_cell, 1U);
   EXPECT_EQ(kitchen.words[0].value, kitchen.cell_addresses[1]);
   EXPECT_EQ(kitchen.words[9].value, 401U);
@@ -142,7 +142,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
 }
 
 TEST(Encode, ListEntriesPointAtTheWordNamingTheFarCell) {
-  const EncodedScene house = encoded(builtin_scene("house"));
+  const EncodedScene house = encoded(scene::builtin_scene("house"));
   const Core core(house);
   const auto list_of = [&](std::size_t cell) { return core.vectors(house.cell_addresses[cell]).next; };
   EXPECT_EQ(core[list_of(0)], house.opening_addresses[0] + 1);
@@ -151,8 +151,8 @@ TEST(Encode, ListEntriesPointAtTheWordNamingTheFarCell) {
   EXPECT_EQ(core[list_of(1) + 1], 0400000 | (house.opening_addresses[2] + 1));
 }
 
-CellScene one_room(std::int32_t depth) {
-  CellScene scene;
+scene::CellScene one_room(std::int32_t depth) {
+  scene::CellScene scene;
   scene.name = "room";
   scene.outer = {{0, 0, 0}, {100, 100, depth}};
   scene.cells = {{scene.outer, {}}};
@@ -167,7 +167,7 @@ TEST(Encode, ACellWithoutLinesAndOpeningsIsFiveWords) {
 }
 
 TEST(Encode, SplitsVectorsThatAWordCannotHold) {
-  CellScene scene = one_room(32767);
+  scene::CellScene scene = one_room(32767);
   scene.cells[0].lines = {{{0, 0, 32767}, {0, 0, 0}}, {{100, 0, 32767}, {100, 100, 32767}}};
   const EncodedScene result = encoded(scene);
   const auto chain = Core(result).vectors(result.cell_addresses[0]);
@@ -178,14 +178,14 @@ TEST(Encode, SplitsVectorsThatAWordCannotHold) {
   EXPECT_EQ(result.words[scene_header_words + 4].value, 0740001U) << "F, k, -16383";
 }
 
-std::string refusal(const CellScene& scene, const TapeOptions& options, std::uint32_t base = 0) {
+std::string refusal(const scene::CellScene& scene, const TapeOptions& options, std::uint32_t base = 0) {
   const auto result = encode(scene, options, base);
-  const auto* error = std::get_if<SceneError>(&result);
+  const auto* error = std::get_if<scene::SceneError>(&result);
   return error ? error->message() : "encoded";
 }
 
 TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
-  const CellScene house = builtin_scene("house");
+  const scene::CellScene house = scene::builtin_scene("house");
   EXPECT_EQ(
       refusal(house, {Point{100, 100, 400}}),
       "point (100, 100, 400): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..399");
@@ -196,7 +196,7 @@ TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
 }
 
 TEST(Encode, RefusesWhatDoesNotFitIntoCore) {
-  const CellScene house = builtin_scene("house");  // 112 words
+  const scene::CellScene house = scene::builtin_scene("house");  // 112 words
   EXPECT_EQ(refusal(house, {}, 017620), "encoded");
   EXPECT_EQ(refusal(house, {}, 017621), "needs 112 words from address 017621; core ends at 017777");
   EXPECT_EQ(refusal(house, {}, 0777777), "needs at least 96 words from address 777777; core ends at 017777");
@@ -232,8 +232,8 @@ std::vector<std::uint32_t> assemble(const std::string& tape, std::uint32_t base)
 }
 
 TEST(WriteTape, AssemblesToTheEncodedWords) {
-  for (const std::string_view name : builtin_scene_names()) {
-    const CellScene scene = builtin_scene(name);
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::CellScene scene = scene::builtin_scene(name);
     const auto tape = std::get<std::string>(write_tape(scene));
     EXPECT_EQ(tape[0], '/');
     std::vector<std::uint32_t> expected;
@@ -243,9 +243,9 @@ TEST(WriteTape, AssemblesToTheEncodedWords) {
 }
 
 TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
-  for (const std::string_view name : builtin_scene_names()) {
+  for (const std::string_view name : scene::builtin_scene_names()) {
     const std::string path = SIGHTLINE_SOURCE_DIR "/firmware/pdp7/jones/scenes/" + std::string(name) + ".s";
-    const auto tape = std::get<std::string>(write_tape(builtin_scene(name)));
+    const auto tape = std::get<std::string>(write_tape(scene::builtin_scene(name)));
     if (tests::approving()) {
       EXPECT_TRUE(tests::write_whole(path, tape)) << path;
     }
@@ -256,4 +256,4 @@ TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
 }
 
 }  // namespace
-}  // namespace sightline::scene
+}  // namespace sightline::guests::jones

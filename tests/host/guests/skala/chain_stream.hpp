@@ -10,7 +10,7 @@
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "tests/host/guests/skala/twin/support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 using algorithms::oracle::Chain;
 using algorithms::oracle::ChainVertex;
@@ -54,8 +54,8 @@ class ChainSender {
         bytes_.surface({{from.x, from.y, level_of(from)}, {to.x, to.y, level_of(to)}});
         break;
       case SegmentRole::rim:
-        if (pending_level_) bytes_.send(SkalaCommand::rim, {from.x, from.y, level_of(from)});
-        bytes_.send(SkalaCommand::rim, {to.x, to.y, level_of(to)});
+        if (pending_level_) bytes_.send(Command::rim, {from.x, from.y, level_of(from)});
+        bytes_.send(Command::rim, {to.x, to.y, level_of(to)});
         break;
       case SegmentRole::none: break;
     }
@@ -85,7 +85,7 @@ class ChainSender {
   return count == 0 ? text : std::to_string(count) + " dots: " + text;
 }
 
-inline void expect_same_masks(const SkalaColumns& columns, const ColumnPicture& expected) {
+inline void expect_same_masks(const Columns& columns, const ColumnPicture& expected) {
   for (std::size_t x = 0; x < 256; ++x) {
     const int high = expected.hull[x] ? expected.hull[x]->high : 0;
     const int low = expected.hull[x] ? expected.hull[x]->low : 255;
@@ -94,4 +94,4 @@ inline void expect_same_masks(const SkalaColumns& columns, const ColumnPicture& 
   }
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

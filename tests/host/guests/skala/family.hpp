@@ -11,7 +11,7 @@
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "tests/support/dice.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 class SliceFamily {
  public:
@@ -117,7 +117,7 @@ class SliceFamily {
     }
   }
 
-  jones::Dice dice_;
+  guests::jones::Dice dice_;
   int kind_;
   int slices_;
   int points_;
@@ -128,4 +128,4 @@ class SliceFamily {
   std::vector<int> heights_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -11,25 +11,25 @@
 #include "tests/host/guests/skala/guest_support.hpp"
 #include "tests/host/guests/skala/twin/support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
-SkalaBytes picture(SkalaDevice device = SkalaDevice::ef9365) {
+SkalaBytes picture(Device device = Device::ef9365) {
   return SkalaBytes().device(device).reset();
 }
 
-SkalaGuestPicture run(const SkalaBytes& bytes, const SkalaGuestOptions& options = {}) {
-  return run_skala_guest(skala_program(), bytes.bytes(), options);
+GuestPicture run(const SkalaBytes& bytes, const GuestOptions& options = {}) {
+  return run_guest(skala_program(), bytes.bytes(), options);
 }
 
-SkalaGuestOptions on(SkalaDevice device) {
-  SkalaGuestOptions options;
+GuestOptions on(Device device) {
+  GuestOptions options;
   options.device = device;
   return options;
 }
 
-SkalaView view_of(SkalaPicture picture, SkalaDevice device) {
-  SkalaView view;
+View view_of(PictureKind picture, Device device) {
+  View view;
   view.picture = picture;
   view.device = device;
   view.rotation = 30;
@@ -39,7 +39,7 @@ SkalaView view_of(SkalaPicture picture, SkalaDevice device) {
 TEST(SkalaGuest, DrawsALine) {
   const auto guest = run(picture().move(10, 20).draw(14, 22).commit().end());
   EXPECT_TRUE(guest.ended);
-  EXPECT_EQ(guest.status, SkalaStatus::complete);
+  EXPECT_EQ(guest.status, Status::complete);
   EXPECT_EQ(guest.blocks, 1);
   EXPECT_EQ(points_lit(guest), 5U);
   EXPECT_EQ(guest.raster.at(10, 20), 7);
@@ -49,11 +49,11 @@ TEST(SkalaGuest, DrawsALine) {
 }
 
 TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
-  const auto bytes = stream_of("franke", {17, 9}, view_of(SkalaPicture::lines, SkalaDevice::ef9365));
-  SkalaGuestOptions serial;
-  serial.link = SkalaLink::serial;
-  const auto fast = run_skala_guest(skala_program(), bytes);
-  const auto slow = run_skala_guest(skala_program(), bytes, serial);
+  const auto bytes = stream_of("franke", {17, 9}, view_of(PictureKind::lines, Device::ef9365));
+  GuestOptions serial;
+  serial.link = Link::serial;
+  const auto fast = run_guest(skala_program(), bytes);
+  const auto slow = run_guest(skala_program(), bytes, serial);
   EXPECT_EQ(fast.raster, slow.raster);
   // 10 bits a byte at 9600 baud.
   EXPECT_GE(slow.total.count() - slow.drawing.count(), static_cast<std::int64_t>(bytes.size()) * 3125 - 3125);
@@ -65,37 +65,36 @@ TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
 }
 
 TEST(SkalaGuest, RunsAreRepeatable) {
-  const auto bytes = stream_of("peaks", {17, 9}, view_of(SkalaPicture::surface, SkalaDevice::ef9365));
-  const auto first = run_skala_guest(skala_program(), bytes);
-  const auto second = run_skala_guest(skala_program(), bytes);
+  const auto bytes = stream_of("peaks", {17, 9}, view_of(PictureKind::surface, Device::ef9365));
+  const auto first = run_guest(skala_program(), bytes);
+  const auto second = run_guest(skala_program(), bytes);
   EXPECT_EQ(first.drawing, second.drawing);
   EXPECT_EQ(first.instructions, second.instructions);
 }
 
 TEST(SkalaGuest, BothLinksOnEveryDevice) {
-  for (const SkalaDevice device :
-       {SkalaDevice::ef9365, SkalaDevice::alt256, SkalaDevice::calcomp, SkalaDevice::minigraf}) {
-    for (const SkalaLink link : {SkalaLink::parallel, SkalaLink::serial}) {
+  for (const Device device : {Device::ef9365, Device::alt256, Device::calcomp, Device::minigraf}) {
+    for (const Link link : {Link::parallel, Link::serial}) {
       SCOPED_TRACE(testing::Message()
                    << "device " << static_cast<int>(device) << " link " << static_cast<int>(link));
-      SkalaGuestOptions options = on(device);
+      GuestOptions options = on(device);
       options.link = link;
-      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(SkalaPicture::lines, device)), options));
+      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(PictureKind::lines, device)), options));
     }
   }
 }
 
 TEST(SkalaGuest, PicturesOfSeveralBlocks) {
-  for (const SkalaPicture what : skala_pictures) {
+  for (const PictureKind what : skala_pictures) {
     SCOPED_TRACE(skala_picture_names[static_cast<std::size_t>(what)]);
-    SkalaView view = view_of(what, SkalaDevice::ef9365);
+    View view = view_of(what, Device::ef9365);
     view.rotation = 20;
-    const bool contours = what == SkalaPicture::contours;
+    const bool contours = what == PictureKind::contours;
     const auto bytes =
         stream_of("terrain", contours ? scene::GridSize{50, 50} : scene::GridSize{256, 200}, view);
-    ASSERT_GT(bytes.size(), skala_buffer_bytes);
-    const auto guest = run_skala_guest(skala_program(), bytes);
-    EXPECT_TRUE(same_as_twin(guest, run_skala_twin(bytes), SkalaDevice::ef9365));
+    ASSERT_GT(bytes.size(), buffer_bytes);
+    const auto guest = run_guest(skala_program(), bytes);
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes), Device::ef9365));
     EXPECT_GE(guest.blocks, 2);
     EXPECT_LT(guest.drawing, guest.total);
   }
@@ -105,11 +104,11 @@ TEST(SkalaGuest, PicturesOfSeveralBlocks) {
 TEST(SkalaGuest, TheBufferIsFullWhereTheSpecificationSays) {
   for (const int filler : {0, 1}) {
     SkalaBytes bytes = picture().move(3, 4).draw(9, 4);
-    const int wanted = static_cast<int>(skala_buffer_bytes - skala_buffer_reserve) + filler;
-    while (static_cast<int>(bytes.bytes().size()) < wanted) bytes.send(SkalaCommand::commit);
+    const int wanted = static_cast<int>(buffer_bytes - buffer_reserve) + filler;
+    while (static_cast<int>(bytes.bytes().size()) < wanted) bytes.send(Command::commit);
     const auto guest = run(bytes.end());
     EXPECT_EQ(guest.blocks, 1 + filler);
-    EXPECT_TRUE(same_as_twin(guest, run_skala_twin(bytes.bytes()), SkalaDevice::ef9365));
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes.bytes()), Device::ef9365));
   }
 }
 
@@ -117,61 +116,61 @@ TEST(SkalaGuest, BadStreamsStopWithTheirStatus) {
   const auto status_of = [](const SkalaBytes& bytes) {
     const auto guest = run(bytes);
     EXPECT_TRUE(guest.ended);
-    EXPECT_TRUE(same_as_twin(guest, run_skala_twin(bytes.bytes()), SkalaDevice::ef9365));
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes.bytes()), Device::ef9365));
     return guest.status;
   };
-  EXPECT_EQ(status_of(picture().byte(15)), SkalaStatus::unknown_command);
-  EXPECT_EQ(status_of(picture().draw(5, 5).byte(255)), SkalaStatus::unknown_command);
-  EXPECT_EQ(status_of(SkalaBytes().send(SkalaCommand::device, {4})), SkalaStatus::argument_out_of_range);
-  EXPECT_EQ(status_of(SkalaBytes().send(SkalaCommand::device, {0xFF})), SkalaStatus::argument_out_of_range);
-  EXPECT_EQ(status_of(picture().send(SkalaCommand::gap, {1, 0})), SkalaStatus::argument_out_of_range);
-  EXPECT_EQ(status_of(picture().send(SkalaCommand::curve, {200, 57})), SkalaStatus::argument_out_of_range);
+  EXPECT_EQ(status_of(picture().byte(15)), Status::unknown_command);
+  EXPECT_EQ(status_of(picture().draw(5, 5).byte(255)), Status::unknown_command);
+  EXPECT_EQ(status_of(SkalaBytes().send(Command::device, {4})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(SkalaBytes().send(Command::device, {0xFF})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(picture().send(Command::gap, {1, 0})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(picture().send(Command::curve, {200, 57})), Status::argument_out_of_range);
 }
 
 TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
-  SkalaGuestOptions options;
+  GuestOptions options;
   options.t_state_limit = 1'000'000;
   const auto guest = run(picture().draw(5, 5), options);
   EXPECT_FALSE(guest.ended);
-  EXPECT_EQ(guest.status, SkalaStatus::running);
+  EXPECT_EQ(guest.status, Status::running);
   EXPECT_EQ(points_lit(guest), 0U);
 }
 
 TEST(SkalaGuest, ARunawayProgramIsGivenUp) {
-  SkalaProgram program = skala_program();
+  Program program = skala_program();
   program.memory[program.labels.drawing] = 0xC3;  // JMP to itself
   program.memory[program.labels.drawing + 1U] = static_cast<std::uint8_t>(program.labels.drawing & 0xFF);
   program.memory[program.labels.drawing + 2U] = static_cast<std::uint8_t>(program.labels.drawing >> 8);
-  SkalaGuestOptions options;
+  GuestOptions options;
   options.t_state_limit = 500'000;
-  const auto guest = run_skala_guest(program, picture().end().bytes(), options);
+  const auto guest = run_guest(program, picture().end().bytes(), options);
   EXPECT_FALSE(guest.ended);
   EXPECT_GE(guest.total.count(), 500'000);
 }
 
 TEST(SkalaGuest, ADeviceThatIsNotThere) {
-  for (const SkalaDevice asked : {SkalaDevice::ef9365, SkalaDevice::alt256, SkalaDevice::calcomp}) {
-    const SkalaDevice there = asked == SkalaDevice::ef9365 ? SkalaDevice::alt256 : SkalaDevice::ef9365;
+  for (const Device asked : {Device::ef9365, Device::alt256, Device::calcomp}) {
+    const Device there = asked == Device::ef9365 ? Device::alt256 : Device::ef9365;
     const auto bytes = picture(asked).draw(9, 9).end();
     const auto guest = run(bytes, on(there));
-    EXPECT_EQ(guest.status, SkalaStatus::device_missing) << static_cast<int>(asked);
+    EXPECT_EQ(guest.status, Status::device_missing) << static_cast<int>(asked);
     EXPECT_TRUE(same_as_twin(guest, twin_with_only(bytes.bytes(), there), there));
     EXPECT_FALSE(guest.unanswered.empty());
   }
 }
 
 TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
-  for (const SkalaDevice device : {SkalaDevice::calcomp, SkalaDevice::minigraf}) {
-    for (const SkalaPicture what : skala_pictures) {
+  for (const Device device : {Device::calcomp, Device::minigraf}) {
+    for (const PictureKind what : skala_pictures) {
       SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
                                       << skala_picture_names[static_cast<std::size_t>(what)]);
       const auto bytes = stream_of("sinc", {13, 11}, view_of(what, device));
-      SkalaGuestOptions options = on(device);
+      GuestOptions options = on(device);
       options.keep_strokes = true;
-      const auto guest = run_skala_guest(skala_program(), bytes, options);
+      const auto guest = run_guest(skala_program(), bytes, options);
       const auto twin = twin_with_only(bytes, device);
       EXPECT_TRUE(same_as_twin(guest, twin, device));
-      const SkalaPlotterWork work = plotter_work(guest.moves);
+      const PlotterWork work = plotter_work(guest.moves);
       EXPECT_EQ(work.pen_lifts, twin.counts.pen_lifts);
       EXPECT_EQ(work.steps_pen_down, twin.counts.steps_pen_down);
       EXPECT_EQ(work.steps_pen_up, twin.counts.steps_pen_up);
@@ -189,8 +188,8 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
 
 TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
   const auto guest =
-      run(picture(SkalaDevice::calcomp).move(2, 1).draw(5, 1).draw(5, 3).move(0, 0).draw(2, 2).end(),
-          on(SkalaDevice::calcomp));
+      run(picture(Device::calcomp).move(2, 1).draw(5, 1).draw(5, 3).move(0, 0).draw(2, 2).end(),
+          on(Device::calcomp));
   EXPECT_TRUE(guest.strokes.empty()) << "kept without being asked for";
   const std::vector<picture::PenPath> expected{{{{2, 1}, {5, 1}, {5, 3}}}, {{{0, 0}, {1, 1}}}};
   const auto paths = pen_paths(guest.moves);
@@ -200,4 +199,4 @@ TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

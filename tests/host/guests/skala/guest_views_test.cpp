@@ -13,7 +13,7 @@
 #include "tests/host/guests/skala/guest_support.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 constexpr int rotations = tests::effort(24, 3);
@@ -24,11 +24,11 @@ const std::vector<double> hard_elevations =
 constexpr scene::GridSize plotted_size = tests::effort(scene::GridSize{33, 33}, scene::GridSize{9, 9});
 constexpr std::array<double, 3> elevations{-20, 0, 35};
 
-scene::GridSize usual_size(SkalaPicture what) {
-  return what == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+scene::GridSize usual_size(PictureKind what) {
+  return what == PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
-class SkalaGuestViews : public testing::TestWithParam<std::tuple<std::string, SkalaPicture>> {};
+class SkalaGuestViews : public testing::TestWithParam<std::tuple<std::string, PictureKind>> {};
 
 TEST_P(SkalaGuestViews, GuestAndTwinAgree) {
   const auto& [function, what] = GetParam();
@@ -37,16 +37,16 @@ TEST_P(SkalaGuestViews, GuestAndTwinAgree) {
   std::string longest_view;
   for (int turn = 0; turn < rotations; ++turn) {
     for (const double elevation : elevations) {
-      SkalaView view;
+      View view;
       view.picture = what;
       view.rotation = 360.0 / rotations * turn;
       view.elevation = elevation;
       const std::string described =
           "rotated " + std::to_string(view.rotation) + ", elevation " + std::to_string(elevation);
       SCOPED_TRACE(described);
-      const auto bytes = skala_stream(grid, view);
-      const auto guest = run_skala_guest(skala_program(), bytes);
-      ASSERT_TRUE(same_as_twin(guest, run_skala_twin(bytes), view.device));
+      const auto bytes = stream_of(grid, view);
+      const auto guest = run_guest(skala_program(), bytes);
+      ASSERT_TRUE(same_as_twin(guest, run_twin(bytes), view.device));
       ASSERT_GT(points_lit(guest), 0U);
       if (guest.drawing.count() > longest) {
         longest = guest.drawing.count();
@@ -124,23 +124,23 @@ class SkalaHardCases : public testing::TestWithParam<HardCase> {};
 
 TEST_P(SkalaHardCases, GuestAndTwinAgree) {
   const auto grid = grid_of(GetParam().heights);
-  for (const SkalaPicture what : skala_pictures) {
+  for (const PictureKind what : skala_pictures) {
     for (const double rotation : hard_rotations) {
       for (const double elevation : hard_elevations) {
         for (const double zoom : {1.0, 1.7}) {
-          SkalaView view;
+          View view;
           view.picture = what;
           view.rotation = rotation;
           view.elevation = elevation;
           view.zoom = zoom;
-          view.family = what == SkalaPicture::lines && zoom == 1 ? SkalaFamily::both : SkalaFamily::automatic;
+          view.family = what == PictureKind::lines && zoom == 1 ? Family::both : Family::automatic;
           SCOPED_TRACE(testing::Message()
                        << skala_picture_names[static_cast<std::size_t>(what)] << " rotated " << rotation
                        << " elevation " << elevation << " zoom " << zoom);
-          ASSERT_TRUE(agrees(skala_stream(grid, view)));
+          ASSERT_TRUE(agrees(stream_of(grid, view)));
           view.visibility = false;
           if (zoom == 1) continue;
-          ASSERT_TRUE(agrees(skala_stream(grid, view))) << "without visibility";
+          ASSERT_TRUE(agrees(stream_of(grid, view))) << "without visibility";
         }
       }
     }
@@ -150,18 +150,17 @@ TEST_P(SkalaHardCases, GuestAndTwinAgree) {
 INSTANTIATE_TEST_SUITE_P(HardCases, SkalaHardCases, testing::ValuesIn(hard_cases()),
                          [](const auto& p) { return std::string(p.param.name); });
 
-class SkalaPlotterViews : public testing::TestWithParam<std::tuple<std::string, SkalaPicture, SkalaDevice>> {
-};
+class SkalaPlotterViews : public testing::TestWithParam<std::tuple<std::string, PictureKind, Device>> {};
 
 TEST_P(SkalaPlotterViews, GuestAndTwinMakeTheSameMovements) {
   const auto& [function, what, device] = GetParam();
   for (const double rotation : {30.0, 200.0}) {
-    SkalaView view;
+    View view;
     view.picture = what;
     view.device = device;
     view.rotation = rotation;
     SCOPED_TRACE(testing::Message() << "rotated " << rotation);
-    SkalaGuestOptions options;
+    GuestOptions options;
     options.device = device;
     EXPECT_TRUE(agrees(stream_of(function, plotted_size, view), options));
   }
@@ -170,13 +169,13 @@ TEST_P(SkalaPlotterViews, GuestAndTwinMakeTheSameMovements) {
 INSTANTIATE_TEST_SUITE_P(Plotters, SkalaPlotterViews,
                          testing::Combine(testing::Values("sinc", "rogers", "step"),
                                           testing::ValuesIn(skala_pictures),
-                                          testing::Values(SkalaDevice::calcomp, SkalaDevice::minigraf)),
+                                          testing::Values(Device::calcomp, Device::minigraf)),
                          [](const auto& p) {
                            return std::get<0>(p.param) + "_" +
                                   std::string(
                                       skala_picture_names[static_cast<std::size_t>(std::get<1>(p.param))]) +
-                                  (std::get<2>(p.param) == SkalaDevice::calcomp ? "_calcomp" : "_minigraf");
+                                  (std::get<2>(p.param) == Device::calcomp ? "_calcomp" : "_minigraf");
                          });
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

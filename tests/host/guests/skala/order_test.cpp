@@ -7,7 +7,7 @@
 #include "host/guests/skala/stream_cells.hpp"
 #include "tests/host/guests/skala/stream_support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 constexpr double rounding = 1e-9;
@@ -27,11 +27,11 @@ struct Depths {
 };
 
 // What depths the polyline or closed outline of these vertices has at a screen x.
-Depths depths_at(const std::vector<const SkalaVertex*>& vertices, double x) {
+Depths depths_at(const std::vector<const Vertex*>& vertices, double x) {
   Depths depths;
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    const SkalaVertex& a = *vertices[i];
-    const SkalaVertex& b = *vertices[i + 1];
+    const Vertex& a = *vertices[i];
+    const Vertex& b = *vertices[i + 1];
     if (x < std::min(a.x, b.x) || x > std::max(a.x, b.x) || a.x == b.x) continue;
     const double depth = a.depth + (x - a.x) / (b.x - a.x) * (b.depth - a.depth);
     depths.near = std::min(depths.near, depth);
@@ -40,14 +40,14 @@ Depths depths_at(const std::vector<const SkalaVertex*>& vertices, double x) {
   return depths;
 }
 
-class SliceOrder : public testing::TestWithParam<SkalaFamily> {};
+class SliceOrder : public testing::TestWithParam<Family> {};
 
 TEST_P(SliceOrder, LaterSlicesAreFarther) {
   const scene::HeightGrid grid = stream_test::named("flat", {6, 5});
   for (const double rotation : rotations()) {
-    const SkalaProjection projection(grid, {.rotation = rotation});
-    const SkalaOrder order = slice_order(projection, GetParam());
-    std::vector<std::vector<const SkalaVertex*>> slices(order.rows);
+    const Projection projection(grid, {.rotation = rotation});
+    const DrawingOrder order = slice_order(projection, GetParam());
+    std::vector<std::vector<const Vertex*>> slices(order.rows);
     for (std::size_t row = 0; row < order.rows; ++row) {
       for (std::size_t column = 0; column < order.columns; ++column) {
         const GridIndex index = order.index(row, column);
@@ -77,8 +77,8 @@ TEST_P(SliceOrder, LaterSlicesAreFarther) {
 TEST_P(SliceOrder, TheShiftIsTheWayTheSlicesMove) {
   const scene::HeightGrid grid = stream_test::named("flat", {6, 5});
   for (const double rotation : rotations()) {
-    const SkalaProjection projection(grid, {.rotation = rotation});
-    const SkalaOrder order = slice_order(projection, GetParam());
+    const Projection projection(grid, {.rotation = rotation});
+    const DrawingOrder order = slice_order(projection, GetParam());
     const auto x = [&](std::size_t row, std::size_t column) {
       const GridIndex index = order.index(row, column);
       return projection.at(index.point, index.slice).x;
@@ -90,18 +90,18 @@ TEST_P(SliceOrder, TheShiftIsTheWayTheSlicesMove) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, SliceOrder, testing::Values(SkalaFamily::along_x, SkalaFamily::along_z));
+INSTANTIATE_TEST_SUITE_P(Families, SliceOrder, testing::Values(Family::along_x, Family::along_z));
 
 TEST(CellOrder, LaterCellsAreFarther) {
   const scene::HeightGrid grid = stream_test::named("flat", {5, 4});
   for (const double rotation : rotations()) {
-    const SkalaProjection projection(grid, {.rotation = rotation});
-    const SkalaCells cells(projection);
-    std::vector<std::vector<const SkalaVertex*>> outlines;
+    const Projection projection(grid, {.rotation = rotation});
+    const Cells cells(projection);
+    std::vector<std::vector<const Vertex*>> outlines;
     for (std::size_t row = 0; row + 1 < cells.rows(); ++row) {
       for (std::size_t column = 0; column + 1 < cells.columns(); ++column) {
-        const SkalaCell cell = cells.cell(row, column);
-        std::vector<const SkalaVertex*> outline;
+        const Cell cell = cells.cell(row, column);
+        std::vector<const Vertex*> outline;
         for (const GridIndex& corner : {cell.nearest, cell.left, cell.farthest, cell.right, cell.nearest})
           outline.push_back(&cells.at(corner));
         // N nearest, F farthest, both between L and R on the screen.
@@ -130,13 +130,13 @@ TEST(CellOrder, LaterCellsAreFarther) {
 TEST(CellOrder, EveryCellOnceAndItsFarBorders) {
   const scene::HeightGrid grid = stream_test::named("flat", {5, 4});
   for (const double rotation : rotations()) {
-    const SkalaProjection projection(grid, {.rotation = rotation});
-    const SkalaCells cells(projection);
+    const Projection projection(grid, {.rotation = rotation});
+    const Cells cells(projection);
     std::vector<std::array<std::size_t, 2>> seen;
     int borders = 0;
     for (std::size_t row = 0; row + 1 < cells.rows(); ++row) {
       for (std::size_t column = 0; column + 1 < cells.columns(); ++column) {
-        const SkalaCell cell = cells.cell(row, column);
+        const Cell cell = cells.cell(row, column);
         seen.push_back({std::min(cell.nearest.point, cell.farthest.point),
                         std::min(cell.nearest.slice, cell.farthest.slice)});
         const auto on_border = [&](GridIndex a, GridIndex b) {
@@ -157,14 +157,14 @@ TEST(CellOrder, EveryCellOnceAndItsFarBorders) {
 TEST(LessEndOn, TakesTheFamilyAcrossTheLineOfSight) {
   const auto family = [](double degrees) { return less_end_on(sine_and_cosine(degrees)); };
   for (const double turn : {-180.0, 0.0, 180.0}) {
-    EXPECT_EQ(family(turn), SkalaFamily::along_x);
-    EXPECT_EQ(family(turn + 45), SkalaFamily::along_x);
-    EXPECT_EQ(family(turn - 45), SkalaFamily::along_x);
-    EXPECT_EQ(family(turn + 45.001), SkalaFamily::along_z);
-    EXPECT_EQ(family(turn + 90), SkalaFamily::along_z);
-    EXPECT_EQ(family(turn + 134.999), SkalaFamily::along_z);
+    EXPECT_EQ(family(turn), Family::along_x);
+    EXPECT_EQ(family(turn + 45), Family::along_x);
+    EXPECT_EQ(family(turn - 45), Family::along_x);
+    EXPECT_EQ(family(turn + 45.001), Family::along_z);
+    EXPECT_EQ(family(turn + 90), Family::along_z);
+    EXPECT_EQ(family(turn + 134.999), Family::along_z);
   }
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

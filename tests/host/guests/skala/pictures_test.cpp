@@ -12,34 +12,33 @@
 #include "tests/host/guests/skala/guest_support.hpp"
 #include "tests/support/approve_png.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
-SkalaView demo_view(SkalaPicture what, SkalaDevice device) {
-  SkalaView view;
+View demo_view(PictureKind what, Device device) {
+  View view;
   view.picture = what;
   view.device = device;
   view.rotation = 30;
   return view;
 }
 
-class SkalaPictures : public testing::TestWithParam<std::tuple<std::string, SkalaPicture>> {};
+class SkalaPictures : public testing::TestWithParam<std::tuple<std::string, PictureKind>> {};
 
 TEST_P(SkalaPictures, AreTheApprovedOnes) {
   const auto& [function, what] = GetParam();
   const scene::GridSize size =
-      what == SkalaPicture::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
-  const auto guest =
-      run_skala_guest(skala_program(), stream_of(function, size, demo_view(what, SkalaDevice::ef9365)));
-  ASSERT_EQ(guest.status, SkalaStatus::complete);
+      what == PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+  const auto guest = run_guest(skala_program(), stream_of(function, size, demo_view(what, Device::ef9365)));
+  ASSERT_EQ(guest.status, Status::complete);
   const auto palette =
-      what == SkalaPicture::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+      what == PictureKind::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
   const std::string name =
       "skala/" + function + "-" + std::string(skala_picture_names[static_cast<std::size_t>(what)]) + ".png";
   EXPECT_TRUE(tests::matches_approved_png(picture::raster_image(guest.raster, palette, 1), name));
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<std::string, SkalaPicture>>& p) {
+std::string name_of(const testing::TestParamInfo<std::tuple<std::string, PictureKind>>& p) {
   return std::get<0>(p.param) + "_" +
          std::string(skala_picture_names[static_cast<std::size_t>(std::get<1>(p.param))]);
 }
@@ -69,7 +68,7 @@ int gaps_in_contours(const core::Raster& raster) {
       if (dot(x, y) != 0 || lit_around(x, y) != 2) continue;
       for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
         const int colour = dot(x + dx, y + dy);
-        if (colour == 0 || colour == skala_margin_colour || dot(x - dx, y - dy) != colour) continue;
+        if (colour == 0 || colour == margin_colour || dot(x - dx, y - dy) != colour) continue;
         if (dot(x + 2 * dx, y + 2 * dy) == colour || dot(x - 2 * dx, y - 2 * dy) == colour) ++gaps;
       }
     }
@@ -80,8 +79,8 @@ int gaps_in_contours(const core::Raster& raster) {
 class SkalaContourDashes : public testing::TestWithParam<std::string> {};
 
 TEST_P(SkalaContourDashes, ThereAreNone) {
-  const auto view = demo_view(SkalaPicture::contours, SkalaDevice::ef9365);
-  const auto guest = run_skala_guest(skala_program(), stream_of(GetParam(), {33, 33}, view));
+  const auto view = demo_view(PictureKind::contours, Device::ef9365);
+  const auto guest = run_guest(skala_program(), stream_of(GetParam(), {33, 33}, view));
   EXPECT_EQ(gaps_in_contours(guest.raster), 0);
 }
 
@@ -91,15 +90,15 @@ INSTANTIATE_TEST_SUITE_P(TheEight, SkalaContourDashes,
                          [](const auto& parameter) { return parameter.param; });
 
 TEST(SkalaPlot, IsTheApprovedOne) {
-  SkalaGuestOptions options;
-  options.device = SkalaDevice::calcomp;
-  const auto guest = run_skala_guest(
-      skala_program(), stream_of("rogers", {33, 60}, demo_view(SkalaPicture::lines, SkalaDevice::calcomp)),
-      options);
-  ASSERT_EQ(guest.status, SkalaStatus::complete);
+  GuestOptions options;
+  options.device = Device::calcomp;
+  const auto guest =
+      run_guest(skala_program(),
+                stream_of("rogers", {33, 60}, demo_view(PictureKind::lines, Device::calcomp)), options);
+  ASSERT_EQ(guest.status, Status::complete);
   EXPECT_TRUE(tests::matches_approved_png(
       picture::pen_image(pen_paths(guest.moves), picture::calcomp_paper, 1), "skala/rogers-calcomp.png"));
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

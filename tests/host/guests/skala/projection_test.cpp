@@ -6,7 +6,7 @@
 
 #include "tests/host/guests/skala/stream_support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 using stream_test::grid_of;
@@ -57,7 +57,7 @@ TEST(SkalaProjection, FollowsTheFormulas) {
   const scene::HeightGrid grid = named("peaks", {9, 7});
   for (const double rotation : {0.0, 30.0, 135.0, 250.0, -20.0}) {
     for (const double elevation : {-25.0, 0.0, 35.0}) {
-      const SkalaProjection projection(grid, {.rotation = rotation, .elevation = elevation});
+      const Projection projection(grid, {.rotation = rotation, .elevation = elevation});
       const double a = rotation * std::numbers::pi / 180;
       const double e = elevation * std::numbers::pi / 180;
       std::vector<double> xs;
@@ -76,7 +76,7 @@ TEST(SkalaProjection, FollowsTheFormulas) {
       const auto xr = scene::finite_range(xs);
       const auto yr = scene::finite_range(ys);
       for (std::size_t i = 0; i < xs.size(); ++i) {
-        const SkalaVertex& v = projection.at(i % 9, i / 9);
+        const Vertex& v = projection.at(i % 9, i / 9);
         EXPECT_NEAR(v.x, 255 * (xs[i] - xr.low) / (xr.high - xr.low), 1e-9);
         EXPECT_NEAR(v.y, 255 * (ys[i] - yr.low) / (yr.high - yr.low), 1e-9);
         EXPECT_NEAR(v.column, v.x, 0.5 + 1e-6);
@@ -87,26 +87,26 @@ TEST(SkalaProjection, FollowsTheFormulas) {
 }
 
 TEST(SkalaProjection, NoExtentLiesAt128) {
-  const SkalaProjection flat(named("flat", {5, 4}), {.elevation = 0, .zoom = 3});
+  const Projection flat(named("flat", {5, 4}), {.elevation = 0, .zoom = 3});
   EXPECT_EQ(flat.at(2, 2).row, 128);
-  const SkalaProjection one(grid_of({{7.0}}), {.rotation = 33});
+  const Projection one(grid_of({{7.0}}), {.rotation = 33});
   EXPECT_EQ(one.at(0, 0).column, 128);
   EXPECT_EQ(one.at(0, 0).row, 128);
   // One slice seen along itself.
-  const SkalaProjection end_on(grid_of({{0.0, 1.0, 2.0}}), {.rotation = 90});
+  const Projection end_on(grid_of({{0.0, 1.0, 2.0}}), {.rotation = 90});
   for (std::size_t p = 0; p < 3; ++p) EXPECT_EQ(end_on.at(p, 0).column, 128);
 }
 
 TEST(SkalaProjection, UndefinedHeightsDoNotScaleThePicture) {
   // The left column and the far row are nowhere defined.
-  const SkalaProjection projection(grid_of({{nan, 0, 1, 0}, {nan, 1, 0, 1}, {nan, nan, nan, nan}}), {});
+  const Projection projection(grid_of({{nan, 0, 1, 0}, {nan, 1, 0, 1}, {nan, nan, nan, nan}}), {});
   EXPECT_FALSE(projection.at(0, 0).defined);
   EXPECT_LT(projection.at(0, 0).column, 0);
   EXPECT_EQ(projection.at(1, 0).column, 0);
   EXPECT_EQ(projection.at(3, 1).column, 255);
   EXPECT_EQ(projection.at(1, 0).row, 0);
   EXPECT_EQ(projection.at(3, 1).row, 255);
-  const SkalaProjection huge(grid_of({{-1.7e308, 1.7e308}, {0, HUGE_VAL}}), {.elevation = 0});
+  const Projection huge(grid_of({{-1.7e308, 1.7e308}, {0, HUGE_VAL}}), {.elevation = 0});
   EXPECT_EQ(huge.at(0, 0).row, 0);
   EXPECT_EQ(huge.at(1, 0).row, 255);
   EXPECT_EQ(huge.at(0, 1).row, 128);
@@ -115,8 +115,8 @@ TEST(SkalaProjection, UndefinedHeightsDoNotScaleThePicture) {
 
 TEST(SkalaProjection, ZoomEnlargesAboutTheMiddle) {
   const scene::HeightGrid grid = named("gauss", {9, 9});
-  const SkalaProjection plain(grid, {.rotation = 20});
-  const SkalaProjection zoomed(grid, {.rotation = 20, .zoom = 2});
+  const Projection plain(grid, {.rotation = 20});
+  const Projection zoomed(grid, {.rotation = 20, .zoom = 2});
   for (std::size_t i = 0; i < 81; ++i) {
     EXPECT_NEAR(zoomed.at(i % 9, i / 9).x - 127.5, 2 * (plain.at(i % 9, i / 9).x - 127.5), 1e-9);
     EXPECT_NEAR(zoomed.at(i % 9, i / 9).y - 127.5, 2 * (plain.at(i % 9, i / 9).y - 127.5), 1e-9);
@@ -128,12 +128,12 @@ TEST(SkalaProjection, TurningTheDataAndTheEyeTogetherChangesNothing) {
     const scene::HeightGrid grid = named(name, {11, 8});
     const scene::HeightGrid turned = stream_test::turned(grid);
     for (int rotation = -180; rotation <= 360; rotation += 5) {
-      const SkalaProjection one(grid, {.rotation = 1.0 * rotation});
-      const SkalaProjection other(turned, {.rotation = rotation - 90.0});
+      const Projection one(grid, {.rotation = 1.0 * rotation});
+      const Projection other(turned, {.rotation = rotation - 90.0});
       for (std::size_t p = 0; p < 11; ++p) {
         for (std::size_t s = 0; s < 8; ++s) {
-          const SkalaVertex& a = one.at(p, s);
-          const SkalaVertex& b = other.at(s, 10 - p);
+          const Vertex& a = one.at(p, s);
+          const Vertex& b = other.at(s, 10 - p);
           ASSERT_EQ(a.x, b.x);
           ASSERT_EQ(a.y, b.y);
           ASSERT_EQ(a.depth, b.depth);
@@ -144,4 +144,4 @@ TEST(SkalaProjection, TurningTheDataAndTheEyeTogetherChangesNothing) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

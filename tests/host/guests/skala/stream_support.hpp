@@ -12,34 +12,34 @@
 #include "host/guests/skala/stream.hpp"
 #include "host/scene/heights/function.hpp"
 
-namespace sightline::harness::stream_test {
+namespace sightline::guests::skala::stream_test {
 
-struct Command {
-  SkalaCommand what = SkalaCommand::end;
+struct SentCommand {
+  Command what = Command::end;
   std::vector<int> arguments;
 };
 
 // Fails the test if the bytes are not whole commands, or do not end with the first END.
-inline std::vector<Command> decode(const std::vector<std::uint8_t>& bytes) {
-  std::vector<Command> commands;
+inline std::vector<SentCommand> decode(const std::vector<std::uint8_t>& bytes) {
+  std::vector<SentCommand> commands;
   for (std::size_t i = 0; i < bytes.size();) {
-    const auto row = skala_command(bytes[i]);
+    const auto row = find_command(bytes[i]);
     if (!row) {
       ADD_FAILURE() << "byte " << i << " is no command: " << int{bytes[i]};
       return commands;
     }
     std::size_t arguments = static_cast<std::size_t>(row->leading_arguments);
     if (row->bytes_per_item != 0 && i + arguments < bytes.size())
-      arguments += static_cast<std::size_t>(skala_count(bytes[i + arguments]) * row->bytes_per_item);
+      arguments += static_cast<std::size_t>(count_of(bytes[i + arguments]) * row->bytes_per_item);
     if (i + arguments >= bytes.size()) {
       ADD_FAILURE() << row->name << " at byte " << i << " is not complete";
       return commands;
     }
-    Command command{row->command, {}};
+    SentCommand command{row->command, {}};
     for (std::size_t a = 1; a <= arguments; ++a) command.arguments.push_back(bytes[i + a]);
     commands.push_back(command);
     i += arguments + 1;
-    EXPECT_EQ(command.what == SkalaCommand::end, i == bytes.size());
+    EXPECT_EQ(command.what == Command::end, i == bytes.size());
   }
   return commands;
 }
@@ -53,7 +53,7 @@ struct Place {
 };
 
 struct Line {
-  SkalaCommand by = SkalaCommand::draw;
+  Command by = Command::draw;
   Place from;
   Place to;
   int colour = 0;
@@ -67,7 +67,7 @@ inline std::vector<Line> lines_of(const std::vector<std::uint8_t>& bytes) {
   int colour = 0;
   std::size_t chain = 0;
   bool fresh = true;
-  const auto go = [&](SkalaCommand by, int x, int y) {
+  const auto go = [&](Command by, int x, int y) {
     lines.push_back({by, pen, {x, y}, colour, chain});
     pen = {x, y};
     fresh = false;
@@ -78,26 +78,26 @@ inline std::vector<Line> lines_of(const std::vector<std::uint8_t>& bytes) {
   };
   for (const auto& [what, a] : decode(bytes)) {
     switch (what) {
-      case SkalaCommand::move: move(a[0], a[1]); break;
-      case SkalaCommand::draw:
-      case SkalaCommand::test_draw:
-      case SkalaCommand::mask: go(what, a[0], a[1]); break;
-      case SkalaCommand::rim:
+      case Command::move: move(a[0], a[1]); break;
+      case Command::draw:
+      case Command::test_draw:
+      case Command::mask: go(what, a[0], a[1]); break;
+      case Command::rim:
         fresh ? move(a[0], a[1]) : go(what, a[0], a[1]);
         fresh = false;
         break;
-      case SkalaCommand::colour: colour = a[0]; break;
-      case SkalaCommand::commit: ++chain; break;
-      case SkalaCommand::curve:
-        EXPECT_LE(a[0] + skala_count(static_cast<std::uint8_t>(a[1])), 256);
+      case Command::colour: colour = a[0]; break;
+      case Command::commit: ++chain; break;
+      case Command::curve:
+        EXPECT_LE(a[0] + count_of(static_cast<std::uint8_t>(a[1])), 256);
         move(a[0], a[2]);
         for (std::size_t i = 2; i < a.size(); ++i) go(what, a[0] + static_cast<int>(i) - 2, a[i]);
         break;
-      case SkalaCommand::surface:
+      case Command::surface:
         move(a[1], a[2]);
         for (std::size_t i = 4; i < a.size(); i += 3) go(what, a[i], a[i + 1]);
         break;
-      case SkalaCommand::gap: EXPECT_LE(a[0] + skala_count(static_cast<std::uint8_t>(a[1])), 256); break;
+      case Command::gap: EXPECT_LE(a[0] + count_of(static_cast<std::uint8_t>(a[1])), 256); break;
       default: break;
     }
   }
@@ -132,4 +132,4 @@ inline scene::HeightGrid turned(const scene::HeightGrid& grid) {
   return result;
 }
 
-}  // namespace sightline::harness::stream_test
+}  // namespace sightline::guests::skala::stream_test

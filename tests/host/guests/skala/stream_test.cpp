@@ -12,16 +12,16 @@
 #include "host/guests/skala/twin/twin.hpp"
 #include "tests/host/guests/skala/stream_support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
-using stream_test::Command;
 using stream_test::decode;
 using stream_test::grid_of;
 using stream_test::Line;
 using stream_test::lines_of;
 using stream_test::named;
 using stream_test::Place;
+using stream_test::SentCommand;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -31,10 +31,10 @@ TEST(SkalaStream, OfAFlatSquare) {
   const Bytes expected{0x0A, 0,   0x07, 0x05, 7,               //
                        0x02, 255, 0,    0x02, 255, 255, 0x06,  // MOVE 0 0 is not needed
                        0x01, 0,   255,  0x02, 255, 255, 0x06, 0x01, 0, 0, 0x02, 0, 255, 0x06, 0x00};
-  EXPECT_EQ(skala_stream(named("flat", {2, 2}), {}), expected);
+  EXPECT_EQ(stream_of(named("flat", {2, 2}), {}), expected);
   Bytes alone = expected;
   alone[1] = 0x81;
-  EXPECT_EQ(skala_stream(named("flat", {2, 2}), {.device = SkalaDevice::alt256, .visibility = false}), alone);
+  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.device = Device::alt256, .visibility = false}), alone);
 }
 
 // Rotated 45 degrees the square stands on a corner, the right rim continues the near edge, and the left one
@@ -43,7 +43,7 @@ TEST(SkalaStream, LeadingRimGoesWithTheNearSlice) {
   const Bytes right{0x0A, 0,   0x07, 0x05, 7,                                //
                     0x01, 0,   128,  0x02, 128, 0,   0x02, 255,  128, 0x06,  //
                     0x01, 128, 255,  0x02, 255, 128, 0x06, 0x01, 0,   128,  0x02, 128, 255, 0x06, 0x00};
-  Bytes stream = skala_stream(named("flat", {2, 2}), {.rotation = -45});
+  Bytes stream = stream_of(named("flat", {2, 2}), {.rotation = -45});
   std::vector<Line> lines = lines_of(stream);
   ASSERT_EQ(lines.size(), 4U);
   // -45: the eye sees the corner x = -1, z = -1 in front.
@@ -55,25 +55,25 @@ TEST(SkalaStream, LeadingRimGoesWithTheNearSlice) {
   EXPECT_EQ(lines[2].to, (Place{128, 255}));
   EXPECT_EQ(lines[3].from, (Place{128, 255}));
   EXPECT_EQ(lines[3].to, (Place{255, 128}));
-  EXPECT_EQ(skala_stream(named("flat", {2, 2}), {.rotation = 45}), right);
+  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.rotation = 45}), right);
 }
 
 TEST(SkalaStream, ConsecutiveColumnsAreACurve) {
-  const auto commands = decode(skala_stream(named("flat", {256, 2}), {}));
-  std::vector<Command> curves;
-  for (const Command& c : commands)
-    if (c.what == SkalaCommand::curve) curves.push_back(c);
+  const auto commands = decode(stream_of(named("flat", {256, 2}), {}));
+  std::vector<SentCommand> curves;
+  for (const SentCommand& c : commands)
+    if (c.what == Command::curve) curves.push_back(c);
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[0].arguments.size(), 258U);
   EXPECT_EQ(curves[0].arguments[0], 0);
   EXPECT_EQ(curves[0].arguments[1], 0);  // 256
   // More points than columns: those in one dot are sent once.
-  EXPECT_EQ(skala_stream(named("flat", {511, 2}), {}), skala_stream(named("flat", {256, 2}), {}));
+  EXPECT_EQ(stream_of(named("flat", {511, 2}), {}), stream_of(named("flat", {256, 2}), {}));
 }
 
 TEST(SkalaStream, AHoleBreaksTheSliceAndItsRims) {
   const scene::HeightGrid grid = grid_of({{0, 0, nan, 0, 0}, {nan, 0, 0, nan, 0}, {0, 0, 0, 0, 0}});
-  const auto lines = lines_of(skala_stream(grid, {}));
+  const auto lines = lines_of(stream_of(grid, {}));
   std::vector<std::pair<Place, Place>> expected{
       {{0, 0}, {64, 0}},       {{191, 0}, {255, 0}},     {{255, 0}, {255, 128}},   {{255, 128}, {255, 255}},
       {{64, 128}, {128, 128}}, {{255, 128}, {255, 128}},  // the dot beside the second hole
@@ -88,34 +88,34 @@ TEST(SkalaStream, AHoleBreaksTheSliceAndItsRims) {
 TEST(SkalaStream, HolesOfASurfaceAreGaps) {
   const scene::HeightGrid grid = grid_of({{0, 0, 0, 0, 0}, {0, 0, nan, 0, 0}, {nan, 0, 0, 0, nan}});
   std::vector<std::vector<int>> gaps;
-  for (const Command& c : decode(skala_stream(grid, {.picture = SkalaPicture::surface})))
-    if (c.what == SkalaCommand::gap) gaps.push_back(c.arguments);
+  for (const SentCommand& c : decode(stream_of(grid, {.picture = PictureKind::surface})))
+    if (c.what == Command::gap) gaps.push_back(c.arguments);
   // Columns 0, 64, 128, 191, 255: between 64 and 191; before 64; after 191.
   EXPECT_EQ(gaps, (std::vector<std::vector<int>>{{65, 126}, {0, 64}, {192, 64}}));
 }
 
 TEST(SkalaStream, ASurfaceBeginsWithTheLeadingRim) {
   const auto left_first =
-      decode(skala_stream(named("flat", {3, 3}), {.picture = SkalaPicture::surface, .rotation = -30}));
-  EXPECT_EQ(left_first[4].what, SkalaCommand::rim);
+      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = -30}));
+  EXPECT_EQ(left_first[4].what, Command::rim);
   const auto right_after =
-      decode(skala_stream(named("flat", {3, 3}), {.picture = SkalaPicture::surface, .rotation = 30}));
-  EXPECT_EQ(right_after[3].what, SkalaCommand::surface);
-  EXPECT_EQ(right_after[4].what, SkalaCommand::rim);
-  EXPECT_EQ(right_after[5].what, SkalaCommand::rim);
-  EXPECT_EQ(right_after[6].what, SkalaCommand::commit);
+      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = 30}));
+  EXPECT_EQ(right_after[3].what, Command::surface);
+  EXPECT_EQ(right_after[4].what, Command::rim);
+  EXPECT_EQ(right_after[5].what, Command::rim);
+  EXPECT_EQ(right_after[6].what, Command::commit);
 }
 
 // A plane rising to the right: slope 0.6, normal x component -0.6 / sqrt(1.36) = -0.5145.
 TEST(SkalaShades, OfPlanes) {
-  EXPECT_EQ(skala_shades(grid_of({{0, 1, 2}, {0, 1, 2}})), std::vector<int>(6, 2));
-  EXPECT_EQ(skala_shades(grid_of({{2, 1, 0}, {2, 1, 0}})), std::vector<int>(6, 6));
-  EXPECT_EQ(skala_shades(grid_of({{0, 0}, {1, 1}})), std::vector<int>(4, 4));
-  EXPECT_EQ(skala_shades(grid_of({{5, 5}, {5, 5}})), std::vector<int>(4, 4));
+  EXPECT_EQ(shades(grid_of({{0, 1, 2}, {0, 1, 2}})), std::vector<int>(6, 2));
+  EXPECT_EQ(shades(grid_of({{2, 1, 0}, {2, 1, 0}})), std::vector<int>(6, 6));
+  EXPECT_EQ(shades(grid_of({{0, 0}, {1, 1}})), std::vector<int>(4, 4));
+  EXPECT_EQ(shades(grid_of({{5, 5}, {5, 5}})), std::vector<int>(4, 4));
   // One-sided beside a hole; alone, as if level.
-  EXPECT_EQ(skala_shades(grid_of({{0, 1, nan, 0, nan}})), (std::vector<int>{1, 1, 0, 4, 0}));
+  EXPECT_EQ(shades(grid_of({{0, 1, nan, 0, nan}})), (std::vector<int>{1, 1, 0, 4, 0}));
   for (const scene::HeightFunction& f : scene::height_functions()) {
-    for (const int shade : skala_shades(scene::sample(f, {33, 30}))) {
+    for (const int shade : shades(scene::sample(f, {33, 30}))) {
       EXPECT_GE(shade, 1);
       EXPECT_LE(shade, 7);
     }
@@ -128,52 +128,52 @@ TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
   for (const std::vector<double>& x : {std::vector<double>{-1, -1, 1}, std::vector<double>{0, 1e-320, 1},
                                        std::vector<double>{0, 1e-200, 1}}) {
     grid.x = x;
-    for (const int shade : skala_shades(grid)) EXPECT_TRUE(shade >= 1 && shade <= 7) << shade;
+    for (const int shade : shades(grid)) EXPECT_TRUE(shade >= 1 && shade <= 7) << shade;
   }
-  EXPECT_EQ(skala_shades(grid).front(), 1) << "steeply up along x";
+  EXPECT_EQ(shades(grid).front(), 1) << "steeply up along x";
 }
 
 TEST(SkalaChain, CutsAtTheBorder) {
   const auto vertex = [](double x, double y) {
-    return SkalaVertex{x, y, raster_coordinate(x), raster_coordinate(y), 0, true};
+    return Vertex{x, y, raster_coordinate(x), raster_coordinate(y), 0, true};
   };
-  const SkalaVertex left = vertex(-100, 0);
-  const SkalaVertex inside = vertex(100, 200);
-  const SkalaVertex above = vertex(200, 400);
-  const SkalaVertex right = vertex(300, 100);
-  SkalaChain chain;
-  chain.segment(left, inside, SkalaStep::draw);
-  chain.segment(inside, above, SkalaStep::draw);
-  chain.segment(above, right, SkalaStep::draw);
-  const std::vector<SkalaNode> expected{
-      {0, 100, 0, SkalaStep::draw, true},    {100, 200, 0, SkalaStep::draw, false},
-      {128, 255, 0, SkalaStep::draw, false},  // x = 127.5
-      {200, 255, 0, SkalaStep::mask, false}, {248, 255, 0, SkalaStep::mask, false},
-      {255, 235, 0, SkalaStep::draw, false},
+  const Vertex left = vertex(-100, 0);
+  const Vertex inside = vertex(100, 200);
+  const Vertex above = vertex(200, 400);
+  const Vertex right = vertex(300, 100);
+  RasterChain chain;
+  chain.segment(left, inside, ChainStep::draw);
+  chain.segment(inside, above, ChainStep::draw);
+  chain.segment(above, right, ChainStep::draw);
+  const std::vector<ChainNode> expected{
+      {0, 100, 0, ChainStep::draw, true},    {100, 200, 0, ChainStep::draw, false},
+      {128, 255, 0, ChainStep::draw, false},  // x = 127.5
+      {200, 255, 0, ChainStep::mask, false}, {248, 255, 0, ChainStep::mask, false},
+      {255, 235, 0, ChainStep::draw, false},
   };
   EXPECT_EQ(chain.nodes(), expected);
-  SkalaChain test_only;
-  test_only.segment(inside, above, SkalaStep::test);
-  test_only.segment(above, right, SkalaStep::test);
+  RasterChain test_only;
+  test_only.segment(inside, above, ChainStep::test);
+  test_only.segment(above, right, ChainStep::test);
   EXPECT_EQ(test_only.nodes().size(), 4U);
   EXPECT_TRUE(test_only.nodes()[2].fresh);
-  const SkalaChain back = chain.reversed();
-  EXPECT_EQ(back.nodes().front(), (SkalaNode{255, 235, 0, SkalaStep::draw, true}));
-  EXPECT_EQ(back.nodes()[1], (SkalaNode{248, 255, 0, SkalaStep::draw, false}));
-  EXPECT_EQ(back.nodes()[2].step, SkalaStep::mask);
+  const RasterChain back = chain.reversed();
+  EXPECT_EQ(back.nodes().front(), (ChainNode{255, 235, 0, ChainStep::draw, true}));
+  EXPECT_EQ(back.nodes()[1], (ChainNode{248, 255, 0, ChainStep::draw, false}));
+  EXPECT_EQ(back.nodes()[2].step, ChainStep::mask);
   EXPECT_EQ(back.reversed().nodes(), chain.nodes());
 }
 
-std::vector<SkalaView> views() {
-  std::vector<SkalaView> result;
+std::vector<View> views() {
+  std::vector<View> result;
   for (int turn = 0; turn < 24; ++turn) {
     for (const double elevation : {-25.0, 0.0, 35.0}) {
-      SkalaView view{.rotation = 15.0 * turn, .elevation = elevation};
-      for (const SkalaFamily family : {SkalaFamily::along_x, SkalaFamily::along_z, SkalaFamily::both}) {
+      View view{.rotation = 15.0 * turn, .elevation = elevation};
+      for (const Family family : {Family::along_x, Family::along_z, Family::both}) {
         view.family = family;
         result.push_back(view);
       }
-      for (const SkalaPicture picture : {SkalaPicture::surface, SkalaPicture::contours}) {
+      for (const PictureKind picture : {PictureKind::surface, PictureKind::contours}) {
         view.picture = picture;
         result.push_back(view);
       }
@@ -188,7 +188,7 @@ void expect_monotone(const std::vector<Line>& lines, const std::string& what) {
   int direction = 0;
   int column = -1;
   for (const Line& line : lines) {
-    if (line.by == SkalaCommand::test_draw) continue;
+    if (line.by == Command::test_draw) continue;
     if (line.chain != chain || column < 0) {
       chain = line.chain;
       direction = 0;
@@ -206,10 +206,10 @@ void expect_monotone(const std::vector<Line>& lines, const std::string& what) {
 TEST(SkalaStream, ChainsAreMonotoneAndAccepted) {
   for (const scene::HeightFunction& f : scene::height_functions()) {
     const scene::HeightGrid grid = scene::sample(f, {13, 12});
-    for (const SkalaView& view : views()) {
-      const Bytes stream = skala_stream(grid, view);
+    for (const View& view : views()) {
+      const Bytes stream = stream_of(grid, view);
       expect_monotone(lines_of(stream), std::string(f.name) + " rotated " + std::to_string(view.rotation));
-      ASSERT_EQ(run_skala_twin(stream).status, SkalaStatus::complete);
+      ASSERT_EQ(run_twin(stream).status, Status::complete);
     }
   }
 }
@@ -217,42 +217,41 @@ TEST(SkalaStream, ChainsAreMonotoneAndAccepted) {
 TEST(SkalaStream, HolesAndZoomsAreMonotoneToo) {
   scene::HeightGrid grid = named("peaks", {13, 12});
   for (std::size_t i = 0; i < grid.heights.size(); i += 7) grid.heights[i] = nan;
-  for (SkalaView view : views()) {
+  for (View view : views()) {
     view.zoom = 1 + view.rotation / 60;
-    view.device = SkalaDevice::calcomp;
-    const Bytes stream = skala_stream(grid, view);
+    view.device = Device::calcomp;
+    const Bytes stream = stream_of(grid, view);
     expect_monotone(lines_of(stream), "rotated " + std::to_string(view.rotation));
-    ASSERT_EQ(run_skala_twin(stream).status, SkalaStatus::complete);
+    ASSERT_EQ(run_twin(stream).status, Status::complete);
   }
 }
 
 TEST(SkalaStream, SmallAndUndefinedGridsGiveAPicture) {
   for (const scene::HeightGrid& grid : {grid_of({{1.0}}), grid_of({{nan}}), grid_of({{1, 2, 3}}),
                                         grid_of({{1.0}, {2.0}}), grid_of({{nan, nan}, {nan, 1}})}) {
-    for (const SkalaView& view : views())
-      ASSERT_EQ(run_skala_twin(skala_stream(grid, view)).status, SkalaStatus::complete);
+    for (const View& view : views()) ASSERT_EQ(run_twin(stream_of(grid, view)).status, Status::complete);
   }
 }
 
 bool same_dots(const Bytes& one, const Bytes& two) {
-  return run_skala_twin(one).raster(SkalaDevice::ef9365) == run_skala_twin(two).raster(SkalaDevice::ef9365);
+  return run_twin(one).raster(Device::ef9365) == run_twin(two).raster(Device::ef9365);
 }
 
 TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
   const scene::HeightGrid grid = named("peaks", {11, 9});
   const scene::HeightGrid turned = stream_test::turned(grid);
   for (int turn = 0; turn < 24; ++turn) {
-    SkalaView view{.family = SkalaFamily::along_x, .rotation = 15.0 * turn};
-    SkalaView other{.family = SkalaFamily::along_z, .rotation = 15.0 * turn - 90};
-    EXPECT_TRUE(same_dots(skala_stream(grid, view), skala_stream(turned, other))) << view.rotation;
+    View view{.family = Family::along_x, .rotation = 15.0 * turn};
+    View other{.family = Family::along_z, .rotation = 15.0 * turn - 90};
+    EXPECT_TRUE(same_dots(stream_of(grid, view), stream_of(turned, other))) << view.rotation;
     // Slices seen end-on may come in either order, and so may cells beside each other.
-    EXPECT_TRUE(turn % 12 == 6 || skala_stream(grid, view) == skala_stream(turned, other)) << view.rotation;
+    EXPECT_TRUE(turn % 12 == 6 || stream_of(grid, view) == stream_of(turned, other)) << view.rotation;
     if (turn % 6 == 0) continue;
-    view.picture = other.picture = SkalaPicture::contours;
-    const auto one = lines_of(skala_stream(grid, view));
-    const auto two = lines_of(skala_stream(turned, other));
+    view.picture = other.picture = PictureKind::contours;
+    const auto one = lines_of(stream_of(grid, view));
+    const auto two = lines_of(stream_of(turned, other));
     const auto key = [](const Line& l) {
-      return std::tuple{l.by, l.by == SkalaCommand::mask ? 0 : l.colour, std::min(l.from, l.to),
+      return std::tuple{l.by, l.by == Command::mask ? 0 : l.colour, std::min(l.from, l.to),
                         std::max(l.from, l.to)};
     };
     std::multiset<decltype(key(one[0]))> a;
@@ -266,13 +265,13 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
 // The same lines, less travel.
 TEST(SkalaStream, PlottersDrawThereAndBack) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
-  for (const SkalaPicture picture : {SkalaPicture::lines, SkalaPicture::surface, SkalaPicture::contours}) {
-    SkalaView view{.picture = picture, .device = SkalaDevice::calcomp, .rotation = 30};
-    const SkalaTwinPicture there_and_back = run_skala_twin(skala_stream(grid, view));
-    const auto serpentine = lines_of(skala_stream(grid, view));
+  for (const PictureKind picture : {PictureKind::lines, PictureKind::surface, PictureKind::contours}) {
+    View view{.picture = picture, .device = Device::calcomp, .rotation = 30};
+    const TwinPicture there_and_back = run_twin(stream_of(grid, view));
+    const auto serpentine = lines_of(stream_of(grid, view));
     view.serpentine = false;
-    const SkalaTwinPicture one_way = run_skala_twin(skala_stream(grid, view));
-    const auto plain = lines_of(skala_stream(grid, view));
+    const TwinPicture one_way = run_twin(stream_of(grid, view));
+    const auto plain = lines_of(stream_of(grid, view));
     const auto ends = [](const std::vector<Line>& lines) {
       std::multiset<std::pair<Place, Place>> set;
       for (const Line& l : lines)
@@ -285,4 +284,4 @@ TEST(SkalaStream, PlottersDrawThereAndBack) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

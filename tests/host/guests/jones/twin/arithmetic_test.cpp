@@ -10,7 +10,7 @@
 
 #include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 TEST(JonesMuldiv, RoundsTheQuotientHalfUp) {
@@ -130,4 +130,4 @@ TEST(JonesProject, ReportsDivideOverflow) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -13,7 +13,7 @@
 
 #include "tests/support/dice.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 std::int64_t turn(ScreenPoint a, ScreenPoint b, ScreenPoint p) {
@@ -257,4 +257,4 @@ TEST(JonesMask, CountsItsSlopedEdges) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

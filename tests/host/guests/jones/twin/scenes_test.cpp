@@ -6,13 +6,13 @@
 #include <string>
 #include <variant>
 
-#include "host/guests/jones/twin/twin.hpp"
 #include "host/guests/jones/encode.hpp"
+#include "host/guests/jones/twin/twin.hpp"
 #include "host/scene/read/cell_scene.hpp"
 #include "tests/host/guests/jones/core.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 class JonesTwinScenes : public testing::TestWithParam<const char*> {
@@ -21,9 +21,9 @@ class JonesTwinScenes : public testing::TestWithParam<const char*> {
     const auto loaded = scene::load_cell_scene(GetParam());
     ASSERT_TRUE(std::holds_alternative<scene::CellScene>(loaded));
     cells_ = std::get<scene::CellScene>(loaded).cells.size();
-    const auto encoded = scene::encode(std::get<scene::CellScene>(loaded), {}, TestCore::header);
-    ASSERT_TRUE(std::holds_alternative<scene::EncodedScene>(encoded));
-    const auto& image = std::get<scene::EncodedScene>(encoded);
+    const auto encoded = encode(std::get<scene::CellScene>(loaded), {}, TestCore::header);
+    ASSERT_TRUE(std::holds_alternative<EncodedScene>(encoded));
+    const auto& image = std::get<EncodedScene>(encoded);
     limits_ = image.eye_limits;
     for (std::size_t i = 0; i < image.words.size(); ++i) {
       words_.at(image.base + i) = core::Word18(image.words[i].value);
@@ -70,4 +70,4 @@ TEST_P(JonesTwinHouse, SeesTheKitchenTwice) {
 INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesTwinHouse, testing::Values("house"));
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

@@ -9,7 +9,7 @@
 #include "tests/host/guests/jones/core.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 // A frame is pushed for each level that is left for a deeper one; under a rectangle it takes 9 words.
@@ -167,4 +167,4 @@ TEST(JonesTwinStatus, AnyCoreEndsWithSomeStatus) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

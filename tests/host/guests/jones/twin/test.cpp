@@ -1,13 +1,12 @@
 // The twin's search and display file: cases worked out by hand, among them the hard cases of the paper's
 // method.
-#include "host/guests/jones/twin/twin.hpp"
-
 #include <gtest/gtest.h>
 
+#include "host/guests/jones/twin/twin.hpp"
 #include "tests/host/guests/jones/core.hpp"
 #include "tests/host/guests/jones/drawing.hpp"
 
-namespace sightline::harness::jones {
+namespace sightline::guests::jones {
 namespace {
 
 std::vector<std::uint32_t> octal_words(const View& view) {
@@ -174,4 +173,4 @@ TEST(JonesTwinSearch, OpeningLargerThanTheBoundShowsTheWholeWindow) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::jones
+}  // namespace sightline::guests::jones

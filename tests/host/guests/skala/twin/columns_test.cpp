@@ -5,7 +5,7 @@
 #include "tests/host/guests/skala/chain_stream.hpp"
 #include "tests/host/guests/skala/family.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 using algorithms::oracle::column_picture;
@@ -13,7 +13,7 @@ using algorithms::oracle::column_picture;
 constexpr int seeds_per_kind = 25;
 
 std::vector<Chain> shuffled(std::vector<Chain> chains, std::uint32_t seed) {
-  jones::Dice dice(seed);
+  guests::jones::Dice dice(seed);
   for (std::size_t i = chains.size(); i-- > 1;)
     std::swap(chains[i], chains[static_cast<std::size_t>(dice(0, static_cast<int>(i)))]);
   return chains;
@@ -21,7 +21,7 @@ std::vector<Chain> shuffled(std::vector<Chain> chains, std::uint32_t seed) {
 
 SkalaBytes sent(const std::vector<Chain>& chains, int silhouette) {
   SkalaBytes bytes;
-  bytes.device(SkalaDevice::ef9365).reset().send(SkalaCommand::silhouette, {silhouette});
+  bytes.device(Device::ef9365).reset().send(Command::silhouette, {silhouette});
   ChainSender sender(bytes);
   for (const Chain& chain : chains) sender.send(chain);
   return bytes;
@@ -30,8 +30,8 @@ SkalaBytes sent(const std::vector<Chain>& chains, int silhouette) {
 void expect_as_oracle(const std::vector<Chain>& chains, std::uint32_t seed) {
   const auto picture = sent(chains, 0).end().run();
   const auto expected = column_picture(shuffled(chains, seed), 0);
-  ASSERT_EQ(picture.status, SkalaStatus::complete);
-  EXPECT_EQ(lit_differences(picture.raster(SkalaDevice::ef9365), expected.lit), "");
+  ASSERT_EQ(picture.status, Status::complete);
+  EXPECT_EQ(lit_differences(picture.raster(Device::ef9365), expected.lit), "");
   expect_same_masks(picture.columns, expected);
 }
 
@@ -100,11 +100,11 @@ TEST_P(SkalaTwinColumns, SilhouettesAndOutline) {
     const auto chains = family.chains(SegmentRole::mask, SegmentRole::mask);
     const auto expected = column_picture(shuffled(chains, seed), 0);
     const auto folds = sent(chains, 2).end().run();
-    expect_folds(folds.raster(SkalaDevice::ef9365), expected);
+    expect_folds(folds.raster(Device::ef9365), expected);
     // The pen goes elsewhere, so that the outline's first point is a step.
     auto outlined = sent(chains, 0);
-    const auto outline = outlined.move(0, 0).move(255, 255).send(SkalaCommand::outline).end().run();
-    EXPECT_EQ(lit_differences(outline.raster(SkalaDevice::ef9365), expected.outline), "");
+    const auto outline = outlined.move(0, 0).move(255, 255).send(Command::outline).end().run();
+    EXPECT_EQ(lit_differences(outline.raster(Device::ef9365), expected.outline), "");
     if (HasFailure()) return;
   }
 }
@@ -112,4 +112,4 @@ TEST_P(SkalaTwinColumns, SilhouettesAndOutline) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SkalaTwinColumns, testing::Range(0, SliceFamily::kinds));
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -8,7 +8,7 @@
 #include "host/scene/heights/function.hpp"
 #include "tests/host/guests/skala/view_oracle.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 constexpr scene::GridSize size{25, 22};
@@ -17,10 +17,10 @@ class SkalaTwinFunctions : public testing::TestWithParam<std::size_t> {
  protected:
   // Calls check(grid, view) for all rotations and elevations.
   template <class Check>
-  void for_views(SkalaPicture picture, SkalaFamily family, Check&& check) {
+  void for_views(PictureKind picture, Family family, Check&& check) {
     const auto& function = scene::height_functions()[GetParam()];
     const auto grid = scene::sample(function, size);
-    SkalaView view;
+    View view;
     view.picture = picture;
     view.family = family;
     view.levels = 7;
@@ -36,19 +36,19 @@ class SkalaTwinFunctions : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(SkalaTwinFunctions, Lines) {
-  for_views(SkalaPicture::lines, SkalaFamily::automatic, expect_as_oracle);
+  for_views(PictureKind::lines, Family::automatic, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, BothFamilies) {
-  for_views(SkalaPicture::lines, SkalaFamily::both, expect_as_oracle);
+  for_views(PictureKind::lines, Family::both, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, Surfaces) {
-  for_views(SkalaPicture::surface, SkalaFamily::automatic, expect_as_oracle);
+  for_views(PictureKind::surface, Family::automatic, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, Contours) {
-  for_views(SkalaPicture::contours, SkalaFamily::automatic, expect_as_oracle);
+  for_views(PictureKind::contours, Family::automatic, expect_as_oracle);
 }
 
 INSTANTIATE_TEST_SUITE_P(Figure, SkalaTwinFunctions, testing::Range(std::size_t{0}, scene::figure_functions),
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(Figure, SkalaTwinFunctions, testing::Range(std::size_t{
                          });
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -10,7 +10,7 @@
 #include "tests/host/guests/skala/family.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 using algorithms::oracle::RasterDot;
@@ -19,7 +19,7 @@ using algorithms::oracle::segment_dots;
 constexpr std::uint32_t seeds = 12;
 
 SkalaBytes start(bool visibility = true) {
-  return SkalaBytes().device(SkalaDevice::ef9365, visibility).reset();
+  return SkalaBytes().device(Device::ef9365, visibility).reset();
 }
 
 SkalaBytes sent(const std::vector<Chain>& chains, bool visibility = true) {
@@ -30,16 +30,16 @@ SkalaBytes sent(const std::vector<Chain>& chains, bool visibility = true) {
 }
 
 core::Raster raster_of(SkalaBytes bytes) {
-  return bytes.end().run().raster(SkalaDevice::ef9365);
+  return bytes.end().run().raster(Device::ef9365);
 }
 
-std::vector<RasterDot> walked(SkalaPoint from, SkalaPoint to) {
+std::vector<RasterDot> walked(Point from, Point to) {
   std::vector<RasterDot> dots{{from.x, from.y}};
-  walk_skala_line(from, to, [&](SkalaPoint point) { dots.push_back({point.x, point.y}); });
+  walk_line(from, to, [&](Point point) { dots.push_back({point.x, point.y}); });
   return dots;
 }
 
-SkalaPoint corner(int dx, int dy) {
+Point corner(int dx, int dy) {
   return {static_cast<std::uint8_t>(dx < 0 ? -dx : 0), static_cast<std::uint8_t>(dy < 0 ? -dy : 0)};
 }
 
@@ -68,8 +68,8 @@ TEST(SkalaTwinLaws, EveryLineHasItsClosedFormInBothDirections) {
   constexpr int step = tests::effort(1, 5);
   for (int dx = -255; dx <= 255; dx += step) {
     for (int dy = -255; dy <= 255; dy += step) {
-      const SkalaPoint from = corner(dx, dy);
-      const SkalaPoint to{static_cast<std::uint8_t>(from.x + dx), static_cast<std::uint8_t>(from.y + dy)};
+      const Point from = corner(dx, dy);
+      const Point to{static_cast<std::uint8_t>(from.x + dx), static_cast<std::uint8_t>(from.y + dy)};
       const auto forward = walked(from, to);
       auto backward = walked(to, from);
       std::reverse(backward.begin(), backward.end());
@@ -164,10 +164,10 @@ TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityNothingIsMissing) {
 
 TEST_P(SkalaTwinFamilyLaws, MasksOnlyGrow) {
   for_families([](const std::vector<Chain>& chains) {
-    SkalaColumns before = start().end().run().columns;
+    Columns before = start().end().run().columns;
     for (std::size_t count = 1; count <= chains.size(); ++count) {
       const std::vector<Chain> drawn(chains.begin(), chains.begin() + static_cast<std::ptrdiff_t>(count));
-      const SkalaColumns after = sent(drawn).end().run().columns;
+      const Columns after = sent(drawn).end().run().columns;
       for (std::size_t x = 0; x < 256; ++x) {
         const bool visited = before.mask_top[x] != 0 || before.mask_bottom[x] != 255;
         if (!visited) continue;
@@ -182,4 +182,4 @@ TEST_P(SkalaTwinFamilyLaws, MasksOnlyGrow) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SkalaTwinFamilyLaws, testing::Range(0, SliceFamily::kinds));
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

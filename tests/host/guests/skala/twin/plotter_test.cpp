@@ -9,11 +9,11 @@
 #include "tests/host/guests/skala/chain_stream.hpp"
 #include "tests/host/guests/skala/family.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 SkalaBytes picture(bool visibility = true) {
-  return SkalaBytes().device(SkalaDevice::calcomp, visibility).reset();
+  return SkalaBytes().device(Device::calcomp, visibility).reset();
 }
 
 // "+" pen down, "-" pen up, a step as its direction on the number keys (6 right, 8 up, 9 both).
@@ -21,11 +21,10 @@ std::string path(const SkalaBytes& bytes) {
   std::string text;
   int x = 0;
   int y = 0;
-  for (const SkalaPlotterMove& move : SkalaBytes(bytes).end().run().moves) {
-    if (move.action == SkalaPlotterAction::pen_down) text += '+';
-    if (move.action == SkalaPlotterAction::pen_up) text += '-';
-    if (move.action == SkalaPlotterAction::step)
-      text += static_cast<char>('5' + (move.x - x) + 3 * (move.y - y));
+  for (const PlotterMove& move : SkalaBytes(bytes).end().run().moves) {
+    if (move.action == PlotterAction::pen_down) text += '+';
+    if (move.action == PlotterAction::pen_up) text += '-';
+    if (move.action == PlotterAction::step) text += static_cast<char>('5' + (move.x - x) + 3 * (move.y - y));
     x = move.x;
     y = move.y;
   }
@@ -76,7 +75,7 @@ TEST(SkalaTwinPlotter, ResetLiftsThePenAndKeepsItsPlace) {
 }
 
 TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesNothing) {
-  auto bytes = picture().send(SkalaCommand::silhouette, {3}).surface({{0, 0, 1}, {2, 0, 1}}).commit();
+  auto bytes = picture().send(Command::silhouette, {3}).surface({{0, 0, 1}, {2, 0, 1}}).commit();
   EXPECT_EQ(path(bytes.surface({{2, 3, 1}, {0, 3, 1}}).commit()), "+66-888+44-");
 }
 
@@ -87,9 +86,9 @@ TEST(SkalaTwinPlotter, MaskedStepsEndARunAndTheirLastIsInkedByTheNext) {
 using Dots = std::set<std::pair<int, int>>;
 
 // Where the pen has been while it was down.
-Dots covered(const SkalaTwinPicture& drawn) {
+Dots covered(const TwinPicture& drawn) {
   Dots dots;
-  for (const SkalaPlotterMove& move : drawn.moves)
+  for (const PlotterMove& move : drawn.moves)
     if (move.pen_down) dots.emplace(move.x, move.y);
   return dots;
 }
@@ -102,7 +101,7 @@ Dots lit(const core::Raster& raster) {
   return dots;
 }
 
-SkalaTwinPicture drawn_on(SkalaDevice device, bool visibility, const std::vector<Chain>& chains) {
+TwinPicture drawn_on(Device device, bool visibility, const std::vector<Chain>& chains) {
   SkalaBytes bytes;
   bytes.device(device, visibility).reset();
   ChainSender sender(bytes);
@@ -110,19 +109,19 @@ SkalaTwinPicture drawn_on(SkalaDevice device, bool visibility, const std::vector
   return bytes.end().run();
 }
 
-void expect_possible(const SkalaTwinPicture& drawn) {
-  SkalaPlotterMove before;
+void expect_possible(const TwinPicture& drawn) {
+  PlotterMove before;
   std::uint64_t lifts = 0;
-  for (const SkalaPlotterMove& move : drawn.moves) {
+  for (const PlotterMove& move : drawn.moves) {
     const int dx = move.x - before.x;
     const int dy = move.y - before.y;
-    if (move.action == SkalaPlotterAction::step) {
+    if (move.action == PlotterAction::step) {
       ASSERT_EQ(std::max(std::abs(dx), std::abs(dy)), 1);
       ASSERT_EQ(move.pen_down, before.pen_down);
     } else {
       ASSERT_EQ(std::pair(dx, dy), std::pair(0, 0));
       ASSERT_NE(move.pen_down, before.pen_down);
-      ASSERT_EQ(move.pen_down, move.action == SkalaPlotterAction::pen_down);
+      ASSERT_EQ(move.pen_down, move.action == PlotterAction::pen_down);
       lifts += move.pen_down ? 0 : 1;
     }
     before = move;
@@ -148,18 +147,18 @@ TEST(SkalaTwinPlotter, ThePathIsPossibleAndCoversThePicture) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const int kind = static_cast<int>(seed) % SliceFamily::kinds;
     const auto chains = drawable(SliceFamily(seed, kind).chains(SegmentRole::draw, SegmentRole::draw));
-    const auto plotted = drawn_on(SkalaDevice::minigraf, true, chains);
+    const auto plotted = drawn_on(Device::minigraf, true, chains);
     expect_possible(plotted);
     for (const auto& [x, y] : covered(plotted)) {
       ASSERT_LE(y, plotted.columns.mask_top[static_cast<std::size_t>(x)]);
       ASSERT_GE(y, plotted.columns.mask_bottom[static_cast<std::size_t>(x)]);
     }
-    const auto all = drawn_on(SkalaDevice::calcomp, false, chains);
+    const auto all = drawn_on(Device::calcomp, false, chains);
     expect_possible(all);
-    const auto everything = drawn_on(SkalaDevice::ef9365, false, chains);
-    ASSERT_EQ(covered(all), lit(everything.raster(SkalaDevice::ef9365)));
+    const auto everything = drawn_on(Device::ef9365, false, chains);
+    ASSERT_EQ(covered(all), lit(everything.raster(Device::ef9365)));
   }
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

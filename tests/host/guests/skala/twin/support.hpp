@@ -10,7 +10,7 @@
 #include "emulators/core/raster.hpp"
 #include "host/guests/skala/twin/twin.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 
 // Bytes as they are sent; arguments are ints so that tests need no casts, and only their low byte is kept.
 class SkalaBytes {
@@ -19,23 +19,23 @@ class SkalaBytes {
     bytes_.push_back(static_cast<std::uint8_t>(value));
     return *this;
   }
-  SkalaBytes& send(SkalaCommand command, std::initializer_list<int> arguments = {}) {
+  SkalaBytes& send(Command command, std::initializer_list<int> arguments = {}) {
     byte(static_cast<int>(command));
     for (const int argument : arguments) byte(argument);
     return *this;
   }
-  SkalaBytes& device(SkalaDevice device, bool visibility = true) {
-    return send(SkalaCommand::device, {static_cast<int>(device) | (visibility ? 0 : skala_no_visibility)});
+  SkalaBytes& device(Device device, bool visibility = true) {
+    return send(Command::device, {static_cast<int>(device) | (visibility ? 0 : no_visibility)});
   }
-  SkalaBytes& move(int x, int y) { return send(SkalaCommand::move, {x, y}); }
-  SkalaBytes& draw(int x, int y) { return send(SkalaCommand::draw, {x, y}); }
-  SkalaBytes& test(int x, int y) { return send(SkalaCommand::test_draw, {x, y}); }
-  SkalaBytes& mask(int x, int y) { return send(SkalaCommand::mask, {x, y}); }
-  SkalaBytes& commit() { return send(SkalaCommand::commit); }
-  SkalaBytes& reset() { return send(SkalaCommand::reset); }
-  SkalaBytes& end() { return send(SkalaCommand::end); }
+  SkalaBytes& move(int x, int y) { return send(Command::move, {x, y}); }
+  SkalaBytes& draw(int x, int y) { return send(Command::draw, {x, y}); }
+  SkalaBytes& test(int x, int y) { return send(Command::test_draw, {x, y}); }
+  SkalaBytes& mask(int x, int y) { return send(Command::mask, {x, y}); }
+  SkalaBytes& commit() { return send(Command::commit); }
+  SkalaBytes& reset() { return send(Command::reset); }
+  SkalaBytes& end() { return send(Command::end); }
   SkalaBytes& surface(std::initializer_list<std::initializer_list<int>> vertices) {
-    send(SkalaCommand::surface, {static_cast<int>(vertices.size())});
+    send(Command::surface, {static_cast<int>(vertices.size())});
     for (const auto& vertex : vertices)
       for (const int value : vertex) byte(value);
     return *this;
@@ -46,7 +46,7 @@ class SkalaBytes {
   }
 
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-  [[nodiscard]] SkalaTwinPicture run() const { return run_skala_twin(bytes_); }
+  [[nodiscard]] TwinPicture run() const { return run_twin(bytes_); }
 
  private:
   std::vector<std::uint8_t> bytes_;
@@ -73,4 +73,4 @@ class SkalaBytes {
   return count;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

@@ -1,59 +1,58 @@
 // The Skala program's twin against cases worked out by hand from its specification: receipt, lines, masks,
 // surfaces, contours.
-#include "host/guests/skala/twin/twin.hpp"
-
 #include <gtest/gtest.h>
 
 #include <utility>
 
+#include "host/guests/skala/twin/twin.hpp"
 #include "tests/host/guests/skala/twin/support.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 using Rows = std::vector<std::string>;
-using enum SkalaCommand;
+using enum Command;
 
 SkalaBytes picture() {
-  return SkalaBytes().device(SkalaDevice::ef9365).reset();
+  return SkalaBytes().device(Device::ef9365).reset();
 }
 
 Rows window(const SkalaBytes& bytes, int x0, int y0, int x1, int y1) {
   const auto drawn = SkalaBytes(bytes).end().run();
-  EXPECT_EQ(drawn.status, SkalaStatus::complete);
-  return skala_window(drawn.raster(SkalaDevice::ef9365), x0, y0, x1, y1);
+  EXPECT_EQ(drawn.status, Status::complete);
+  return skala_window(drawn.raster(Device::ef9365), x0, y0, x1, y1);
 }
 
-void expect_stop(const SkalaBytes& bytes, SkalaStatus status, std::size_t taken) {
+void expect_stop(const SkalaBytes& bytes, Status status, std::size_t taken) {
   const auto drawn = bytes.run();
   EXPECT_EQ(drawn.status, status) << text_of(drawn.status);
   EXPECT_EQ(drawn.bytes_taken, taken);
 }
 
 TEST(SkalaTwinReceipt, NamesTheByteThatStopsIt) {
-  expect_stop(SkalaBytes(), SkalaStatus::running, 0);
-  expect_stop(SkalaBytes().end().byte(0xFF), SkalaStatus::complete, 1);
-  expect_stop(SkalaBytes().move(1, 2), SkalaStatus::running, 3);
-  expect_stop(SkalaBytes().move(1, 2).byte(0x0F), SkalaStatus::unknown_command, 4);
-  expect_stop(SkalaBytes().byte(0xFF).end(), SkalaStatus::unknown_command, 1);
-  expect_stop(SkalaBytes().byte(2).byte(9), SkalaStatus::running, 2);
-  expect_stop(SkalaBytes().send(SkalaCommand::device, {4}).end(), SkalaStatus::argument_out_of_range, 2);
-  expect_stop(SkalaBytes().send(SkalaCommand::device, {0xFC}).end(), SkalaStatus::argument_out_of_range, 2);
-  expect_stop(SkalaBytes().send(SkalaCommand::device, {0x83}).end(), SkalaStatus::complete, 3);
+  expect_stop(SkalaBytes(), Status::running, 0);
+  expect_stop(SkalaBytes().end().byte(0xFF), Status::complete, 1);
+  expect_stop(SkalaBytes().move(1, 2), Status::running, 3);
+  expect_stop(SkalaBytes().move(1, 2).byte(0x0F), Status::unknown_command, 4);
+  expect_stop(SkalaBytes().byte(0xFF).end(), Status::unknown_command, 1);
+  expect_stop(SkalaBytes().byte(2).byte(9), Status::running, 2);
+  expect_stop(SkalaBytes().send(Command::device, {4}).end(), Status::argument_out_of_range, 2);
+  expect_stop(SkalaBytes().send(Command::device, {0xFC}).end(), Status::argument_out_of_range, 2);
+  expect_stop(SkalaBytes().send(Command::device, {0x83}).end(), Status::complete, 3);
 }
 
 TEST(SkalaTwinReceipt, RefusesColumnsBeyondTheScreenAsSoonAsTheCountHasCome) {
-  expect_stop(SkalaBytes().send(curve, {1, 0}), SkalaStatus::argument_out_of_range, 3);
-  expect_stop(SkalaBytes().send(curve, {254, 3}), SkalaStatus::argument_out_of_range, 3);
-  expect_stop(SkalaBytes().send(curve, {254, 2, 7, 7}).end(), SkalaStatus::complete, 6);
-  expect_stop(SkalaBytes().send(gap, {200, 57}), SkalaStatus::argument_out_of_range, 3);
-  expect_stop(SkalaBytes().send(gap, {200, 56}).end(), SkalaStatus::complete, 4);
-  expect_stop(SkalaBytes().send(gap, {0, 0}).end(), SkalaStatus::complete, 4);
+  expect_stop(SkalaBytes().send(curve, {1, 0}), Status::argument_out_of_range, 3);
+  expect_stop(SkalaBytes().send(curve, {254, 3}), Status::argument_out_of_range, 3);
+  expect_stop(SkalaBytes().send(curve, {254, 2, 7, 7}).end(), Status::complete, 6);
+  expect_stop(SkalaBytes().send(gap, {200, 57}), Status::argument_out_of_range, 3);
+  expect_stop(SkalaBytes().send(gap, {200, 56}).end(), Status::complete, 4);
+  expect_stop(SkalaBytes().send(gap, {0, 0}).end(), Status::complete, 4);
 }
 
 TEST(SkalaTwinReceipt, WhatWasBufferedBeforeAnErrorIsNotDrawn) {
   const auto drawn = SkalaBytes().move(9, 9).draw(20, 9).byte(0x77).run();
-  EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 0U);
+  EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 0U);
   EXPECT_EQ(drawn.counts.points_walked, 0U);
 }
 
@@ -63,28 +62,28 @@ TEST(SkalaTwinReceipt, AFullBufferIsDrawn) {
     SkalaBytes bytes;
     bytes.move(9, 9).draw(20, 9);
     for (int used = 6; used < filled; ++used) bytes.commit();
-    return lit_dots(bytes.byte(0x77).run().raster(SkalaDevice::ef9365));
+    return lit_dots(bytes.byte(0x77).run().raster(Device::ef9365));
   };
   EXPECT_EQ(lit_after(48'352), 0U);
   EXPECT_EQ(lit_after(48'353), 12U);
 }
 
 TEST(SkalaTwinReceipt, AMissingDeviceIsFoundWhenItIsDrawn) {
-  const SkalaEquipment boards{{true, true, false, false}};
+  const Equipment boards{{true, true, false, false}};
   const auto drawn =
-      run_skala_twin(SkalaBytes().move(3, 3).draw(5, 3).device(SkalaDevice::calcomp).end().bytes(), boards);
-  EXPECT_EQ(drawn.status, SkalaStatus::device_missing);
+      run_twin(SkalaBytes().move(3, 3).draw(5, 3).device(Device::calcomp).end().bytes(), boards);
+  EXPECT_EQ(drawn.status, Status::device_missing);
   EXPECT_EQ(drawn.bytes_taken, 8U);
-  EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 3U);
-  const auto minigraf = run_skala_twin(SkalaBytes().device(SkalaDevice::minigraf).end().bytes(), boards);
-  EXPECT_EQ(minigraf.status, SkalaStatus::complete);
+  EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 3U);
+  const auto minigraf = run_twin(SkalaBytes().device(Device::minigraf).end().bytes(), boards);
+  EXPECT_EQ(minigraf.status, Status::complete);
 }
 
 TEST(SkalaTwinLines, FirstPointIsDrawnOnceAndAPointCanStandAlone) {
   const auto drawn = picture().move(4, 4).draw(4, 4).draw(4, 4).end().run();
   EXPECT_EQ(drawn.counts.points_walked, 1U);
-  EXPECT_EQ(drawn.raster(SkalaDevice::ef9365).at(4, 4), 7);
-  EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 1U);
+  EXPECT_EQ(drawn.raster(Device::ef9365).at(4, 4), 7);
+  EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 1U);
 }
 
 // After RESET the pen is at (0, 0) and fresh; MOVE there changes nothing.
@@ -146,7 +145,7 @@ TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
             (Rows{"7", "7", "7", "7", ".", ".", ".", "7", "7", "7", "7"}));
   auto corners = picture().move(0, 0).mask(0, 0).commit().move(1, 255).mask(1, 255).commit();
   const auto drawn = corners.move(0, 0).test(0, 0).move(1, 255).test(1, 255).end().run();
-  EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 2U);
+  EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 2U);
   const auto unvisited = picture().move(5, 5).test(5, 5).test(6, 5).end().run();
   EXPECT_EQ(unvisited.columns.mask_top[5], 0);
   EXPECT_EQ(unvisited.columns.mask_bottom[5], 255);
@@ -172,15 +171,15 @@ TEST(SkalaTwinMasks, TestDrawIsNotShownByColumnsWithoutAMask) {
   for (const int x : {0, 20, 255}) {
     auto bytes = picture().move(x, 2).mask(x, 8).commit();
     const auto drawn = bytes.move(x, 5).test(x, 6).end().run();
-    EXPECT_EQ(lit_dots(drawn.raster(SkalaDevice::ef9365)), 0U) << x;
+    EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 0U) << x;
   }
   // At the borders the columns of the other side are no neighbours.
   auto bytes = picture().move(0, 2).mask(0, 8).commit().move(255, 5).mask(255, 5).commit();
-  EXPECT_EQ(lit_dots(bytes.move(0, 5).test(0, 6).end().run().raster(SkalaDevice::ef9365)), 0U);
+  EXPECT_EQ(lit_dots(bytes.move(0, 5).test(0, 6).end().run().raster(Device::ef9365)), 0U);
 }
 
 TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
-  auto bytes = SkalaBytes().device(SkalaDevice::ef9365, false).reset();
+  auto bytes = SkalaBytes().device(Device::ef9365, false).reset();
   const auto drawn = bytes.move(0, 5)
                          .draw(3, 5)
                          .commit()
@@ -192,7 +191,7 @@ TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
                          .draw(4, 9)
                          .end()
                          .run();
-  EXPECT_EQ(skala_window(drawn.raster(SkalaDevice::ef9365), 0, 4, 4, 9),
+  EXPECT_EQ(skala_window(drawn.raster(Device::ef9365), 0, 4, 4, 9),
             (Rows{"...77", ".....", ".....", ".....", "7777.", "7777."}));
   EXPECT_EQ(drawn.columns.mask_top[3], 0);
   EXPECT_EQ(drawn.columns.mask_bottom[3], 255);
@@ -268,7 +267,7 @@ TEST(SkalaTwinContours, TheSurfaceFoldsWhereItStaysInsideAfterARise) {
 TEST(SkalaTwinContours, SilhouettesAreOffUntilAsked) {
   auto bytes = picture();
   for (const int y : {5, 9, 6}) bytes.move(4, y).mask(4, y).commit();
-  EXPECT_EQ(lit_dots(bytes.end().run().raster(SkalaDevice::ef9365)), 0U);
+  EXPECT_EQ(lit_dots(bytes.end().run().raster(Device::ef9365)), 0U);
 }
 
 // Along the top to the right, down the right side, back along the bottom and up the left side.
@@ -279,4 +278,4 @@ TEST(SkalaTwinContours, OutlineGoesAroundEachRunOfVisitedColumns) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala

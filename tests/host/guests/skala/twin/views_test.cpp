@@ -8,7 +8,7 @@
 #include "tests/host/guests/skala/view_oracle.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::skala {
 namespace {
 
 scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
@@ -21,12 +21,12 @@ TEST(SkalaTwinViews, AnglesWhereTheOrderTurns) {
   for (int eighth = 0; eighth < 8; eighth += tests::effort(1, 3)) {
     for (const double beside : {-0.001, 0.0, 0.001}) {
       for (const double elevation : {-90.0, -30.0, 0.0, 90.0}) {
-        SkalaView view;
+        View view;
         view.rotation = 45 * eighth + beside;
         view.elevation = elevation;
         SCOPED_TRACE(testing::Message() << "A " << view.rotation << " E " << elevation);
         expect_as_oracle(grid, view);
-        view.picture = SkalaPicture::surface;
+        view.picture = PictureKind::surface;
         expect_as_oracle(grid, view);
       }
     }
@@ -41,13 +41,13 @@ TEST(SkalaTwinViews, SmallFlatAndSpikedGrids) {
       for (int rotation = 0; rotation < 360; rotation += 60) {
         SCOPED_TRACE(testing::Message()
                      << function << " " << size.points << " x " << size.slices << " A " << rotation);
-        SkalaView view;
+        View view;
         view.rotation = rotation;
         expect_as_oracle(grid, view);
-        view.family = SkalaFamily::both;
+        view.family = Family::both;
         expect_as_oracle(grid, view);
-        view.picture = SkalaPicture::surface;
-        view.family = SkalaFamily::automatic;
+        view.picture = PictureKind::surface;
+        view.family = Family::automatic;
         expect_as_oracle(grid, view);
       }
     }
@@ -68,9 +68,9 @@ TEST(SkalaTwinViews, AQuarterTurnOfDataAndEyeChangesNothing) {
     const auto grid = grid_of(function, {23, 18});
     for (const double rotation : {0.0, 20.0, 70.0, 90.0, 110.0, 200.0, 290.0, 340.0}) {
       SCOPED_TRACE(testing::Message() << function << " A " << rotation);
-      SkalaView view;
+      View view;
       view.rotation = rotation;
-      SkalaView turned_view = view;
+      View turned_view = view;
       turned_view.rotation = rotation - 90;
       EXPECT_TRUE(twin_raster(grid, view) == twin_raster(turned(grid), turned_view));
     }
@@ -78,4 +78,4 @@ TEST(SkalaTwinViews, AQuarterTurnOfDataAndEyeChangesNothing) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::guests::skala
