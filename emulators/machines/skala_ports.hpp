@@ -4,22 +4,17 @@
 //   40-4F  EF9365 raster board, 50 its colour latch  EC-EF  8251, serial link (data even, control odd)
 //   60     CalComp 565 command and status            F0     Minigraf 0507, write only
 //
-// A port without a device reads as FFh, the level of the undriven bus, and swallows what is written; such
-// accesses are counted by port and direction. Absent devices cost the comparison of the port's upper half and
-// nothing else. Devices request interrupts only where the configuration connects them to a restart; of
-// several the highest restart wins, as an 8214 would have it, and RST 7 is what the bus gives when nobody
-// asks.
-//
-// It is a Ports of the 8080 machine; a program's environment that has further ports (a CP/M stub) wraps it
-// and forwards in, out and the rest. Large (64 KB a raster): let it live on the heap. Sources: Intel SBC
-// 80/10 for E4-EF; the other addresses are this machine's own.
+// A new device is its file in emulators/devices, a row here and a test: options, interrupt names and counts
+// of `sightline run i8080` follow from the row. Large (64 KB a raster): let a SkalaPorts live on the heap.
+// Sources: Intel SBC 80/10 for E4-EF; the other addresses are this machine's own.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "../core/raster.hpp"
 #include "../core/stroke.hpp"
@@ -30,197 +25,306 @@
 #include "../devices/minigraf0507.hpp"
 #include "../devices/parallel_link.hpp"
 #include "../devices/serial_link.hpp"
+#include "port_table.hpp"
 
 namespace sightline::machines {
 
-// Restart 0..7 a device's request is wired to, or none.
-using Restart = std::optional<std::uint8_t>;
+// What a device is: a host offers the devices of a kind under one option, and takes from each what its kind
+// gives (a raster, strokes, the bytes that it sent to the host).
+enum class DeviceKind : std::uint8_t { raster_board, plotter, link };
 
-struct SkalaConfiguration {
-  core::ClockRate clock{};
+// The bytes that a host sends over a link; they must stay where they are. No value: no such chip.
+using HostBytes = std::optional<std::span<const std::uint8_t>>;
 
-  bool ef9365 = false;
-  Restart ef9365_restart;
+// The count of bytes beyond what is kept of a link.
+inline constexpr std::string_view not_kept = "not_kept";
 
-  bool alt256 = false;
-  bool alt256_y_counts_down = false;
+struct Ef9365Row {
+  struct Configuration {
+    bool ef9365 = false;
+    Restart ef9365_restart;
+  };
+  template <class>
+  using Device = devices::Ef9365;
+  static constexpr DeviceKind kind = DeviceKind::raster_board;
+  static constexpr std::string_view name = "ef9365";
+  static constexpr std::string_view choice = "ef9365";  // of its kind's option
+  static constexpr bool Configuration::*attached = &Configuration::ef9365;
+  static constexpr std::uint8_t colour_latch = 0x50;
+  static constexpr std::array reads{PortRange{0x40, 0x4F}, PortRange{colour_latch, colour_latch}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{InterruptLine<Configuration>{"ef9365", &Configuration::ef9365_restart}};
 
-  bool calcomp565 = false;
-  devices::PlotterPlace calcomp565_start{};
-  Restart calcomp565_restart;  // on DONE
-
-  bool minigraf0507 = false;
-  devices::MinigrafTimes minigraf0507_times{};
-
-  // What the host sends; the bytes must stay where they are. No value: no such chip.
-  std::optional<std::span<const std::uint8_t>> parallel;
-  devices::ParallelHost parallel_host{};
-  Restart parallel_restart;  // on INTR of port A or B
-  std::optional<std::span<const std::uint8_t>> serial;
-  devices::SerialHost serial_host{};
-  Restart serial_receive_restart;   // on RxRDY
-  Restart serial_transmit_restart;  // on TxRDY
+  template <class Sink>
+  static void make(std::optional<devices::Ef9365>& board, const Configuration& wanted, core::ClockRate clock,
+                   Sink&) {
+    if (wanted.ef9365) board.emplace(clock);
+  }
+  static std::uint8_t read(devices::Ef9365& board, std::uint8_t port, core::TStateInstant at) {
+    return port == colour_latch ? board.colour() : board.read(port & 0x0FU, at);
+  }
+  static void write(devices::Ef9365& board, std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    if (port == colour_latch) [[unlikely]]
+      return board.set_colour(value, at);
+    board.write(port & 0x0FU, value, at);
+  }
+  static bool requests(const devices::Ef9365& board, std::size_t) { return board.interrupt(); }
+  // Only the command and CTRL1 have to do with interrupts.
+  static bool write_may_request(std::uint8_t port) { return port <= 0x41; }
+  template <class Take>
+  static void count(const devices::Ef9365& board, Take take) {
+    const devices::Ef9365Counts counts = board.counts();
+    take("commands", counts.commands);
+    take("commands_while_busy", counts.commands_while_busy);
+    take("writes_while_busy", counts.writes_while_busy);
+    take("unanswered", counts.unanswered);
+    take("dots", counts.dots);
+    take("dots_outside", counts.dots_outside);
+  }
 };
 
-struct UnansweredPort {
-  std::uint64_t reads = 0;
-  std::uint64_t writes = 0;
+struct Alt256Row {
+  struct Configuration {
+    bool alt256 = false;
+    bool alt256_y_counts_down = false;
+  };
+  template <class>
+  using Device = devices::Alt256;
+  static constexpr DeviceKind kind = DeviceKind::raster_board;
+  static constexpr std::string_view name = "alt256";
+  static constexpr std::string_view choice = "alt256";
+  static constexpr bool Configuration::*attached = &Configuration::alt256;
+  static constexpr std::array reads{PortRange{0x30, 0x30}};
+  static constexpr std::array writes{PortRange{0x30, 0x33}};
+  static constexpr std::array<InterruptLine<Configuration>, 0> lines{};
+
+  template <class Sink>
+  static void make(std::optional<devices::Alt256>& board, const Configuration& wanted, core::ClockRate clock,
+                   Sink&) {
+    if (wanted.alt256) board.emplace(clock, wanted.alt256_y_counts_down);
+  }
+  static std::uint8_t read(devices::Alt256& board, std::uint8_t, core::TStateInstant at) {
+    return board.read_status(at);
+  }
+  static void write(devices::Alt256& board, std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    board.write(port & 3U, value, at);
+  }
+  template <class Take>
+  static void count(const devices::Alt256& board, Take take) {
+    const devices::Alt256Counts& counts = board.counts();
+    take("dots", counts.dots);
+    take("dots_invisible", counts.dots_invisible);
+    take("erases", counts.erases);
+    take("writes_lost", counts.writes_lost);
+  }
 };
+
+struct CalComp565Row {
+  struct Configuration {
+    bool calcomp565 = false;
+    devices::PlotterPlace calcomp565_start{};
+    Restart calcomp565_restart;  // on DONE
+  };
+  template <class Sink>
+  using Device = devices::CalComp565<Sink>;
+  static constexpr DeviceKind kind = DeviceKind::plotter;
+  static constexpr std::string_view name = "calcomp565";
+  static constexpr std::string_view choice = "calcomp";
+  static constexpr bool Configuration::*attached = &Configuration::calcomp565;
+  static constexpr std::array reads{PortRange{0x60, 0x60}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{
+      InterruptLine<Configuration>{"calcomp", &Configuration::calcomp565_restart}};
+
+  template <class Sink>
+  static void make(std::optional<Device<Sink>>& plotter, const Configuration& wanted, core::ClockRate clock,
+                   Sink& sink) {
+    if (wanted.calcomp565) plotter.emplace(clock, sink, wanted.calcomp565_start);
+  }
+  template <class Sink>
+  static std::uint8_t read(devices::CalComp565<Sink>& plotter, std::uint8_t, core::TStateInstant at) {
+    return plotter.read_status(at);
+  }
+  template <class Sink>
+  static void write(devices::CalComp565<Sink>& plotter, std::uint8_t, std::uint8_t value,
+                    core::TStateInstant at) {
+    plotter.write(value, at);
+  }
+  template <class Sink>
+  static bool requests(const devices::CalComp565<Sink>& plotter, std::size_t) {
+    return plotter.done();
+  }
+  template <class Sink, class Take>
+  static void count(const devices::CalComp565<Sink>& plotter, Take take) {
+    const devices::CalComp565Counts& counts = plotter.counts();
+    take("steps", counts.steps);
+    take("steps_pen_up", counts.steps_pen_up);
+    take("pen_lifts", counts.pen_lifts);
+    take("pen_commands", counts.pen_commands);
+    take("commands_while_busy", counts.commands_while_busy);
+    take("off_carriage", counts.off_carriage);
+    take("unknown_codes", counts.unknown_codes);
+    take("off_paper", counts.off_paper);
+    take("busy_t_states", static_cast<std::uint64_t>(counts.busy.count()));
+  }
+};
+
+struct Minigraf0507Row {
+  struct Configuration {
+    bool minigraf0507 = false;
+    devices::MinigrafTimes minigraf0507_times{};
+  };
+  template <class Sink>
+  using Device = devices::Minigraf0507<Sink>;
+  static constexpr DeviceKind kind = DeviceKind::plotter;
+  static constexpr std::string_view name = "minigraf0507";
+  static constexpr std::string_view choice = "minigraf";
+  static constexpr bool Configuration::*attached = &Configuration::minigraf0507;
+  static constexpr std::array<PortRange, 0> reads{};
+  static constexpr std::array writes{PortRange{0xF0, 0xF0}};
+  static constexpr std::array<InterruptLine<Configuration>, 0> lines{};
+
+  template <class Sink>
+  static void make(std::optional<Device<Sink>>& plotter, const Configuration& wanted, core::ClockRate clock,
+                   Sink& sink) {
+    if (wanted.minigraf0507) plotter.emplace(clock, sink, wanted.minigraf0507_times);
+  }
+  template <class Sink>
+  static void write(devices::Minigraf0507<Sink>& plotter, std::uint8_t, std::uint8_t value,
+                    core::TStateInstant at) {
+    plotter.write(value, at);
+  }
+  template <class Sink, class Take>
+  static void count(const devices::Minigraf0507<Sink>& plotter, Take take) {
+    const devices::MinigrafCounts& counts = plotter.counts();
+    take("steps", counts.steps);
+    take("steps_pen_up", counts.steps_pen_up);
+    take("pen_lifts", counts.pen_lifts);
+    take("missed_fast", counts.missed_fast);
+    take("missed_jump", counts.missed_jump);
+    take("steps_early", counts.steps_early);
+    take("off_field", counts.off_field);
+  }
+};
+
+struct ParallelRow {
+  struct Configuration {
+    HostBytes parallel;
+    devices::ParallelHost parallel_host{};
+    Restart parallel_restart;  // on INTR of port A or B
+  };
+  template <class>
+  using Device = devices::ParallelLink;
+  static constexpr DeviceKind kind = DeviceKind::link;
+  static constexpr std::string_view name = "parallel";
+  static constexpr HostBytes Configuration::*bytes = &Configuration::parallel;
+  static constexpr std::array reads{PortRange{0xE4, 0xE7}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{
+      InterruptLine<Configuration>{"parallel", &Configuration::parallel_restart}};
+
+  template <class Sink>
+  static void make(std::optional<devices::ParallelLink>& link, const Configuration& wanted,
+                   core::ClockRate clock, Sink&) {
+    if (wanted.parallel) link.emplace(clock, *wanted.parallel, wanted.parallel_host);
+  }
+  static std::uint8_t read(devices::ParallelLink& link, std::uint8_t port, core::TStateInstant at) {
+    return link.read(port & 3U, at);
+  }
+  static void write(devices::ParallelLink& link, std::uint8_t port, std::uint8_t value,
+                    core::TStateInstant at) {
+    link.write(port & 3U, value, at);
+  }
+  static bool requests(const devices::ParallelLink& link, std::size_t) { return link.interrupt(); }
+  // take(KeptBytes) of what the host took: from port B, then from port A.
+  template <class Take>
+  static void received(const devices::ParallelLink& link, Take take) {
+    take(link.received(devices::I8255::Port::b));
+    take(link.received(devices::I8255::Port::a));
+  }
+  template <class Take>
+  static void count(const devices::ParallelLink& link, Take take) {
+    std::uint64_t kept = 0;
+    std::uint64_t left_out = 0;
+    received(link, [&](const devices::KeptBytes& bytes) {
+      kept += bytes.bytes().size();
+      left_out += bytes.left_out();
+    });
+    take("sent_by_host", link.sent());
+    take("received_by_host", kept + left_out);
+    take(not_kept, left_out);
+  }
+};
+
+struct SerialRow {
+  struct Configuration {
+    HostBytes serial;
+    devices::SerialHost serial_host{};
+    Restart serial_receive_restart;   // on RxRDY
+    Restart serial_transmit_restart;  // on TxRDY
+  };
+  template <class>
+  using Device = devices::SerialLink;
+  static constexpr DeviceKind kind = DeviceKind::link;
+  static constexpr std::string_view name = "serial";
+  static constexpr HostBytes Configuration::*bytes = &Configuration::serial;
+  static constexpr std::array reads{PortRange{0xEC, 0xEF}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{
+      InterruptLine<Configuration>{"serial-receive", &Configuration::serial_receive_restart},
+      InterruptLine<Configuration>{"serial-transmit", &Configuration::serial_transmit_restart}};
+
+  template <class Sink>
+  static void make(std::optional<devices::SerialLink>& link, const Configuration& wanted,
+                   core::ClockRate clock, Sink&) {
+    if (wanted.serial) link.emplace(clock, *wanted.serial, wanted.serial_host);
+  }
+  static std::uint8_t read(devices::SerialLink& link, std::uint8_t port, core::TStateInstant at) {
+    return link.read(port & 1U, at);
+  }
+  static void write(devices::SerialLink& link, std::uint8_t port, std::uint8_t value,
+                    core::TStateInstant at) {
+    link.write(port & 1U, value, at);
+  }
+  static bool requests(const devices::SerialLink& link, std::size_t line) {
+    return line == 0 ? link.chip().receive_ready() : link.chip().transmit_ready();
+  }
+  template <class Take>
+  static void received(const devices::SerialLink& link, Take take) {
+    take(link.chip().sent());
+  }
+  template <class Take>
+  static void count(const devices::SerialLink& link, Take take) {
+    const devices::I8251Counts& counts = link.chip().counts();
+    take("sent_by_host", link.sent());
+    take("unseen", link.unseen());
+    take("received", counts.received);
+    take("received_lost", counts.received_lost);
+    take("overruns", counts.overruns);
+    take("parity_errors", counts.parity_errors);
+    take("framing_errors", counts.framing_errors);
+    take("transmitted", counts.transmitted);
+    take("transmit_overwritten", counts.transmit_overwritten);
+    take(not_kept, link.chip().sent().left_out());
+    take("unanswered", counts.unanswered);
+  }
+};
+
+using SkalaRows = PortRows<Ef9365Row, Alt256Row, CalComp565Row, Minigraf0507Row, ParallelRow, SerialRow>;
+using SkalaConfiguration = SkalaRows::Configuration;
 
 template <class PlotterSink = core::NoStrokes>
-class SkalaPorts {
+class SkalaPorts : public PortTable<PlotterSink, SkalaRows> {
  public:
-  // The sink takes the strokes of whichever plotter there is (of both in their order, if there are two) and
-  // must outlive the ports.
-  SkalaPorts(const SkalaConfiguration& configuration, PlotterSink& sink) : configuration_(configuration) {
-    const core::ClockRate clock = configuration.clock;
-    if (configuration.ef9365) ef9365_.emplace(clock);
-    if (configuration.alt256) alt256_.emplace(clock, configuration.alt256_y_counts_down);
-    if (configuration.calcomp565) calcomp565_.emplace(clock, sink, configuration.calcomp565_start);
-    if (configuration.minigraf0507) minigraf0507_.emplace(clock, sink, configuration.minigraf0507_times);
-    if (configuration.parallel)
-      parallel_.emplace(clock, *configuration.parallel, configuration.parallel_host);
-    if (configuration.serial) serial_.emplace(clock, *configuration.serial, configuration.serial_host);
-    connected_ = configuration.ef9365_restart || configuration.calcomp565_restart ||
-                 configuration.parallel_restart || configuration.serial_receive_restart ||
-                 configuration.serial_transmit_restart;
-    if (connected_) look();
-  }
-  SkalaPorts(const SkalaPorts&) = delete;
-  SkalaPorts& operator=(const SkalaPorts&) = delete;
-
-  // The 8080 machine's side. `at` never goes back.
-  static constexpr bool waits = false;
-
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
-    const std::uint8_t value = read(port, at);
-    if (connected_) look();
-    return value;
-  }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    // The drawing loops write little else. Only the command and CTRL1 have to do with interrupts.
-    if (ef9365_ && (port & 0xF0U) == 0x40) [[likely]] {
-      ef9365_->write(port & 0x0FU, value, at);
-      if (connected_ && port <= 0x41) look();
-      return;
-    }
-    write(port, value, at);
-    if (connected_) look();
-  }
-  // The earliest instant at which the interrupt line may change by itself.
-  [[nodiscard]] core::TStateInstant deadline() const { return deadline_; }
-  void advance(core::TStateInstant now) {
-    if (ef9365_) ef9365_->advance(now);
-    if (calcomp565_) calcomp565_->advance(now);
-    if (parallel_) parallel_->advance(now);
-    if (serial_) serial_->advance(now);
-    if (connected_) look();
-  }
-  [[nodiscard]] bool interrupt() const { return requests_ != 0; }
-  // RST n of the highest request.
-  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) {
-    advance(now);
-    unsigned restart = 7;
-    while (restart != 0 && requests_ != 0 && (requests_ >> restart & 1U) == 0) --restart;
-    return static_cast<std::uint8_t>(0xC7U | restart << 3);
-  }
-  [[nodiscard]] static constexpr bool stopped() { return false; }
+  using PortTable<PlotterSink, SkalaRows>::PortTable;
 
   // The devices, null when absent.
-  [[nodiscard]] devices::Ef9365* ef9365() { return ef9365_ ? &*ef9365_ : nullptr; }
-  [[nodiscard]] devices::Alt256* alt256() { return alt256_ ? &*alt256_ : nullptr; }
-  [[nodiscard]] devices::CalComp565<PlotterSink>* calcomp565() {
-    return calcomp565_ ? &*calcomp565_ : nullptr;
-  }
-  [[nodiscard]] devices::Minigraf0507<PlotterSink>* minigraf0507() {
-    return minigraf0507_ ? &*minigraf0507_ : nullptr;
-  }
-  [[nodiscard]] devices::ParallelLink* parallel() { return parallel_ ? &*parallel_ : nullptr; }
-  [[nodiscard]] devices::SerialLink* serial() { return serial_ ? &*serial_ : nullptr; }
-
-  // Accesses nothing answered, by port.
-  [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const { return unanswered_; }
-
- private:
-  std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
-    switch (port >> 4) {
-      case 0x3:
-        if (alt256_ && port == 0x30) return alt256_->read_status(at);
-        break;
-      case 0x4:
-        if (ef9365_) return ef9365_->read(port & 0x0FU, at);
-        break;
-      case 0x5:
-        if (ef9365_ && port == 0x50) return ef9365_->colour();
-        break;
-      case 0x6:
-        if (calcomp565_ && port == 0x60) return calcomp565_->read_status(at);
-        break;
-      case 0xE:
-        if (parallel_ && (port & 0xFCU) == 0xE4) return parallel_->read(port & 3U, at);
-        if (serial_ && port >= 0xEC) return serial_->read(port & 1U, at);
-        break;
-      default: break;
-    }
-    ++unanswered_[port].reads;
-    return 0xFF;
-  }
-
-  // All ports but the EF9365's own.
-  [[gnu::noinline]] void write(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    switch (port >> 4) {
-      case 0x3:
-        if (alt256_ && port <= 0x33) return alt256_->write(port & 3U, value, at);
-        break;
-      case 0x5:
-        if (ef9365_ && port == 0x50) return ef9365_->set_colour(value, at);
-        break;
-      case 0x6:
-        if (calcomp565_ && port == 0x60) return calcomp565_->write(value, at);
-        break;
-      case 0xE:
-        if (parallel_ && (port & 0xFCU) == 0xE4) return parallel_->write(port & 3U, value, at);
-        if (serial_ && port >= 0xEC) return serial_->write(port & 1U, value, at);
-        break;
-      case 0xF:
-        if (minigraf0507_ && port == 0xF0) return minigraf0507_->write(value, at);
-        break;
-      default: break;
-    }
-    ++unanswered_[port].writes;
-  }
-
-  // Requests and the next deadline of the devices whose interrupt is connected.
-  void look() {
-    requests_ = 0;
-    deadline_ = core::never_t;
-    if (ef9365_) consider(configuration_.ef9365_restart, ef9365_->interrupt(), ef9365_->deadline());
-    if (calcomp565_)
-      consider(configuration_.calcomp565_restart, calcomp565_->done(), calcomp565_->deadline());
-    if (parallel_) consider(configuration_.parallel_restart, parallel_->interrupt(), parallel_->deadline());
-    if (serial_) {
-      const devices::I8251& chip = serial_->chip();
-      consider(configuration_.serial_receive_restart, chip.receive_ready(), serial_->deadline());
-      consider(configuration_.serial_transmit_restart, chip.transmit_ready(), serial_->deadline());
-    }
-  }
-  void consider(Restart restart, bool requests, core::TStateInstant deadline) {
-    if (!restart) return;
-    if (requests) requests_ |= 1U << (*restart & 7U);
-    deadline_ = std::min(deadline_, deadline);
-  }
-
-  SkalaConfiguration configuration_;
-  std::optional<devices::Ef9365> ef9365_;
-  std::optional<devices::Alt256> alt256_;
-  std::optional<devices::CalComp565<PlotterSink>> calcomp565_;
-  std::optional<devices::Minigraf0507<PlotterSink>> minigraf0507_;
-  std::optional<devices::ParallelLink> parallel_;
-  std::optional<devices::SerialLink> serial_;
-  bool connected_ = false;
-  unsigned requests_ = 0;  // bit n: restart n
-  core::TStateInstant deadline_ = core::never_t;
-  std::array<UnansweredPort, 256> unanswered_{};
+  [[nodiscard]] auto* ef9365() { return this->template device<Ef9365Row>(); }
+  [[nodiscard]] auto* alt256() { return this->template device<Alt256Row>(); }
+  [[nodiscard]] auto* calcomp565() { return this->template device<CalComp565Row>(); }
+  [[nodiscard]] auto* minigraf0507() { return this->template device<Minigraf0507Row>(); }
+  [[nodiscard]] auto* parallel() { return this->template device<ParallelRow>(); }
+  [[nodiscard]] auto* serial() { return this->template device<SerialRow>(); }
 };
 
 }  // namespace sightline::machines
