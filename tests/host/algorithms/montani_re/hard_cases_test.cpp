@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
 
-#include "host/scene/read/poly_json.hpp"
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
+#include "tests/host/scene/hard_case_files.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {
@@ -22,17 +20,9 @@ Areas seen_areas(const FaceSet& set) {
   return areas_of(set, visible_regions(set));
 }
 
-// A file of the report's hard cases, a sheet a face.
+// A sheet a face.
 FaceSet case_set(const std::string& name) {
-  const std::string path = SIGHTLINE_SOURCE_DIR "/host/harness/report/hard_cases/data/" + name;
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto read = scene::read_poly_json(text, path);
-  if (const auto* const error = std::get_if<scene::SceneError>(&read)) {
-    ADD_FAILURE() << error->message();
-    return {};
-  }
-  const auto& scene = std::get<scene::PolyScene>(read);
+  const scene::PolyScene scene = scene::hard_case_scene(name);
   return std::get<FaceSet>(faces_of(scene, scene.camera));
 }
 

@@ -97,19 +97,6 @@ LatticePcs square(std::int32_t low, std::int32_t high) {
       {{2 * low, 2 * low}, {2 * high, 2 * low}, {2 * high, 2 * high}, {2 * low, 2 * high}}});
 }
 
-// M7
-TEST(LatticePcs, HolesInHoles) {
-  LatticePcs nested = subtract(square(0, 100), square(10, 90));
-  nested = unite(nested, square(20, 80));
-  nested = subtract(nested, square(30, 70));
-  nested = unite(nested, square(40, 60));
-  EXPECT_EQ(eightfold_area(nested), 8 * (10000 - 6400 + 3600 - 1600 + 400));
-  const auto loops = boundary_of(nested);
-  EXPECT_EQ(loops.size(), 5U);
-  EXPECT_EQ(std::count_if(loops.begin(), loops.end(), [](const auto& l) { return l.eightfold_area() < 0; }),
-            2);
-}
-
 // M8: a hole whose corner touches the outline, and two that touch each other.
 TEST(LatticePcs, HolesThatTouch) {
   const auto diamond = [](std::int32_t x, std::int32_t y, std::int32_t r) {

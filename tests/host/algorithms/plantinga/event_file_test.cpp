@@ -112,12 +112,6 @@ TEST(Table1, CountsChangesOfEdges) {
   EXPECT_GT(row.events, 200U) << row.events;
   EXPECT_LT(row.events, 300U);
   EXPECT_GE(row.most_events_per_edge, row.events / 36);
-  for (const Table1Row& printed : printed_table_1()) {
-    if (printed.model == "Grid") continue;  // P22
-    EXPECT_NEAR(static_cast<double>(printed.events) / static_cast<double>(printed.edges),
-                printed.events_per_edge, 0.06)
-        << printed.model;
-  }
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 // from scratch.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
@@ -67,6 +70,37 @@ TEST(ModelTurns, Tori) {
 }
 TEST(ModelTurns, Spring) {
   expect_turn("spring", 10000);
+}
+
+// (X : Z) to (X : -Z).
+Direction mirrored(const Direction& direction) {
+  if (direction.rational) return rational_direction(direction.form.xx, -direction.form.zz);
+  const auto roots = roots_of(QuadraticForm{direction.form.xx, -direction.form.xz, direction.form.zz});
+  const auto away = [&](const Direction& root) {
+    return std::abs(std::remainder(root.angle - (std::numbers::pi - direction.angle), 2 * std::numbers::pi));
+  };
+  return *std::min_element(roots.begin(), roots.end(),
+                           [&](const auto& a, const auto& b) { return away(a) < away(b); });
+}
+
+// Tori is its own mirror image. Of equal crossings the least edge is named, which is not the same edge in the
+// mirror: so only events at which an edge gets or loses a piece must have their mirror images, exactly.
+TEST(PlantingaHardCases, P18AMirrorImageHasMirroredEvents) {
+  const RotationModel model(model_scene("tori"));
+  const auto built = build_event_list(model);
+  const EventList& list = std::get<EventList>(built);
+  for (const Event& event : list.events) {
+    const auto changes = list.changes_of(event);
+    if (std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
+          return list.added_by(change).size() == list.removed_by(change).size();
+        }))
+      continue;
+    const Direction wanted = mirrored(event.direction);
+    const auto found =
+        std::lower_bound(list.events.begin(), list.events.end(), wanted,
+                         [](const Event& e, const Direction& d) { return less(e.direction, d); });
+    ASSERT_TRUE(found != list.events.end() && found->direction == wanted) << event.direction.angle;
+  }
 }
 
 }  // namespace

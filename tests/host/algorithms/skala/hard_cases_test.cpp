@@ -1,4 +1,5 @@
-// The hard cases of a floating horizon: small grids, flat and end-on surfaces, equal heights, holes, cliffs.
+// The hard cases S1 to S16 of a floating horizon as lines: small grids, flat and end-on surfaces, equal
+// heights, holes, cliffs. Their dots are in the report (host/report/hard_cases/data/manifest.json).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/scene/heights/function.hpp"
+#include "host/scene/heights/read_grid.hpp"
 
 namespace {
 
@@ -26,6 +28,15 @@ scene::HeightGrid grid_of(std::size_t points, std::size_t slices, std::vector<do
   return grid;
 }
 
+scene::HeightGrid hard_case_grid(const std::string& file) {
+  const auto read = scene::load_height_grid(SIGHTLINE_SOURCE_DIR "/host/report/hard_cases/data/" + file);
+  if (const auto* const error = std::get_if<scene::HeightError>(&read)) {
+    ADD_FAILURE() << error->message();
+    return {};
+  }
+  return std::get<scene::HeightGrid>(read);
+}
+
 View lines(Family family, double rotation, double elevation) {
   View view;
   view.family = family;
@@ -41,18 +52,17 @@ std::size_t count(const VectorDrawing& drawing, std::uint32_t layer) {
   return lines;
 }
 
-TEST(SkalaHardCases, TheFirstSliceIsWhollyVisible) {
-  const VectorDrawing drawing =
-      draw(grid_of(5, 2, {0, 3, 1, 4, 0, 0, 0, 0, 0, 0}), lines(Family::along_x, 0, 30));
+TEST(SkalaHardCases, S1TheFirstSliceIsWhollyVisible) {
+  const VectorDrawing drawing = draw(hard_case_grid("S1.csv"), lines(Family::along_x, 0, 30));
   ASSERT_FALSE(drawing.lines.empty());
   EXPECT_EQ(drawing.lines[0].count, 5U);
 }
 
-TEST(SkalaHardCases, AFlatSurfaceSeenEdgeOnIsDrawnOnce) {
+TEST(SkalaHardCases, S2AFlatSurfaceSeenEdgeOnIsDrawnOnce) {
   for (const double rotation : {0.0, 30.0}) {
     View view = lines(Family::along_x, rotation, 0);
     view.rims = true;
-    const VectorDrawing drawing = draw(grid_of(9, 7, std::vector<double>(63, 2.5)), view);
+    const VectorDrawing drawing = draw(hard_case_grid("S2.csv"), view);
     double ink = 0;
     for (const picture::DrawingLine& line : drawing.lines)
       for (std::uint32_t i = 1; i < line.count; ++i)
@@ -63,17 +73,14 @@ TEST(SkalaHardCases, AFlatSurfaceSeenEdgeOnIsDrawnOnce) {
   }
 }
 
-TEST(SkalaHardCases, EqualSlicesAreDrawnOnce) {
-  std::vector<double> heights;
-  for (int slice = 0; slice < 6; ++slice)
-    for (const double h : {0.0, 5.0, 1.0, 7.0, 2.0, 2.0, 9.0}) heights.push_back(h);
-  const VectorDrawing drawing = draw(grid_of(7, 6, heights), lines(Family::along_x, 0, 0));
+TEST(SkalaHardCases, S3EqualSlicesAreDrawnOnce) {
+  const VectorDrawing drawing = draw(hard_case_grid("S3.csv"), lines(Family::along_x, 0, 0));
   EXPECT_EQ(drawing.lines.size(), 1U);
   EXPECT_EQ(drawing.points.size(), 7U);
 }
 
-TEST(SkalaHardCases, FlatFromAboveIsTheWholeNet) {
-  const VectorDrawing drawing = draw(grid_of(4, 3, std::vector<double>(12, 1)), lines(Family::both, 0, 40));
+TEST(SkalaHardCases, S9FlatFromAboveIsTheWholeNet) {
+  const VectorDrawing drawing = draw(hard_case_grid("S9.csv"), lines(Family::both, 0, 40));
   EXPECT_EQ(count(drawing, 0), 3U);
   EXPECT_EQ(count(drawing, 1), 4U);
 }
@@ -113,9 +120,8 @@ TEST(SkalaHardCases, OneSliceIsItsCurve) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(drawing.points[i].y, expected[i], 0.001);
 }
 
-TEST(SkalaHardCases, EndOnSlicesAreUprightLines) {
-  const VectorDrawing drawing =
-      draw(grid_of(3, 4, {0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 1, 0}), lines(Family::along_x, 90, 30));
+TEST(SkalaHardCases, S5EndOnSlicesAreUprightLines) {
+  const VectorDrawing drawing = draw(hard_case_grid("S5.csv"), lines(Family::along_x, 90, 30));
   ASSERT_EQ(drawing.lines.size(), 4U);
   std::set<float> places;
   for (const picture::DrawingLine& line : drawing.lines)
@@ -123,11 +129,10 @@ TEST(SkalaHardCases, EndOnSlicesAreUprightLines) {
   EXPECT_EQ(places.size(), 4U);
 }
 
-TEST(SkalaHardCases, ACliffHidesNothingOfItself) {
+TEST(SkalaHardCases, S4ACliffHidesNothingOfItself) {
   // A step in 1/100 of the width: both slices go up and down again.
-  scene::HeightGrid grid = grid_of(5, 2, {0, 0, 9, 0, 0, 0, 0, 9, 0, 0});
-  grid.x = {-1, -0.01, 0, 0.01, 1};
-  const VectorDrawing drawing = draw(grid, lines(Family::along_x, 0, 30));
+  const VectorDrawing drawing = draw(hard_case_grid("S4.dat"), lines(Family::along_x, 0, 30));
+  ASSERT_FALSE(drawing.lines.empty());
   EXPECT_EQ(drawing.lines[0].count, 5U);
 }
 
@@ -142,10 +147,9 @@ TEST(SkalaHardCases, UndefinedHeightsBreakSlicesAndHideNothing) {
   EXPECT_TRUE(nothing.lines.empty());
 }
 
-TEST(SkalaHardCases, IslandsHaveNoStripBetweenThem) {
+TEST(SkalaHardCases, S10IslandsHaveNoStripBetweenThem) {
   // Two peaks with nothing between; a far wall is seen through the gap.
-  std::vector<double> heights{5, 5, undefined, undefined, undefined, 5, 5, 3, 3, 3, 3, 3, 3, 3};
-  const VectorDrawing drawing = draw(grid_of(7, 2, heights), lines(Family::along_x, 0, 5));
+  const VectorDrawing drawing = draw(hard_case_grid("S10.csv"), lines(Family::along_x, 0, 5));
   bool through = false;
   for (const picture::DrawingLine& line : drawing.lines)
     through = through ||
@@ -153,25 +157,20 @@ TEST(SkalaHardCases, IslandsHaveNoStripBetweenThem) {
   EXPECT_TRUE(through);
 }
 
-TEST(SkalaHardCases, TheUndersideOfAPitIsSeen) {
+TEST(SkalaHardCases, S15TheUndersideOfAPitIsSeen) {
   // A bowl whose bottom hangs below the near edge.
-  std::vector<double> heights(7 * 7, 0.0);
-  heights[3 * 7 + 3] = -50;
-  const VectorDrawing drawing = draw(grid_of(7, 7, heights), lines(Family::along_x, 0, 10));
+  const VectorDrawing drawing = draw(hard_case_grid("S15.csv"), lines(Family::along_x, 0, 10));
   bool bottom = false;
   for (const picture::DrawingPoint p : drawing.points) bottom = bottom || p.y == 0;
   EXPECT_TRUE(bottom);
 }
 
-TEST(SkalaHardCases, AContourAtVerticesIsOneLine) {
+TEST(SkalaHardCases, S16AContourAtVerticesIsOneLine) {
   // Levels 0.5, 1, 1.5 of 0..2: the middle one goes through a whole row of vertices.
   View view = lines(Family::automatic, 0, 60);
   view.subject = Subject::contours;
   view.levels = 3;
-  std::vector<double> heights;
-  for (int slice = 0; slice < 5; ++slice)
-    for (int point = 0; point < 6; ++point) heights.push_back(0.5 * slice);
-  const VectorDrawing drawing = draw(grid_of(6, 5, heights), view);
+  const VectorDrawing drawing = draw(hard_case_grid("S16.csv"), view);
   for (std::uint32_t layer = 4; layer < 7; ++layer) EXPECT_EQ(count(drawing, layer), 1U) << layer;
 }
 
@@ -195,6 +194,15 @@ TEST(SkalaHardCases, ContoursBetweenHeightsThatHardlyDiffer) {
     EXPECT_GE(count(drawing, 4), 1U);
     for (const picture::DrawingPoint p : drawing.points) EXPECT_TRUE(p.x >= 0 && p.y >= 0 && p.y <= 255);
   }
+}
+
+TEST(SkalaHardCases, S14TheFirstSliceIsWholeAtTheFinestMasks) {
+  View view = lines(Family::along_x, 0, 30);
+  view.columns = algorithms::skala::most_columns;
+  const scene::HeightGrid grid = hard_case_grid("S14.csv");
+  const VectorDrawing drawing = draw(grid, view);
+  ASSERT_FALSE(drawing.lines.empty());
+  EXPECT_EQ(drawing.lines[0].count, grid.points());
 }
 
 TEST(SkalaHardCases, MasksOfAnyWidth) {

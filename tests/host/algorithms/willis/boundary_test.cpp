@@ -1,5 +1,5 @@
-// Boundary, pair test, distances and cuts: hard cases W1 to W5, W14 to W16 with their inputs, the paper's
-// figures for areas, and the filter against numbers of any length.
+// Boundary, distances and cuts: areas by sampling, and the filter against numbers of any length. Pair tests and
+// the paper's figures: hard_cases_test.cpp.
 #include "host/algorithms/willis/boundary.hpp"
 
 #include <gtest/gtest.h>
@@ -16,50 +16,10 @@
 namespace sightline::algorithms::willis {
 namespace {
 
-TEST(WillisBoundary, W1ExactlyAtTheLengthIsACluster) {
-  const Surface s = turned(wall({0, 0}, {10, 0}));  // seen from above
-  const auto t = [](std::int32_t z) { return wall({0, z}, {5, z}, 1); };  // seen from below, nothing of it behind s
-  EXPECT_TRUE(reaches(t(10), s, BoundaryShape::oval));
-  EXPECT_TRUE(reaches(t(10), s, BoundaryShape::ball));
-  EXPECT_FALSE(reaches(t(11), s, BoundaryShape::oval));
-  EXPECT_FALSE(reaches(t(11), s, BoundaryShape::ball));
-  // Face to face, neither hides the other; turned the same way, the nearer hides the farther.
-  EXPECT_FALSE(clustered(s, t(10), {}));
-  EXPECT_TRUE(clustered(wall({0, 0}, {10, 0}), t(10), {}));
-  EXPECT_FALSE(clustered(wall({0, 0}, {10, 0}), t(11), {}));
-}
-
-TEST(WillisBoundary, W2NotSymmetricSoTestedBothWays) {
-  const Surface a = wall({0, 0}, {100, 0});
-  const Surface b = wall({50, 30}, {52, 30}, 1);
-  EXPECT_TRUE(reaches(b, a, BoundaryShape::oval));
-  EXPECT_FALSE(reaches(a, b, BoundaryShape::oval));
-  for (const BoundaryShape shape : {BoundaryShape::oval, BoundaryShape::ball}) {
-    EXPECT_TRUE(clustered(a, b, {shape, false}));
-    EXPECT_TRUE(clustered(b, a, {shape, false}));
-  }
-}
-
-TEST(WillisBoundary, W3ChainOfNeighbours) {
-  const auto at = [](std::int32_t z) { return wall({0, z}, {10, z}, static_cast<std::uint32_t>(z)); };
-  for (const BoundaryShape shape : {BoundaryShape::oval, BoundaryShape::ball}) {
-    EXPECT_TRUE(clustered(at(0), at(9), {shape, false}));
-    EXPECT_TRUE(clustered(at(9), at(18), {shape, false}));
-    EXPECT_FALSE(clustered(at(0), at(18), {shape, false}));
-  }
-}
-
-TEST(WillisBoundary, W4OvalAndTwoCircles) {
-  // Ten thousand to one: lengths 2 and 0.001, distance 1.9.
-  const Surface s = wall({0, 0}, {20000, 0});
-  const Surface t = wall({9995, 19000}, {10005, 19000}, 1);
-  EXPECT_TRUE(clustered(s, t, {BoundaryShape::oval, false}));
-  EXPECT_FALSE(clustered(s, t, {BoundaryShape::ball, false}));
-}
-
-TEST(WillisBoundary, W5AreasAsFormulas) {
-  EXPECT_NEAR(two_circles_area() / oval_area(), 0.98312, 5e-6);  // "about 2 %" less
-  EXPECT_NEAR(halves_ovals_area() / oval_area(), 0.34725, 5e-6);  // "about 65 %" less
+TEST(WillisBoundary, FaceToFaceNeitherHidesTheOther) {
+  const Surface t = wall({0, 10}, {5, 10}, 1);  // seen from below
+  EXPECT_FALSE(clustered(turned(wall({0, 0}, {10, 0})), t, {}));
+  EXPECT_TRUE(clustered(wall({0, 0}, {10, 0}), t, {}));  // turned the same way
 }
 
 TEST(WillisBoundary, AreasBySampling) {
@@ -93,18 +53,6 @@ TEST(WillisBoundary, AreasBySampling) {
   expect(halves, halves_ovals_area());
 }
 
-TEST(WillisBoundary, W14NormalsAtRightAnglesCountAsWithin90) {
-  const Surface s = wall({0, 0}, {10, 0});           // normal (0, -10)
-  const Surface t = wall({12, 5}, {12, 15}, 1);      // normal (10, 0)
-  const Surface u = turned(t);                       // normal (-10, 0)
-  const Surface oblique = wall({5, 5}, {15, 15}, 2);  // normal (10, -10)
-  EXPECT_EQ(geometry::dot(s.plane.normal, t.plane.normal), 0);
-  EXPECT_EQ(can_obscure(s, t, true), can_obscure(s, t, false));
-  EXPECT_EQ(can_obscure(s, u, true), can_obscure(s, u, false));
-  EXPECT_TRUE(can_obscure(s, u, true));
-  EXPECT_TRUE(can_obscure(s, oblique, true));
-}
-
 // Normals of (-0.98, -0.17) and (0.98, -0.17), looked at along +z: both are seen, one hides the other.
 TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
   const Surface near = wall({17, 0}, {0, 98});
@@ -113,24 +61,6 @@ TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
   const Surface t = wall({0, 200}, {17, 298}, 1);  // (98, -17)
   EXPECT_TRUE(can_obscure(s, t));
   EXPECT_FALSE(can_obscure(s, t, true));
-}
-
-TEST(WillisBoundary, W15OnThePlaneIsNotBehindIt) {
-  const Surface s = wall({0, 0}, {10, 0});  // seen from z < 0
-  EXPECT_TRUE(can_obscure(s, turned(wall({20, 0}, {30, 5}, 1))));
-  EXPECT_FALSE(can_obscure(s, wall({20, 0}, {30, 0}, 1)));  // in one line
-  EXPECT_FALSE(can_obscure(s, turned(wall({20, 0}, {30, -5}, 1))));
-  EXPECT_FALSE(can_obscure(s, wall({20, 0}, {30, -5}, 1)));
-}
-
-TEST(WillisBoundary, W16HugeCoordinates) {
-  constexpr std::int32_t far = (1 << 18) - 1;
-  const Surface s = wall({-far, -far}, {far, -far});
-  const auto side = static_cast<std::uint64_t>(2 * far) * lattice_unit;
-  EXPECT_EQ(squared_diameter(s.points), side * side);
-  const Surface t = wall({-far, far}, {far, far}, 1);
-  EXPECT_TRUE(clustered(s, t, {}));  // exactly at its length
-  EXPECT_FALSE(within(s.points[0], t.points, t.plane.normal, side * side - 1));
 }
 
 // The same answers with and without the filter, mostly at and next to equality.

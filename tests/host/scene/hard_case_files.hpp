@@ -1,0 +1,32 @@
+// The inputs of the hard cases (host/report/hard_cases/data), for tests of an algorithm's insides: what the
+// report shows of such a case is the name of its test, which reads the same file.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <variant>
+
+#include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/poly_json.hpp"
+
+namespace sightline::scene {
+
+inline std::string hard_case_text(const std::string& file) {
+  std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/report/hard_cases/data/" + file, std::ios::binary);
+  EXPECT_TRUE(stream) << file;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline PolyScene hard_case_scene(const std::string& file) {
+  auto read = read_poly_json(hard_case_text(file), file);
+  if (const auto* const error = std::get_if<SceneError>(&read)) {
+    ADD_FAILURE() << error->message();
+    return {};
+  }
+  return std::get<PolyScene>(std::move(read));
+}
+
+}  // namespace sightline::scene
