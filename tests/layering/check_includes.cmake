@@ -23,7 +23,7 @@ set(RULES
   "host/algorithms/plantinga=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/skala=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/willis=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/registry=host/base,host/algorithms,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
+  "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
   "host/harness="
   "host/guests/run=host/base,host/picture,emulators,tools/image,tools/disasm"
   "host/guests/jones=host/base,host/geometry,host/scene,host/picture,host/algorithms/oracle,emulators,tools/asm,tools/image"

@@ -61,6 +61,8 @@ std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyS
   model_options.plan = options.plan;
   model_options.vertical = options.vertical;
   model_options.rules.rule90 = options.rule90;
+  if (options.oval) model_options.rules.shape = willis::BoundaryShape::oval;
+  model_options.order_cells = options.order_cells;
   auto model = willis::make_model(scene, model_options);
   if (auto* error = std::get_if<scene::SceneError>(&model)) return std::move(*error);
   const auto made = std::make_shared<WillisScene>(std::get<willis::Model>(std::move(model)));

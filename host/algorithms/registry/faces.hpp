@@ -73,6 +73,8 @@ struct FaceOptions {
   bool plan = false;         // walls only, seen from among them
   std::size_t vertical = 1;  // axis, for plan
   bool rule90 = false;       // the paper's rule that normals be within 90 degrees
+  bool oval = false;         // the boundary is the oval, not two circles
+  bool order_cells = true;   // false: distance alone
   // Montani and Re
   double stripe = 1;  // thickness, one of those above; regions have none
 };

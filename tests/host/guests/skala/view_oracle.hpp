@@ -6,7 +6,7 @@
 #include <bitset>
 #include <vector>
 
-#include "host/compare/view_chains.hpp"
+#include "host/algorithms/registry/view_chains.hpp"
 #include "host/guests/skala/stream.hpp"
 #include "tests/host/guests/skala/chain_stream.hpp"
 
@@ -26,7 +26,7 @@ inline core::Raster twin_raster(const scene::HeightGrid& grid, const View& view)
 
 // Chains and depths from the projected points alone.
 inline std::vector<Chain> view_chains(const scene::HeightGrid& grid, const View& view,
-                                      const compare::ViewChains& chains) {
+                                      const registry::ViewChains& chains) {
   if (view.picture == PictureKind::contours) return chains.contours(grid, view.levels);
   if (view.picture == PictureKind::surface) return chains.slices(SegmentRole::shade, SegmentRole::rim);
   if (view.family == Family::both) return chains.cells();
@@ -35,7 +35,7 @@ inline std::vector<Chain> view_chains(const scene::HeightGrid& grid, const View&
 
 inline ColumnPicture oracle_picture(const scene::HeightGrid& grid, const View& view) {
   const Projection projection(grid, view);
-  const compare::ViewChains chains(projection);
+  const registry::ViewChains chains(projection);
   const bool by_cells = view.picture == PictureKind::contours || view.family == Family::both;
   auto picture = algorithms::oracle::column_picture(
       view_chains(grid, view, chains), by_cells ? chains.cell_tolerance() : chains.slice_tolerance());

@@ -14,7 +14,7 @@
 #include "host/guests/skala/contours.hpp"
 #include "host/guests/skala/projection.hpp"
 
-namespace sightline::compare {
+namespace sightline::registry {
 
 class ViewChains {
  public:
@@ -199,4 +199,4 @@ class ViewChains {
   bool slices_along_x_;
 };
 
-}  // namespace sightline::compare
+}  // namespace sightline::registry
