@@ -7,34 +7,30 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-using geometry::Int128;
+using geometry::WideInteger;
 
-// Where in the image the first of two planes is nearer: the sign of a X + b Y + c, exactly. Coefficients 200
-// bits, at a corner of trapezoids 430.
+// Where in the image the first of two planes is nearer: the sign of a X + b Y + c, exactly.
 class NearnessDifference {
  public:
   NearnessDifference(const Image& image, const Face& first, const Face& second) : image_(image) {
-    using Number = Wide<5>;
-    std::array<Number, 3> difference;
+    using Normal = WideInteger<Face::normal_bits>;
+    using Offset = WideInteger<Face::offset_bits>;
     if (image.perspective()) {
       // 1 / z = normal . (X, Y, 1) / offset, offsets positive
       for (std::size_t k = 0; k < 3; ++k) {
-        difference[k] =
-            Number{second.offset} * Number{first.normal[k]} - Number{first.offset} * Number{second.normal[k]};
+        exact_[k] =
+            Offset(second.offset) * Normal(first.normal[k]) - Offset(first.offset) * Normal(second.normal[k]);
       }
     } else {
       // z = (offset - normal . (X, Y)) / normal_z, normal_z positive; nearer is less
-      const Number one{first.normal[2]};
-      const Number other{second.normal[2]};
+      const Normal one(first.normal[2]);
+      const Normal other(second.normal[2]);
       for (std::size_t k = 0; k < 2; ++k) {
-        difference[k] = Number{first.normal[k]} * other - Number{second.normal[k]} * one;
+        exact_[k] = Normal(first.normal[k]) * other - Normal(second.normal[k]) * one;
       }
-      difference[2] = Number{second.offset} * one - Number{first.offset} * other;
+      exact_[2] = Offset(second.offset) * one - Offset(first.offset) * other;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      approximate_[k] = difference[k].to_double();
-      exact_[k] = Corner{difference[k]};
-    }
+    for (std::size_t k = 0; k < 3; ++k) approximate_[k] = exact_[k].to_double();
   }
 
   [[nodiscard]] int sign_at(std::uint32_t line, const Ordinate& y) const {
@@ -50,9 +46,9 @@ class NearnessDifference {
     if (std::abs(value) > error) return value > 0 ? 1 : -1;
     const ImageLine& exact_line = image_.lines()[line];
     const Image::Quotient at = image_.exact(y);
-    const Corner a{exact_line.a};
-    return ((a * exact_[1] - exact_[0] * Corner{exact_line.b}) * Corner{at.numerator} +
-            (a * exact_[2] - exact_[0] * Corner{exact_line.c}) * Corner{at.denominator})
+    const Image::Coefficient a(exact_line.a);
+    return ((a * exact_[1] - exact_[0] * Image::Coefficient(exact_line.b)) * at.numerator +
+            (a * exact_[2] - exact_[0] * Image::Coefficient(exact_line.c)) * at.denominator)
         .sign();
   }
 
@@ -73,11 +69,9 @@ class NearnessDifference {
   }
 
  private:
-  using Corner = Wide<7>;
-
   const Image& image_;
   std::array<double, 3> approximate_{};
-  std::array<Corner, 3> exact_;
+  std::array<WideInteger<Face::normal_bits + Face::offset_bits + 1>, 3> exact_;
 };
 
 struct Sides {

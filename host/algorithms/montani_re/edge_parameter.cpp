@@ -1,41 +1,26 @@
 #include "host/algorithms/montani_re/edge_parameter.hpp"
 
-#include <gmpxx.h>
-
-#include <cassert>
-#include <utility>
-
 namespace sightline::algorithms::montani_re {
 namespace {
 
 using geometry::Int128;
 using geometry::Rational;
+using geometry::WideInteger;
 
-mpz_class big(const Image::Number& n) {
-  const bool negative = n.sign() < 0;
-  const Image::Number magnitude = negative ? Image::Number{} - n : n;
-  mpz_class value = 0;
-  for (std::size_t i = 5; i-- > 0;) {
-    mpz_class limb;
-    const std::uint64_t part = magnitude.limb(i);
-    mpz_import(limb.get_mpz_t(), 1, 1, sizeof part, 0, 0, &part);
-    value = (value << 64) + limb;
-  }
-  return negative ? mpz_class(-value) : value;
-}
-
-// As zero_between. Both numbers are longer than the fraction, which is one of where an edge meets a line of
-// the image. There p and p - q are, but for a common factor, determinants of three vectors of the scene (the
-// edge's end and two points of the other edge, from the eye; or the direction of sight and two differences
-// of points), or what separates an end from the border of a window: less than 2^60 in lowest terms.
-Rational wide_zero_between(const mpz_class& p, const mpz_class& q) {
-  mpz_class numerator = p;
-  mpz_class denominator = p - q;
-  const mpz_class divisor = gcd(numerator, denominator);
-  numerator /= divisor;
-  denominator /= divisor;
-  assert(numerator.fits_slong_p() && denominator.fits_slong_p());
-  return {numerator.get_si(), denominator.get_si()};
+// As zero_between, of numbers longer than the fraction, which is one of where an edge meets a line of the
+// image. There p and p - q are, but for a common factor, determinants of three vectors of the scene (the
+// edge's end and two points of the other edge, from the eye; or the direction of sight and two differences of
+// points), or what separates an end from the border of a window: in lowest terms below 6 * 2^(3 * 19), less
+// than 2^60.
+template <unsigned bits>
+Rational wide_zero_between(const WideInteger<bits>& p, const WideInteger<bits>& q) {
+  const auto denominator = p - q;
+  const auto divisor = geometry::common_divisor(p, denominator);
+  const auto in_lowest_terms = [&](const auto& part) {
+    return static_cast<std::int64_t>(
+        geometry::divide(part, divisor).quotient.template narrow<60>().to_int128());
+  };
+  return {in_lowest_terms(p), in_lowest_terms(denominator)};
 }
 
 Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t other) {
@@ -75,13 +60,10 @@ class Part {
 }  // namespace
 
 Rational zero_between(Int128 p, Int128 q) {
-  Int128 numerator = p;
-  Int128 denominator = p - q;
-  Int128 a = numerator < 0 ? -numerator : numerator;
-  Int128 b = denominator < 0 ? -denominator : denominator;
-  while (b != 0) a = std::exchange(b, a % b);
-  if (a == 0) return {0};
-  return {static_cast<std::int64_t>(numerator / a), static_cast<std::int64_t>(denominator / a)};
+  const Int128 denominator = p - q;
+  const Int128 divisor = geometry::common_divisor(p, denominator);
+  if (divisor == 0) return {0};
+  return {static_cast<std::int64_t>(p / divisor), static_cast<std::int64_t>(denominator / divisor)};
 }
 
 std::optional<geometry::Interval> part_between(const Image& image, std::uint32_t edge, std::uint32_t west,
@@ -118,11 +100,9 @@ Rational parameter_at(const Image& image, std::uint32_t edge, const Ordinate& y)
                         q.y * denominator - numerator * image.weight(line.to));
   }
   const Image::Quotient at = image.exact(y);
-  const mpz_class numerator = big(at.numerator);
-  const mpz_class denominator = big(at.denominator);
+  using Coordinate = WideInteger<vertex_bits>;
   const auto value = [&](const Vertex& v, std::int64_t weight) {
-    return mpz_class(mpz_class(static_cast<long>(v.y)) * denominator -
-                     numerator * mpz_class(static_cast<long>(weight)));
+    return Coordinate(v.y) * at.denominator - at.numerator * Coordinate(weight);
   };
   return wide_zero_between(value(p, image.weight(line.from)), value(q, image.weight(line.to)));
 }

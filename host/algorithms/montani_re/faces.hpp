@@ -39,7 +39,11 @@ struct Face {
   std::vector<std::uint32_t> lines;
   // Of each line, the sign of a X + b Y + c on the whole image; 0 if it has both, or there is a window.
   std::vector<std::int8_t> inner_side;
-  // normal . p = offset, turned so that the near side is negative. Normal 80 bits, a vertex 119.
+  // normal . p = offset, turned so that the near side is negative. A part of the normal is twice an area of
+  // the face, which lies in a square of 2^38: below 2^77. So an offset, or a vertex times the normal, is
+  // below 3 * 2^(77 + 37), less than 2^116.
+  static constexpr unsigned normal_bits = 77;
+  static constexpr unsigned offset_bits = normal_bits + vertex_bits + 2;
   std::array<geometry::Int128, 3> normal{};
   geometry::Int128 offset = 0;
   std::array<ImageNumber, 2> low;  // X, Y

@@ -10,25 +10,6 @@ using geometry::Int128;
 
 constexpr double unit = 0x1p-52;  // twice the rounding error of one operation, to be on the safe side
 
-Int128 magnitude(Int128 n) {
-  return n < 0 ? -n : n;
-}
-
-Int128 common_divisor(Int128 a, Int128 b) {
-  a = magnitude(a);
-  b = magnitude(b);
-  while (b != 0) {
-    if (a <= std::numeric_limits<std::int64_t>::max() && b <= std::numeric_limits<std::int64_t>::max()) {
-      auto p = static_cast<std::uint64_t>(a);
-      auto q = static_cast<std::uint64_t>(b);
-      while (q != 0) p = std::exchange(q, p % q);
-      return static_cast<Int128>(p);
-    }
-    a = std::exchange(b, a % b);
-  }
-  return a;
-}
-
 // p q - r s, with a bound of its error.
 struct Estimate {
   double value = 0;
@@ -63,7 +44,7 @@ std::uint32_t Image::add_line(std::uint32_t from, std::uint32_t to) {
   line.a = Int128{p.y} * weight(to) - Int128{q.y} * weight(from);
   line.b = Int128{q.x} * weight(from) - Int128{p.x} * weight(to);
   line.c = Int128{p.x} * q.y - Int128{q.x} * p.y;
-  Int128 divisor = common_divisor(common_divisor(line.a, line.b), line.c);
+  Int128 divisor = geometry::common_divisor(geometry::common_divisor(line.a, line.b), line.c);
   if (line.a < 0 || (line.a == 0 && line.b < 0)) divisor = -divisor;
   line.a /= divisor;
   line.b /= divisor;
@@ -84,12 +65,15 @@ Ordinate Image::ordinate_of(std::uint32_t vertex) const {
 }
 
 Image::Quotient Image::exact(const Ordinate& y) const {
-  if (y.second == none) return {Number{vertices_[y.first].y}, Number{weight(y.first)}};
+  using Coordinate = geometry::WideInteger<vertex_bits>;
+  if (y.second == none) return {Coordinate(vertices_[y.first].y), Coordinate(weight(y.first))};
   const ImageLine& l = lines_[y.first];
   const ImageLine& m = lines_[y.second];
-  Quotient q{Number{l.c} * Number{m.a} - Number{m.c} * Number{l.a},
-             Number{l.a} * Number{m.b} - Number{m.a} * Number{l.b}};
-  if (q.denominator.sign() < 0) q = {Number{} - q.numerator, Number{} - q.denominator};
+  const Coefficient l_a(l.a);
+  const Coefficient m_a(m.a);
+  Quotient q{Coefficient(l.c) * m_a - Coefficient(m.c) * l_a,
+             l_a * Coefficient(m.b) - m_a * Coefficient(l.b)};
+  if (q.denominator.negative()) q = {-q.numerator, -q.denominator};
   return q;
 }
 
@@ -149,8 +133,10 @@ int Image::order_exactly_at(std::uint32_t line, std::uint32_t other, const Ordin
   const ImageLine& el = lines_[line];
   const ImageLine& em = lines_[other];
   const Quotient at = exact(y);
-  return ((Number{em.b} * Number{el.a} - Number{el.b} * Number{em.a}) * at.numerator +
-          (Number{em.c} * Number{el.a} - Number{el.c} * Number{em.a}) * at.denominator)
+  const Coefficient l_a(el.a);
+  const Coefficient m_a(em.a);
+  return ((Coefficient(em.b) * l_a - Coefficient(el.b) * m_a) * at.numerator +
+          (Coefficient(em.c) * l_a - Coefficient(el.c) * m_a) * at.denominator)
       .sign();
 }
 

@@ -5,8 +5,9 @@
 // A vertex is (x, y, z) in the camera's frame: x to the right, y up, z away. Its image is (x / z, y / z) in
 // perspective, else (x, y). A vertex that is not before the eye (z <= 0 in perspective) has no image, but the
 // lines through it have: window.hpp. Sizes, |x|, |y|, |z| < 2^37: a line's coefficients 75 bits, an ordinate
-// 151 over 151 bits, both questions 303 bits. They are answered in floating point where its error bound
-// allows, or by the point's name where the lines meet in it, else by integers of 320 bits.
+// 151 over 151 bits, both questions 303 bits, as the types of the WideIntegers derive. The questions are
+// answered in floating point where its error bound allows, or by the point's name where the lines meet in it,
+// else exactly.
 #pragma once
 
 #include <array>
@@ -16,12 +17,18 @@
 #include <limits>
 #include <vector>
 
-#include "host/algorithms/montani_re/wide_integer.hpp"
 #include "host/geometry/integer.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::montani_re {
 
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// Of x, y and z. A scene's vertex is less than 2^19 from the eye on every axis and a camera's vectors are
+// below 2^15 (poly_scene.hpp), so that a product of the two is below 3 * 2^34; windows have the bits above
+// for their own.
+inline constexpr unsigned vertex_bits = 37;
+inline constexpr unsigned coefficient_bits = 2 * vertex_bits + 1;  // x y' - x' y
 
 struct Vertex {
   std::int64_t x = 0;
@@ -113,11 +120,13 @@ class Image {
   // The abscissa of a line there, in floating point.
   [[nodiscard]] double abscissa(std::uint32_t line, double y) const;
 
-  using Number = Wide<5>;
-  struct Quotient {
-    Number numerator;
-    Number denominator;  // positive
+  using Coefficient = geometry::WideInteger<coefficient_bits>;
+  template <unsigned numerator_bits, unsigned denominator_bits>
+  struct QuotientOf {
+    geometry::WideInteger<numerator_bits> numerator;
+    geometry::WideInteger<denominator_bits> denominator;  // positive
   };
+  using Quotient = QuotientOf<2 * coefficient_bits + 1, 2 * coefficient_bits + 1>;
   [[nodiscard]] Quotient exact(const Ordinate& y) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-using Number = Image::Number;
+using Coefficient = Image::Coefficient;
 
 // Directions as numbers that grow counterclockwise: east, upwards by slope, west, downwards by slope.
 class Headings {
@@ -40,7 +40,7 @@ class Headings {
   [[nodiscard]] int leaning(std::uint32_t one, std::uint32_t other) const {
     const ImageLine& l = image_.lines()[one];
     const ImageLine& m = image_.lines()[other];
-    return (Number{m.b} * Number{l.a} - Number{l.b} * Number{m.a}).sign();
+    return (Coefficient(m.b) * Coefficient(l.a) - Coefficient(l.b) * Coefficient(m.a)).sign();
   }
 
   const Image& image_;
@@ -151,8 +151,8 @@ std::vector<RegionLoop> boundary_of(const Image& image, const TrapezoidPcs& regi
 ImagePoint exact_point(const Image& image, const RegionCorner& corner) {
   const ImageLine& line = image.lines()[corner.line];
   const Image::Quotient y = image.exact(corner.y);
-  const Number numerator = Number{line.b} * y.numerator + Number{line.c} * y.denominator;
-  return {{Number{} - numerator, Number{line.a} * y.denominator}, y};
+  const auto numerator = Coefficient(line.b) * y.numerator + Coefficient(line.c) * y.denominator;
+  return {{-numerator, Coefficient(line.a) * y.denominator}, y};
 }
 
 std::array<double, 2> approximate_point(const Image& image, const RegionCorner& corner) {

@@ -27,7 +27,7 @@ using RegionLoop = std::vector<RegionCorner>;
 [[nodiscard]] std::vector<RegionLoop> boundary_of(const Image& image, const TrapezoidPcs& region);
 
 struct ImagePoint {
-  Image::Quotient x;  // 227 bits over 226
+  Image::QuotientOf<3 * coefficient_bits + 2, 3 * coefficient_bits + 1> x;
   Image::Quotient y;
 };
 [[nodiscard]] ImagePoint exact_point(const Image& image, const RegionCorner& corner);

@@ -13,20 +13,14 @@
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
+#include "tests/host/geometry/gmp_integer.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {
 
-mpz_class big(Image::Number n) {
-  const bool negative = n.sign() < 0;
-  if (negative) n = Image::Number{} - n;
-  mpz_class value = 0;
-  for (std::size_t i = 5; i-- > 0;) value = (value << 64) + mpz_class(static_cast<unsigned long>(n.limb(i)));
-  return negative ? mpz_class(-value) : value;
-}
-
-mpq_class rational(const Image::Quotient& q) {
-  mpq_class value(big(q.numerator), big(q.denominator));
+template <unsigned top, unsigned bottom>
+mpq_class rational(const Image::QuotientOf<top, bottom>& q) {
+  mpq_class value(geometry::to_gmp(q.numerator), geometry::to_gmp(q.denominator));
   value.canonicalize();
   return value;
 }
