@@ -6,9 +6,10 @@
 // is their cross product (ray), and on which side of a third it lies the sign of a dot product: 6 m m max(m,
 // c). A plane at a vertex of the scene, 2^19 from the eye at most, is below 3 * 2^19 m + c. So:
 //   narrow: everything in 64 bits;  medium: planes in 64, rays and signs in 128;
-//   wide: planes and their values in 128, rays in 256, signs in 384. A sign in doubles is tried first: an
-//         entry is right to four units of the last place, so a sum that exceeds 2^-46 of the magnitudes of
-//         its terms has the right sign. Filters pay only where the exact way is several words long.
+//   wide: planes and their values in 128, rays and signs in WideIntegers. A sign in
+//         doubles is tried first: an entry is right to four units of the last place, so a sum that exceeds
+//         2^-46 of the magnitudes of its terms has the right sign. Filters pay only where the exact way is
+//         several words long.
 #pragma once
 
 #include <array>
@@ -16,9 +17,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "host/algorithms/jones/fixed_integer.hpp"
 #include "host/geometry/integer.hpp"
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::jones {
 
@@ -53,12 +54,18 @@ using MediumArithmetic = DirectArithmetic<geometry::Int128>;
 
 struct WideArithmetic {
   using Number = geometry::Int128;
+  // Of a part of a line, which is at most m or c. A plane of the complex is below v = 2^62 at every point
+  // (visible_edges.cpp), its normal's components k therefore below 2^62 / 2^18, and those of the camera's
+  // forward below 2^15, 2^17 together. So m = 2 k v or 2 k k 2^17 is below 2^107, and c = 2 k v 2^17 below
+  // 2^124.
+  static constexpr unsigned part_bits = 124;
+  using Part = geometry::WideInteger<part_bits>;
   struct Line {
     std::array<Number, 3> part{};
     std::array<double, 3> near{};
   };
   struct Ray {
-    std::array<FixedInteger<4>, 3> part{};
+    std::array<geometry::WideInteger<2 * part_bits + 1>, 3> part{};
     std::array<double, 3> near{};
   };
 
@@ -68,9 +75,8 @@ struct WideArithmetic {
     return line;
   }
   static Ray meet(const Line& u, const Line& v) {
-    using Product = FixedInteger<4>;
     const auto minor = [&](std::size_t i, std::size_t j) {
-      return Product(u.part[i]) * Product(v.part[j]) - Product(u.part[j]) * Product(v.part[i]);
+      return Part(u.part[i]) * Part(v.part[j]) - Part(u.part[j]) * Part(v.part[i]);
     };
     Ray ray{{minor(1, 2), minor(2, 0), minor(0, 1)}, {}};
     for (std::size_t i = 0; i < 3; ++i) ray.near[i] = ray.part[i].to_double();
@@ -89,9 +95,8 @@ struct WideArithmetic {
     }
     constexpr double certain = 0x1p-46;
     if (std::fabs(sum) > certain * magnitude) return sum > 0 ? 1 : -1;
-    using Sum = FixedInteger<6>;
-    return (Sum(line.part[0]) * Sum(ray.part[0]) + Sum(line.part[1]) * Sum(ray.part[1]) +
-            Sum(line.part[2]) * Sum(ray.part[2]))
+    return (Part(line.part[0]) * ray.part[0] + Part(line.part[1]) * ray.part[1] +
+            Part(line.part[2]) * ray.part[2])
         .sign();
   }
 };

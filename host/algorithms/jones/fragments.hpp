@@ -21,12 +21,7 @@ namespace sightline::algorithms::jones {
   return geometry::Rational(fraction.numerator, fraction.denominator);
 }
 [[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<geometry::Int128>& fraction) {
-  geometry::Int128 divisor = fraction.denominator;
-  for (geometry::Int128 rest = fraction.numerator; rest != 0;) {
-    const geometry::Int128 next = divisor % rest;
-    divisor = rest;
-    rest = next;
-  }
+  const geometry::Int128 divisor = geometry::common_divisor(fraction.denominator, fraction.numerator);
   const geometry::Int128 denominator = fraction.denominator / divisor;
   if (denominator > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
   return geometry::Rational(static_cast<std::int64_t>(fraction.numerator / divisor),

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 
-#include "host/algorithms/jones/fixed_integer.hpp"
 #include "host/geometry/integer.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::jones {
 
-// In [0, 1], not in lowest terms. Parts below 2^62 for 64 bits, 2^126 for 128.
+// In [0, 1], not in lowest terms. Parts below 2^63 for 64 bits, 2^127 for 128: a value of a plane at a
+// vertex, below 2^62 or 2^126 (visible_edges.cpp), or the difference of two.
 template <class Number>
 struct Fraction {
   Number numerator = 0;
@@ -20,9 +21,8 @@ struct Fraction {
 }
 
 [[nodiscard]] inline bool less(const Fraction<geometry::Int128>& a, const Fraction<geometry::Int128>& b) {
-  using Product = FixedInteger<4>;
-  return (Product(a.numerator) * Product(b.denominator) - Product(b.numerator) * Product(a.denominator))
-             .sign() < 0;
+  using Part = geometry::WideInteger<127>;
+  return Part(a.numerator) * Part(b.denominator) < Part(b.numerator) * Part(a.denominator);
 }
 
 // A quantity goes linearly from a to b: nowhere positive, and somewhere negative (hides); somewhere negative
