@@ -13,24 +13,6 @@ using geometry::Point3;
 
 constexpr std::int64_t longest = (std::int64_t{1} << 39) - 1;
 
-TEST(ProductSum, CarriesBetweenItsWords) {
-  const geometry::Int128 large = geometry::Int128{1} << 123;
-  ProductSum sum;
-  EXPECT_EQ(sum.sign(), 0);
-  sum.add(large, std::int64_t{1} << 61);
-  sum.add(-1, 1);
-  EXPECT_EQ(sum.sign(), 1);
-  sum.add(-large, std::int64_t{1} << 61);
-  EXPECT_EQ(sum.sign(), -1);
-  sum.add(1, 1);
-  EXPECT_EQ(sum.sign(), 0);
-  sum.add((geometry::Int128{1} << 64) - 1, 1);
-  sum.add(1, 1);  // 2^64 in all: the lower word is 0 again
-  EXPECT_EQ(sum.sign(), 1);
-  sum.add(-(geometry::Int128{1} << 63), 2);
-  EXPECT_EQ(sum.sign(), 0);
-}
-
 struct MeetingTest : testing::Test {
   std::mt19937_64 random{20240611};
 
