@@ -1,7 +1,6 @@
-// See distance.hpp. One set of formulas, for double and for fractions of any length.
+// See distance.hpp. The same formulas twice: the distances themselves in double, and whether they are at most
+// the limit in integers, where what would be divided by is on the other side of the inequality.
 #include "host/algorithms/willis/distance.hpp"
-
-#include <gmpxx.h>
 
 #include <algorithm>
 #include <array>
@@ -9,74 +8,110 @@
 #include <cstddef>
 #include <optional>
 
+#include "host/geometry/wide_integer.hpp"
+
 namespace sightline::algorithms::willis {
 
 namespace {
 
-using Exact = mpq_class;
+using geometry::WideInteger;
+
+// Coordinates are below 2^30, normals below 2^40 (surface.hpp).
+using Difference = WideInteger<31>;
+using NormalPart = WideInteger<40>;
+using Limit = WideInteger<64>;
 
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-template <class Number>
-Number number(std::int64_t n) {
-  return Number(static_cast<long>(n));
+Vector<double> approximate(const Vector3& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
-template <>
-double number<double>(std::int64_t n) {
-  return static_cast<double>(n);
+Vector<double> approximate_difference(const Point& a, const Point& b) {
+  return approximate(between(a, b));
 }
-
-template <class Number>
-Vector<Number> vector(const Vector3& v) {
-  return {number<Number>(v[0]), number<Number>(v[1]), number<Number>(v[2])};
+Vector<Difference> exact_difference(const Point& a, const Point& b) {
+  const Vector3 v = between(a, b);
+  return {Difference(v[0]), Difference(v[1]), Difference(v[2])};
 }
 
-template <class Number>
-Number dot(const Vector<Number>& a, const Vector<Number>& b) {
-  return Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+template <class A, class B>
+auto dot(const Vector<A>& a, const Vector<B>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-template <class Number>
-Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
-  return {Number(a[1] * b[2] - a[2] * b[1]), Number(a[2] * b[0] - a[0] * b[2]),
-          Number(a[0] * b[1] - a[1] * b[0])};
+template <class A, class B>
+auto cross(const Vector<A>& a, const Vector<B>& b) {
+  using Number = decltype(a[1] * b[2] - a[2] * b[1]);
+  return Vector<Number>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // Squared distance of p from the segment a, b. Where rounding takes an end for the foot of the perpendicular
 // or the other way round, the two hardly differ; so with polygons below.
-template <class Number>
-Number to_segment(const Point& p, const Point& a, const Point& b) {
-  const auto along = vector<Number>(between(b, a));
-  const auto away = vector<Number>(between(p, a));
-  const Number foot = dot(away, along);
-  const Number length = dot(along, along);
+double to_segment(const Point& p, const Point& a, const Point& b) {
+  const auto along = approximate_difference(b, a);
+  const auto away = approximate_difference(p, a);
+  const double foot = dot(away, along);
+  const double length = dot(along, along);
   if (foot <= 0) return dot(away, away);
   if (foot >= length) {
-    const auto beyond = vector<Number>(between(p, b));
+    const auto beyond = approximate_difference(p, b);
     return dot(beyond, beyond);
   }
-  return Number(dot(away, away) - foot * foot / length);
+  return dot(away, away) - foot * foot / length;
 }
 
-template <class Number>
-Number to_polygon(const Point& p, const std::vector<Point>& polygon, const Vector3& plane_normal) {
-  if (polygon.size() == 2) return to_segment<Number>(p, polygon[0], polygon[1]);
-  const auto normal = vector<Number>(plane_normal);
+bool segment_within_exactly(const Point& p, const Point& a, const Point& b, const Limit& limit) {
+  const auto along = exact_difference(b, a);
+  const auto away = exact_difference(p, a);
+  const auto foot = dot(away, along);
+  const auto length = dot(along, along);
+  if (foot.sign() <= 0) return dot(away, away) <= limit;
+  if (foot >= length) {
+    const auto beyond = exact_difference(p, b);
+    return dot(beyond, beyond) <= limit;
+  }
+  return dot(away, away) * length - foot * foot <= limit * length;
+}
+
+double to_polygon(const Point& p, const std::vector<Point>& polygon, const Vector3& plane_normal) {
+  if (polygon.size() == 2) return to_segment(p, polygon[0], polygon[1]);
+  const auto normal = approximate(plane_normal);
   bool inside = true;
   for (std::size_t i = 0; inside && i < polygon.size(); ++i) {
     const Point& a = polygon[i];
     const Point& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    inside = dot(cross(normal, vector<Number>(between(b, a))), vector<Number>(between(p, a))) >= 0;
+    inside = dot(cross(normal, approximate_difference(b, a)), approximate_difference(p, a)) >= 0;
   }
   if (inside) {
-    const Number height = dot(normal, vector<Number>(between(p, polygon[0])));
-    return Number(height * height / dot(normal, normal));
+    const double height = dot(normal, approximate_difference(p, polygon[0]));
+    return height * height / dot(normal, normal);
   }
-  Number least = to_segment<Number>(p, polygon.back(), polygon.front());
+  double least = to_segment(p, polygon.back(), polygon.front());
   for (std::size_t i = 1; i < polygon.size(); ++i)
-    least = std::min(least, to_segment<Number>(p, polygon[i - 1], polygon[i]));
+    least = std::min(least, to_segment(p, polygon[i - 1], polygon[i]));
   return least;
+}
+
+bool polygon_within_exactly(const Point& p, const std::vector<Point>& polygon, const Vector3& plane_normal,
+                            const Limit& limit) {
+  if (polygon.size() == 2) return segment_within_exactly(p, polygon[0], polygon[1], limit);
+  const Vector<NormalPart> normal{NormalPart(plane_normal[0]), NormalPart(plane_normal[1]),
+                                  NormalPart(plane_normal[2])};
+  bool inside = true;
+  for (std::size_t i = 0; inside && i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    inside = dot(cross(normal, exact_difference(b, a)), exact_difference(p, a)).sign() >= 0;
+  }
+  if (inside) {
+    const auto height = dot(normal, exact_difference(p, polygon[0]));
+    return height * height <= limit * dot(normal, normal);
+  }
+  bool within = segment_within_exactly(p, polygon.back(), polygon.front(), limit);
+  for (std::size_t i = 1; !within && i < polygon.size(); ++i)
+    within = segment_within_exactly(p, polygon[i - 1], polygon[i], limit);
+  return within;
 }
 
 // What can differ from the truth by rounding, as a part of the squared lengths that went in: the formulas
@@ -102,47 +137,53 @@ std::optional<bool> settled(double distance, double uncertain, std::uint64_t lim
   return std::nullopt;
 }
 
-Exact exact_limit(std::uint64_t limit) {
-  const mpz_class high(static_cast<unsigned long>(limit));
-  return Exact(high);
+Limit exact(std::uint64_t limit) {
+  return Limit(Int128{limit});
 }
 
-// Nothing if the common perpendicular of the lines does not meet both segments; for double, `unsure` is set
-// if the lines are too nearly parallel to say.
-template <class Number>
-std::optional<Number> across(const Point& a, const Point& b, const Point& c, const Point& d, bool& unsure) {
-  const auto e = vector<Number>(between(b, a));
-  const auto f = vector<Number>(between(d, c));
-  const auto w = vector<Number>(between(c, a));
+// Nothing if the common perpendicular of the lines does not meet both segments; `unsure` is set if the lines
+// are too nearly parallel to say.
+std::optional<double> across(const Point& a, const Point& b, const Point& c, const Point& d, bool& unsure) {
+  const auto e = approximate_difference(b, a);
+  const auto f = approximate_difference(d, c);
+  const auto w = approximate_difference(c, a);
   const auto n = cross(e, f);
-  const Number square = dot(n, n);
+  const double square = dot(n, n);
   if (square == 0) return std::nullopt;
-  if constexpr (std::is_same_v<Number, double>) unsure = square < flat_angle * dot(e, e) * dot(f, f);
-  const Number s = dot(cross(w, f), n);
-  const Number t = dot(cross(w, e), n);
+  unsure = square < flat_angle * dot(e, e) * dot(f, f);
+  const double s = dot(cross(w, f), n);
+  const double t = dot(cross(w, e), n);
   if (s < 0 || s > square || t < 0 || t > square) return std::nullopt;
-  const Number height = dot(w, n);
-  return Number(height * height / square);
+  const double height = dot(w, n);
+  return height * height / square;
 }
 
 bool edges_within_exactly(const Point& a, const Point& b, const Point& c, const Point& d,
-                          std::uint64_t limit) {
-  bool unsure = false;
-  const auto distance = across<Exact>(a, b, c, d, unsure);
-  return distance && *distance <= exact_limit(limit);
+                          const Limit& limit) {
+  const auto e = exact_difference(b, a);
+  const auto f = exact_difference(d, c);
+  const auto w = exact_difference(c, a);
+  const auto n = cross(e, f);
+  const auto square = dot(n, n);
+  if (square.sign() == 0) return false;
+  const auto s = dot(cross(w, f), n);
+  const auto t = dot(cross(w, e), n);
+  if (s.negative() || s > square || t.negative() || t > square) return false;
+  const auto height = dot(w, n);
+  return height * height <= limit * square;
 }
 
 // Only along a common perpendicular: what is nearest at an end is found as the distance of a corner.
 bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d, std::uint64_t limit) {
   bool unsure = false;
-  const auto distance = across<double>(a, b, c, d, unsure);
-  if (unsure) return edges_within_exactly(a, b, c, d, limit);
+  const auto distance = across(a, b, c, d, unsure);
+  if (unsure) return edges_within_exactly(a, b, c, d, exact(limit));
   if (!distance) return false;
   const double size = static_cast<double>(squared_distance(a, c)) +
                       static_cast<double>(squared_distance(a, b)) +
                       static_cast<double>(squared_distance(c, d));
   const auto answer = settled(*distance, size * crossing_rounding, limit);
-  return answer ? *answer : edges_within_exactly(a, b, c, d, limit);
+  return answer ? *answer : edges_within_exactly(a, b, c, d, exact(limit));
 }
 
 template <class PointTest, class EdgeTest>
@@ -250,11 +291,11 @@ std::uint64_t squared_diameter(const std::vector<Point>& points) {
 
 bool within_exactly(const Point& p, const std::vector<Point>& polygon, const Vector3& normal,
                     std::uint64_t limit) {
-  return to_polygon<Exact>(p, polygon, normal) <= exact_limit(limit);
+  return polygon_within_exactly(p, polygon, normal, exact(limit));
 }
 
 bool within(const Point& p, const std::vector<Point>& polygon, const Vector3& normal, std::uint64_t limit) {
-  const auto answer = settled(to_polygon<double>(p, polygon, normal), reach(p, polygon) * rounding, limit);
+  const auto answer = settled(to_polygon(p, polygon, normal), reach(p, polygon) * rounding, limit);
   return answer ? *answer : within_exactly(p, polygon, normal, limit);
 }
 
@@ -273,7 +314,7 @@ bool within_exactly(const Surface& s, const Surface& t, std::uint64_t limit) {
         return within_exactly(p, u.points, u.plane.normal, limit);
       },
       [limit](const Point& a, const Point& b, const Point& c, const Point& d) {
-        return edges_within_exactly(a, b, c, d, limit);
+        return edges_within_exactly(a, b, c, d, exact(limit));
       });
 }
 

@@ -1,7 +1,7 @@
 // Whether convex polygons come as near as a given distance, exactly.
 //
 // Distances are first computed in double, with a bound on what rounding can have done; only if the question
-// is closer than that are they computed again as fractions of integers as long as they need to be.
+// is closer than that is it decided again in integers as wide as their sizes need.
 // A polygon of two points is a segment.
 #pragma once
 
