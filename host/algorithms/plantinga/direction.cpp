@@ -5,94 +5,118 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include "host/algorithms/plantinga/wide.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
 
+using geometry::WideInteger;
+
 constexpr double pi = std::numbers::pi;
 
-int sign_of(const mpz_class& n) {
-  return sgn(n);
-}
-
-Int128 magnitude(Int128 n) {
-  return n < 0 ? -n : n;
-}
-
-Int128 common_divisor(Int128 a, Int128 b) {
-  a = magnitude(a);
-  b = magnitude(b);
-  while (b != 0) a = std::exchange(b, a % b);
-  return a;
-}
-
 // Of p + q sqrt(d), d not negative.
-int sign_of(const mpz_class& p, const mpz_class& q, const mpz_class& d) {
-  const int sp = sign_of(p);
-  const int sq = d == 0 ? 0 : sign_of(q);
+template <unsigned p_bits, unsigned q_bits, unsigned d_bits>
+int sign_of(const WideInteger<p_bits>& p, const WideInteger<q_bits>& q, const WideInteger<d_bits>& d) {
+  const int sp = p.sign();
+  const int sq = d.sign() == 0 ? 0 : q.sign();
   if (sp == 0 || sq == 0 || sp == sq) return sp != 0 ? sp : sq;
-  return sp * sign_of(mpz_class(p * p - q * q * d));
+  return sp * (p * p - q * q * d).sign();
 }
 
 // Of p + q sqrt(d) + r sqrt(e), by squaring twice.
-int sign_of(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r,
-            const mpz_class& e) {
+template <unsigned p_bits, unsigned q_bits, unsigned d_bits>
+int sign_of(const WideInteger<p_bits>& p, const WideInteger<q_bits>& q, const WideInteger<d_bits>& d,
+            const WideInteger<q_bits>& r, const WideInteger<d_bits>& e) {
   const int first = sign_of(p, q, d);
-  const int second = e == 0 ? 0 : sign_of(r);
+  const int second = e.sign() == 0 ? 0 : r.sign();
   if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
-  const mpz_class rest = p * p + q * q * d - r * r * e;
-  return first * sign_of(rest, mpz_class(2 * p * q), d);
+  const auto rest = p * p + q * q * d - r * r * e;
+  return first * sign_of(rest, (p * q).template shifted<1>(), d);
 }
 
-// X = x + root sqrt(d), Z = z, all times a positive factor.
+using Coefficient = WideInteger<coefficient_bits>;
+constexpr unsigned discriminant_bits = 2 * coefficient_bits + 3;
+using Discriminant = WideInteger<discriminant_bits>;
+
+// X = x + root sqrt(d), Z = z, all times a positive factor; root is -1, 0 or 1.
 struct Surd {
-  mpz_class x, root, d, z;
+  Coefficient x;
+  int root = 0;
+  Discriminant d;
+  WideInteger<coefficient_bits + 1> z;
 };
 
-mpz_class discriminant(const QuadraticForm& form) {
-  const mpz_class xz = wide(form.xz);
-  return xz * xz - 4 * wide(form.xx) * wide(form.zz);
+template <unsigned bits>
+WideInteger<bits> times(int sign, const WideInteger<bits>& n) {
+  return sign == 0 ? WideInteger<bits>() : sign < 0 ? -n : n;
+}
+
+Discriminant discriminant(const QuadraticForm& form) {
+  const Coefficient xz(form.xz);
+  return xz * xz - (Coefficient(form.xx) * Coefficient(form.zz)).shifted<2>();
 }
 
 Surd surd_of(const Direction& direction) {
   const QuadraticForm& form = direction.form;
-  if (direction.rational) return {wide(form.xx), 0, 0, wide(form.zz)};
-  return {-wide(form.xz) * direction.side, direction.root * direction.side, discriminant(form),
-          2 * wide(form.xx) * direction.side};
+  if (direction.rational) return {Coefficient(form.xx), 0, {}, Coefficient(form.zz)};
+  return {times(-direction.side, Coefficient(form.xz)), direction.root * direction.side, discriminant(form),
+          times(direction.side, Coefficient(form.xx).shifted<1>())};
+}
+
+// n = fraction 2^exponent, the fraction's magnitude in [1/2, 1) and rounded towards 0; both 0 for 0.
+struct Leading {
+  double fraction = 0;
+  int exponent = 0;
+};
+template <unsigned bits>
+Leading leading(const WideInteger<bits>& n) {
+  constexpr unsigned digits = 53;
+  const unsigned length = n.length();
+  const unsigned lost = length > digits ? length - digits : 0;
+  const WideInteger<bits> magnitude = n.negative() ? -n : n;
+  const auto top = static_cast<double>(magnitude.shifted_down(lost).template narrow<digits>().to_int128());
+  const double fraction = std::ldexp(top, -static_cast<int>(length - lost));
+  return {n.negative() ? -fraction : fraction, static_cast<int>(length)};
 }
 
 // atan2 of two long integers, each rounded to a double after a common scaling.
-double angle_of(const mpz_class& x, const mpz_class& z) {
-  std::array<long, 2> exponents{};
-  const double fx = mpz_get_d_2exp(&exponents[0], x.get_mpz_t());
-  const double fz = mpz_get_d_2exp(&exponents[1], z.get_mpz_t());
-  const long largest = x == 0 ? exponents[1] : (z == 0 ? exponents[0] : std::max(exponents[0], exponents[1]));
-  const auto scaled = [largest](double f, long exponent) {
-    return std::ldexp(f, static_cast<int>(std::max(exponent - largest, -1000L)));
+template <unsigned x_bits, unsigned z_bits>
+double angle_of(const WideInteger<x_bits>& x, const WideInteger<z_bits>& z) {
+  const Leading fx = leading(x);
+  const Leading fz = leading(z);
+  const int largest = fx.fraction == 0   ? fz.exponent
+                      : fz.fraction == 0 ? fx.exponent
+                                         : std::max(fx.exponent, fz.exponent);
+  const auto scaled = [largest](const Leading& f) {
+    return std::ldexp(f.fraction, std::max(f.exponent - largest, -1000));
   };
-  return std::atan2(scaled(fx, exponents[0]), scaled(fz, exponents[1]));
+  return std::atan2(scaled(fx), scaled(fz));
 }
 
-// The root with bits to spare: coefficients keep below 2^104, so that X, where it nearly vanishes, is above
-// 2^-105 of the form.
+// The direction times 2^bits: z exactly, x less than 1 off. Of x, sqrt(d 2^(2 bits)) is below 2^(105.5 +
+// bits).
+template <unsigned bits>
+struct Approximation {
+  WideInteger<coefficient_bits + 3 + bits> x;
+  WideInteger<coefficient_bits + 1 + bits> z;
+};
+template <unsigned bits>
+Approximation<bits> approximation(const Direction& direction) {
+  const Surd surd = surd_of(direction);
+  const auto root = geometry::square_root(surd.d.shifted<2 * bits>());
+  return {surd.x.shifted<bits>() + times(surd.root, root), surd.z.shifted<bits>()};
+}
+
+// The root of a form with bits to spare: coefficients keep below 2^104, so that X, where it nearly vanishes,
+// is above 2^-105 of the form.
 constexpr unsigned root_bits = 192;
 
-WideSight approximation(const Direction& direction, unsigned bits) {
-  const Surd surd = surd_of(direction);
-  const mpz_class root = sqrt(mpz_class(surd.d << (2 * bits)));
-  return {(surd.x << bits) + surd.root * root, surd.z << bits};
-}
-
-Direction wide_rational(mpz_class x, mpz_class z) {
-  const mpz_class divisor = gcd(x, z);
-  x /= divisor;
-  z /= divisor;
+Direction wide_rational(Int128 x, Int128 z) {
+  const Int128 divisor = geometry::common_divisor(x, z);
   Direction direction;
-  direction.form = {narrow(x), 0, narrow(z)};
-  direction.angle = angle_of(x, z);
+  direction.form = {x / divisor, 0, z / divisor};
+  direction.angle = angle_of(Coefficient(direction.form.xx), Coefficient(direction.form.zz));
   return direction;
 }
 
@@ -134,12 +158,11 @@ int compare(const Direction& a, const Direction& b) {
   // Nearly the same direction: the turn from a to b tells.
   const Surd s = surd_of(a);
   const Surd t = surd_of(b);
-  return sign_of(mpz_class(s.x * t.z - t.x * s.z), mpz_class(s.root * t.z), s.d, mpz_class(-t.root * s.z),
-                 t.d);
+  return sign_of(s.x * t.z - t.x * s.z, times(s.root, t.z), s.d, times(-t.root, s.z), t.d);
 }
 
 Direction rational_direction(Int128 x, Int128 z) {
-  const Int128 divisor = common_divisor(x, z);
+  const Int128 divisor = geometry::common_divisor(x, z);
   Direction direction;
   direction.form = {x / divisor, 0, z / divisor};
   direction.angle =
@@ -169,7 +192,7 @@ std::vector<Direction> roots_of(const LinearForm& form) {
 std::vector<Direction> roots_of(const QuadraticForm& given) {
   std::vector<Direction> directions;
   QuadraticForm form = given;
-  const Int128 divisor = common_divisor(common_divisor(form.xx, form.xz), form.zz);
+  const Int128 divisor = geometry::common_divisor(geometry::common_divisor(form.xx, form.xz), form.zz);
   if (divisor == 0) return directions;
   const Int128 by = form.xx < 0 ? -divisor : divisor;
   form = {form.xx / by, form.xz / by, form.zz / by};
@@ -179,18 +202,19 @@ std::vector<Direction> roots_of(const QuadraticForm& given) {
     append_with_opposite(directions, rational_direction(form.zz, -form.xz));
     return directions;
   }
-  const mpz_class d = discriminant(form);
-  if (d <= 0) return directions;
-  if (mpz_perfect_square_p(d.get_mpz_t()) != 0) {
-    const mpz_class root = sqrt(d);
+  const Discriminant d = discriminant(form);
+  if (d.sign() <= 0) return directions;
+  const auto root = geometry::square_root(d);
+  if ((root * root - d).sign() == 0) {
+    // Two factors of the form with integers, which divide xx and zz: below 2^104 in lowest terms.
     for (const int sign : {-1, 1}) {
-      append_with_opposite(directions, wide_rational(-wide(form.xz) + sign * root, 2 * wide(form.xx)));
+      append_with_opposite(directions, wide_rational(sign * root.to_int128() - form.xz, 2 * form.xx));
     }
     return directions;
   }
   for (const int sign : {-1, 1}) {
     Direction direction{false, static_cast<std::int8_t>(sign), 1, form, 0};
-    const WideSight near = approximation(direction, root_bits);
+    const auto near = approximation<root_bits>(direction);
     direction.angle = angle_of(near.x, near.z);
     append_with_opposite(directions, direction);
   }
@@ -205,9 +229,9 @@ int sign_at(const Direction& direction, const LinearForm& form) {
   if (value > error) return 1;
   if (value < -error) return -1;
   const Surd s = surd_of(direction);
-  const mpz_class wx(form.x);
-  const mpz_class wz(form.z);
-  return sign_of(mpz_class(wx * s.x + wz * s.z), mpz_class(wx * s.root), s.d);
+  const WideInteger<63> wx(form.x);
+  const WideInteger<63> wz(form.z);
+  return sign_of(wx * s.x + wz * s.z, times(s.root, wx), s.d);
 }
 
 std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
@@ -241,31 +265,38 @@ std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
   return sight;
 }
 
+// The sum of both, brought to about the same length. It lies between them if they are known to enough bits:
+//
+// Let s = (X, Z) and t be the two directions, with |X| < 2^106 and |Z| < 2^105, and E = X_s Z_t - X_t Z_s,
+// which is positive. E = p + q sqrt(d) + r sqrt(e) with integers, |p| < 2^210, |q sqrt(d)| and |r sqrt(e)| <
+// 2^210.5; with its conjugates (other signs of the roots, as many as make a norm: four, two or one in all)
+// the product is an integer, and none of them is 0. Each is below 2^212, so that E > 2^-636.
+//
+// The approximations are 2^bits s and 2^bits t but for less than 1 in X. They have between bits + 1 and bits
+// + 107 bits in X and Z together, so that one of them is shifted by 106 at most. The turn from s to the sum
+// is then 2^bits E times the factor of t, but for 2^105 times the sum of both factors: positive if 2^bits E >
+// 2^105 (2^106 + 1), which holds from 848 bits on. Likewise the turn from the sum to t.
 WideSight wide_sight_between(const Direction& a, const Direction& b) {
-  for (unsigned bits = 256;; bits *= 2) {
-    // Both brought to about the same length; then their sum lies between them.
-    WideSight s = approximation(a, bits);
-    WideSight t = approximation(b, bits);
-    const auto length = [](const WideSight& v) {
-      return mpz_sizeinbase(mpz_class(abs(v.x) + abs(v.z)).get_mpz_t(), 2);
-    };
-    const auto s_length = length(s);
-    const auto t_length = length(t);
-    if (s_length < t_length) {
-      s.x <<= t_length - s_length;
-      s.z <<= t_length - s_length;
-    } else {
-      t.x <<= s_length - t_length;
-      t.z <<= s_length - t_length;
-    }
-    const WideSight sum{s.x + t.x, s.z + t.z};
-    // Strictly between: a turn to the same side from a to the sum and from the sum to b, exactly.
-    const Surd p = surd_of(a);
-    const Surd q = surd_of(b);
-    const int first = sign_of(mpz_class(sum.x * p.z - p.x * sum.z), mpz_class(-p.root * sum.z), p.d);
-    const int second = sign_of(mpz_class(q.x * sum.z - sum.x * q.z), mpz_class(q.root * sum.z), q.d);
-    if (first > 0 && second > 0) return sum;
-  }
+  constexpr unsigned bits = 848;
+  static_assert(wide_sight_bits == bits + 108);
+  WideSight s;
+  WideSight t;
+  const auto length = [](const WideSight& v) {
+    const auto magnitude = [](const auto& n) { return n.negative() ? -n : n; };
+    return (magnitude(v.x) + magnitude(v.z)).length();
+  };
+  const auto take = [](WideSight& v, const Approximation<bits>& near) {
+    v.x = near.x;
+    v.z = near.z;
+  };
+  take(s, approximation<bits>(a));
+  take(t, approximation<bits>(b));
+  const unsigned s_length = length(s);
+  const unsigned t_length = length(t);
+  WideSight& shorter = s_length < t_length ? s : t;
+  const unsigned by = s_length < t_length ? t_length - s_length : s_length - t_length;
+  shorter = {shorter.x.shifted_within(by), shorter.z.shifted_within(by)};
+  return {(s.x + t.x).narrow<wide_sight_bits>(), (s.z + t.z).narrow<wide_sight_bits>()};
 }
 
 }  // namespace sightline::algorithms::plantinga

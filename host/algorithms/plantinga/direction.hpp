@@ -8,7 +8,8 @@
 // number of its root. Order is by angle: doubles first, and where those are too near each other, exactly
 // (Plantinga, Seales and Dyer 1990, section 3; D: the paper does not say how equal events are told).
 //
-// Sizes: linear forms below 2^52, quadratic forms below 2^104: coordinates below 2^23.
+// Sizes: linear forms below 2^52, quadratic forms and the parts of a rational direction below 2^104:
+// coordinates below 2^23.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "host/geometry/integer.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::plantinga {
 
@@ -59,7 +61,9 @@ struct Direction {
   return compare(a, b) < 0;
 }
 
-// (x : z), not both 0.
+inline constexpr unsigned coefficient_bits = 104;  // of quadratic forms and rational directions
+
+// (x : z), not both 0, below 2^104 in lowest terms.
 [[nodiscard]] Direction rational_direction(Int128 x, Int128 z);
 [[nodiscard]] Direction opposite(const Direction& direction);
 
@@ -84,8 +88,15 @@ inline constexpr std::int64_t sight_limit = std::int64_t{1} << 21;  // of |x| an
 // A direction strictly between two others, the second after the first (round by pi if its angle is not
 // greater). Nothing if none was found whose parts keep below sight_limit.
 [[nodiscard]] std::optional<Sight> sight_between(const Direction& a, const Direction& b);
-// The same without a limit (wide.hpp); a and b are different.
-struct WideSight;
+
+// A direction of sight in numbers so long that there is one between any two directions (direction.cpp has the
+// proof). Its parts are below 2^wide_sight_bits together.
+inline constexpr unsigned wide_sight_bits = 956;
+struct WideSight {
+  geometry::WideInteger<wide_sight_bits> x;
+  geometry::WideInteger<wide_sight_bits> z;
+};
+// Strictly between the two; b is ahead of a by more than 0 and less than pi.
 [[nodiscard]] WideSight wide_sight_between(const Direction& a, const Direction& b);
 
 }  // namespace sightline::algorithms::plantinga

@@ -9,7 +9,7 @@ namespace sightline::algorithms::plantinga {
 
 EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
                            const Sight& sight, std::vector<PieceRange>* ranges) {
-  FromScratch<std::int64_t, Int128> scratch(model, sight.x, sight.z);
+  FromScratch<DirectArithmetic> scratch(model, sight.x, sight.z);
   EdgeStructure structure;
   for (const auto& seen : scratch.pieces_of(edge, occluders)) {
     structure.push_back(seen.piece);

@@ -12,7 +12,7 @@
 //
 // From scratch (the paper's "standard hidden-line removal"): every face that may hide some of the edge is
 // held against it; what the faces hide is united; the rest is seen. Exact: 64 and 128 bits for directions
-// below sight_limit, integers of any length beyond.
+// below sight_limit, WideIntegers beyond.
 #pragma once
 
 #include <cstdint>
@@ -67,7 +67,7 @@ struct PieceRange {
                                               const std::vector<Occluder>& occluders, const Direction& a,
                                               const Direction& b);
 
-// The same always in long integers.
+// The same always in long integers; b is ahead of a by less than pi.
 [[nodiscard]] EdgeStructure wide_structure_between(const RotationModel& model, EdgeIndex edge,
                                                    const std::vector<Occluder>& occluders, const Direction& a,
                                                    const Direction& b);

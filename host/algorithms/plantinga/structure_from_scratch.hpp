@@ -5,8 +5,8 @@
 // order, are the ends of what the face covers, whatever its shape and its holes. A corner on the line counts
 // as to its right for the left side of the edge, and as to its left for the right side.
 //
-// Sizes, coordinates below 2^18 and sights below 2^21: u 41 bits, a corner against a line 62 bits, fractions
-// of 62 bits compared in 126.
+// Sizes, coordinates below 2^18: u has 19 bits more than a sight, a corner against a line 40 bits more, an
+// end of what is hidden 41 bits more, and two of those are compared in twice as many.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,35 @@
 
 namespace sightline::algorithms::plantinga {
 
-// Number holds corners against lines, Product a product of two of them.
-template <class Number, class Product>
+// Sights below 2^21 (sight_limit).
+struct DirectArithmetic {
+  using Sight = std::int64_t;
+  using Across = std::int64_t;  // u
+  using Number = std::int64_t;  // an end of what is hidden: 62 bits
+  [[nodiscard]] static Int128 product(Number a, Number b) { return Int128{a} * b; }
+  // A coordinate or a difference of two, a component of a face's normal, a vertex against a face's plane.
+  [[nodiscard]] static std::int64_t length(std::int64_t n) { return n; }
+  [[nodiscard]] static std::int64_t normal(std::int64_t n) { return n; }
+  [[nodiscard]] static std::int64_t depth(std::int64_t n) { return n; }
+};
+
+// Sights below 2^bits.
+template <unsigned bits>
+struct WideArithmetic {
+  using Sight = geometry::WideInteger<bits>;
+  using Across = geometry::WideInteger<bits + 20>;
+  using Number = geometry::WideInteger<bits + 42>;
+  [[nodiscard]] static auto product(const Number& a, const Number& b) { return a * b; }
+  [[nodiscard]] static auto length(std::int64_t n) { return geometry::WideInteger<19>(n); }
+  [[nodiscard]] static auto normal(std::int64_t n) { return geometry::WideInteger<40>(n); }
+  [[nodiscard]] static auto depth(std::int64_t n) { return geometry::WideInteger<61>(n); }
+};
+
+template <class Arithmetic>
 class FromScratch {
+  using Number = typename Arithmetic::Number;
+  using Across = typename Arithmetic::Across;
+
  public:
   struct Fraction {
     Number part;
@@ -33,8 +59,8 @@ class FromScratch {
     Fraction high;
   };
 
-  FromScratch(const RotationModel& model, Number x, Number z)
-      : model_(model), x_(std::move(x)), z_(std::move(z)) {}
+  using Sight = typename Arithmetic::Sight;
+  FromScratch(const RotationModel& model, const Sight& x, const Sight& z) : model_(model), x_(x), z_(z) {}
 
   std::vector<SeenPiece> pieces_of(EdgeIndex edge, const std::vector<Occluder>& occluders) {
     edge_ = edge;
@@ -45,8 +71,8 @@ class FromScratch {
     bu_ = u_of(*b_);
     du_ = bu_ - au_;
     dy_ = (*b_)[1] - (*a_)[1];
-    if ((du_ == 0 && dy_ == 0) || !faces_viewer()) return {};
     level_ = dy_ == 0;
+    if ((geometry::sign(du_) == 0 && level_) || !faces_viewer()) return {};
     left_.clear();
     right_.clear();
     for (const Occluder& occluder : occluders) cast(occluder);
@@ -68,18 +94,18 @@ class FromScratch {
     End end;
   };
 
-  static int sign(const Number& n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); }
+  static auto length(std::int64_t n) { return Arithmetic::length(n); }
   static int compare(const Fraction& a, const Fraction& b) {
-    const Product left = Product(a.part) * b.whole;
-    const Product right = Product(b.part) * a.whole;
+    const auto left = Arithmetic::product(a.part, b.whole);
+    const auto right = Arithmetic::product(b.part, a.whole);
     return left < right ? -1 : (right < left ? 1 : 0);
   }
-  static Fraction start() { return {0, 1}; }
-  static Fraction finish() { return {1, 1}; }
+  static Fraction start() { return {Number(0), Number(1)}; }
+  static Fraction finish() { return {Number(1), Number(1)}; }
 
-  [[nodiscard]] Number u_of(const Vector3& p) const { return z_ * p[0] - x_ * p[2]; }
+  [[nodiscard]] Across u_of(const Vector3& p) const { return z_ * length(p[0]) - x_ * length(p[2]); }
   [[nodiscard]] int facing(const RotatedFace& face) const {
-    return sign(x_ * face.normal[0] + z_ * face.normal[2]);
+    return geometry::sign(x_ * Arithmetic::normal(face.normal[0]) + z_ * Arithmetic::normal(face.normal[2]));
   }
 
   // Not an edge between faces of solids that all look away.
@@ -103,7 +129,7 @@ class FromScratch {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector3& p = model_.vertices()[corners[i].vertex];
       us_[i] = u_of(p);
-      sides_[i] = sign(Number(du_ * (p[1] - (*a_)[1]) - (us_[i] - au_) * dy_));
+      sides_[i] = geometry::sign(du_ * length(p[1] - (*a_)[1]) - (us_[i] - au_) * length(dy_));
       above = above || sides_[i] > 0;
       below = below || sides_[i] < 0;
       on = on || sides_[i] == 0;
@@ -135,12 +161,12 @@ class FromScratch {
   Fraction cut_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
     const Vector3& p = model_.vertices()[corners[i].vertex];
     const Vector3& q = model_.vertices()[corners[j].vertex];
-    const Number u = us_[j] - us_[i];
-    const std::int64_t y = q[1] - p[1];
-    const Number a = u * ((*a_)[1] - p[1]) - (au_ - us_[i]) * y;
-    const Number b = u * ((*b_)[1] - p[1]) - (bu_ - us_[i]) * y;
+    const auto u = us_[j] - us_[i];
+    const auto y = length(q[1] - p[1]);
+    const auto a = u * length((*a_)[1] - p[1]) - (au_ - us_[i]) * y;
+    const auto b = u * length((*b_)[1] - p[1]) - (bu_ - us_[i]) * y;
     const Number whole = a - b;
-    if (whole < 0) return {-a, -whole};
+    if (geometry::sign(whole) < 0) return {-a, -whole};
     return {a, whole};
   }
 
@@ -156,8 +182,10 @@ class FromScratch {
     const End passage = End::of(EndKind::passage, occluder.face);
     Fraction first = start();
     Fraction last = finish();
-    if (occluder.from >= 0) first = {occluder.from, Number(occluder.from) - occluder.to};
-    if (occluder.to >= 0) last = {-Number(occluder.from), Number(occluder.to) - occluder.from};
+    const auto from = Arithmetic::depth(occluder.from);
+    const auto to = Arithmetic::depth(occluder.to);
+    if (occluder.from >= 0) first = {from, from - to};
+    if (occluder.to >= 0) last = {-from, to - from};
     for (std::size_t i = 0; i + 1 < cuts_.size(); i += 2) {
       Hidden part{cuts_[i].at, cuts_[i + 1].at, cuts_[i].end, cuts_[i + 1].end};
       if (compare(part.low, first) < 0) {
@@ -234,15 +262,16 @@ class FromScratch {
   }
 
   const RotationModel& model_;
-  Number x_;
-  Number z_;
+  Sight x_;
+  Sight z_;
   EdgeIndex edge_ = 0;
   const Vector3* a_ = nullptr;
   const Vector3* b_ = nullptr;
-  Number au_{}, bu_{}, du_{};
+  Across au_{}, bu_{};
+  decltype(Across{} - Across{}) du_{};
   std::int64_t dy_ = 0;
   bool level_ = false;
-  std::vector<Number> us_;
+  std::vector<Across> us_;
   std::vector<int> sides_;
   std::vector<Cut> cuts_;
   std::vector<Hidden> left_;

@@ -1,7 +1,6 @@
 // The structure of an edge between two events so near each other that no direction in small integers lies
 // between them.
 #include "host/algorithms/plantinga/structure_from_scratch.hpp"
-#include "host/algorithms/plantinga/wide.hpp"
 
 namespace sightline::algorithms::plantinga {
 
@@ -9,7 +8,7 @@ EdgeStructure wide_structure_between(const RotationModel& model, EdgeIndex edge,
                                      const std::vector<Occluder>& occluders, const Direction& a,
                                      const Direction& b) {
   const WideSight sight = wide_sight_between(a, b);
-  FromScratch<mpz_class, mpz_class> scratch(model, sight.x, sight.z);
+  FromScratch<WideArithmetic<wide_sight_bits>> scratch(model, sight.x, sight.z);
   EdgeStructure structure;
   for (const auto& seen : scratch.pieces_of(edge, occluders)) structure.push_back(seen.piece);
   return structure;
