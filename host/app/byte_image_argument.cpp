@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/app/command.hpp"
+#include "host/base/file.hpp"
 #include "tools/image/intel_hex.hpp"
 
 namespace sightline::app {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::string_view hexadecimal_digits = "0123456789abcdefABCDEF";
 
 // A lone colon may as well be an 8080's LDA.
-bool begins_with_hex_record(const picture::Bytes& bytes) {
+bool begins_with_hex_record(const base::Bytes& bytes) {
   constexpr std::size_t shortest = 11;  // `:`, then length, address, type and checksum of no bytes at all
   return bytes.size() >= shortest && bytes.front() == ':' &&
          std::all_of(bytes.begin() + 1, bytes.begin() + shortest, [](std::uint8_t byte) {
@@ -23,7 +24,7 @@ bool begins_with_hex_record(const picture::Bytes& bytes) {
          });
 }
 
-ByteFormat format_of(const picture::Bytes& bytes, const std::string& path) {
+ByteFormat format_of(const base::Bytes& bytes, const std::string& path) {
   if (const auto named = byte_format_of_name(path)) return *named;
   return begins_with_hex_record(bytes) ? ByteFormat::hex : ByteFormat::bin;
 }
@@ -82,7 +83,7 @@ image::ByteImage load_byte_image(const ByteImageArgument& argument, std::optiona
           ? image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name)
       : kind == ByteFormat::com ? image::read_com(bytes, name)
                                 : image::read_binary(bytes, name, argument.address.value_or(0));
-  if (!read) throw Failure(ExitCode::bad_input, image::to_string(read.error()));
+  if (!read) throw Failure(ExitCode::bad_input, read.error().message(base::MessageStyle::compiler));
   return read.value();
 }
 

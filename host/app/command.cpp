@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <system_error>
+
+#include "host/base/file.hpp"
+#include "host/base/number.hpp"
 
 namespace sightline::app {
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::size_t largest_input = std::size_t{1} << 30;
 
-picture::Bytes read_stdin() {
-  picture::Bytes bytes;
+base::Bytes read_stdin() {
+  base::Bytes bytes;
   std::vector<std::uint8_t> block(65536);
   while (true) {
     const std::size_t n = std::fread(block.data(), 1, block.size(), stdin);
@@ -42,15 +43,15 @@ std::string shown_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
-picture::Bytes read_input(const std::string& path) {
+base::Bytes read_input(const std::string& path) {
   if (path == "-") return read_stdin();
-  auto bytes = picture::read_file(path, largest_input);
+  auto bytes = base::read_file(path, largest_input);
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   return std::move(*bytes);
 }
 
 std::string read_input_text(const std::string& path) {
-  const picture::Bytes bytes = read_input(path);
+  const base::Bytes bytes = read_input(path);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -72,9 +73,9 @@ void print_json(const base::Json& document) {
 
 Output::Output(const std::string& path) {
   if (path == "-") return;
-  auto file = picture::AtomicFile::create(path);
+  auto file = base::AtomicFile::create(path);
   if (!file) throw Failure(ExitCode::io, file.error().message());
-  file_ = std::make_unique<picture::AtomicFile>(std::move(*file));
+  file_ = std::make_unique<base::AtomicFile>(std::move(*file));
 }
 
 void Output::write(std::string_view text) {
@@ -101,20 +102,13 @@ void Output::commit() {
 
 std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
                              std::string_view what) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 8);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || value > most) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
-  }
-  return value;
+  if (const auto value = base::whole_number<std::uint32_t>(text, 8, 0, most)) return *value;
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
 }
 
 std::string why_no_whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc{} && after == end) return {};
+  if (base::unsigned_number(text)) return {};
   return fmt::format("found \"{}\", expected a whole number from 0 to {}", text,
                      std::numeric_limits<std::uint64_t>::max());
 }

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/file.hpp"
 #include "host/base/json.hpp"
-#include "host/picture/file_io.hpp"
 
 namespace CLI {
 class App;
@@ -51,7 +51,7 @@ void complain(std::string_view text);
 void warn(std::string_view text);
 
 // The whole file, or standard input for "-" (named by shown_name). Failure io.
-[[nodiscard]] picture::Bytes read_input(const std::string& path);
+[[nodiscard]] base::Bytes read_input(const std::string& path);
 [[nodiscard]] std::string read_input_text(const std::string& path);
 // "-" as "standard input".
 [[nodiscard]] std::string shown_name(const std::string& path);
@@ -75,7 +75,7 @@ class Output {
   void commit();
 
  private:
-  std::unique_ptr<picture::AtomicFile> file_;
+  std::unique_ptr<base::AtomicFile> file_;
 };
 
 // Octal digits up to `most`; anything else is a Failure usage: "OPTION: found TEXT, expected WHAT".

@@ -20,7 +20,7 @@ ImageArgument image_argument(const std::string& option, const std::string& text)
 image::CoreImage load_image(const ImageArgument& argument) {
   const auto bytes = read_input(argument.path);
   const auto read = image::read_image(bytes, shown_name(argument.path), argument.address);
-  if (!read) throw Failure(ExitCode::bad_input, image::to_string(read.error()));
+  if (!read) throw Failure(ExitCode::bad_input, read.error().message(base::MessageStyle::compiler));
   return read.value();
 }
 

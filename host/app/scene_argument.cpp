@@ -3,18 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
-#include <variant>
 
 #include "host/app/command.hpp"
+#include "host/base/number.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
-#include "host/scene/generate/scene.hpp"
-#include "host/scene/read/poly_file.hpp"
 #include "host/scene/read/cell_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
 #include "host/scene/read/poly_json.hpp"
 
 namespace sightline::app {
@@ -63,32 +61,16 @@ scene::CellScene load_scene(const std::string& name_or_file) {
 
 scene::CellScene load_scene(std::string_view text, const std::string& name_or_file) {
   auto read = scene::read_possible_cell_scene(text, name_or_file);
-  if (const auto* error = std::get_if<scene::SceneError>(&read))
-    throw Failure(ExitCode::bad_input, error->message());
-  return std::get<scene::CellScene>(std::move(read));
+  if (!read) throw Failure(ExitCode::bad_input, read.error().message());
+  return std::move(*read);
 }
 
 geometry::Point point_argument(std::string_view option, std::string_view text) {
-  constexpr std::int32_t too_large = 1 << 15;
-  geometry::Point point{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  bool good = true;
-  for (std::size_t axis = 0; axis < point.size() && good; ++axis) {
-    std::int32_t value = 0;
-    const auto [after, error] = std::from_chars(at, end, value);
-    const bool last = axis + 1 == point.size();
-    good = error == std::errc{} && value > -too_large && value < too_large &&
-           (last ? after == end : after != end && *after == ',');
-    point[axis] = value;
-    at = last ? after : after + 1;
-  }
-  if (!good) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from -32767 to 32767",
-                              option, text));
-  }
-  return point;
+  constexpr std::int32_t most = 32767;
+  if (const auto point = base::whole_numbers<std::int32_t, 3>(text, ',', -most, most)) return *point;
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from -32767 to 32767",
+                            option, text));
 }
 
 }  // namespace sightline::app

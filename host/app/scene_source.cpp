@@ -3,29 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
-#include <system_error>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/app/command.hpp"
-#include "host/app/scene_argument.hpp"
 #include "host/app/commands/scene_poly.hpp"
-#include "host/scene/read/builtin.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/base/number.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
 
 namespace {
-
-template <class Number>
-bool read_number(std::string_view text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
 
 struct GeneratedName {
   std::string family;
@@ -40,10 +32,15 @@ std::optional<GeneratedName> generated_name(std::string_view text) {
     std::string_view rest = text.substr(family.size() + 1);
     GeneratedName name{std::string(family)};
     if (const std::size_t dash = rest.find('-'); dash != std::string_view::npos) {
-      if (!read_number(rest.substr(dash + 1), name.seed)) return std::nullopt;
+      const auto seed = base::unsigned_number(rest.substr(dash + 1));
+      if (!seed) return std::nullopt;
+      name.seed = *seed;
       rest = rest.substr(0, dash);
     }
-    if (read_number(rest, name.size)) return name;
+    if (const auto size = base::whole_number<std::size_t>(rest)) {
+      name.size = *size;
+      return name;
+    }
   }
   return std::nullopt;
 }
@@ -55,9 +52,8 @@ std::optional<scene::PolyScene> generated_scene(const std::string& name) {
   const auto generated = generated_name(name);
   if (!generated || std::filesystem::exists(name, unknown)) return std::nullopt;
   auto scene = scene::generate_scene(generated->family, generated->size, generated->seed);
-  if (const auto* error = std::get_if<scene::SceneError>(&scene))
-    throw Failure(ExitCode::usage, error->message());
-  return std::get<scene::PolyScene>(std::move(scene));
+  if (!scene) throw Failure(ExitCode::usage, scene.error().message());
+  return std::move(*scene);
 }
 
 SceneSource load_scene_source(const std::string& name) {

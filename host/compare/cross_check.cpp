@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <variant>
 
 #include "host/compare/cross_check_compare.hpp"
 #include "host/compare/cross_check_faces.hpp"
@@ -68,8 +67,8 @@ class Drawing {
     if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
-    if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
-    const auto& prepared = std::get<harness::PreparedScene>(made);
+    if (!made) return fail(made.error().message());
+    const auto& prepared = *made;
     for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
       picture.same_by_image = algorithm->same_by_image;
       if (auto reason = algorithm->why_not_seen(scene_.scene, view.camera)) {
@@ -77,10 +76,10 @@ class Drawing {
         return;
       }
       auto seen = prepared.view(view.camera);
-      if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
-        picture.problem = error->message();
+      if (!seen) {
+        picture.problem = seen.error().message();
       } else {
-        picture.lines = std::move(std::get<harness::LineView>(seen).picture);
+        picture.lines = std::move(seen->picture);
       }
     });
   }
@@ -97,17 +96,17 @@ class Drawing {
     harness::FaceOptions options;
     options.plan = scene_.plan;
     auto made = algorithm->prepare(scene_.scene, options);
-    if (const auto* error = std::get_if<scene::SceneError>(&made)) return fail(error->message());
-    const auto& prepared = std::get<harness::PreparedFaces>(made);
+    if (!made) return fail(made.error().message());
+    const auto& prepared = *made;
     if (!prepared.not_solved.empty())
       return fail(
           fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
     for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
       auto seen = prepared.view(view.camera, view.window());
-      if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
-        picture.problem = error->message();
+      if (!seen) {
+        picture.problem = seen.error().message();
       } else {
-        picture.faces = std::move(std::get<harness::FaceView>(seen).faces);
+        picture.faces = std::move(seen->faces);
       }
     });
   }

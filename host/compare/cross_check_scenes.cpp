@@ -36,7 +36,7 @@ void enlarge(PolyScene& scene, std::int32_t times) {
 
 scene::CellScene built_in(std::string_view name) {
   auto loaded = scene::load_cell_scene(std::string(name));
-  return std::get<scene::CellScene>(std::move(loaded));
+  return std::move(*loaded);
 }
 
 // Walls of thickness 10, towards greater coordinates. The wall across x begins behind the one across z.

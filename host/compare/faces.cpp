@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "host/algorithms/oracle/face_raster.hpp"
+#include "host/base/result.hpp"
 #include "host/compare/projection.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
@@ -126,27 +127,25 @@ FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const har
       faces_(nearest_faces(scene, camera, window)),
       edges_(image_of_edges(scene, camera, window)) {}
 
-std::variant<FaceTruth, std::string> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
+base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
-    return fmt::format("{} faces are too many for the oracle of sight lines, which takes {}", faces,
-                       most_faces);
-  const harness::FaceWindow window =
-      harness::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
+    return base::fail(fmt::format("{} faces are too many for the oracle of sight lines, which takes {}",
+                                  faces, most_faces));
+  const harness::FaceWindow window = harness::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
-    return std::string("the image is too small beside the scene's depth for the oracle of sight lines");
+    return base::fail("the image is too small beside the scene's depth for the oracle of sight lines");
   return FaceTruth(scene, camera, window);
 }
 
-std::variant<ComparedFaces, scene::SceneError> FaceTruth::compared(
-    const harness::FaceAlgorithm& algorithm) const {
+base::Result<ComparedFaces> FaceTruth::compared(const harness::FaceAlgorithm& algorithm) const {
   harness::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
   auto prepared = algorithm.prepare(*scene_, options);
-  if (auto* error = std::get_if<scene::SceneError>(&prepared)) return std::move(*error);
-  const auto& faces = std::get<harness::PreparedFaces>(prepared);
+  if (!prepared) return std::move(prepared.error());
+  const auto& faces = *prepared;
   auto view = faces.view(camera_, window_);
-  if (auto* error = std::get_if<scene::SceneError>(&view)) return std::move(*error);
-  PixelGrid& drawn = std::get<harness::FaceView>(view).faces;
+  if (!view) return std::move(view.error());
+  PixelGrid& drawn = view->faces;
   const auto metrics = picture::pixel_metrics(faces_, drawn, edges_);
   return ComparedFaces{std::string(algorithm.name), metrics, faces_, std::move(drawn),
                        faces.not_solved.size()};

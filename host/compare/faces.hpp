@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/registry/faces.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -34,12 +34,11 @@ struct ComparedFaces {
 class FaceTruth {
  public:
   // All of the scene before the eye on 256 by 256 points. An error says why there is no truth of the view.
-  [[nodiscard]] static std::variant<FaceTruth, std::string> of(const scene::PolyScene& scene,
-                                                               const scene::PolyCamera& camera);
+  [[nodiscard]] static base::Result<FaceTruth> of(const scene::PolyScene& scene,
+                                                  const scene::PolyCamera& camera);
 
   // An error says why the algorithm does not apply.
-  [[nodiscard]] std::variant<ComparedFaces, scene::SceneError> compared(
-      const harness::FaceAlgorithm& algorithm) const;
+  [[nodiscard]] base::Result<ComparedFaces> compared(const harness::FaceAlgorithm& algorithm) const;
 
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
 

@@ -10,6 +10,7 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/base/result.hpp"
 #include "host/compare/image_lines.hpp"
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
@@ -20,10 +21,10 @@ namespace sightline::compare {
 namespace {
 
 namespace oracle = algorithms::oracle;
+using base::Error;
 using picture::DrawnPiece;
 using picture::PixelSegment;
 using picture::ReferenceLine;
-using scene::SceneError;
 
 constexpr double least_stretch = 1;  // pixels, in a difference
 
@@ -44,9 +45,9 @@ ComparedPicture compared_by_image(const std::string& name, const std::vector<Ref
 }
 
 // Adds a picture for every algorithm of the table but the oracle's own.
-std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
-                                             const std::optional<ScreenFrame>& frame,
-                                             SceneComparison& comparison) {
+std::optional<base::Error> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
+                                              const std::optional<ScreenFrame>& frame,
+                                              SceneComparison& comparison) {
   const scene::PolyCamera& camera = comparison.camera;
   if (auto error = scene::eye_error(scene, camera)) return error;
   progress("oracle");
@@ -66,10 +67,10 @@ std::optional<SceneError> compare_algorithms(const scene::PolyScene& scene, cons
       continue;
     }
     const auto prepared = algorithm.prepare(scene);
-    if (const auto* error = std::get_if<SceneError>(&prepared)) return *error;
-    const auto view = std::get<harness::PreparedScene>(prepared).view(camera);
-    if (const auto* error = std::get_if<SceneError>(&view)) return *error;
-    const picture::LinePicture& drawn = std::get<harness::LineView>(view).picture;
+    if (!prepared) return prepared.error();
+    const auto view = prepared->view(camera);
+    if (!view) return view.error();
+    const picture::LinePicture& drawn = view->picture;
     const auto pieces = drawn_pieces(drawn, scene, camera, comparison.frame);
     auto row = algorithm.same_by_image ? compared_by_image(name, lines, pieces, scene, camera)
                                        : compared(name, "exact pieces of the scene's edges", lines, pieces);
@@ -86,16 +87,16 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
   const auto truth = FaceTruth::of(scene, comparison.camera);
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
     const std::string name(algorithm.name);
-    if (const auto* reason = std::get_if<std::string>(&truth)) {
-      comparison.not_applicable.emplace_back(name, *reason);
+    if (!truth) {
+      comparison.not_applicable.emplace_back(name, truth.error().message());
       continue;
     }
     progress(name);
-    auto compared = std::get<FaceTruth>(truth).compared(algorithm);
-    if (const auto* error = std::get_if<SceneError>(&compared))
-      comparison.not_applicable.emplace_back(name, error->message());
+    auto compared = truth->compared(algorithm);
+    if (!compared)
+      comparison.not_applicable.emplace_back(name, compared.error().message());
     else
-      comparison.faces.push_back(std::get<ComparedFaces>(std::move(compared)));
+      comparison.faces.push_back(std::move(*compared));
   }
 }
 
@@ -151,16 +152,16 @@ std::vector<PixelSegment> seen_segments(const std::vector<ReferenceLine>& lines)
 }
 
 // The guest's and the twin's pictures, first and second.
-std::optional<SceneError> compare_programs(const scene::CellScene& scene, const CompareOptions& options,
-                                           const CompareProgress& progress, SceneComparison& comparison) {
+std::optional<base::Error> compare_programs(const scene::CellScene& scene, const CompareOptions& options,
+                                            const CompareProgress& progress, SceneComparison& comparison) {
   guests::jones::ProgramOptions of_program;
   of_program.eae = options.eae;
   of_program.tape.view = comparison.camera.eye;
   const auto assembled = guests::jones::assemble_program(scene, of_program);
-  if (const auto* error = std::get_if<SceneError>(&assembled)) return *error;
-  const auto& program = std::get<guests::jones::Program>(assembled);
+  if (!assembled) return assembled.error();
+  const auto& program = *assembled;
   const auto matter = oracle::Matter::of(scene);
-  if (!matter) return SceneError{"", "", "is too large for the oracle"};
+  if (!matter) return base::Error{"", "", "is too large for the oracle"};
 
   progress("cell oracle");
   oracle::Window window;
@@ -178,7 +179,7 @@ std::optional<SceneError> compare_programs(const scene::CellScene& scene, const 
   of_guest.views = 1;
   const guests::jones::GuestRun run = guests::jones::run_guest(program, of_guest);
   if (run.timed_out || run.views.empty())
-    return SceneError{"", "", "the program on the PDP-7 did not complete a view"};
+    return base::Error{"", "", "the program on the PDP-7 did not complete a view"};
   const guests::jones::GuestView& guest = run.views.back();
 
   progress("twin");
@@ -214,9 +215,8 @@ bool SceneComparison::agrees() const {
          (!guest || guest->difference.empty());
 }
 
-std::variant<SceneComparison, SceneError> compare_cell_scene(const scene::CellScene& scene,
-                                                             const CompareOptions& options,
-                                                             const CompareProgress& progress) {
+base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,
+                                                 const CompareProgress& progress) {
   const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
   SceneComparison comparison;
   comparison.scene = scene.name;
@@ -231,9 +231,9 @@ std::variant<SceneComparison, SceneError> compare_cell_scene(const scene::CellSc
   return comparison;
 }
 
-std::variant<SceneComparison, SceneError> compare_poly_scene(const scene::PolyScene& scene,
-                                                             const scene::PolyCamera& camera,
-                                                             const CompareProgress& progress) {
+base::Result<SceneComparison> compare_poly_scene(const scene::PolyScene& scene,
+                                                 const scene::PolyCamera& camera,
+                                                 const CompareProgress& progress) {
   SceneComparison comparison;
   comparison.scene = scene.name;
   comparison.camera = camera;

@@ -11,10 +11,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "emulators/core/time.hpp"
+#include "host/base/result.hpp"
 #include "host/compare/faces.hpp"
 #include "host/compare/lines.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -63,11 +63,11 @@ struct CompareOptions {
 
 // Of a checked scene. Errors: the eye is where the program or the algorithms cannot have it; the scene does
 // not fit into core; the oracle cannot hold it; the guest did not complete a view.
-[[nodiscard]] std::variant<SceneComparison, scene::SceneError> compare_cell_scene(
+[[nodiscard]] base::Result<SceneComparison> compare_cell_scene(
     const scene::CellScene& scene, const CompareOptions& options,
     const CompareProgress& progress = [](std::string_view) {});
 // Of a checked scene, without guest and twin. Error: the eye is inside a solid or on a face.
-[[nodiscard]] std::variant<SceneComparison, scene::SceneError> compare_poly_scene(
+[[nodiscard]] base::Result<SceneComparison> compare_poly_scene(
     const scene::PolyScene& scene, const scene::PolyCamera& camera,
     const CompareProgress& progress = [](std::string_view) {});
 

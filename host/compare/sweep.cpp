@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/base/json.hpp"
+#include "host/base/result.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/picture/line_picture_image.hpp"
 
@@ -83,9 +84,9 @@ Json difference_of(const picture::LinePicture& exact, const picture::LinePicture
   return document;
 }
 
-Json json_of(const std::variant<SweepGuestView, scene::SceneError>& result) {
-  if (const auto* error = std::get_if<scene::SceneError>(&result)) return {{"error", error->message()}};
-  const auto& view = std::get<SweepGuestView>(result);
+Json json_of(const base::Result<SweepGuestView>& result) {
+  if (!result) return {{"error", result.error().message()}};
+  const auto& view = *result;
   return {{"status", view.status},
           {"same_as_twin", view.same_as_twin},
           {"display_words", view.display_words},
@@ -105,8 +106,8 @@ SweepShard sweep_shard(std::uint64_t views, std::uint64_t number, std::uint64_t 
   return {views * (number - 1) / count, views * number / count};
 }
 
-std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, const scene::PolyScene& scene,
-                                                 const scene::CellScene* cells, const SweepOptions& options) {
+base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene& scene,
+                              const scene::CellScene* cells, const SweepOptions& options) {
   Sweep sweep;
   sweep.source_ = source;
   sweep.fingerprint_ = fingerprint_of(scene);
@@ -119,15 +120,13 @@ std::variant<Sweep, scene::SceneError> Sweep::of(const std::string& source, cons
       algorithms.push_back(algorithm);
   for (const harness::LineAlgorithm* algorithm : algorithms) {
     auto prepared = algorithm->prepare(scene);
-    if (const auto* error = std::get_if<scene::SceneError>(&prepared))
-      return scene::SceneError{source, error->place, error->cause};
-    sweep.entries_.push_back({algorithm, std::get<harness::PreparedScene>(std::move(prepared))});
+    if (!prepared) return base::Error{source, prepared.error().place, prepared.error().found};
+    sweep.entries_.push_back({algorithm, std::move(*prepared)});
   }
   if (options.guest && cells != nullptr) {
     auto guest = SweepGuest::of(*cells, options.eae);
     if (!guest)
-      return scene::SceneError{source, "",
-                               "too many grid coordinates for the oracle the guest is held against"};
+      return base::Error{source, "", "too many grid coordinates for the oracle the guest is held against"};
     sweep.guest_ = std::make_shared<const SweepGuest>(std::move(*guest));
   }
   return sweep;
@@ -163,11 +162,11 @@ std::string Sweep::line(std::uint64_t number) const {
     const auto start = std::chrono::steady_clock::now();
     auto seen = entry.prepared.view(camera);
     const auto time = std::chrono::steady_clock::now() - start;
-    if (const auto* error = std::get_if<scene::SceneError>(&seen)) {
-      result["error"] = error->message();
+    if (!seen) {
+      result["error"] = seen.error().message();
       continue;
     }
-    auto& view = std::get<harness::LineView>(seen);
+    auto& view = *seen;
     result["pieces"] = view.picture.pieces.size();
     result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
     if (&entry != &entries_.front()) {

@@ -10,10 +10,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/registry/lines.hpp"
+#include "host/base/result.hpp"
 #include "host/compare/sweep_guest.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -41,10 +41,8 @@ class Sweep {
  public:
   // `source` is what the lines name the scene by. The scene is a checked one with a vertex, and outlives the
   // sweep, as do the cells, which may be null.
-  [[nodiscard]] static std::variant<Sweep, scene::SceneError> of(const std::string& source,
-                                                                 const scene::PolyScene& scene,
-                                                                 const scene::CellScene* cells,
-                                                                 const SweepOptions& options);
+  [[nodiscard]] static base::Result<Sweep> of(const std::string& source, const scene::PolyScene& scene,
+                                              const scene::CellScene* cells, const SweepOptions& options);
 
   // The line of a view, with its line feed. Several threads may ask at once.
   [[nodiscard]] std::string line(std::uint64_t number) const;

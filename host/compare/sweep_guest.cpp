@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -44,13 +45,13 @@ std::optional<SweepGuest> SweepGuest::of(const scene::CellScene& scene, bool eae
   return SweepGuest(scene, eae, std::move(*matter));
 }
 
-std::variant<SweepGuestView, scene::SceneError> SweepGuest::view(const geometry::Point& eye) const {
+base::Result<SweepGuestView> SweepGuest::view(const geometry::Point& eye) const {
   guests::jones::ProgramOptions program_options;
   program_options.eae = eae_;
   program_options.tape.view = eye;
   const auto assembled = guests::jones::assemble_program(*scene_, program_options);
-  if (const auto* error = std::get_if<scene::SceneError>(&assembled)) return *error;
-  const auto& program = std::get<guests::jones::Program>(assembled);
+  if (!assembled) return assembled.error();
+  const auto& program = *assembled;
   guests::jones::GuestOptions options;
   options.eae = eae_;
   options.views = 1;

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/oracle/drawn_error.hpp"
 #include "host/algorithms/oracle/matter.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
@@ -31,7 +31,7 @@ class SweepGuest {
   [[nodiscard]] static std::optional<SweepGuest> of(const scene::CellScene& scene, bool eae);
 
   // An error if the program cannot stand there, or the scene does not fit into core.
-  [[nodiscard]] std::variant<SweepGuestView, scene::SceneError> view(const geometry::Point& eye) const;
+  [[nodiscard]] base::Result<SweepGuestView> view(const geometry::Point& eye) const;
 
  private:
   SweepGuest(const scene::CellScene& scene, bool eae, algorithms::oracle::Matter matter);

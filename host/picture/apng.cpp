@@ -7,6 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
+
 namespace sightline::picture {
 
 namespace {
@@ -29,11 +32,11 @@ std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
   return ~crc;
 }
 
-void put32(Bytes& bytes, std::uint32_t value) {
+void put32(base::Bytes& bytes, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-void put16(Bytes& bytes, std::uint16_t value) {
+void put16(base::Bytes& bytes, std::uint16_t value) {
   bytes.push_back(static_cast<std::uint8_t>(value >> 8));
   bytes.push_back(static_cast<std::uint8_t>(value));
 }
@@ -45,7 +48,7 @@ std::uint32_t get32(std::span<const std::uint8_t> bytes) {
 }
 
 // Length, type, data, code over type and data.
-void put_chunk(Bytes& bytes, std::string_view type, std::span<const std::uint8_t> data) {
+void put_chunk(base::Bytes& bytes, std::string_view type, std::span<const std::uint8_t> data) {
   put32(bytes, static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = bytes.size();
   bytes.insert(bytes.end(), type.begin(), type.end());
@@ -61,7 +64,7 @@ struct Chunk {
 
 // Of a PNG that was just encoded, and is therefore in order.
 template <class Visit>
-void for_chunks(const Bytes& png, Visit&& visit) {
+void for_chunks(const base::Bytes& png, Visit&& visit) {
   std::size_t at = signature_size;
   while (at + 12 <= png.size()) {
     const std::span<const std::uint8_t> rest = std::span(png).subspan(at);
@@ -73,7 +76,7 @@ void for_chunks(const Bytes& png, Visit&& visit) {
   }
 }
 
-void append(Bytes& bytes, std::span<const std::uint8_t> more) {
+void append(base::Bytes& bytes, std::span<const std::uint8_t> more) {
   bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
@@ -82,18 +85,18 @@ void append(Bytes& bytes, std::span<const std::uint8_t> more) {
 ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
     : time_(time), plays_(plays), text_(std::move(text)) {}
 
-Result<Done> ApngWriter::add(const Image& image) {
+base::Result<base::Done> ApngWriter::add(const Image& image) {
   if (frames_ > 0 && (image.width != width_ || image.height != height_ || image.channels != channels_)) {
-    return FileError{"APNG", "frame " + std::to_string(frames_),
-                     std::to_string(image.width) + " by " + std::to_string(image.height),
-                     std::to_string(width_) + " by " + std::to_string(height_) + " as the first one"};
+    return base::Error{"APNG", "frame " + std::to_string(frames_),
+                       std::to_string(image.width) + " by " + std::to_string(image.height),
+                       std::to_string(width_) + " by " + std::to_string(height_) + " as the first one"};
   }
   const auto png = encode_png(image, frames_ == 0 ? text_ : TextEntries());
   if (!png) return png.error();
   width_ = image.width;
   height_ = image.height;
   channels_ = image.channels;
-  Bytes control;
+  base::Bytes control;
   put32(control, sequence_++);
   put32(control, static_cast<std::uint32_t>(width_));
   put32(control, static_cast<std::uint32_t>(height_));
@@ -107,7 +110,7 @@ Result<Done> ApngWriter::add(const Image& image) {
   if (frames_ == 0) append(head_, std::span(*png).first(signature_size));
   for_chunks(*png, [&](const Chunk& chunk) {
     if (chunk.type == "IDAT" && frames_ > 0) {
-      Bytes data;
+      base::Bytes data;
       put32(data, sequence_++);
       append(data, chunk.data);
       put_chunk(body_, "fdAT", data);
@@ -118,13 +121,13 @@ Result<Done> ApngWriter::add(const Image& image) {
     }
   });
   ++frames_;
-  return Done{};
+  return base::Done{};
 }
 
-Result<Bytes> ApngWriter::finish() const {
-  if (frames_ == 0) return FileError{"APNG", "", "no frame", "one or more"};
-  Bytes bytes = head_;
-  Bytes animation;
+base::Result<base::Bytes> ApngWriter::finish() const {
+  if (frames_ == 0) return base::Error{"APNG", "", "no frame", "one or more"};
+  base::Bytes bytes = head_;
+  base::Bytes animation;
   put32(animation, frames_);
   put32(animation, plays_);
   put_chunk(bytes, "acTL", animation);

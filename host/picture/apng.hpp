@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <string>
 
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/image.hpp"
 #include "host/picture/png.hpp"
-#include "host/picture/result.hpp"
 
 namespace sightline::picture {
 
@@ -28,10 +28,10 @@ class ApngWriter {
   explicit ApngWriter(FrameTime time = {}, std::uint32_t plays = 0, TextEntries text = {});
 
   // An error if the picture is none that encode_png takes, or not of the size and channels of the first one.
-  [[nodiscard]] Result<Done> add(const Image& image);
+  [[nodiscard]] base::Result<base::Done> add(const Image& image);
 
   // The file: an error if there is no frame.
-  [[nodiscard]] Result<Bytes> finish() const;
+  [[nodiscard]] base::Result<base::Bytes> finish() const;
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
 
@@ -44,8 +44,8 @@ class ApngWriter {
   int width_ = 0;
   int height_ = 0;
   int channels_ = 0;
-  Bytes head_;  // chunks before acTL
-  Bytes body_;  // chunks after it, without IEND
+  base::Bytes head_;  // chunks before acTL
+  base::Bytes body_;  // chunks after it, without IEND
 };
 
 }  // namespace sightline::picture

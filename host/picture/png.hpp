@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/image.hpp"
-#include "host/picture/result.hpp"
 
 namespace sightline::picture {
 
@@ -26,12 +26,12 @@ struct PngFile {
   TextEntries text;
 };
 
-[[nodiscard]] Result<Bytes> encode_png(const Image& image, const TextEntries& text = {});
-[[nodiscard]] Result<Done> write_png(const std::string& path, const Image& image,
-                                     const TextEntries& text = {});
+[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {});
+[[nodiscard]] base::Result<base::Done> write_png(const std::string& path, const Image& image,
+                                                 const TextEntries& text = {});
 
 // `name` stands for the file in error messages.
-[[nodiscard]] Result<PngFile> decode_png(const Bytes& bytes, const std::string& name);
-[[nodiscard]] Result<PngFile> read_png(const std::string& path);
+[[nodiscard]] base::Result<PngFile> decode_png(const base::Bytes& bytes, const std::string& name);
+[[nodiscard]] base::Result<PngFile> read_png(const std::string& path);
 
 }  // namespace sightline::picture

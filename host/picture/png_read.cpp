@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/png.hpp"
 
 namespace sightline::picture {
@@ -15,17 +17,18 @@ namespace {
 constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 constexpr std::size_t chunk_overhead = 12;  // length, type, check sum
 
-std::uint32_t big_endian(const Bytes& bytes, std::size_t at) {
+std::uint32_t big_endian(const base::Bytes& bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 8 | bytes[at + 3];
 }
 
-FileError at_byte(const std::string& name, std::size_t byte, std::string found, std::string expected) {
+base::Error at_byte(const std::string& name, std::size_t byte, std::string found, std::string expected) {
   return {name, "byte " + std::to_string(byte), std::move(found), std::move(expected)};
 }
 
 // `at` is the first byte of the chunk's data.
-Result<Done> check_header(const Bytes& bytes, std::size_t at, std::uint32_t length, const std::string& name) {
+base::Result<base::Done> check_header(const base::Bytes& bytes, std::size_t at, std::uint32_t length,
+                                      const std::string& name) {
   if (length != 13) return at_byte(name, at, "a header of " + std::to_string(length) + " bytes", "13");
   const std::uint32_t width = big_endian(bytes, at);
   const std::uint32_t height = big_endian(bytes, at + 4);
@@ -42,10 +45,10 @@ Result<Done> check_header(const Bytes& bytes, std::size_t at, std::uint32_t leng
                        (bytes[at + 12] != 0 ? ", interlaced" : ""),
                    "8-bit grey or RGB, not interlaced");
   }
-  return Done{};
+  return base::Done{};
 }
 
-Result<TextEntries> walk_chunks(const Bytes& bytes, const std::string& name) {
+base::Result<TextEntries> walk_chunks(const base::Bytes& bytes, const std::string& name) {
   TextEntries text;
   std::size_t at = signature.size();
   for (bool first = true;; first = false) {
@@ -82,7 +85,7 @@ Result<TextEntries> walk_chunks(const Bytes& bytes, const std::string& name) {
 
 }  // namespace
 
-Result<PngFile> decode_png(const Bytes& bytes, const std::string& name) {
+base::Result<PngFile> decode_png(const base::Bytes& bytes, const std::string& name) {
   if (bytes.size() < signature.size() || !std::equal(signature.begin(), signature.end(), bytes.begin())) {
     return at_byte(name, 0, "no PNG signature", "a PNG file");
   }
@@ -92,7 +95,7 @@ Result<PngFile> decode_png(const Bytes& bytes, const std::string& name) {
   png_image reader{};
   reader.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&reader, bytes.data(), bytes.size()) == 0) {
-    return FileError{name, "", reader.message, ""};
+    return base::Error{name, "", reader.message, ""};
   }
   const bool colour = (reader.format & PNG_FORMAT_FLAG_COLOR) != 0;
   reader.format = colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
@@ -102,12 +105,12 @@ Result<PngFile> decode_png(const Bytes& bytes, const std::string& name) {
   const int read = png_image_finish_read(&reader, &black, file.image.pixels.data(), 0, nullptr);
   const bool complained = PNG_IMAGE_FAILED(reader) || reader.warning_or_error != 0;
   png_image_free(&reader);
-  if (read == 0 || complained) return FileError{name, "", reader.message, ""};
+  if (read == 0 || complained) return base::Error{name, "", reader.message, ""};
   return file;
 }
 
-Result<PngFile> read_png(const std::string& path) {
-  const auto bytes = read_file(path);
+base::Result<PngFile> read_png(const std::string& path) {
+  const auto bytes = base::read_file(path);
   if (!bytes) return bytes.error();
   return decode_png(*bytes, path);
 }

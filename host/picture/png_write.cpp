@@ -6,6 +6,8 @@
 #include <csetjmp>
 #include <new>
 
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/png.hpp"
 
 namespace sightline::picture {
@@ -15,7 +17,7 @@ namespace {
 struct Encoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
-  Bytes bytes;
+  base::Bytes bytes;
   bool out_of_memory = false;
   std::string message;
 
@@ -81,17 +83,17 @@ bool well_formed(const TextEntries& text) {
 
 }  // namespace
 
-Result<Bytes> encode_png(const Image& image, const TextEntries& text) {
+base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text) {
   if (!well_formed(image)) {
-    return FileError{"PNG", "",
-                     std::to_string(image.width) + " by " + std::to_string(image.height) + " pixels of " +
-                         std::to_string(image.channels) + " bytes in " + std::to_string(image.pixels.size()) +
-                         " bytes",
-                     "1 to " + std::to_string(png_size_limit) + " each way, 1 or 3 bytes a pixel"};
+    return base::Error{"PNG", "",
+                       std::to_string(image.width) + " by " + std::to_string(image.height) + " pixels of " +
+                           std::to_string(image.channels) + " bytes in " +
+                           std::to_string(image.pixels.size()) + " bytes",
+                       "1 to " + std::to_string(png_size_limit) + " each way, 1 or 3 bytes a pixel"};
   }
   if (!well_formed(text)) {
-    return FileError{"PNG", "", "a text entry that cannot be written",
-                     "keywords of 1 to 79 printable characters"};
+    return base::Error{"PNG", "", "a text entry that cannot be written",
+                       "keywords of 1 to 79 printable characters"};
   }
   std::vector<png_text> entries(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -105,19 +107,19 @@ Result<Bytes> encode_png(const Image& image, const TextEntries& text) {
   if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
   if (encoder.info == nullptr ||
       !run_encoder(encoder, image, entries.data(), static_cast<int>(entries.size()))) {
-    return FileError{"PNG", "", encoder.message.empty() ? "out of memory" : encoder.message, ""};
+    return base::Error{"PNG", "", encoder.message.empty() ? "out of memory" : encoder.message, ""};
   }
   return std::move(encoder.bytes);
 }
 
-Result<Done> write_png(const std::string& path, const Image& image, const TextEntries& text) {
+base::Result<base::Done> write_png(const std::string& path, const Image& image, const TextEntries& text) {
   const auto bytes = encode_png(image, text);
   if (!bytes) {
-    FileError error = bytes.error();
+    base::Error error = bytes.error();
     error.file = path;
     return error;
   }
-  return write_file_atomically(path, *bytes);
+  return base::write_file_atomically(path, *bytes);
 }
 
 }  // namespace sightline::picture

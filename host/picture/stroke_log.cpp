@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
 
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/stroke_sinks.hpp"
 
 namespace sightline::picture {
@@ -39,12 +40,8 @@ std::string quoted(std::string_view text) {
 }
 
 std::optional<std::int64_t> number(std::string_view digits, const Field& field) {
-  std::int64_t value = 0;
-  if (digits.empty() || digits.front() == '-') return std::nullopt;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, field.base);
-  if (error != std::errc() || end != digits.data() + digits.size() || value > field.greatest)
-    return std::nullopt;
-  return value;
+  if (digits.starts_with('-')) return std::nullopt;  // of "-0"
+  return base::whole_number<std::int64_t>(digits, field.base, 0, field.greatest);
 }
 
 // Reads the fields of one line from left to right and keeps the first fault.
@@ -69,16 +66,16 @@ class LineReader {
   void end() {
     if (!fault_ && !at_end_) fail(quoted(rest_) + " after the address", "the end of the line");
   }
-  [[nodiscard]] const std::optional<FileError>& fault() const { return fault_; }
+  [[nodiscard]] const std::optional<base::Error>& fault() const { return fault_; }
 
  private:
   void fail(std::string found, std::string expected) {
-    fault_ = FileError{"", "", std::move(found), std::move(expected)};
+    fault_ = base::Error{"", "", std::move(found), std::move(expected)};
   }
 
   std::string_view rest_;
   bool at_end_ = false;
-  std::optional<FileError> fault_;
+  std::optional<base::Error> fault_;
 };
 
 }  // namespace
@@ -88,13 +85,13 @@ void append_stroke_line(std::string& text, const core::Stroke& stroke) {
                  stroke.x, stroke.y, stroke.intensity, stroke.address);
 }
 
-Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const std::string& name) {
+base::Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const std::string& name) {
   std::vector<core::Stroke> strokes;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::string place = fmt::format("line {}", line_number);
     const std::size_t end = text.find('\n');
     // The last number of a cut-off file may be cut off too, and would be silently wrong.
-    if (end == std::string_view::npos) return FileError{name, place, "no end of line", "a complete file"};
+    if (end == std::string_view::npos) return base::Error{name, place, "no end of line", "a complete file"};
     LineReader line(text.substr(0, end));
     core::Stroke stroke;
     stroke.time = core::at_nanoseconds(line.next(time_field));
@@ -103,7 +100,7 @@ Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const 
     stroke.intensity = static_cast<std::uint8_t>(line.next(intensity_field));
     stroke.address = static_cast<std::uint16_t>(line.next(address_field));
     line.end();
-    if (line.fault()) return FileError{name, place, line.fault()->found, line.fault()->expected};
+    if (line.fault()) return base::Error{name, place, line.fault()->found, line.fault()->expected};
     strokes.push_back(stroke);
     text.remove_prefix(end + 1);
   }

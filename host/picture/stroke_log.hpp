@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
-#include "host/picture/file_io.hpp"
-#include "host/picture/result.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::picture {
 
@@ -23,7 +23,7 @@ class StrokeLogWriter {
  public:
   static constexpr bool consumes = true;
 
-  explicit StrokeLogWriter(AtomicFile file) : file_(std::move(file)) {}
+  explicit StrokeLogWriter(base::AtomicFile file) : file_(std::move(file)) {}
 
   void begin_pass(core::Instant) {}
   void stroke(const core::Stroke& stroke) {
@@ -31,7 +31,7 @@ class StrokeLogWriter {
     if (buffer_.size() >= block_size) flush();
   }
   void end_pass(core::Instant) {}
-  [[nodiscard]] Result<Done> commit() {
+  [[nodiscard]] base::Result<base::Done> commit() {
     flush();
     return file_.commit();
   }
@@ -43,13 +43,13 @@ class StrokeLogWriter {
     buffer_.clear();
   }
 
-  AtomicFile file_;
+  base::AtomicFile file_;
   std::string buffer_;
 };
 
 // `name` stands for the file in error messages. Every line must be exactly as written above; values must fit
 // the display (x and y 0..1023, intensity 0..7, address up to 77777 octal).
-[[nodiscard]] Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text,
-                                                                 const std::string& name);
+[[nodiscard]] base::Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text,
+                                                                       const std::string& name);
 
 }  // namespace sightline::picture

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "emulators/devices/ef9365_timing.hpp"
+#include "host/base/file.hpp"
 #include "host/guests/skala/stream.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
@@ -45,7 +46,7 @@ std::optional<ReportError> check(const JonesOrder& order, const JonesRun& run,
   return std::nullopt;
 }
 
-Outcome<picture::Bytes> png_of(const picture::Image& image) {
+Outcome<base::Bytes> png_of(const picture::Image& image) {
   auto bytes = picture::encode_png(image, {{"Software", "sightline"}});
   if (!bytes) return ReportError{ErrorKind::file, bytes.error().message()};
   return std::move(*bytes);
@@ -93,19 +94,15 @@ core::TStates dot_time() {
 
 Outcome<JonesRun> run_jones(const JonesOrder& order) {
   auto scene = scene::load_cell_scene(order.scene);
-  if (const auto* const error = std::get_if<scene::SceneError>(&scene))
-    return ReportError{ErrorKind::bad_input, error->message()};
+  if (!scene) return ReportError{ErrorKind::bad_input, scene.error().message()};
   guests::jones::ProgramOptions program_options;
   program_options.eae = order.eae;
-  auto program = guests::jones::assemble_program(std::get<scene::CellScene>(scene), program_options);
-  if (auto* const error = std::get_if<scene::SceneError>(&program)) {
-    error->source = order.scene;
-    return ReportError{ErrorKind::bad_input, error->message()};
+  auto program = guests::jones::assemble_program(*scene, program_options);
+  if (!program) {
+    program.error().file = order.scene;
+    return ReportError{ErrorKind::bad_input, program.error().message()};
   }
-  JonesRun run{std::get<scene::CellScene>(std::move(scene)),
-               std::get<guests::jones::Program>(std::move(program)),
-               {},
-               {}};
+  JonesRun run{std::move(*scene), std::move(*program), {}, {}};
   guests::jones::GuestOptions options;
   options.eae = order.eae;
   options.stereo = order.stereo;
@@ -125,8 +122,8 @@ Outcome<std::vector<std::pair<JonesOrder, JonesRun>>> run_all_jones(const Contex
     for (const bool eae : {true, false}) {
       JonesOrder order{std::string(name), eae, false, photographs && eae};
       auto run = run_jones(order);
-      if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
-      runs.emplace_back(std::move(order), std::get<JonesRun>(std::move(run)));
+      if (!run) return std::move(run.error());
+      runs.emplace_back(std::move(order), std::move(*run));
     }
   }
   return runs;
@@ -136,11 +133,11 @@ double seconds(core::Duration time) {
   return core::in_seconds(time);
 }
 
-Outcome<picture::Bytes> crisp_png(const JonesRun& run) {
+Outcome<base::Bytes> crisp_png(const JonesRun& run) {
   return png_of(picture::crisp_raster(run.guest.pass));
 }
 
-Outcome<picture::Bytes> phosphor_png(const JonesRun& run) {
+Outcome<base::Bytes> phosphor_png(const JonesRun& run) {
   const core::Instant close = run.guest.shutter_close;
   picture::PhosphorPhotograph photograph(close - shutter_time, close);
   photograph.expose(run.guest.photograph);
@@ -184,8 +181,8 @@ Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Contex
       if (picture == guests::skala::PictureKind::contours) order.size = {33, 33};
       order.compare_plain = compare_plain && picture == guests::skala::PictureKind::lines;
       auto run = run_skala(program, order);
-      if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
-      runs.emplace_back(std::move(order), std::get<SkalaRun>(std::move(run)));
+      if (!run) return std::move(run.error());
+      runs.emplace_back(std::move(order), std::move(*run));
     }
   }
   return runs;
@@ -204,9 +201,9 @@ double seconds(core::TStates time) {
   return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
 }
 
-Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order) {
-  const auto palette = order.picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey
-                                                                            : picture::RasterPalette::colour;
+Outcome<base::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order) {
+  const auto palette =
+      order.picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
   return png_of(picture::raster_image(run.guest.raster, palette, 1));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
+#include "host/base/file.hpp"
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -50,9 +51,9 @@ struct JonesRun {
 [[nodiscard]] double seconds(core::Duration time);
 
 // Lines of the display's last complete pass, 1024 x 1024, as PNG.
-[[nodiscard]] Outcome<picture::Bytes> crisp_png(const JonesRun& run);
+[[nodiscard]] Outcome<base::Bytes> crisp_png(const JonesRun& run);
 // The screen photographed, 0.2 s; the order asked for a photograph.
-[[nodiscard]] Outcome<picture::Bytes> phosphor_png(const JonesRun& run);
+[[nodiscard]] Outcome<base::Bytes> phosphor_png(const JonesRun& run);
 
 inline constexpr core::Duration shutter_time = core::milliseconds(200);
 
@@ -85,6 +86,6 @@ struct SkalaRun {
 
 [[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);  // "lines", "surface", "contours"
 
-[[nodiscard]] Outcome<picture::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order);
+[[nodiscard]] Outcome<base::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order);
 
 }  // namespace sightline::harness::report

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/file.hpp"
 #include "host/report/html_style.hpp"
 #include "host/report/table_text.hpp"
 
@@ -158,7 +159,7 @@ class Page {
 
   void add(const Listing& listing) {
     const std::string file = html_escaped(listing.file);
-    const picture::Bytes bytes(listing.text.begin(), listing.text.end());
+    const base::Bytes bytes(listing.text.begin(), listing.text.end());
     html_ += fmt::format(
         "<details id=\"{0}\"><summary>{1}</summary>\n<p class=\"files\"><a download=\"{1}\" "
         "href=\"{2}\">save "
@@ -199,7 +200,7 @@ std::string html_escaped(std::string_view text) {
   return escaped;
 }
 
-std::string data_uri(std::string_view media_type, const picture::Bytes& bytes) {
+std::string data_uri(std::string_view media_type, const base::Bytes& bytes) {
   // RFC 4648, section 4.
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string uri = fmt::format("data:{};base64,", media_type);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "host/base/file.hpp"
 #include "host/report/report.hpp"
 
 namespace sightline::harness::report {
@@ -17,6 +18,6 @@ namespace sightline::harness::report {
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
 // "data:TYPE;base64,...".
-[[nodiscard]] std::string data_uri(std::string_view media_type, const picture::Bytes& bytes);
+[[nodiscard]] std::string data_uri(std::string_view media_type, const base::Bytes& bytes);
 
 }  // namespace sightline::harness::report

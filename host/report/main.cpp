@@ -50,9 +50,8 @@ ExitCode exit_code_of(report::ErrorKind kind) {
 
 template <class Value>
 Value value_or_fail(report::Outcome<Value> outcome) {
-  if (const auto* const error = std::get_if<report::ReportError>(&outcome))
-    throw Failure(exit_code_of(error->kind), error->message);
-  return std::get<Value>(std::move(outcome));
+  if (!outcome) throw Failure(exit_code_of(outcome.error().kind), outcome.error().message);
+  return std::move(*outcome);
 }
 
 std::vector<report::Part> chosen_parts(const std::vector<int>& numbers) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
@@ -45,7 +44,7 @@ native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera
 // Relations and list, then the raster.
 native::StripeRaster stripes_of(const scene::PolyScene& scene, MontaniReSize* measured) {
   const auto faces = native::faces_of(scene, scene.camera);
-  const auto& set = std::get<native::FaceSet>(faces);
+  const auto& set = *faces;
   const native::ListedFaces listed = native::listed_faces(set);
   auto picture =
       native::raster_by_difference(set.image, listed.list, listed.faces, frame_of(set, scene.camera), 16);
@@ -67,7 +66,7 @@ MontaniReGrowth montani_re_growth(std::string_view family, std::span<const std::
   MontaniReGrowth growth{family, {}};
   for (const std::size_t size : sizes) {
     progress(fmt::format("views of {} {}", family, size));
-    const auto scene = std::get<scene::PolyScene>(scene::generate_scene(family, size));
+    const auto scene = *scene::generate_scene(family, size);
     MontaniReSize& measured = growth.sizes.emplace_back();
     measured.size = size;
     (void)stripes_of(scene, &measured);

@@ -61,8 +61,8 @@ Outcome<std::vector<Section>> make_sections(std::span<const Part> wanted, const 
   for (const Part& part : wanted) {
     context.progress(part.title);
     auto made = part.make(context);
-    if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
-    sections.push_back(std::get<Section>(std::move(made)));
+    if (!made) return std::move(made.error());
+    sections.push_back(std::move(*made));
     if (!context.host_times) drop_host_times(sections.back());
   }
   return sections;

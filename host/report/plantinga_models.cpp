@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/algorithms/plantinga/event_file.hpp"
+#include "host/base/file.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/read/poly_file.hpp"
 
@@ -34,9 +35,8 @@ Outcome<std::pair<native::EventList, double>> study(const Context& context, std:
   const auto begun = std::chrono::steady_clock::now();
   auto built = native::build_event_list(model, options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-  if (const auto* const stopped = std::get_if<native::BuildStopped>(&built))
-    return ReportError{ErrorKind::differs, fmt::format("{}: {}", name, stopped->message)};
-  return std::pair{std::get<native::EventList>(std::move(built)), taken.count()};
+  if (!built) return ReportError{ErrorKind::differs, fmt::format("{}: {}", name, built.error().message())};
+  return std::pair{std::move(*built), taken.count()};
 }
 
 struct CacheFiles {
@@ -52,7 +52,7 @@ std::optional<CacheFiles> files_of(const Context& context, std::string_view name
 
 // A line: with one core, with all.
 std::optional<StudyTimes> read_times(const std::string& path) {
-  const auto bytes = picture::read_file(path, 200);
+  const auto bytes = base::read_file(path, 200);
   if (!bytes) return std::nullopt;
   StudyTimes times;
   const std::string text(bytes->begin(), bytes->end());
@@ -80,7 +80,7 @@ void write_cache(const CacheFiles& files, const StudiedModel& studied) {
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(files.events).parent_path(), ignored);
   if (!native::write_events(files.events, studied.list) || !studied.times) return;
-  static_cast<void>(picture::write_file_atomically(
+  static_cast<void>(base::write_file_atomically(
       files.times, std::string_view(fmt::format("{:.6f} {:.6f}\n", studied.times->one_core_s,
                                                 studied.times->all_cores_s))));
 }
@@ -98,9 +98,8 @@ Outcome<scene::PolyScene> plantinga_scene(std::string_view name) {
   for (const auto& [known, text] : plantinga_model_files()) {
     if (known != file) continue;
     auto read = scene::read_poly(text, file, scene::PolyFormat::off);
-    if (const auto* const error = std::get_if<scene::SceneError>(&read))
-      return ReportError{ErrorKind::bad_input, error->message()};
-    auto scene = std::move(std::get<scene::PolyImport>(read).scene);
+    if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
+    auto scene = std::move(read->scene);
     if (const auto errors = scene::check_poly_scene(scene); !errors.empty())
       return ReportError{ErrorKind::bad_input, errors.front().message()};
     return scene;
@@ -110,19 +109,18 @@ Outcome<scene::PolyScene> plantinga_scene(std::string_view name) {
 
 Outcome<StudiedModel> study_model(const Context& context, std::string_view name) {
   auto scene = plantinga_scene(name);
-  if (auto* const error = std::get_if<ReportError>(&scene)) return std::move(*error);
-  StudiedModel studied{
-      std::string(name), native::RotationModel(std::get<scene::PolyScene>(scene)), {}, {}, false};
+  if (!scene) return std::move(scene.error());
+  StudiedModel studied{std::string(name), native::RotationModel(*scene), {}, {}, false};
   const auto files = files_of(context, name);
   if (files && read_cache(context, *files, studied)) return studied;
   auto all = study(context, name, studied.model, 0);
-  if (auto* const error = std::get_if<ReportError>(&all)) return std::move(*error);
-  auto& [list, all_cores] = std::get<0>(all);
+  if (!all) return std::move(all.error());
+  auto& [list, all_cores] = *all;
   studied.list = std::move(list);
   if (context.host_times) {
     auto one = study(context, name, studied.model, 1);
-    if (auto* const error = std::get_if<ReportError>(&one)) return std::move(*error);
-    studied.times = StudyTimes{std::get<0>(one).second, all_cores};
+    if (!one) return std::move(one.error());
+    studied.times = StudyTimes{one->second, all_cores};
   }
   if (files) write_cache(*files, studied);
   return studied;

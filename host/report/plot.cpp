@@ -15,6 +15,8 @@
 #include <limits>
 #include <system_error>
 
+#include "host/base/file.hpp"
+
 namespace sightline::harness::report {
 
 namespace {
@@ -148,7 +150,7 @@ ReportError not_run(int code) {
 }
 
 std::string text_of(const files::path& path) {
-  const auto bytes = picture::read_file(path.string());
+  const auto bytes = base::read_file(path.string());
   if (!bytes) return {};
   std::string text(bytes->begin(), bytes->end());
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -220,12 +222,12 @@ Outcome<Figure> draw_plot(const Plot& plot) {
   const files::path script = folder.path / "plot.gnuplot";
   const files::path drawing = folder.path / "plot.svg";
   const files::path said = folder.path / "said.txt";
-  const auto written = picture::write_file_atomically(
+  const auto written = base::write_file_atomically(
       script.string(), fmt::format("set output {}\n", in_quotes(drawing.string())) + gnuplot_script(plot));
   if (!written) return ReportError{ErrorKind::file, written.error().message()};
   const int status = run_gnuplot(script.string(), said.string());
   if (status < 0) return not_run(errno);
-  auto bytes = picture::read_file(drawing.string());
+  auto bytes = base::read_file(drawing.string());
   if (status != 0 || !bytes || bytes->empty())
     return ReportError{ErrorKind::file, fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said))};
   return Figure{plot.id,         plot.title,        plot.caption,   plot.alternative,

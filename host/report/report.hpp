@@ -14,7 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::harness::report {
 
@@ -61,7 +62,7 @@ struct Figure {
   std::string caption;
   std::string alternative;  // what is to be seen, for those who cannot
   std::string media_type;   // "image/png", "image/svg+xml"
-  picture::Bytes bytes;
+  base::Bytes bytes;
   bool host_time = false;  // made of times of this computer: left out where equal bytes are asked for
   bool pixelated = false;  // enlarged without smoothing
 };
@@ -117,7 +118,7 @@ struct ReportError {
 };
 
 template <class Value>
-using Outcome = std::variant<Value, ReportError>;
+using Outcome = base::Result<Value, ReportError>;
 
 // What a part is told.
 struct Context {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/willis/model.hpp"
@@ -22,7 +21,7 @@ struct WillisScene {
   [[nodiscard]] algorithms::willis::Model model(algorithms::willis::ModelOptions options = {}) const {
     options.plan = plan;
     // Generated scenes have no face that cannot be taken (too many corners, no wall).
-    return std::get<0>(algorithms::willis::make_model(scene, options));
+    return *algorithms::willis::make_model(scene, options);
   }
 };
 
@@ -33,7 +32,8 @@ inline constexpr std::int32_t wide_gap = 160;
   return {"prisms-12, gaps of 160", scene::generate_prisms(few_prisms, 3, wide_gap), false};
 }
 
-// The town on which splitting was first measured, 35 turned houses, in plan, and another one; scenes in space.
+// The town on which splitting was first measured, 35 turned houses, in plan, and another one; scenes in
+// space.
 [[nodiscard]] inline std::vector<WillisScene> willis_order_scenes() {
   return {{"prisms-35", scene::generate_prisms(35), true},
           {"prisms-35, seed 2", scene::generate_prisms(35, 2), true},

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "host/report/html_page.hpp"
 #include "host/report/table_text.hpp"
 
@@ -112,7 +114,7 @@ class Checker {
 class FileSet {
  public:
   std::optional<ReportError> add(const files::path& path, std::string_view text) {
-    auto file = picture::AtomicFile::create(path.string());
+    auto file = base::AtomicFile::create(path.string());
     if (!file) return file_error(file.error().message());
     file->write(text);
     paths_.push_back(path.string());
@@ -129,7 +131,7 @@ class FileSet {
 
  private:
   std::vector<std::string> paths_;
-  std::vector<picture::AtomicFile> files_;
+  std::vector<base::AtomicFile> files_;
 };
 
 std::vector<const Table*> tables_of(const Report& report) {
@@ -150,16 +152,16 @@ std::optional<ReportError> make_directories(const std::string& directory, MadeDi
 
 }  // namespace
 
-Outcome<picture::Done> prepare_directory(const std::string& directory) {
+Outcome<base::Done> prepare_directory(const std::string& directory) {
   MadeDirectories made;
   if (const auto error = make_directories(directory, made)) return *error;
   for (const files::path& path :
        {files::path(directory) / page_name, files::path(directory) / tables_name / "try"}) {
-    const auto file = picture::AtomicFile::create(path.string());
+    const auto file = base::AtomicFile::create(path.string());
     if (!file) return file_error(file.error().message());
   }
   made.keep();
-  return picture::Done{};
+  return base::Done{};
 }
 
 Outcome<std::vector<std::string>> write_report(const Report& report, const std::string& directory) {
@@ -175,7 +177,7 @@ Outcome<std::vector<std::string>> write_report(const Report& report, const std::
   }
   if (const auto error = set.add(base / page_name, html_page(report))) return *error;
   auto paths = set.commit();
-  if (std::holds_alternative<std::vector<std::string>>(paths)) made.keep();
+  if (paths.has_value()) made.keep();
   return paths;
 }
 

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/report/report.hpp"
 
 namespace sightline::harness::report {
 
 // Makes the directory and tables/ in it if they are not there and tries to write into both: what cannot be
 // written is known before anything is measured. On an error, directories made here are gone again.
-[[nodiscard]] Outcome<picture::Done> prepare_directory(const std::string& directory);
+[[nodiscard]] Outcome<base::Done> prepare_directory(const std::string& directory);
 
 // All files or, on an error, none new: they are put in their places when all of them are written, the page
 // last. Files of an earlier report of the same names are replaced, others stay. Error bad_input: two tables

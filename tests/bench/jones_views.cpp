@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
-#include <variant>
 
 #include "host/guests/jones/guest.hpp"
 #include "host/guests/jones/program.hpp"
@@ -20,8 +19,8 @@ namespace jones = guests::jones;
 // nullptr after reporting why to the benchmark.
 template <class Good, class Result>
 const Good* good(benchmark::State& state, const Result& result) {
-  if (const Good* value = std::get_if<Good>(&result)) return value;
-  state.SkipWithError(std::get<scene::SceneError>(result).message().c_str());
+  if (result) return &*result;
+  state.SkipWithError(result.error().message().c_str());
   return nullptr;
 }
 

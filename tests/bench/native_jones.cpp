@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <utility>
-#include <variant>
 
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/scene/cells/bsp/decompose.hpp"
@@ -24,8 +23,8 @@ using algorithms::jones::Walker;
 // A thousand boxes are beyond the grid.
 scene::CellComplex complex_of(const scene::PolyScene& scene) {
   auto complex = scene::compartment_grid(scene);
-  if (std::holds_alternative<scene::SceneError>(complex)) complex = scene::compartment_bsp(scene);
-  return std::get<scene::CellComplex>(std::move(complex));
+  if (!complex.has_value()) complex = scene::compartment_bsp(scene);
+  return std::move(*complex);
 }
 
 void look_at(benchmark::State& state, const scene::PolyScene& scene) {
@@ -33,7 +32,7 @@ void look_at(benchmark::State& state, const scene::PolyScene& scene) {
   const PreparedComplex prepared(complex);
   Walker walker(prepared);
   View view;
-  for (auto _ : state) view = std::get<View>(walker.visible_edges(scene.camera));
+  for (auto _ : state) view = *walker.visible_edges(scene.camera);
   state.counters["cells"] = static_cast<double>(complex.cells.size());
   state.counters["visits"] = static_cast<double>(view.counts.visits);
   state.counters["openings"] = static_cast<double>(view.counts.openings_tested);
@@ -43,7 +42,7 @@ void look_at(benchmark::State& state, const scene::PolyScene& scene) {
 }
 
 void street(benchmark::State& state) {
-  look_at(state, scene::poly_scene_of(std::get<scene::CellScene>(scene::load_cell_scene("street4"))));
+  look_at(state, scene::poly_scene_of(*scene::load_cell_scene("street4")));
 }
 void boxes(benchmark::State& state) {
   look_at(state, scene::generate_boxes(static_cast<std::size_t>(state.range(0))));

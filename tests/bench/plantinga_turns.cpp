@@ -11,12 +11,11 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <variant>
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/table_1.hpp"
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline {
@@ -28,15 +27,14 @@ constexpr std::array<const char*, 6> names{"squares", "grid", "objects", "bars",
 
 native::RotationModel model_of(std::size_t which) {
   const std::string path = std::string(SIGHTLINE_BENCH_DATA "/models/") + names[which] + ".off";
-  const auto bytes = picture::read_file(path);
+  const auto bytes = base::read_file(path);
   if (!bytes) std::abort();
   const auto read = scene::read_poly(std::string(bytes->begin(), bytes->end()), path, scene::PolyFormat::off);
-  return native::RotationModel(std::get<scene::PolyImport>(read).scene);
+  return native::RotationModel(read->scene);
 }
 
 struct Turned {
-  explicit Turned(std::size_t which)
-      : model(model_of(which)), list(std::get<native::EventList>(native::build_event_list(model))) {}
+  explicit Turned(std::size_t which) : model(model_of(which)), list(*native::build_event_list(model)) {}
   native::RotationModel model;
   native::EventList list;
 };
@@ -55,8 +53,7 @@ void preprocessing(benchmark::State& state) {
   options.threads = static_cast<unsigned>(state.range(1));
   native::Table1Row row;
   for (auto _ : state) {
-    row = native::table_1_row(names[which], model,
-                              std::get<native::EventList>(native::build_event_list(model, options)), 0);
+    row = native::table_1_row(names[which], model, *native::build_event_list(model, options), 0);
   }
   state.SetLabel(names[which]);
   state.counters["changes"] = static_cast<double>(row.events);

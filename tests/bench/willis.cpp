@@ -2,12 +2,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
-#include <variant>
 
+#include "host/algorithms/registry/willis_display.hpp"
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/algorithms/registry/willis_display.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline {
@@ -17,7 +16,7 @@ namespace willis = algorithms::willis;
 
 willis::Model town_model(std::size_t size) {
   auto model = willis::make_model(scene::generate_town(size));
-  return std::get<willis::Model>(std::move(model));
+  return std::move(*model);
 }
 
 void report(benchmark::State& state, const willis::Model& model) {
@@ -36,7 +35,7 @@ void uncluster(benchmark::State& state) {
     auto model = willis::make_model(scene, options);
     benchmark::DoNotOptimize(model);
   }
-  report(state, std::get<willis::Model>(willis::make_model(scene, options)));
+  report(state, *willis::make_model(scene, options));
 }
 
 void order_frame(benchmark::State& state) {

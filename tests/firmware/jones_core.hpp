@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/guests/jones/program.hpp"
@@ -25,11 +24,11 @@ inline Program assembled(const scene::CellScene& scene, bool eae) {
   ProgramOptions options;
   options.eae = eae;
   auto program = assemble_program(scene, options);
-  if (const auto* error = std::get_if<scene::SceneError>(&program)) {
-    ADD_FAILURE() << error->message();
+  if (!program) {
+    ADD_FAILURE() << program.error().message();
     return {};
   }
-  return std::get<Program>(std::move(program));
+  return std::move(*program);
 }
 
 inline Program assembled(std::string_view scene, bool eae) {

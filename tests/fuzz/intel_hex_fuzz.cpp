@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace sightline;
   const auto read = image::read_intel_hex({reinterpret_cast<const char*>(data), size}, "f");
   if (!read) {
-    static_cast<void>(image::to_string(read.error()));
+    static_cast<void>(read.error().message(base::MessageStyle::compiler));
     return 0;
   }
   image::ByteImage expected = read.value();

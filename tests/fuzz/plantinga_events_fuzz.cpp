@@ -6,6 +6,7 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/event_file.hpp"
+#include "host/base/file.hpp"
 
 namespace {
 
@@ -22,7 +23,7 @@ scene::PolyScene two_triangles() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const algorithms::plantinga::RotationModel model(two_triangles());
-  picture::Bytes bytes(data, data + size);
+  base::Bytes bytes(data, data + size);
   if (size >= 26) {
     // The model's own mark, so that a corpus needs none.
     for (std::size_t i = 0; i < 8; ++i)

@@ -6,10 +6,9 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <variant>
 
-#include "host/scene/model/eye_place.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/poly_json.hpp"
 #include "tests/host/algorithms/agreement/agreement.hpp"
 
@@ -34,11 +33,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace sightline;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto result = scene::read_poly_json(text, "fuzz");
-  const auto* scene = std::get_if<scene::PolyScene>(&result);
-  if (scene == nullptr || corners_of(*scene) > most_corners || !scene::check_poly_scene(*scene).empty() ||
-      scene::eye_error(*scene, scene->camera))
+  if (!result || corners_of(*result) > most_corners || !scene::check_poly_scene(*result).empty() ||
+      scene::eye_error(*result, result->camera))
     return 0;
-  const std::string differences = algorithms::Agreement(*scene).differences(scene->camera);
+  const std::string differences = algorithms::Agreement(*result).differences(result->camera);
   if (differences.empty()) return 0;
   std::fputs(differences.c_str(), stderr);
   std::abort();

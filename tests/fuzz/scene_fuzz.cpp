@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <variant>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/guests/jones/tape.hpp"
@@ -14,9 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace sightline;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto result = scene::read_cell_scene(text, "fuzz");
-  const auto* scene = std::get_if<scene::CellScene>(&result);
-  if (scene == nullptr || !scene::check_scene(*scene).empty()) return 0;
-  static_cast<void>(guests::jones::write_tape(*scene));
-  static_cast<void>(algorithms::oracle::visible_lines(*scene, scene->default_view, {}));
+  if (!result || !scene::check_scene(*result).empty()) return 0;
+  static_cast<void>(guests::jones::write_tape(*result));
+  static_cast<void>(algorithms::oracle::visible_lines(*result, result->default_view, {}));
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/base/result.hpp"
 #include "tools/asm/i8080/lexer.hpp"
 #include "tools/asm/i8080/pass.hpp"
 #include "tools/asm/symbol_table.hpp"
@@ -65,20 +66,20 @@ void add_symbol_table(std::vector<ListingLine>& listing, std::span<const I8080Sy
 
 }  // namespace
 
-std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text) {
+base::Result<I8080Define> parse_i8080_define(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (name.empty() || end_of_name(name, 0) != name.size())
-    return "found " + quoted(name) + ", expected a name";
-  if (equals == std::string_view::npos) return "found no '=', expected NAME=VALUE";
+    return base::fail("found " + quoted(name) + ", expected a name");
+  if (equals == std::string_view::npos) return base::fail("found no '=', expected NAME=VALUE");
   const bool reserved = Vocabulary().find(folded(name)) != nullptr;
-  if (reserved) return "found " + quoted(name) + ", expected a name that is not reserved";
+  if (reserved) return base::fail("found " + quoted(name) + ", expected a name that is not reserved");
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));
   const I8080Token number = lexer.next();
   if (number.kind != TokenKind::number || lexer.next().kind != TokenKind::end) {
-    return "found " + quoted(text.substr(equals + 1)) + ", expected " +
-           (number.kind == TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A");
+    return base::fail("found " + quoted(text.substr(equals + 1)) + ", expected " +
+                      (number.kind == TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A"));
   }
   return I8080Define{std::string(name),
                      static_cast<std::uint16_t>(negative ? 0U - number.number : number.number)};

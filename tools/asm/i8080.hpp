@@ -44,9 +44,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "tools/asm/diagnostic.hpp"
 #include "tools/asm/listing.hpp"
 #include "tools/asm/source.hpp"
@@ -60,7 +60,7 @@ struct I8080Define {
 };
 
 // "NAME=VALUE", VALUE a number as in a source, with a leading minus allowed; else "found ..., expected ...".
-[[nodiscard]] std::variant<I8080Define, std::string> parse_i8080_define(std::string_view text);
+[[nodiscard]] base::Result<I8080Define> parse_i8080_define(std::string_view text);
 
 // The text of a file, or nothing if it cannot be read. It is asked for the name in INCLUDE beside the
 // including file first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.

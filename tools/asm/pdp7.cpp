@@ -5,13 +5,15 @@
 #include <utility>
 
 #include "emulators/pdp7/isa.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "tools/asm/pdp7/pass.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::assembler {
 namespace {
 
-// Enough for a chain of forward references in literals that move one another; what takes longer does not settle.
+// Enough for a chain of forward references in literals that move one another; what takes longer does not
+// settle.
 constexpr int most_layout_passes = 12;
 
 void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, Form form, SymbolKind kind) {
@@ -51,7 +53,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 }
 
 ListingLine line_of(const EmittedWord& word, std::string source) {
-  return {image::octal(word.address, 5), image::octal(word.word, 6), std::move(source)};
+  return {base::octal(word.address, 5), base::octal(word.word, 6), std::move(source)};
 }
 
 std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
@@ -92,7 +94,7 @@ std::vector<ProgramSymbol> program_symbols(std::span<const SourceFile> sources, 
 
 }  // namespace
 
-std::variant<Define, std::string> parse_define(std::string_view text) {
+base::Result<Define> parse_define(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -100,13 +102,14 @@ std::variant<Define, std::string> parse_define(std::string_view text) {
   const std::string found = "found '" + std::string(text) + "', expected ";
   if (equals == std::string_view::npos || name.empty() || !letter(name[0]) ||
       !std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); })) {
-    return found + "NAME=VALUE with a name of letters and digits";
+    return base::fail(found + "NAME=VALUE with a name of letters and digits");
   }
   std::string_view digits = text.substr(equals + 1);
   const bool negative = !digits.empty() && digits[0] == '-';
   if (negative) digits.remove_prefix(1);
   const bool octal = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '7'; });
-  if (digits.empty() || digits.size() > 6 || !octal) return found + "a value of one to six octal digits";
+  if (digits.empty() || digits.size() > 6 || !octal)
+    return base::fail(found + "a value of one to six octal digits");
   std::uint32_t value = 0;
   for (const char c : digits) value = value << 3 | static_cast<std::uint32_t>(c - '0');
   const core::Word18 word(value);
@@ -156,7 +159,7 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
 std::string write_symbols(std::span<const ProgramSymbol> symbols) {
   std::string text;
   for (const ProgramSymbol& symbol : symbols)
-    text += symbol.name + " " + image::octal(symbol.value.value(), 6) + "\n";
+    text += symbol.name + " " + base::octal(symbol.value.value(), 6) + "\n";
   return text;
 }
 

@@ -3,24 +3,30 @@
 //   tag,        name=expr     expr/ sets the location    / comment (at the start of a line or after a blank)
 //   lac x   dac i 10   jmp .-2   lac (5   dac buf 5   spa cla   tad (-1+1)   ; separates statements on a line
 //   space or + adds, - subtracts, ! ors, & ands, from left to right; `.` is the location; `i` sets bit 4
-//   DECIMAL OCTAL (each file begins in octal), TEXT /abc/, TITLE ..., VARIABLES, CONSTANTS, PAUSE, START [expr],
-//   IFZERO expr <...>, IFNZRO expr <...>
+//   DECIMAL OCTAL (each file begins in octal), TEXT /abc/, TITLE ..., VARIABLES, CONSTANTS, PAUSE, START
+//   [expr], IFZERO expr <...>, IFNZRO expr <...>
 //
-// Case does not matter and the first six characters of a name count (a warning if two names differ only after them).
-// A word such as START or TEXT is a pseudo-operation only as the first word of a statement and not before `,` or `=`.
+// Case does not matter and the first six characters of a name count (a warning if two names differ only after
+// them). A word such as START or TEXT is a pseudo-operation only as the first word of a statement and not
+// before `,` or `=`.
 //
 // Decisions where the manuals leave room or trap the unwary:
-// - Numbers are one's complement: -1 is 777776 (Options::twos_complement for 777777). The difference of two equal
+// - Numbers are one's complement: -1 is 777776 (Options::twos_complement for 777777). The difference of two
+// equal
 //   terms is +0; -0 is 777777. IFZERO takes both for zero.
-// - Microinstructions of one class (EAE, IOT, OPR) side by side are ORed, as the machine reads them; a sum would make
+// - Microinstructions of one class (EAE, IOT, OPR) side by side are ORed, as the machine reads them; a sum
+// would make
 //   711101 of `spa cla`. Mixing skips of opposite sense warns: bit 1000 inverts all of them.
-// - What does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which a plain
+// - What does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which
+// a plain
 //   sum would turn into an OPR), a step count above 77.
 // - An undefined symbol is an error; `#x` or `x#` at one of its uses makes it a variable.
 //   Options::undefined_are_variables gives DEC's rule, under which a typing error is a variable.
-// - Literals are pooled by value. They are placed at CONSTANTS, variables at VARIABLES (in alphabetical order), what is
+// - Literals are pooled by value. They are placed at CONSTANTS, variables at VARIABLES (in alphabetical
+// order), what is
 //   left at the end: literals, then variables.
-// - TEXT packs three characters of trimmed ASCII (lower case as upper) to a word, high first, filled up with 00: the
+// - TEXT packs three characters of trimmed ASCII (lower case as upper) to a word, high first, filled up with
+// 00: the
 //   code of the Type 342. What follows START or PAUSE in a file is not read.
 // - -D NAME=VALUE wins over the source's own NAME=..., which so becomes its default.
 // Left out: the FORTRAN pseudo-operations EXTERNAL, INTERNAL, LIBFRM, and the Cambridge dialect.
@@ -30,10 +36,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "emulators/core/word.hpp"
+#include "host/base/result.hpp"
 #include "tools/asm/diagnostic.hpp"
 #include "tools/asm/listing.hpp"
 #include "tools/asm/source.hpp"
@@ -47,8 +53,9 @@ struct Define {
   core::Word18 value;
 };
 
-// "NAME=VALUE" with VALUE in octal, a leading minus for the one's complement; else a message "found ..., expected ...".
-[[nodiscard]] std::variant<Define, std::string> parse_define(std::string_view text);
+// "NAME=VALUE" with VALUE in octal, a leading minus for the one's complement; else a message "found ...,
+// expected ...".
+[[nodiscard]] base::Result<Define> parse_define(std::string_view text);
 
 struct Options {
   std::vector<Define> defines;

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "emulators/pdp7/isa.hpp"
+#include "host/base/number.hpp"
 #include "tools/disasm/disasm.hpp"
 #include "tools/disasm/source_lines.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::disassembler {
 namespace {
 
-using image::octal;
+using base::octal;
 using pdp7::Class;
 using pdp7::Microinstruction;
 
@@ -87,7 +87,8 @@ std::optional<std::string> exact_name(std::uint32_t word) {
   return std::nullopt;
 }
 
-// Multiply, divide and normalise have their usual count in the name: mul-11 is a multiplication of nine steps.
+// Multiply, divide and normalise have their usual count in the name: mul-11 is a multiplication of nine
+// steps.
 std::optional<std::string> changed_count(std::uint32_t word) {
   for (const Microinstruction& micro : pdp7::microinstructions) {
     if ((micro.value & step_count_mask) == 0 || (micro.value & command_mask) == 0) continue;

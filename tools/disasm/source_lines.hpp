@@ -1,21 +1,23 @@
-// The lines of a disassembly: an origin where addresses do not follow on, one word a line, its comment in a column.
+// The lines of a disassembly: an origin where addresses do not follow on, one word a line, its comment in a
+// column.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "host/base/number.hpp"
 #include "tools/image/core_image.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::disassembler {
 
 class SourceLines {
  public:
-  // True if this address begins a new run of words. Every bank begins one: the location does not run over its end.
+  // True if this address begins a new run of words. Every bank begins one: the location does not run over its
+  // end.
   bool origin_if_needed(std::uint32_t address) {
     const bool new_run = address != next_ || (address & image::field_mask) == 0;
-    if (new_run) text_ += image::octal(address, 5) + "/\n";
+    if (new_run) text_ += base::octal(address, 5) + "/\n";
     next_ = address + 1;
     return new_run;
   }
@@ -28,7 +30,7 @@ class SourceLines {
   }
 
   [[nodiscard]] std::string finish(std::optional<std::uint32_t> start) {
-    if (start) text_ += "        start " + image::octal(*start, 5) + "\n";
+    if (start) text_ += "        start " + base::octal(*start, 5) + "\n";
     return std::move(text_);
   }
 

@@ -2,18 +2,19 @@
 #include <string_view>
 
 #include "emulators/type340/words.hpp"
+#include "host/base/number.hpp"
 #include "tools/disasm/disasm.hpp"
 #include "tools/disasm/source_lines.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::disassembler {
 namespace {
 
+using base::octal;
 using core::Word18;
-using image::octal;
 using type340::Mode;
 
-// Numbers that are points or steps are decimal, as the display's manual counts them; addresses and codes are octal.
+// Numbers that are points or steps are decimal, as the display's manual counts them; addresses and codes are
+// octal.
 std::string pen_text(std::optional<bool> pen) {
   return !pen ? "" : *pen ? ", pen on" : ", pen off";
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/base/result.hpp"
+
 namespace sightline::image {
 namespace {
 
@@ -20,20 +22,21 @@ void ByteImage::put(std::uint16_t address, std::uint8_t byte) {
   highest_ = std::max(highest_, address);
 }
 
-Result<ByteImage> read_binary(std::span<const std::uint8_t> bytes, std::string_view file,
-                              std::uint16_t address) {
-  if (bytes.empty()) return Error{std::string(file), "", "an empty file", "bytes for memory"};
+base::Result<ByteImage> read_binary(std::span<const std::uint8_t> bytes, std::string_view file,
+                                    std::uint16_t address) {
+  if (bytes.empty()) return base::Error{std::string(file), "", "an empty file", "bytes for memory"};
   const std::size_t room = byte_memory_size - address;
   if (bytes.size() > room) {
-    return Error{std::string(file), "", std::to_string(bytes.size()) + " bytes",
-                 "at most " + std::to_string(room) + " from address " + hexadecimal(address, 4) + " to FFFF"};
+    return base::Error{
+        std::string(file), "", std::to_string(bytes.size()) + " bytes",
+        "at most " + std::to_string(room) + " from address " + hexadecimal(address, 4) + " to FFFF"};
   }
   ByteImage image;
   for (std::size_t i = 0; i < bytes.size(); ++i) image.put(static_cast<std::uint16_t>(address + i), bytes[i]);
   return image;
 }
 
-Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file) {
+base::Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file) {
   auto read = read_binary(bytes, file, com_origin);
   if (!read) return read;
   ByteImage image = read.value();
@@ -41,20 +44,22 @@ Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view
   return image;
 }
 
-Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image, std::string_view file) {
-  if (image.empty()) return Error{std::string(file), "", "a program without bytes", "something to write"};
+base::Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image, std::string_view file) {
+  if (image.empty())
+    return base::Error{std::string(file), "", "a program without bytes", "something to write"};
   return bytes_from(image, image.lowest());
 }
 
-Result<std::vector<std::uint8_t>> write_com(const ByteImage& image, std::string_view file) {
-  if (image.empty()) return Error{std::string(file), "", "a program without bytes", "something to write"};
+base::Result<std::vector<std::uint8_t>> write_com(const ByteImage& image, std::string_view file) {
+  if (image.empty())
+    return base::Error{std::string(file), "", "a program without bytes", "something to write"};
   if (image.lowest() < com_origin) {
-    return Error{std::string(file), "", "a byte at " + hexadecimal(image.lowest(), 4),
-                 "a .com program from 0100 up"};
+    return base::Error{std::string(file), "", "a byte at " + hexadecimal(image.lowest(), 4),
+                       "a .com program from 0100 up"};
   }
   if (image.start && *image.start != com_origin) {
-    return Error{std::string(file), "", "start address " + hexadecimal(*image.start, 4),
-                 "0100, where CP/M starts a .com program"};
+    return base::Error{std::string(file), "", "start address " + hexadecimal(*image.start, 4),
+                       "0100, where CP/M starts a .com program"};
   }
   return bytes_from(image, com_origin);
 }

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/image/error.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::image {
 
@@ -48,15 +48,17 @@ class ByteImage {
 };
 
 // The bytes of a file at `address` and up. An error if there are none or if they run past FFFF.
-[[nodiscard]] Result<ByteImage> read_binary(std::span<const std::uint8_t> bytes, std::string_view file,
-                                            std::uint16_t address);
+[[nodiscard]] base::Result<ByteImage> read_binary(std::span<const std::uint8_t> bytes, std::string_view file,
+                                                  std::uint16_t address);
 // At 0100, with that start address.
-[[nodiscard]] Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file);
+[[nodiscard]] base::Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file);
 
 // Both fail on an image without bytes, write_com also on a byte below 0100 and on a start address other than
 // 0100.
-[[nodiscard]] Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image, std::string_view file);
-[[nodiscard]] Result<std::vector<std::uint8_t>> write_com(const ByteImage& image, std::string_view file);
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image,
+                                                                   std::string_view file);
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_com(const ByteImage& image,
+                                                                std::string_view file);
 
 // Upper-case digits with leading zeros.
 [[nodiscard]] std::string hexadecimal(std::uint32_t value, unsigned digits);

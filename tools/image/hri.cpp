@@ -1,9 +1,12 @@
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "tools/image/tape.hpp"
 #include "tools/image/tape_words.hpp"
 
 namespace sightline::image {
 
-Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file, std::uint32_t address) {
+base::Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file,
+                                 std::uint32_t address) {
   constexpr std::string_view word_or_end = "a word, the last with hole 7 in its third line";
   TapeReader reader(tape, file);
   CoreImage image;
@@ -15,7 +18,7 @@ Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view 
     if (word.last) {
       if (word.value == hlt) return image;
       if ((word.value & opcode_mask) != jmp) {
-        return reader.error(word.byte, "last word " + octal(word.value, 6), "JMP start or HLT");
+        return reader.error(word.byte, "last word " + base::octal(word.value, 6), "JMP start or HLT");
       }
       const std::uint32_t bank = next == address ? address & bank_mask : (next - 1) & bank_mask;
       image.start = bank | (word.value & field_mask);
@@ -27,14 +30,14 @@ Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view 
   }
 }
 
-Result<Tape> write_hri(const CoreImage& image, std::string_view file) {
+base::Result<Tape> write_hri(const CoreImage& image, std::string_view file) {
   if (image.words.empty())
-    return Error{std::string(file), "", "an image without words", "at least one for an HRI tape"};
+    return base::Error{std::string(file), "", "an image without words", "at least one for an HRI tape"};
   const std::uint32_t first = image.words.begin()->first;
   const std::uint32_t last = image.words.rbegin()->first;
   if (image.start && (*image.start & ~field_mask) != (last & bank_mask)) {
-    return Error{std::string(file), "", "start address " + octal(*image.start, 5),
-                 "one in the bank of the last word, " + octal(last, 5) + ", on an HRI tape"};
+    return base::Error{std::string(file), "", "start address " + base::octal(*image.start, 5),
+                       "one in the bank of the last word, " + base::octal(last, 5) + ", on an HRI tape"};
   }
   Tape tape;
   punch_feed(tape);

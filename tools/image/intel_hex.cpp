@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/base/result.hpp"
+
 namespace sightline::image {
 namespace {
 
@@ -35,7 +37,7 @@ class Reader {
  public:
   Reader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
-  Result<ByteImage> read() {
+  base::Result<ByteImage> read() {
     while (next_line()) {
       if (auto problem = record()) return *problem;
       if (ended_) return trailing();
@@ -59,7 +61,7 @@ class Reader {
     return false;
   }
 
-  std::optional<Error> record() {
+  std::optional<base::Error> record() {
     if (line_[0] != ':') return problem(0, quoted(line_[0]), "':' at the start of a record");
     if (auto wrong = decode()) return wrong;
     const std::size_t length = bytes_[0];
@@ -76,7 +78,7 @@ class Reader {
     return act(bytes_[3], static_cast<std::uint16_t>(bytes_[1] << 8 | bytes_[2]));
   }
 
-  std::optional<Error> decode() {
+  std::optional<base::Error> decode() {
     bytes_.clear();
     for (std::size_t i = 1; i < line_.size(); i += 2) {
       const auto high = digit_value(line_[i]);
@@ -93,7 +95,7 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Error> act(std::uint8_t type, std::uint16_t address) {
+  std::optional<base::Error> act(std::uint8_t type, std::uint16_t address) {
     switch (type) {
       case data: return bytes_[0] == 0 ? end(address) : store(address);
       case end_of_file:
@@ -107,13 +109,13 @@ class Reader {
     }
   }
 
-  std::optional<Error> end(std::uint16_t address) {
+  std::optional<base::Error> end(std::uint16_t address) {
     ended_ = true;
     if (address != 0) image_.start = address;
     return std::nullopt;
   }
 
-  std::optional<Error> store(std::uint16_t address) {
+  std::optional<base::Error> store(std::uint16_t address) {
     const std::size_t first = base_ + address;
     if (first + bytes_[0] > byte_memory_size) {
       return problem(3,
@@ -132,7 +134,7 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Error> set_base(unsigned shift) {
+  std::optional<base::Error> set_base(unsigned shift) {
     if (bytes_[0] != 2) return problem(1, "length " + hexadecimal(bytes_[0], 2), "02 for this record type");
     base_ = static_cast<std::uint32_t>(bytes_[4] << 8 | bytes_[5]) << shift;
     if (base_ < byte_memory_size) return std::nullopt;
@@ -140,7 +142,7 @@ class Reader {
   }
 
   // Type 03 gives CS and IP, type 05 a 32-bit address.
-  std::optional<Error> set_start(unsigned shift) {
+  std::optional<base::Error> set_start(unsigned shift) {
     if (bytes_[0] != 4) return problem(1, "length " + hexadecimal(bytes_[0], 2), "04 for this record type");
     const std::uint32_t high = static_cast<std::uint32_t>(bytes_[4] << 8 | bytes_[5]) << shift;
     const std::uint64_t start = std::uint64_t{high} + static_cast<std::uint32_t>(bytes_[6] << 8 | bytes_[7]);
@@ -150,12 +152,12 @@ class Reader {
     return std::nullopt;
   }
 
-  Result<ByteImage> trailing() {
+  base::Result<ByteImage> trailing() {
     if (next_line()) return problem(0, quoted(line_[0]) + " after the end record", "the end of the file");
     return std::move(image_);
   }
 
-  Error problem(std::size_t offset, std::string found, std::string expected) const {
+  base::Error problem(std::size_t offset, std::string found, std::string expected) const {
     return {std::string(file_),
             std::to_string(std::max<std::size_t>(number_, 1)) + ":" + std::to_string(offset + 1),
             std::move(found), std::move(expected)};
@@ -191,7 +193,7 @@ void add_record(std::string& text, std::uint16_t address, RecordType type,
 
 }  // namespace
 
-Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file) {
+base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file) {
   return Reader(text, file).read();
 }
 

@@ -13,15 +13,15 @@
 #include <string>
 #include <string_view>
 
+#include "host/base/result.hpp"
 #include "tools/image/binary.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::image {
 
 // Every record is checked: colon, hexadecimal digits, length, checksum, type, one value an address. After the
 // end record only blank lines and Control-Z (CP/M's end of text) may follow; without one the file is taken
 // for cut off.
-[[nodiscard]] Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file);
+[[nodiscard]] base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file);
 
 // Records of up to 16 bytes, each run from its own address, then the end record with the start address.
 [[nodiscard]] std::string write_intel_hex(const ByteImage& image);

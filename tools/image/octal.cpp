@@ -2,6 +2,9 @@
 
 #include <optional>
 
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
+
 namespace sightline::image {
 namespace {
 
@@ -30,7 +33,7 @@ class Reader {
   Reader(std::string_view text, std::string_view file, std::uint32_t address)
       : text_(text), file_(file), address_(address) {}
 
-  Result<CoreImage> read() {
+  base::Result<CoreImage> read() {
     while (skip_blanks()) {
       const std::string_view token = take_token();
       if (auto problem = token.back() == ':' ? set_address(token) : store(token)) return *problem;
@@ -58,7 +61,7 @@ class Reader {
     return text_.substr(token_start_, at_ - token_start_);
   }
 
-  std::optional<Error> set_address(std::string_view token) {
+  std::optional<base::Error> set_address(std::string_view token) {
     const std::string_view digits = token.substr(0, token.size() - 1);
     const auto address = octal_digits(digits);
     if (digits.empty() || digits.size() > 5 || !address) {
@@ -68,7 +71,7 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Error> store(std::string_view token) {
+  std::optional<base::Error> store(std::string_view token) {
     const auto word = octal_digits(token);
     if (token.size() != 6 || !word) return problem(quoted(token), "a word of six octal digits");
     if (address_ > last_address) return problem("a word after address 77777", "the end of the image");
@@ -76,10 +79,10 @@ class Reader {
     return std::nullopt;
   }
 
-  Error problem(std::string found, std::string expected) const {
-    return Error{std::string(file_),
-                 std::to_string(line_) + ":" + std::to_string(token_start_ - line_start_ + 1),
-                 std::move(found), std::move(expected)};
+  base::Error problem(std::string found, std::string expected) const {
+    return base::Error{std::string(file_),
+                       std::to_string(line_) + ":" + std::to_string(token_start_ - line_start_ + 1),
+                       std::move(found), std::move(expected)};
   }
 
   std::string_view text_;
@@ -94,7 +97,7 @@ class Reader {
 
 }  // namespace
 
-Result<CoreImage> read_octal(std::string_view text, std::string_view file, std::uint32_t address) {
+base::Result<CoreImage> read_octal(std::string_view text, std::string_view file, std::uint32_t address) {
   return Reader(text, file, address).read();
 }
 
@@ -105,11 +108,11 @@ std::string write_octal(const CoreImage& image) {
   for (const auto& [address, word] : image.words) {
     if (on_line == 0 || on_line == 8 || address != next) {
       if (on_line != 0) text += '\n';
-      text += octal(address, 5) + ":";
+      text += base::octal(address, 5) + ":";
       on_line = 0;
     }
     text += ' ';
-    text += octal(word.value(), 6);
+    text += base::octal(word.value(), 6);
     next = address + 1;
     ++on_line;
   }

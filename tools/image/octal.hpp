@@ -1,21 +1,21 @@
 // The octal core image: a text of six-digit words.
 //
-// White space separates; the first word goes to the address given (0 if none), each further one to the next address;
-// `NNNNN:` (one to five octal digits) sets the address. A later word for the same address replaces the earlier one, so
-// that patches can be appended. There are no comments and no start address.
+// White space separates; the first word goes to the address given (0 if none), each further one to the next
+// address; `NNNNN:` (one to five octal digits) sets the address. A later word for the same address replaces
+// the earlier one, so that patches can be appended. There are no comments and no start address.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "host/base/result.hpp"
 #include "tools/image/core_image.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::image {
 
-[[nodiscard]] Result<CoreImage> read_octal(std::string_view text, std::string_view file,
-                                           std::uint32_t address = 0);
+[[nodiscard]] base::Result<CoreImage> read_octal(std::string_view text, std::string_view file,
+                                                 std::uint32_t address = 0);
 
 // Eight words to a line, each line and each gap beginning with its address.
 [[nodiscard]] std::string write_octal(const CoreImage& image);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "tools/image/octal.hpp"
 #include "tools/image/tape.hpp"
 #include "tools/image/tape_words.hpp"
@@ -29,38 +31,39 @@ bool hole7_ends_a_block(std::span<const std::uint8_t> tape) {
 
 }  // namespace
 
-Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view file) {
+base::Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view file) {
   constexpr std::string_view any = "an octal core image, a RIM tape or an HRI tape";
-  if (bytes.empty()) return Error{std::string(file), "", "an empty file", std::string(any)};
+  if (bytes.empty()) return base::Error{std::string(file), "", "an empty file", std::string(any)};
   if (std::all_of(bytes.begin(), bytes.end(), printing)) return Format::octal;
   if (hole7_ends_a_block(bytes)) return Format::hri;
   TapeReader reader(bytes, file);
   const auto first = reader.next(any);
   if (!first) return first.error();
-  if (!first.value()) return Error{std::string(file), "", "no line with hole 8", std::string(any)};
+  if (!first.value()) return base::Error{std::string(file), "", "no line with hole 8", std::string(any)};
   const TapeWord word = *first.value();
   if (!word.last &&
       ((word.value & opcode_mask) == dac || (word.value & opcode_mask) == jmp || word.value == hlt)) {
     return Format::rim;
   }
-  return reader.error(word.byte, "word " + octal(word.value, 6) + " and no hole 7 that ends a block",
+  return reader.error(word.byte, "word " + base::octal(word.value, 6) + " and no hole 7 that ends a block",
                       "DAC address (RIM tape) or hole 7 in the last word (HRI tape)");
 }
 
-Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
-                             std::optional<std::uint32_t> address) {
+base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
+                                   std::optional<std::uint32_t> address) {
   const auto format = recognise(bytes, file);
   if (!format) return format.error();
   switch (format.value()) {
     case Format::octal: return read_octal(std::string(bytes.begin(), bytes.end()), file, address.value_or(0));
     case Format::rim:
       if (address)
-        return Error{std::string(file), "", "an address for a RIM tape", "none: the tape has its own"};
+        return base::Error{std::string(file), "", "an address for a RIM tape", "none: the tape has its own"};
       return read_rim(bytes, file);
     case Format::hri: break;
   }
   if (!address)
-    return Error{std::string(file), "", "an HRI tape without an address", "the address to read it in at"};
+    return base::Error{std::string(file), "", "an HRI tape without an address",
+                       "the address to read it in at"};
   return read_hri(bytes, file, *address);
 }
 

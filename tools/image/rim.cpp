@@ -1,3 +1,5 @@
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "tools/image/tape.hpp"
 #include "tools/image/tape_words.hpp"
 
@@ -10,7 +12,7 @@ constexpr std::string_view pair_or_end = "DAC address, JMP start or HLT";
 
 }  // namespace
 
-Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file) {
+base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file) {
   TapeReader reader(tape, file);
   CoreImage image;
   for (;;) {
@@ -19,7 +21,7 @@ Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view 
     if (!order.value()) return reader.error(tape.size(), "the end of the tape", std::string(pair_or_end));
     const TapeWord word = *order.value();
     if (word.last)
-      return reader.error(word.byte, "word " + octal(word.value, 6) + " with hole 7",
+      return reader.error(word.byte, "word " + base::octal(word.value, 6) + " with hole 7",
                           "a RIM tape without hole 7");
     if ((word.value & opcode_mask) == jmp) {
       image.start = word.value & field_mask;
@@ -27,9 +29,9 @@ Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view 
     }
     if (word.value == hlt) return image;
     if ((word.value & opcode_mask) != dac) {
-      return reader.error(word.byte, "word " + octal(word.value, 6), std::string(pair_or_end));
+      return reader.error(word.byte, "word " + base::octal(word.value, 6), std::string(pair_or_end));
     }
-    const std::string expected = "the data word for address " + octal(word.value & field_mask, 5);
+    const std::string expected = "the data word for address " + base::octal(word.value & field_mask, 5);
     const auto data = reader.next(expected);
     if (!data) return data.error();
     if (!data.value()) return reader.error(tape.size(), "the end of the tape", expected);
@@ -39,19 +41,20 @@ Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view 
   }
 }
 
-Result<Tape> write_rim(const CoreImage& image, std::string_view file) {
+base::Result<Tape> write_rim(const CoreImage& image, std::string_view file) {
   const auto refuse = [&](std::string found, std::string expected) {
-    return Error{std::string(file), "", std::move(found), std::move(expected)};
+    return base::Error{std::string(file), "", std::move(found), std::move(expected)};
   };
   if (image.start && *image.start > field_mask) {
-    return refuse("start address " + octal(*image.start, 5), "at most 17777 on a RIM tape");
+    return refuse("start address " + base::octal(*image.start, 5), "at most 17777 on a RIM tape");
   }
   Tape tape;
   punch_feed(tape);
   for (const auto& [address, word] : image.words) {
-    if (address > field_mask) return refuse("a word at " + octal(address, 5), "at most 17777 on a RIM tape");
+    if (address > field_mask)
+      return refuse("a word at " + base::octal(address, 5), "at most 17777 on a RIM tape");
     if (address >= loader_first && address <= loader_last) {
-      return refuse("a word at " + octal(address, 5), "none where the RIM loader runs (17762-17776)");
+      return refuse("a word at " + base::octal(address, 5), "none where the RIM loader runs (17762-17776)");
     }
     punch_word(tape, dac | address);
     punch_word(tape, word.value());

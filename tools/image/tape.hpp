@@ -1,14 +1,17 @@
-// Paper tapes in DEC's binary form: three lines a word, each with hole 8 punched and six data bits, high bits first.
-// The reader skips lines without hole 8 between words (leader, trailer, feed). Two formats are built on it.
+// Paper tapes in DEC's binary form: three lines a word, each with hole 8 punched and six data bits, high bits
+// first. The reader skips lines without hole 8 between words (leader, trailer, feed). Two formats are built
+// on it.
 //
-// RIM (read-in mode): pairs DAC address, data, then JMP start or HLT (P4-65). The loader sits in 17762-17776 and is
-// started at 17770; it starts the reader once more before it obeys the last word, so one more word is punched after it.
-// Only bank 0 can be addressed, and words 17762-17776 would overwrite the loader while it runs.
+// RIM (read-in mode): pairs DAC address, data, then JMP start or HLT (P4-65). The loader sits in 17762-17776
+// and is started at 17770; it starts the reader once more before it obeys the last word, so one more word is
+// punched after it. Only bank 0 can be addressed, and words 17762-17776 would overwrite the loader while it
+// runs.
 //
-// HRI (hardware read-in, the READ IN key): words for successive addresses from the ADDRESS switches upward; hole 7 in
-// the third line of a word marks the last one, which is not stored but executed: JMP start, or HLT.
+// HRI (hardware read-in, the READ IN key): words for successive addresses from the ADDRESS switches upward;
+// hole 7 in the third line of a word marks the last one, which is not stored but executed: JMP start, or HLT.
 //
-// Left out: the FF ("funny") format of DEC's one-pass assembler, whose loader resolves symbols; no tape of ours needs it.
+// Left out: the FF ("funny") format of DEC's one-pass assembler, whose loader resolves symbols; no tape of
+// ours needs it.
 #pragma once
 
 #include <cstdint>
@@ -17,32 +20,32 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "tools/image/core_image.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::image {
 
 using Tape = std::vector<std::uint8_t>;  // one byte a line, hole 1 = bit 0, hole 8 = 0200
 
-[[nodiscard]] Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file);
-[[nodiscard]] Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file,
-                                         std::uint32_t address);
+[[nodiscard]] base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file);
+[[nodiscard]] base::Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file,
+                                               std::uint32_t address);
 
-// Fails on words above 17777, on words that would overwrite the RIM loader, and on a start address above 17777.
-// An image without a start address ends with HLT.
-[[nodiscard]] Result<Tape> write_rim(const CoreImage& image, std::string_view file);
-// The tape has no addresses: it is to be read in at the image's first one. Gaps are punched as zero words. Fails on
-// an image without words and on a start address in another bank than the last word.
-[[nodiscard]] Result<Tape> write_hri(const CoreImage& image, std::string_view file);
+// Fails on words above 17777, on words that would overwrite the RIM loader, and on a start address above
+// 17777. An image without a start address ends with HLT.
+[[nodiscard]] base::Result<Tape> write_rim(const CoreImage& image, std::string_view file);
+// The tape has no addresses: it is to be read in at the image's first one. Gaps are punched as zero words.
+// Fails on an image without words and on a start address in another bank than the last word.
+[[nodiscard]] base::Result<Tape> write_hri(const CoreImage& image, std::string_view file);
 
 enum class Format { octal, rim, hri };
 
-// Which of the three a file is, by content alone: a text of printing characters is octal; a tape whose first block
-// ends with hole 7 is HRI; a tape that begins with a DAC is RIM.
-[[nodiscard]] Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view file);
+// Which of the three a file is, by content alone: a text of printing characters is octal; a tape whose first
+// block ends with hole 7 is HRI; a tape that begins with a DAC is RIM.
+[[nodiscard]] base::Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view file);
 
 // Recognises and reads. An HRI tape needs the address; a RIM tape has its own and refuses one.
-[[nodiscard]] Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
-                                           std::optional<std::uint32_t> address);
+[[nodiscard]] base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
+                                                 std::optional<std::uint32_t> address);
 
 }  // namespace sightline::image

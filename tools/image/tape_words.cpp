@@ -1,35 +1,40 @@
 #include "tools/image/tape_words.hpp"
 
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
+
 namespace sightline::image {
 namespace {
 
 // What is wrong with a line that ought to be one of a word, if anything.
 std::string bad_line(std::uint8_t line, bool third) {
-  if ((line & hole8) == 0) return "line " + octal(line, 3) + " without hole 8 inside a word";
+  if ((line & hole8) == 0) return "line " + base::octal(line, 3) + " without hole 8 inside a word";
   if (!third && (line & hole7) != 0)
-    return "line " + octal(line, 3) + " with hole 7 before the third line of a word";
+    return "line " + base::octal(line, 3) + " with hole 7 before the third line of a word";
   return {};
 }
 
 }  // namespace
 
-Error TapeReader::error(std::size_t byte, std::string found, std::string expected) const {
-  return Error{std::string(file_), "byte " + std::to_string(byte), std::move(found), std::move(expected)};
+base::Error TapeReader::error(std::size_t byte, std::string found, std::string expected) const {
+  return base::Error{std::string(file_), "byte " + std::to_string(byte), std::move(found),
+                     std::move(expected)};
 }
 
-// Before the first word anything without hole 8 is leader (some tapes have their name punched there in readable
-// shapes); after it only blank feed is, so that a hole 8 that was lost does not shift all the words that follow.
-std::optional<Error> TapeReader::skip_feed(std::string_view expected) {
+// Before the first word anything without hole 8 is leader (some tapes have their name punched there in
+// readable shapes); after it only blank feed is, so that a hole 8 that was lost does not shift all the words
+// that follow.
+std::optional<base::Error> TapeReader::skip_feed(std::string_view expected) {
   for (; at_ < tape_.size() && (tape_[at_] & hole8) == 0; ++at_) {
     if (in_data_ && tape_[at_] != 0) {
-      return error(at_, "line " + octal(tape_[at_], 3) + " without hole 8",
+      return error(at_, "line " + base::octal(tape_[at_], 3) + " without hole 8",
                    "hole 8 of " + std::string(expected));
     }
   }
   return std::nullopt;
 }
 
-Result<std::optional<TapeWord>> TapeReader::next(std::string_view expected) {
+base::Result<std::optional<TapeWord>> TapeReader::next(std::string_view expected) {
   if (auto problem = skip_feed(expected)) return *problem;
   if (at_ == tape_.size()) return std::optional<TapeWord>{};
   in_data_ = true;

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "tools/image/error.hpp"
+#include "host/base/result.hpp"
 #include "tools/image/tape.hpp"
 
 namespace sightline::image {
@@ -31,12 +31,12 @@ class TapeReader {
   TapeReader(std::span<const std::uint8_t> tape, std::string_view file) : tape_(tape), file_(file) {}
 
   // The next word, or nothing at the end of the tape. `expected` says what for, if the tape is damaged.
-  [[nodiscard]] Result<std::optional<TapeWord>> next(std::string_view expected);
-  [[nodiscard]] Error error(std::size_t byte, std::string found, std::string expected) const;
+  [[nodiscard]] base::Result<std::optional<TapeWord>> next(std::string_view expected);
+  [[nodiscard]] base::Error error(std::size_t byte, std::string found, std::string expected) const;
   [[nodiscard]] std::size_t position() const { return at_; }
 
  private:
-  [[nodiscard]] std::optional<Error> skip_feed(std::string_view expected);
+  [[nodiscard]] std::optional<base::Error> skip_feed(std::string_view expected);
 
   std::span<const std::uint8_t> tape_;
   std::string_view file_;

@@ -13,7 +13,6 @@
 #include <functional>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/jones/arithmetic.hpp"
@@ -25,6 +24,7 @@
 #include "host/algorithms/jones/start_cells.hpp"
 #include "host/algorithms/jones/stretch.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
+#include "host/base/result.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/integer.hpp"
 
@@ -33,8 +33,8 @@ namespace sightline::algorithms::jones {
 template <class Arithmetic>
 class Search {
  public:
-  [[nodiscard]] std::variant<View, Error> run(const PreparedComplex& prepared, Met& met,
-                                              const scene::PolyCamera& camera, const Start& start);
+  [[nodiscard]] base::Result<View> run(const PreparedComplex& prepared, Met& met,
+                                       const scene::PolyCamera& camera, const Start& start);
 
  private:
   using Number = typename Arithmetic::Number;
@@ -93,8 +93,8 @@ class Search {
 };
 
 template <class Arithmetic>
-std::variant<View, Error> Search<Arithmetic>::run(const PreparedComplex& prepared, Met& met,
-                                                  const scene::PolyCamera& camera, const Start& start) {
+base::Result<View> Search<Arithmetic>::run(const PreparedComplex& prepared, Met& met,
+                                           const scene::PolyCamera& camera, const Start& start) {
   met.begin_view();
   planes_.clear();
   waiting_.clear();
@@ -111,9 +111,9 @@ std::variant<View, Error> Search<Arithmetic>::run(const PreparedComplex& prepare
     }
   }
   for (const scene::CellNumber cell : start.cells) waiting_.push_back({cell, 1, waiting_sides_.size(), 0});
-  if (!pass.walk()) return Error::no_complex;
+  if (!pass.walk()) return base::fail(no_complex);
   auto picture = fragments_.picture(prepared.complex(), pass.sight);
-  if (!picture) return Error::no_complex;
+  if (!picture) return base::fail(no_complex);
   pass.counts.number_bits = 8 * sizeof(Number);
   return View{std::move(*picture), pass.counts};
 }

@@ -7,6 +7,7 @@
 
 #include "host/algorithms/jones/search.hpp"
 #include "host/algorithms/jones/start_cells.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::jones {
 namespace {
@@ -44,17 +45,6 @@ bool too_far(const scene::PolyPoint& eye) {
 
 }  // namespace
 
-std::string_view message(Error error) {
-  switch (error) {
-    case Error::eye_in_solid: return "the eye is inside a solid";
-    case Error::eye_too_far: return "the eye is beyond the limit of coordinates, 262143";
-    case Error::too_long:
-      return "a plane of the cell complex has coefficients beyond those of planes through points of a scene";
-    case Error::no_complex: break;
-  }
-  return "the cells and openings are no cell complex: they contradict each other";
-}
-
 struct Walker::State {
   explicit State(const PreparedComplex& complex) : prepared(&complex), met(complex.complex()) {}
 
@@ -70,13 +60,13 @@ Walker::~Walker() = default;
 Walker::Walker(Walker&&) noexcept = default;
 Walker& Walker::operator=(Walker&&) noexcept = default;
 
-std::variant<View, Error> Walker::visible_edges(const scene::PolyCamera& camera) {
+base::Result<View> Walker::visible_edges(const scene::PolyCamera& camera) {
   const PreparedComplex& prepared = *state_->prepared;
-  if (too_far(camera.eye)) return Error::eye_too_far;
+  if (too_far(camera.eye)) return base::fail(eye_too_far);
   const std::optional<Width> width = width_for(prepared, camera);
-  if (!width) return Error::too_long;
+  if (!width) return base::fail(plane_too_long);
   const std::optional<Start> start = find_start(prepared, camera);
-  if (!start) return Error::eye_in_solid;
+  if (!start) return base::fail(eye_in_solid);
   switch (*width) {
     case Width::narrow: return state_->narrow.run(prepared, state_->met, camera, *start);
     case Width::medium: return state_->medium.run(prepared, state_->met, camera, *start);
@@ -85,7 +75,7 @@ std::variant<View, Error> Walker::visible_edges(const scene::PolyCamera& camera)
   return state_->wide.run(prepared, state_->met, camera, *start);
 }
 
-std::variant<View, Error> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera) {
+base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera) {
   const PreparedComplex prepared(complex);
   return Walker(prepared).visible_edges(camera);
 }

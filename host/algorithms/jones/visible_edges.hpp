@@ -28,9 +28,9 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
-#include <variant>
 
 #include "host/algorithms/jones/prepared_complex.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -57,15 +57,14 @@ struct View {
   Counts counts;
 };
 
-enum class Error : std::uint8_t {
-  eye_in_solid,  // inside the outer box, but in no cell
-  eye_too_far,   // beyond the limit of coordinates
-  too_long,      // a plane of the complex is longer than planes through points of a scene are
-  no_complex,    // cells or openings contradict each other: a sight line does not end, or a line ends where
-                 // nothing crosses it
-};
-
-[[nodiscard]] std::string_view message(Error error);
+// Why there is no view: what the error of visible_edges says.
+inline constexpr std::string_view eye_in_solid = "the eye is inside a solid";
+inline constexpr std::string_view eye_too_far = "the eye is beyond the limit of coordinates, 262143";
+inline constexpr std::string_view plane_too_long =
+    "a plane of the cell complex has coefficients beyond those of planes through points of a scene";
+// A sight line does not end, or a line ends where nothing crosses it.
+inline constexpr std::string_view no_complex =
+    "the cells and openings are no cell complex: they contradict each other";
 
 // Looks at one complex from many eyes, each view as quick as if nothing but what it sees were there. One
 // thread at a time; several may share the prepared complex, which must outlive them. Needs memory for each
@@ -77,7 +76,7 @@ class Walker {
   Walker(Walker&&) noexcept;
   Walker& operator=(Walker&&) noexcept;
 
-  [[nodiscard]] std::variant<View, Error> visible_edges(const scene::PolyCamera& camera);
+  [[nodiscard]] base::Result<View> visible_edges(const scene::PolyCamera& camera);
 
  private:
   struct State;
@@ -85,7 +84,7 @@ class Walker {
 };
 
 // One view; the complex is prepared for it alone.
-[[nodiscard]] std::variant<View, Error> visible_edges(const scene::CellComplex& complex,
-                                                      const scene::PolyCamera& camera);
+[[nodiscard]] base::Result<View> visible_edges(const scene::CellComplex& complex,
+                                               const scene::PolyCamera& camera);
 
 }  // namespace sightline::algorithms::jones

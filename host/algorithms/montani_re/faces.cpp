@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/algorithms/montani_re/pyramids.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {
@@ -208,12 +209,11 @@ FaceSet FaceSetBuilder::take() {
   return std::move(set_);
 }
 
-std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,
-                                                  const scene::PolyCamera& camera) {
+base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   if (const auto past = face_past_eye(scene, camera)) {
-    return scene::SceneError{"", "montani-re",
-                             "face " + std::to_string((*past)[1]) + " of body " + std::to_string((*past)[0]) +
-                                 " reaches from before the eye to behind it: its image has no end"};
+    return base::Error{"", "montani-re",
+                       "face " + std::to_string((*past)[1]) + " of body " + std::to_string((*past)[0]) +
+                           " reaches from before the eye to behind it: its image has no end"};
   }
   return faces_seen(scene, camera);
 }

@@ -12,12 +12,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/montani_re/image.hpp"
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
 #include "host/algorithms/montani_re/window.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -107,7 +107,6 @@ class FaceSetBuilder {
 
 // Vertices keep the scene's numbers. The scene is a checked one (precondition). An error names a face that
 // reaches from before the eye to behind it.
-[[nodiscard]] std::variant<FaceSet, scene::SceneError> faces_of(const scene::PolyScene& scene,
-                                                                const scene::PolyCamera& camera);
+[[nodiscard]] base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
 }  // namespace sightline::algorithms::montani_re

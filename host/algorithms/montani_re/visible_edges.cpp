@@ -8,6 +8,7 @@
 #include "host/algorithms/montani_re/edge_parameter.hpp"
 #include "host/algorithms/montani_re/lone_edge_sight.hpp"
 #include "host/algorithms/montani_re/pyramids.hpp"
+#include "host/base/result.hpp"
 #include "host/geometry/interval_set.hpp"
 
 namespace sightline::algorithms::montani_re {
@@ -95,7 +96,7 @@ class EdgePieces {
   std::vector<Run> runs_;
 };
 
-scene::SceneError passing_through(const Face& f, const Face& g) {
+base::Error passing_through(const Face& f, const Face& g) {
   const auto name = [](const Face& face) {
     return "face " + std::to_string(face.index) + " of body " + std::to_string(face.body);
   };
@@ -129,8 +130,7 @@ picture::LinePicture edges_of_regions(const FaceSet& set, const std::vector<Trap
   return pieces.picture();
 }
 
-std::variant<LineView, scene::SceneError> visible_edges(const scene::PolyScene& scene,
-                                                        const scene::PolyCamera& camera) {
+base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   LineView view;
   for (const FaceSet& set : faces_before_eye(scene, camera)) {
     const VisibleRegions seen = visible_regions(set);

@@ -7,10 +7,10 @@
 // of pyramids.hpp are drawn one by one and their pieces joined.
 #pragma once
 
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -23,8 +23,8 @@ struct LineView {
 };
 
 // The scene is a checked one (precondition). An error names faces that pass through each other.
-[[nodiscard]] std::variant<LineView, scene::SceneError> visible_edges(const scene::PolyScene& scene,
-                                                                      const scene::PolyCamera& camera);
+[[nodiscard]] base::Result<LineView> visible_edges(const scene::PolyScene& scene,
+                                                   const scene::PolyCamera& camera);
 
 // The own sides and horizontal edges of the regions and what is seen of lone edges, as pieces of the edges of
 // the set.

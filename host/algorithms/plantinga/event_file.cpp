@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "host/algorithms/plantinga/event_file_format.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
 
 using namespace event_file;
-using picture::Bytes;
+using base::Bytes;
 
 class Writer {
  public:
@@ -76,8 +78,8 @@ Bytes encode_events(const EventList& list) {
   return std::move(writer.bytes());
 }
 
-picture::Result<picture::Done> write_events(const std::string& path, const EventList& list) {
-  return picture::write_file_atomically(path, encode_events(list));
+base::Result<base::Done> write_events(const std::string& path, const EventList& list) {
+  return base::write_file_atomically(path, encode_events(list));
 }
 
 }  // namespace sightline::algorithms::plantinga

@@ -13,18 +13,18 @@
 #include <string>
 
 #include "host/algorithms/plantinga/event_list.hpp"
-#include "host/picture/file_io.hpp"
-#include "host/picture/result.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {
 
-[[nodiscard]] picture::Bytes encode_events(const EventList& list);
+[[nodiscard]] base::Bytes encode_events(const EventList& list);
 // `name` stands for the file in errors, which say where, what was found and what was expected.
-[[nodiscard]] picture::Result<EventList> decode_events(const picture::Bytes& bytes, const std::string& name,
-                                                       const RotationModel& model);
+[[nodiscard]] base::Result<EventList> decode_events(const base::Bytes& bytes, const std::string& name,
+                                                    const RotationModel& model);
 
 // Complete or not at all: written beside, then renamed.
-[[nodiscard]] picture::Result<picture::Done> write_events(const std::string& path, const EventList& list);
-[[nodiscard]] picture::Result<EventList> read_events(const std::string& path, const RotationModel& model);
+[[nodiscard]] base::Result<base::Done> write_events(const std::string& path, const EventList& list);
+[[nodiscard]] base::Result<EventList> read_events(const std::string& path, const RotationModel& model);
 
 }  // namespace sightline::algorithms::plantinga

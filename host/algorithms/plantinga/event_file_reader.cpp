@@ -9,13 +9,15 @@
 
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/event_file_format.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
 
 using namespace event_file;
-using picture::Bytes;
-using picture::FileError;
+using base::Bytes;
+using base::Error;
 
 // Nothing in a file of this many bytes needs larger run numbers.
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
@@ -25,7 +27,7 @@ class Reader {
   Reader(const Bytes& bytes, std::string name, const RotationModel& model)
       : bytes_(bytes), name_(std::move(name)), model_(model), end_(bytes.size()) {}
 
-  picture::Result<EventList> read() {
+  base::Result<EventList> read() {
     header();
     if (!error_) body();
     if (error_) return std::move(*error_);
@@ -35,7 +37,7 @@ class Reader {
  private:
   void fail(std::size_t place, std::string found, std::string expected) {
     if (!error_)
-      error_ = FileError{name_, "byte " + std::to_string(place), std::move(found), std::move(expected)};
+      error_ = base::Error{name_, "byte " + std::to_string(place), std::move(found), std::move(expected)};
   }
 
   void header() {
@@ -212,19 +214,19 @@ class Reader {
   const RotationModel& model_;
   std::size_t at_ = 0;
   std::size_t end_;
-  std::optional<FileError> error_;
+  std::optional<base::Error> error_;
   EventList list_;
 };
 
 }  // namespace
 
-picture::Result<EventList> decode_events(const Bytes& bytes, const std::string& name,
-                                         const RotationModel& model) {
+base::Result<EventList> decode_events(const Bytes& bytes, const std::string& name,
+                                      const RotationModel& model) {
   return Reader(bytes, name, model).read();
 }
 
-picture::Result<EventList> read_events(const std::string& path, const RotationModel& model) {
-  auto bytes = picture::read_file(path, most_bytes);
+base::Result<EventList> read_events(const std::string& path, const RotationModel& model) {
+  auto bytes = base::read_file(path, most_bytes);
   if (!bytes) return bytes.error();
   return decode_events(*bytes, path, model);
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "host/algorithms/plantinga/edge_history.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
@@ -22,7 +23,7 @@ class Study {
       : model_(model), options_(options), parts_(model), histories_(model.edges().size()) {}
 
   // Nothing if a limit was reached.
-  std::optional<BuildStopped> run() {
+  std::optional<base::Error> run() {
     const unsigned wanted = options_.threads != 0 ? options_.threads : std::thread::hardware_concurrency();
     std::vector<std::thread> others;
     for (unsigned i = 1; i < wanted; ++i) others.emplace_back([this] { work(); });
@@ -55,10 +56,9 @@ class Study {
   void give_up(const std::string& what, std::uint64_t limit) {
     given_up_ = true;
     if (stopped_) return;
-    stopped_ = BuildStopped{"more than " + std::to_string(limit) + " " + what + " of edges: stopped after " +
-                                std::to_string(done_) + " of " + std::to_string(histories_.size()) +
-                                " edges with " + std::to_string(changes_) + " changes",
-                            done_, histories_.size(), changes_};
+    stopped_ = base::fail("more than " + std::to_string(limit) + " " + what + " of edges: stopped after " +
+                          std::to_string(done_) + " of " + std::to_string(histories_.size()) +
+                          " edges with " + std::to_string(changes_) + " changes");
   }
 
   const RotationModel& model_;
@@ -71,7 +71,7 @@ class Study {
   std::size_t done_ = 0;
   std::uint64_t changes_ = 0;
   std::uint64_t pieces_ = 0;
-  std::optional<BuildStopped> stopped_;
+  std::optional<base::Error> stopped_;
 };
 
 // The next multiple of the tolerance, as a direction of whole numbers.
@@ -145,8 +145,7 @@ void append_change(EventList& list, EdgeIndex edge, const EdgeStructure& before,
   ++list.events.back().change_count;
 }
 
-std::variant<EventList, BuildStopped> build_event_list(const RotationModel& model,
-                                                       const BuildOptions& options) {
+base::Result<EventList> build_event_list(const RotationModel& model, const BuildOptions& options) {
   Study study(model, options);
   if (auto stopped = study.run()) return std::move(*stopped);
   std::vector<EdgeHistory> histories = study.take();

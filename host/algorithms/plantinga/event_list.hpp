@@ -15,11 +15,11 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/plantinga/rotation_model.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {
 
@@ -68,15 +68,8 @@ struct BuildOptions {
       nullptr;  // edges; from any thread, one at a time
 };
 
-// A limit was reached.
-struct BuildStopped {
-  std::string message;  // which limit, and how far the work had come
-  std::size_t edges_done = 0;
-  std::size_t edges = 0;
-  std::uint64_t changes = 0;
-};
-
-[[nodiscard]] std::variant<EventList, BuildStopped> build_event_list(const RotationModel& model,
-                                                                     const BuildOptions& options = {});
+// Error: a limit was reached; it says which, and how far the work had come.
+[[nodiscard]] base::Result<EventList> build_event_list(const RotationModel& model,
+                                                       const BuildOptions& options = {});
 
 }  // namespace sightline::algorithms::plantinga

@@ -42,8 +42,8 @@ picture::LinePicture TurningScene::view(const Sight& sight) {
 std::optional<picture::LinePicture> TurningScene::turned_view(const Sight& sight) {
   if (!std::exchange(studied_, true)) {
     auto built = build_event_list(model_);
-    if (auto* list = std::get_if<EventList>(&built)) {
-      list_ = std::move(*list);
+    if (built) {
+      list_ = std::move(*built);
       graph_ = std::make_unique<EdgeStructureGraph>(list_);
     }
   }

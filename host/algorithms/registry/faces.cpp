@@ -6,11 +6,12 @@
 #include <memory>
 #include <utility>
 
+#include "host/algorithms/registry/montani_re_faces.hpp"
+#include "host/algorithms/registry/willis_display.hpp"
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/algorithms/registry/montani_re_faces.hpp"
-#include "host/algorithms/registry/willis_display.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::harness {
 
@@ -32,9 +33,8 @@ class WillisScene {
 
   [[nodiscard]] const willis::Model& model() const { return model_; }
 
-  std::variant<FaceView, scene::SceneError> view(const scene::PolyCamera& camera, const FaceWindow& shown) {
-    if (auto error = willis::plan_error(model_, camera))
-      return scene::SceneError{"", "camera", std::move(*error)};
+  base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& shown) {
+    if (auto error = willis::plan_error(model_, camera)) return base::Error{"", "camera", std::move(*error)};
     const willis::ImageWindow window = willis_window(shown);
     const auto order = frames_.order(camera);
     willis::make_spans(model_, order, camera, window, spans_);
@@ -54,8 +54,7 @@ class WillisScene {
   WillisDisplay display_;
 };
 
-std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyScene& scene,
-                                                              const FaceOptions& options) {
+base::Result<PreparedFaces> prepare_willis(const scene::PolyScene& scene, const FaceOptions& options) {
   willis::ModelOptions model_options;
   if (options.depth) model_options.limits.depth = *options.depth;
   model_options.plan = options.plan;
@@ -64,8 +63,8 @@ std::variant<PreparedFaces, scene::SceneError> prepare_willis(const scene::PolyS
   if (options.oval) model_options.rules.shape = willis::BoundaryShape::oval;
   model_options.order_cells = options.order_cells;
   auto model = willis::make_model(scene, model_options);
-  if (auto* error = std::get_if<scene::SceneError>(&model)) return std::move(*error);
-  const auto made = std::make_shared<WillisScene>(std::get<willis::Model>(std::move(model)));
+  if (!model) return std::move(model.error());
+  const auto made = std::make_shared<WillisScene>(std::move(*model));
   PreparedFaces prepared;
   prepared.counts = {{"surfaces", made->model().surfaces},
                      {"clusters", made->model().clusters},

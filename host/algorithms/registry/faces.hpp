@@ -9,9 +9,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -51,15 +51,13 @@ struct FaceRegions {
 
 // One view of a prepared scene. The eye of a camera in perspective is in free space (precondition). One view
 // at a time.
-using FaceViews =
-    std::function<std::variant<FaceView, scene::SceneError>(const scene::PolyCamera&, const FaceWindow&)>;
-using FaceRegionViews =
-    std::function<std::variant<FaceRegions, scene::SceneError>(const scene::PolyCamera&, const FaceWindow&)>;
+using FaceViews = std::function<base::Result<FaceView>(const scene::PolyCamera&, const FaceWindow&)>;
+using FaceRegionViews = std::function<base::Result<FaceRegions>(const scene::PolyCamera&, const FaceWindow&)>;
 
 struct PreparedFaces {
   FaceViews view;
-  FaceRegionViews regions;             // empty if the algorithm has pixels only
-  std::vector<FaceCount> counts;       // of what was made of the scene
+  FaceRegionViews regions;              // empty if the algorithm has pixels only
+  std::vector<FaceCount> counts;        // of what was made of the scene
   std::vector<std::string> not_solved;  // what may be drawn wrongly, by name; empty: nothing
 };
 
@@ -82,9 +80,9 @@ struct FaceOptions {
 struct FaceAlgorithm {
   std::string_view name;
   std::string_view description;  // and its source
-  // What all views of a scene share. The scene is a checked one (precondition), and outlives what is prepared.
-  std::variant<PreparedFaces, scene::SceneError> (*prepare)(const scene::PolyScene& scene,
-                                                            const FaceOptions& options);
+  // What all views of a scene share. The scene is a checked one (precondition), and outlives what is
+  // prepared.
+  base::Result<PreparedFaces> (*prepare)(const scene::PolyScene& scene, const FaceOptions& options);
 };
 
 [[nodiscard]] std::span<const FaceAlgorithm> face_algorithms();
@@ -93,7 +91,7 @@ struct FaceAlgorithm {
 
 // As windows of the algorithms: straight ahead, `extent` (degrees, or scene units without perspective) across
 // the shorter side; or around all of the scene.
-[[nodiscard]] FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera, int width,
-                                     int height, std::optional<double> extent);
+[[nodiscard]] FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                     int width, int height, std::optional<double> extent);
 
 }  // namespace sightline::harness

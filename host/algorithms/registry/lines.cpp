@@ -11,6 +11,7 @@
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/decompose.hpp"
 
@@ -22,20 +23,20 @@ std::optional<std::string> applies(const scene::PolyScene&) {
   return std::nullopt;
 }
 
-std::variant<PreparedScene, scene::SceneError> prepare_exact(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_exact(const scene::PolyScene& scene) {
   const auto mesh =
       std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
   PreparedScene prepared;
   prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
-  prepared.view = [mesh](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+  prepared.view = [mesh](const scene::PolyCamera& camera) -> base::Result<LineView> {
     return LineView{algorithms::exact::visible_edges(*mesh, camera), {}};
   };
   return prepared;
 }
 
-std::variant<PreparedScene, scene::SceneError> prepare_oracle(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_oracle(const scene::PolyScene& scene) {
   PreparedScene prepared;
-  prepared.view = [&scene](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+  prepared.view = [&scene](const scene::PolyCamera& camera) -> base::Result<LineView> {
     return LineView{algorithms::oracle::visible_edges(scene, camera), {}};
   };
   return prepared;
@@ -50,13 +51,12 @@ class JonesScene {
 
   [[nodiscard]] const scene::CellComplex& complex() const { return complex_; }
 
-  std::variant<LineView, scene::SceneError> view(const scene::PolyCamera& camera) {
+  base::Result<LineView> view(const scene::PolyCamera& camera) {
     native_jones::Walker walker = take();
     auto result = walker.visible_edges(camera);
     give_back(std::move(walker));
-    if (const auto* error = std::get_if<native_jones::Error>(&result))
-      return scene::SceneError{"", "jones", std::string(message(*error))};
-    auto& seen = std::get<native_jones::View>(result);
+    if (!result) return base::Error{"", "jones", result.error().message()};
+    auto& seen = *result;
     const native_jones::Counts& c = seen.counts;
     return LineView{std::move(seen.picture),
                     {{"visits", c.visits},
@@ -97,18 +97,18 @@ PreparedScene prepare_jones_cells(scene::CellComplex complex) {
   return prepared;
 }
 
-std::variant<PreparedScene, scene::SceneError> prepare_jones(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_jones(const scene::PolyScene& scene) {
   auto complex = scene::compartment(scene);
-  if (auto* error = std::get_if<scene::SceneError>(&complex)) return std::move(*error);
-  return prepare_jones_cells(std::get<scene::CellComplex>(std::move(complex)));
+  if (!complex) return std::move(complex.error());
+  return prepare_jones_cells(std::move(*complex));
 }
 
-std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_montani_re(const scene::PolyScene& scene) {
   PreparedScene prepared;
-  prepared.view = [&scene](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+  prepared.view = [&scene](const scene::PolyCamera& camera) -> base::Result<LineView> {
     auto result = algorithms::montani_re::visible_edges(scene, camera);
-    if (auto* error = std::get_if<scene::SceneError>(&result)) return std::move(*error);
-    auto& seen = std::get<algorithms::montani_re::LineView>(result);
+    if (!result) return std::move(result.error());
+    auto& seen = *result;
     const algorithms::montani_re::RegionCounts& c = seen.counts;
     return LineView{std::move(seen.picture),
                     {{"relations", c.relations},
@@ -121,13 +121,13 @@ std::variant<PreparedScene, scene::SceneError> prepare_montani_re(const scene::P
   return prepared;
 }
 
-std::variant<PreparedScene, scene::SceneError> prepare_plantinga(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_plantinga(const scene::PolyScene& scene) {
   const auto turning = std::make_shared<algorithms::plantinga::TurningScene>(scene);
   PreparedScene prepared;
   prepared.counts = {{"edges", turning->model().edges().size()}, {"faces", turning->model().faces().size()}};
-  prepared.view = [turning](const scene::PolyCamera& camera) -> std::variant<LineView, scene::SceneError> {
+  prepared.view = [turning](const scene::PolyCamera& camera) -> base::Result<LineView> {
     const auto sight = algorithms::plantinga::sight_of(camera);
-    if (!sight) return scene::SceneError{"", "camera", "its line of sight is not parallel to y = 0"};
+    if (!sight) return base::Error{"", "camera", "its line of sight is not parallel to y = 0"};
     return LineView{turning->view(*sight), {}};
   };
   return prepared;

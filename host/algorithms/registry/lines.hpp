@@ -12,9 +12,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -37,7 +37,7 @@ struct LineView {
 
 // One view of a prepared scene. The eye of a camera in perspective is in free space (scene::eye_error finds
 // nothing: precondition). Several threads may ask at once.
-using LineViews = std::function<std::variant<LineView, scene::SceneError>(const scene::PolyCamera&)>;
+using LineViews = std::function<base::Result<LineView>(const scene::PolyCamera&)>;
 
 struct PreparedScene {
   LineViews view;
@@ -51,7 +51,7 @@ struct LineAlgorithm {
   std::optional<std::string> (*why_not)(const scene::PolyScene& scene);
   // What all views of a scene share. The scene is a checked one, to which the algorithm applies
   // (preconditions), and outlives what is prepared.
-  std::variant<PreparedScene, scene::SceneError> (*prepare)(const scene::PolyScene& scene);
+  base::Result<PreparedScene> (*prepare)(const scene::PolyScene& scene);
   // Of edges that lie on each other in the image it draws the nearest only: its picture is held against
   // others as the set of points it draws (picture::image_set), not piece by piece.
   bool same_by_image = false;

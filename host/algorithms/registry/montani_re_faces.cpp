@@ -13,6 +13,7 @@
 #include "host/algorithms/montani_re/region_boundary.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/face_numbers.hpp"
 
 namespace sightline::harness {
@@ -54,7 +55,7 @@ native::WindowBounds bounds_of(const native::StripeFrame& frame, bool perspectiv
   return bounds;
 }
 
-scene::SceneError passing_through(const native::FaceSet& set, std::uint32_t first, std::uint32_t second) {
+base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std::uint32_t second) {
   const auto name = [&set](std::uint32_t f) {
     return "face " + std::to_string(set.faces[f].index) + " of body " + std::to_string(set.faces[f].body);
   };
@@ -66,8 +67,7 @@ class MontaniReScene {
   MontaniReScene(const scene::PolyScene& scene, std::int32_t units)
       : scene_(scene), units_(units), first_faces_(scene::first_face_numbers(scene)) {}
 
-  [[nodiscard]] std::variant<FaceView, scene::SceneError> view(const scene::PolyCamera& camera,
-                                                               const FaceWindow& window) const {
+  [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
     const native::StripeFrame frame = frame_of(camera, window);
     // Corners are moved by up to four pixels: borders are kept well away from what is shown.
     const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
@@ -89,8 +89,8 @@ class MontaniReScene {
     return view;
   }
 
-  [[nodiscard]] std::variant<FaceRegions, scene::SceneError> regions(const scene::PolyCamera& camera,
-                                                                     const FaceWindow& window) const {
+  [[nodiscard]] base::Result<FaceRegions> regions(const scene::PolyCamera& camera,
+                                                  const FaceWindow& window) const {
     const native::StripeFrame frame = frame_of(camera, window);
     const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 0);
     const native::FaceSet set = native::faces_seen(scene_, camera, {}, &bounds);
@@ -138,11 +138,11 @@ class MontaniReScene {
 
 }  // namespace
 
-std::variant<PreparedFaces, scene::SceneError> prepare_montani_re_faces(const scene::PolyScene& scene,
-                                                                        const FaceOptions& options) {
+base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& scene,
+                                                     const FaceOptions& options) {
   const auto found = std::find(stripe_thicknesses.begin(), stripe_thicknesses.end(), options.stripe);
   if (found == stripe_thicknesses.end())
-    return scene::SceneError{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
+    return base::Error{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
   const auto made = std::make_shared<const MontaniReScene>(scene, static_cast<std::int32_t>(16 / *found));
   PreparedFaces prepared;
   prepared.view = [made](const scene::PolyCamera& camera, const FaceWindow& window) {

@@ -2,14 +2,13 @@
 // holes of the exact regions.
 #pragma once
 
-#include <variant>
-
 #include "host/algorithms/registry/faces.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::harness {
 
 // An error if there are no stripes of this thickness.
-[[nodiscard]] std::variant<PreparedFaces, scene::SceneError> prepare_montani_re_faces(
-    const scene::PolyScene& scene, const FaceOptions& options);
+[[nodiscard]] base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& scene,
+                                                                   const FaceOptions& options);
 
 }  // namespace sightline::harness

@@ -12,6 +12,7 @@
 #include "host/algorithms/willis/distance.hpp"
 #include "host/algorithms/willis/near_pairs.hpp"
 #include "host/algorithms/willis/surfaces.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::algorithms::willis {
 
@@ -157,11 +158,10 @@ Model make_model(std::vector<Surface> surfaces, const ModelOptions& options) {
   return model;
 }
 
-std::variant<Model, scene::SceneError> make_model(const scene::PolyScene& scene,
-                                                  const ModelOptions& options) {
+base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options) {
   auto surfaces = options.plan ? walls_of(scene, options.vertical) : surfaces_of(scene);
-  if (auto* error = std::get_if<scene::SceneError>(&surfaces)) return std::move(*error);
-  return make_model(std::get<0>(std::move(surfaces)), options);
+  if (!surfaces) return std::move(surfaces.error());
+  return make_model(std::move(*surfaces), options);
 }
 
 std::vector<std::string> residual_lines(const Model& model, const scene::PolyScene& scene) {

@@ -2,29 +2,29 @@
 // created, so that a frame needs no more than one distance for each surface.
 //
 // Surfaces that touch are kept apart by order cells; within a cell, of every cluster of two the larger
-// surface is cut, until there is no cluster left or a limit is reached. What could not be separated is listed:
-// for those pairs, from some viewpoints, distance may give the wrong order.
+// surface is cut, until there is no cluster left or a limit is reached. What could not be separated is
+// listed: for those pairs, from some viewpoints, distance may give the wrong order.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/willis/boundary.hpp"
 #include "host/algorithms/willis/order_cells.hpp"
 #include "host/algorithms/willis/surface.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 
 struct Limits {
-  int depth = 30;               // cuts of one surface; the lattice allows 12 halvings of an edge anyway
-  int touching_depth = 4;       // of surfaces that touch their partner: no number of cuts would do
-  std::int32_t smallest = 0;    // surfaces of at most this diameter, in scene units, are not cut
+  int depth = 30;             // cuts of one surface; the lattice allows 12 halvings of an edge anyway
+  int touching_depth = 4;     // of surfaces that touch their partner: no number of cuts would do
+  std::int32_t smallest = 0;  // surfaces of at most this diameter, in scene units, are not cut
   std::size_t pieces = 1'000'000;
 };
 
@@ -66,8 +66,7 @@ struct Model {
 };
 
 // The scene is a checked one (precondition). Errors: as surfaces_of and walls_of.
-[[nodiscard]] std::variant<Model, scene::SceneError> make_model(const scene::PolyScene& scene,
-                                                                const ModelOptions& options = {});
+[[nodiscard]] base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options = {});
 // The same of surfaces, whatever they are faces of.
 [[nodiscard]] Model make_model(std::vector<Surface> surfaces, const ModelOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::algorithms::willis {
@@ -118,7 +119,7 @@ Surface other_side(Surface s) {
   return s;
 }
 
-scene::SceneError error_at(std::size_t body, std::size_t face, std::string message) {
+base::Error error_at(std::size_t body, std::size_t face, std::string message) {
   return {"", "body " + std::to_string(body) + " face " + std::to_string(face), std::move(message)};
 }
 
@@ -149,7 +150,7 @@ std::optional<Surface> wall_of(const scene::PolyScene& scene, const Ring& corner
 
 }  // namespace
 
-std::variant<std::vector<Surface>, scene::SceneError> surfaces_of(const scene::PolyScene& scene) {
+base::Result<std::vector<Surface>> surfaces_of(const scene::PolyScene& scene) {
   std::vector<Surface> surfaces;
   std::uint32_t number = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -171,8 +172,7 @@ std::variant<std::vector<Surface>, scene::SceneError> surfaces_of(const scene::P
   return surfaces;
 }
 
-std::variant<std::vector<Surface>, scene::SceneError> walls_of(const scene::PolyScene& scene,
-                                                               std::size_t vertical) {
+base::Result<std::vector<Surface>> walls_of(const scene::PolyScene& scene, std::size_t vertical) {
   std::vector<Surface> walls;
   std::uint32_t number = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

@@ -1,10 +1,10 @@
 // The surfaces of a scene: its faces in convex pieces, as seen from outside; those of sheets from both sides.
 #pragma once
 
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/willis/surface.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -12,12 +12,12 @@ namespace sightline::algorithms::willis {
 
 // The scene is a checked one (precondition). Faces that are not convex, or have holes, are made of triangles
 // between their own corners, joined as long as they stay convex. An error names a face with too many corners.
-[[nodiscard]] std::variant<std::vector<Surface>, scene::SceneError> surfaces_of(const scene::PolyScene& scene);
+[[nodiscard]] base::Result<std::vector<Surface>> surfaces_of(const scene::PolyScene& scene);
 
 // The walls in plan, as the paper has them. An error names a face that is neither a rectangle with two
 // vertical sides nor level; level faces (roofs, floors) have no part in a plan and are left out.
-[[nodiscard]] std::variant<std::vector<Surface>, scene::SceneError> walls_of(const scene::PolyScene& scene,
-                                                                             std::size_t vertical);
+[[nodiscard]] base::Result<std::vector<Surface>> walls_of(const scene::PolyScene& scene,
+                                                          std::size_t vertical);
 
 // Number of a face counted over all bodies -> its body, and its number there.
 struct FacePlace {

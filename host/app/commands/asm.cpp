@@ -11,6 +11,7 @@
 
 #include "host/app/commands/asm_files.hpp"
 #include "host/app/commands/asm_i8080.hpp"
+#include "host/base/file.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/image/octal.hpp"
 #include "tools/image/tape.hpp"
@@ -51,14 +52,14 @@ assembler::Options options_from(const AsmArguments& arguments) {
   return options;
 }
 
-picture::Bytes encoded(const image::CoreImage& core, const AsmArguments& arguments) {
+base::Bytes encoded(const image::CoreImage& core, const AsmArguments& arguments) {
   if (arguments.format == "octal") {
     const std::string text = image::write_octal(core);
     return {text.begin(), text.end()};
   }
   const std::string file = arguments.files.output == "-" ? "standard output" : arguments.files.output;
   const auto tape = arguments.format == "hri" ? image::write_hri(core, file) : image::write_rim(core, file);
-  if (!tape) throw Failure(ExitCode::bad_input, image::to_string(tape.error()));
+  if (!tape) throw Failure(ExitCode::bad_input, tape.error().message(base::MessageStyle::compiler));
   return tape.value();
 }
 
@@ -83,8 +84,8 @@ void assemble(const AsmArguments& arguments) {
   const auto options = options_from(arguments);
   const auto assembly = assembler::assemble_pdp7(read_sources(arguments.files), options);
   report_diagnostics(assembly.diagnostics);
-  const picture::Bytes program =
-      arguments.files.output.empty() ? picture::Bytes{} : encoded(assembly.image, arguments);
+  const base::Bytes program =
+      arguments.files.output.empty() ? base::Bytes{} : encoded(assembly.image, arguments);
   write_asm_files(arguments.files, program, assembler::write_listing(assembly.listing),
                   assembler::write_symbols(assembly.symbols));
   complain(summary(assembly, arguments));

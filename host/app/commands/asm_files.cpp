@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "host/base/file.hpp"
+
 namespace sightline::app {
 
 namespace {
@@ -56,7 +58,7 @@ void report_diagnostics(std::span<const assembler::Diagnostic> diagnostics) {
     throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
 }
 
-void write_asm_files(const AsmFiles& files, const picture::Bytes& program, std::string_view listing,
+void write_asm_files(const AsmFiles& files, const base::Bytes& program, std::string_view listing,
                      std::string_view symbols) {
   std::vector<Output> outputs;
   if (!files.output.empty()) outputs.emplace_back(files.output).write(std::span(program));

@@ -8,10 +8,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/app/command.hpp"
+#include "host/base/file.hpp"
+#include "host/base/result.hpp"
 #include "tools/asm/diagnostic.hpp"
 #include "tools/asm/source.hpp"
 
@@ -35,13 +36,12 @@ void refuse_clashing_files(const AsmFiles& files);
 // Each -D NAME=VALUE by the reader of the machine's numbers. Failure usage with its "found X, expected Y".
 template <class Define>
 [[nodiscard]] std::vector<Define> read_defines(const std::vector<std::string>& texts,
-                                               std::variant<Define, std::string> (*parse)(std::string_view)) {
+                                               base::Result<Define> (*parse)(std::string_view)) {
   std::vector<Define> defines;
   for (const std::string& text : texts) {
     auto define = parse(text);
-    if (const auto* message = std::get_if<std::string>(&define))
-      throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, *message));
-    defines.push_back(std::get<Define>(std::move(define)));
+    if (!define) throw Failure(ExitCode::usage, fmt::format("-D {}: {}", text, define.error().message()));
+    defines.push_back(std::move(*define));
   }
   return defines;
 }
@@ -50,7 +50,7 @@ template <class Define>
 void report_diagnostics(std::span<const assembler::Diagnostic> diagnostics);
 
 // Those of the three that were asked for; all appear or none. Failure io.
-void write_asm_files(const AsmFiles& files, const picture::Bytes& program, std::string_view listing,
+void write_asm_files(const AsmFiles& files, const base::Bytes& program, std::string_view listing,
                      std::string_view symbols);
 
 }  // namespace sightline::app

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "host/app/commands/asm_files.hpp"
 #include "host/app/byte_image_argument.hpp"
+#include "host/app/commands/asm_files.hpp"
+#include "host/base/file.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/image/binary.hpp"
 #include "tools/image/intel_hex.hpp"
@@ -58,7 +59,7 @@ assembler::I8080Options options_from(const AsmI8080Arguments& arguments) {
   return options;
 }
 
-picture::Bytes encoded(const image::ByteImage& memory, const AsmI8080Arguments& arguments) {
+base::Bytes encoded(const image::ByteImage& memory, const AsmI8080Arguments& arguments) {
   const ByteFormat format = arguments.format.empty()
                                 ? byte_format_of_name(arguments.files.output).value_or(ByteFormat::hex)
                                 : byte_format_named(arguments.format);
@@ -69,7 +70,7 @@ picture::Bytes encoded(const image::ByteImage& memory, const AsmI8080Arguments& 
   const std::string file = arguments.files.output == "-" ? "standard output" : arguments.files.output;
   const auto bytes =
       format == ByteFormat::com ? image::write_com(memory, file) : image::write_binary(memory, file);
-  if (!bytes) throw Failure(ExitCode::bad_input, image::to_string(bytes.error()));
+  if (!bytes) throw Failure(ExitCode::bad_input, bytes.error().message(base::MessageStyle::compiler));
   return bytes.value();
 }
 
@@ -87,8 +88,8 @@ void assemble(const AsmI8080Arguments& arguments) {
   const auto options = options_from(arguments);
   const auto assembly = assembler::assemble_i8080(read_sources(arguments.files), options);
   report_diagnostics(assembly.diagnostics);
-  const picture::Bytes program =
-      arguments.files.output.empty() ? picture::Bytes{} : encoded(assembly.image, arguments);
+  const base::Bytes program =
+      arguments.files.output.empty() ? base::Bytes{} : encoded(assembly.image, arguments);
   write_asm_files(arguments.files, program, assembler::write_listing(assembly.listing),
                   assembler::write_i8080_symbols(assembly.symbols));
   complain(summary(assembly, arguments));

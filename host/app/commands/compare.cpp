@@ -21,6 +21,7 @@
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/base/json.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -188,12 +189,12 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     camera.orthographic = arguments.orthographic;
     return compare::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
   }();
-  if (const auto* error = std::get_if<scene::SceneError>(&compared)) {
-    scene::SceneError named = *error;
+  if (!compared) {
+    base::Error named = compared.error();
     named.source = name;
     throw Failure(ExitCode::bad_input, named.message());
   }
-  auto comparison = std::get<compare::SceneComparison>(compared);
+  auto comparison = *compared;
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
   return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
           write_overlays(arguments.directory, comparison)};

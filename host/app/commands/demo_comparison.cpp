@@ -82,9 +82,9 @@ DemoComparison compare_for_demo() {
   DemoComparison comparison;
   for (const std::string_view name : scene::builtin_scene_names()) {
     auto compared = compare::compare_cell_scene(load_scene(std::string(name)), {});
-    if (const auto* error = std::get_if<scene::SceneError>(&compared))
-      throw Failure(ExitCode::guest_failed, fmt::format("{}: {}", name, error->message()));
-    comparison.scenes.push_back(std::get<SceneComparison>(std::move(compared)));
+    if (!compared)
+      throw Failure(ExitCode::guest_failed, fmt::format("{}: {}", name, compared.error().message()));
+    comparison.scenes.push_back(std::move(*compared));
   }
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     guests::skala::View view;

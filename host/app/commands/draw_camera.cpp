@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdlib>
 #include <string_view>
 
+#include "host/base/number.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_bounds.hpp"
@@ -18,21 +18,10 @@ namespace {
 
 // Three whole numbers, their magnitudes below `limit`.
 scene::PolyPoint vector_argument(std::string_view option, const std::string& text, std::int32_t limit) {
-  scene::PolyPoint point{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [after, error] = std::from_chars(at, end, point[axis]);
-    const bool good = error == std::errc{} && std::abs(std::int64_t{point[axis]}) < limit &&
-                      (axis == 2 ? after == end : after != end && *after == ',');
-    if (!good) {
-      throw Failure(ExitCode::usage,
-                    fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option,
-                                text, 1 - limit, limit - 1));
-    }
-    at = after + 1;
-  }
-  return point;
+  if (const auto point = base::whole_numbers<std::int32_t, 3>(text, ',', 1 - limit, limit - 1)) return *point;
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option,
+                            text, 1 - limit, limit - 1));
 }
 
 scene::PolyPoint direction_argument(std::string_view option, const std::string& text, std::int32_t limit) {
@@ -141,7 +130,7 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
     }
   }
   if (auto error = scene::eye_error(scene, camera)) {
-    error->source = source;
+    error->file = source;
     throw Failure(ExitCode::bad_input, error->message());
   }
   return camera;

@@ -4,18 +4,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "host/app/commands/draw_camera.hpp"
 #include "host/app/commands/face_shades.hpp"
 #include "host/app/scene_source.hpp"
+#include "host/base/file.hpp"
 #include "host/base/json.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/apng.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_bounds.hpp"
@@ -51,27 +52,19 @@ std::string draw_faces_footer(std::string_view algorithm) {
 }
 
 std::pair<int, int> faces_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, width);
-  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x') {
-    const auto second = std::from_chars(first.ptr + 1, end, height);
-    if (second.ec == std::errc{} && second.ptr == end && width >= 1 && height >= 1 &&
-        width <= picture::png_size_limit && height <= picture::png_size_limit)
-      return {width, height};
-  }
+  if (const auto size = base::whole_numbers<int, 2>(text, 'x', 1, picture::png_size_limit))
+    return {(*size)[0], (*size)[1]};
   throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
                                              text, picture::png_size_limit));
 }
 
 template <class Value>
-Value faces_checked(std::variant<Value, scene::SceneError> result, const SceneSource& source) {
-  if (auto* error = std::get_if<scene::SceneError>(&result)) {
-    error->source = source.name;
-    throw Failure(ExitCode::bad_input, error->message());
+Value faces_checked(base::Result<Value> result, const SceneSource& source) {
+  if (!result) {
+    result.error().file = source.name;
+    throw Failure(ExitCode::bad_input, result.error().message());
   }
-  return std::get<0>(std::move(result));
+  return std::move(*result);
 }
 
 void name_not_solved(const harness::PreparedFaces& prepared) {
@@ -98,9 +91,9 @@ scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::Pol
   return scene::aimed_camera(frame, eye, direction);
 }
 
-picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
-                   const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
-                   const harness::FaceWindow& window) {
+base::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
+                const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
+                const harness::FaceWindow& window) {
   const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   const auto shades = face_shades(source.scene);
@@ -110,7 +103,7 @@ picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& sourc
         camera_around(frame, start, middle, static_cast<double>(i) / arguments.frames);
     bool below = true;
     for (const std::int32_t c : camera.eye) below = below && std::abs(c) < scene::poly_coordinate_limit;
-    std::optional<scene::SceneError> error;
+    std::optional<base::Error> error;
     if (below) error = scene::eye_error(source.scene, camera);
     if (!below || error) {
       throw Failure(ExitCode::bad_input,
@@ -128,8 +121,8 @@ picture::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& sourc
   return std::move(*bytes);
 }
 
-picture::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource& source,
-                          const harness::FaceView& view) {
+base::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource& source,
+                       const harness::FaceView& view) {
   const auto bytes = picture::encode_png(
       arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, face_shades(source.scene)),
       {{"Title", source.name}, {"Software", "sightline"}});

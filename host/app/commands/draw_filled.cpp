@@ -7,11 +7,11 @@
 #include <cmath>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/app/commands/face_shades.hpp"
 #include "host/base/json.hpp"
+#include "host/base/result.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/region_svg.hpp"
 
@@ -20,12 +20,12 @@ namespace sightline::app {
 namespace {
 
 template <class Value>
-Value filled_checked(std::variant<Value, scene::SceneError> result, const SceneSource& source) {
-  if (auto* error = std::get_if<scene::SceneError>(&result)) {
-    error->source = source.name;
-    throw Failure(ExitCode::bad_input, error->message());
+Value filled_checked(base::Result<Value> result, const SceneSource& source) {
+  if (!result) {
+    result.error().file = source.name;
+    throw Failure(ExitCode::bad_input, result.error().message());
   }
-  return std::get<0>(std::move(result));
+  return std::move(*result);
 }
 
 std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& prepared,

@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "host/app/commands/draw_camera.hpp"
 #include "host/app/commands/draw_filled.hpp"
@@ -90,11 +89,11 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const SceneSo
                                                    source.name, algorithm.name, *reason));
   }
   const auto checked = [&](auto result) {
-    if (auto* error = std::get_if<scene::SceneError>(&result)) {
-      error->source = source.name;
-      throw Failure(ExitCode::bad_input, error->message());
+    if (!result) {
+      result.error().file = source.name;
+      throw Failure(ExitCode::bad_input, result.error().message());
     }
-    return std::get<0>(std::move(result));
+    return std::move(*result);
   };
   const harness::PreparedScene prepared = source.complex && algorithm.prepare_cells != nullptr
                                               ? algorithm.prepare_cells(*source.complex)

@@ -4,11 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "host/base/number.hpp"
 #include "host/picture/png.hpp"
 
 namespace sightline::app {
@@ -17,21 +17,8 @@ namespace {
 
 constexpr double widest_paper = 10'000;  // millimetres
 
-std::optional<int> whole(std::string_view text, int most) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > most)
-    return std::nullopt;
-  return value;
-}
-
 std::pair<int, int> size_argument(const char* option, const std::string& text, int most) {
-  const std::size_t cross = text.find('x');
-  if (cross != std::string::npos) {
-    const auto width = whole(std::string_view(text).substr(0, cross), most);
-    const auto height = whole(std::string_view(text).substr(cross + 1), most);
-    if (width && height) return {*width, *height};
-  }
+  if (const auto size = base::whole_numbers<int, 2>(text, 'x', 1, most)) return {(*size)[0], (*size)[1]};
   throw Failure(ExitCode::usage,
                 fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
 }

@@ -11,13 +11,13 @@
 namespace sightline::app {
 
 guests::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
-                                 const guests::jones::ProgramOptions& options) {
+                                  const guests::jones::ProgramOptions& options) {
   auto program = guests::jones::assemble_program(scene, options);
-  if (auto* error = std::get_if<scene::SceneError>(&program)) {
-    error->source = source;
-    throw Failure(ExitCode::bad_input, error->message());
+  if (!program) {
+    program.error().file = source;
+    throw Failure(ExitCode::bad_input, program.error().message());
   }
-  return std::get<guests::jones::Program>(std::move(program));
+  return std::move(*program);
 }
 
 std::string title_of(const std::string& scene_name, bool eae) {

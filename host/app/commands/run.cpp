@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
-#include "host/app/eae_option.hpp"
-#include "host/app/progress.hpp"
 #include "host/app/commands/run_arguments.hpp"
 #include "host/app/commands/run_i8080.hpp"
 #include "host/app/commands/run_outputs.hpp"
 #include "host/app/commands/run_report.hpp"
 #include "host/app/commands/run_timing.hpp"
+#include "host/app/eae_option.hpp"
+#include "host/base/progress.hpp"
 
 namespace sightline::app {
 
@@ -56,11 +56,11 @@ ExitCode run_pdp7(const RunArguments& arguments) {
   outputs.attach(job);
   harness::Pdp7Report report;
   {
-    const InterruptKey key;
-    ProgressLine line;
+    const base::InterruptKey key;
+    base::ProgressLine line;
     job.keep_running = [&line](const harness::Progress& progress) {
-      line.show(progress);
-      return !InterruptKey::pressed();
+      line.show_run(static_cast<std::uint64_t>(core::nanoseconds_of(progress.now)), progress.instructions);
+      return !base::InterruptKey::pressed();
     };
     report = harness::run_pdp7(job);
   }

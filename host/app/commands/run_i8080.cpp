@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "host/app/progress.hpp"
 #include "host/app/commands/run_i8080_arguments.hpp"
 #include "host/app/commands/run_i8080_outputs.hpp"
 #include "host/app/commands/run_i8080_report.hpp"
+#include "host/base/progress.hpp"
 
 namespace sightline::app {
 
@@ -63,11 +63,14 @@ ExitCode run_i8080(const RunI8080Arguments& arguments) {
   outputs.attach(job);
   harness::I8080Report report;
   {
-    const InterruptKey key;
-    ProgressLine line;
+    const base::InterruptKey key;
+    base::ProgressLine line;
     job.keep_running = [&line, &job](const harness::I8080Progress& progress) {
-      line.show({progress.instructions, job.machine.clock.to_nanoseconds(progress.now)});
-      return !InterruptKey::pressed() && std::ferror(stdout) == 0;  // nobody reads what the program prints
+      line.show_run(
+          static_cast<std::uint64_t>(core::nanoseconds_of(job.machine.clock.to_nanoseconds(progress.now))),
+          progress.instructions);
+      return !base::InterruptKey::pressed() &&
+             std::ferror(stdout) == 0;  // nobody reads what the program prints
     };
     report = harness::run_i8080(job);
   }

@@ -6,26 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <optional>
-#include <system_error>
 
 #include "emulators/devices/calcomp565.hpp"
 #include "host/app/byte_image_argument.hpp"
 #include "host/app/command.hpp"
+#include "host/base/number.hpp"
 
 namespace sightline::app {
 
 namespace {
-
-template <class Number>
-std::optional<Number> number_of(std::string_view text, int base) {
-  Number value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value, base);
-  if (text.empty() || error != std::errc{} || after != end) return std::nullopt;
-  return value;
-}
 
 i8080::Address with_high(i8080::Address pair, std::uint32_t value) {
   return i8080::joined(static_cast<i8080::Byte>(value), i8080::low(pair));
@@ -78,7 +68,7 @@ std::string all_names(const Names& names) {
 
 std::uint32_t hexadecimal_argument(std::string_view option, std::string_view text, std::uint32_t most,
                                    std::string_view what) {
-  const auto value = number_of<std::uint32_t>(without_hexadecimal_mark(text), 16);
+  const auto value = base::whole_number<std::uint32_t>(without_hexadecimal_mark(text), 16);
   if (value && *value <= most) return *value;
   throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected {}, hexadecimal, 0 to {:X}", option,
                                              text, what, most));
@@ -107,8 +97,8 @@ void set_i8080_register(i8080::State& registers, const std::string& text) {
 devices::PlotterPlace plotter_place(std::string_view option, const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string_view whole = text;
-  const auto x = number_of<std::uint16_t>(whole.substr(0, comma), 10);
-  const auto y = number_of<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())), 10);
+  const auto x = base::whole_number<std::uint16_t>(whole.substr(0, comma), 10);
+  const auto y = base::whole_number<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())), 10);
   constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
   if (x && y && *y <= highest) return {*x, *y};
   throw Failure(
@@ -123,7 +113,7 @@ void wire_interrupt(machines::SkalaConfiguration& machine, const std::string& te
   const auto* const row = std::find_if(interrupt_names.begin(), interrupt_names.end(),
                                        [name](const InterruptName& r) { return r.name == name; });
   const auto restart =
-      number_of<std::uint8_t>(std::string_view(text).substr(std::min(equals + 1, text.size())), 10);
+      base::whole_number<std::uint8_t>(std::string_view(text).substr(std::min(equals + 1, text.size())), 10);
   if (row == interrupt_names.end() || !restart || *restart > 7) {
     throw Failure(ExitCode::usage,
                   fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of{}",

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <system_error>
 
 #include "host/app/command.hpp"
+#include "host/base/number.hpp"
 
 namespace sightline::app {
 
@@ -21,20 +20,13 @@ constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view seconds_expected = "a decimal number of seconds from 0 to 9000000000";
 
 std::optional<core::Instant> parse_seconds(std::string_view text) {
-  double seconds = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, seconds, std::chars_format::fixed);
-  if (text.empty() || error != std::errc{} || after != end || !(seconds >= 0 && seconds <= 9e9))
-    return std::nullopt;
-  return core::at_nanoseconds(std::llround(seconds * 1e9));
+  const auto seconds = base::fixed_number(text, 0, 9e9);
+  if (!seconds) return std::nullopt;
+  return core::at_nanoseconds(std::llround(*seconds * 1e9));
 }
 
 std::optional<std::uint32_t> parse_octal(std::string_view text, std::uint32_t most) {
-  std::uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value, 8);
-  if (text.empty() || error != std::errc{} || after != end || value > most) return std::nullopt;
-  return value;
+  return base::whole_number<std::uint32_t>(text, 8, 0, most);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -51,11 +43,10 @@ std::optional<type340::LightPen> parse_field_of_view(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); text = trimmed(text)) {
     const std::size_t length = std::min(text.find_first_of(blanks), text.size());
-    const char* const end = text.data() + length;
     if (count == numbers.size()) return std::nullopt;
-    const auto [after, error] = std::from_chars(text.data(), end, numbers[count]);
-    if (error != std::errc{} || after != end || numbers[count] > last_point) return std::nullopt;
-    ++count;
+    const auto number = base::whole_number<std::uint32_t>(text.substr(0, length), 10, 0, last_point);
+    if (!number) return std::nullopt;
+    numbers[count++] = *number;
     text.remove_prefix(length);
   }
   if (count < 2) return std::nullopt;
@@ -164,10 +155,7 @@ core::Instant seconds_argument(std::string_view option, std::string_view text) {
 }
 
 std::uint64_t count_argument(std::string_view option, std::string_view text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value);
-  if (!text.empty() && error == std::errc{} && after == end) return value;
+  if (const auto value = base::unsigned_number(text)) return *value;
   throw Failure(ExitCode::usage,
                 fmt::format("{}: found \"{}\", expected a whole decimal number", option, text));
 }

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 
 #include "host/app/command.hpp"
+#include "host/base/number.hpp"
 
 namespace sightline::app {
 
@@ -75,15 +74,6 @@ constexpr std::array timing_names{
                }},
 };
 
-template <class Number>
-std::optional<Number> parse(std::string_view text, int base) {
-  Number value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value, base);
-  if (text.empty() || error != std::errc{} || after != end) return std::nullopt;
-  return value;
-}
-
 struct Place {
   const TimingName* member;
   std::size_t device;
@@ -93,7 +83,7 @@ struct Place {
 std::optional<Place> place_of(std::string_view name) {
   if (name.substr(0, stretch_prefix.size()) == stretch_prefix) {
     const std::string_view digits = name.substr(stretch_prefix.size());
-    const auto device = parse<std::uint8_t>(digits, 8);
+    const auto device = base::whole_number<std::uint8_t>(digits, 8);
     if (digits.size() != 2 || !device || *device >= Timing{}.iot_stretch.size()) return std::nullopt;
     return Place{&timing_names.back(), *device};
   }
@@ -122,7 +112,7 @@ TimingSetting timing_setting(const std::string& text) {
   }
   const TimingName& row = *place->member;
   const std::string digits = equals < text.size() ? text.substr(equals + 1) : "";
-  const auto value = parse<std::int64_t>(digits, 10);
+  const auto value = base::whole_number<std::int64_t>(digits, 10);
   if (value && row.least <= *value && *value <= row.most) return {name, *value};
   throw Failure(ExitCode::usage,
                 fmt::format("--timing {}: found \"{}\", expected a whole decimal number, {} to {} ({})", name,

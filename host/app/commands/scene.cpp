@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "host/app/commands/scene_check.hpp"
 #include "host/app/commands/scene_compartment.hpp"
@@ -47,13 +46,13 @@ void tape(const SceneArguments& arguments) {
   guests::jones::TapeOptions options;
   if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_scene(arguments.scene);
-  auto text = guests::jones::write_tape(scene, options);
-  if (auto* error = std::get_if<scene::SceneError>(&text)) {
-    error->source = arguments.scene;
-    throw Failure(ExitCode::bad_input, error->message());
+  auto text = scene::write_tape(scene, options);
+  if (!text) {
+    text.error().file = arguments.scene;
+    throw Failure(ExitCode::bad_input, text.error().message());
   }
   Output output(arguments.output);
-  output.write(std::get<std::string>(text));
+  output.write(*text);
   output.commit();
 }
 
@@ -102,7 +101,7 @@ ExitCode check(const SceneArguments& arguments) {
     Json document{{"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
     document["errors"] = Json::array();
     for (const auto& error : errors)
-      document["errors"].push_back({{"place", error.place}, {"cause", error.cause}});
+      document["errors"].push_back({{"place", error.place}, {"cause", error.found}});
     print_json(document);
   } else {
     for (const auto& error : errors) complain(error.message());

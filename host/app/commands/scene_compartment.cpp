@@ -8,11 +8,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "host/app/commands/scene_info.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/base/json.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/cells/decompose.hpp"
 #include "host/scene/check/cell_complex.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
@@ -76,13 +76,13 @@ ExitCode run_compartment(const CompartmentArguments& arguments) {
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
   const SceneSource source = load_scene_source(arguments.scene);
   auto result = scene::compartments_of(source.scene, method_names.at(arguments.method));
-  if (auto* error = std::get_if<scene::SceneError>(&result)) {
-    error->source = arguments.scene;
-    throw Failure(ExitCode::bad_input, error->message());
+  if (!result) {
+    result.error().file = arguments.scene;
+    throw Failure(ExitCode::bad_input, result.error().message());
   }
-  const auto& compartments = std::get<scene::Compartments>(result);
+  const auto& compartments = *result;
   const auto errors = scene::check_complex(compartments.complex, source.scene);
-  for (const scene::SceneError& error : errors) complain(error.message());
+  for (const base::Error& error : errors) complain(error.message());
   if (!errors.empty()) return ExitCode::differs;
   if (output) {
     scene::write_cell_complex(source.scene, compartments,

@@ -10,7 +10,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "host/app/commands/scene_poly.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -66,9 +65,8 @@ std::string families_help() {
 
 void generate(const GenerateArguments& arguments) {
   auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
-  if (const auto* error = std::get_if<scene::SceneError>(&scene))
-    throw Failure(ExitCode::usage, error->message());
-  write_scene(std::get<scene::PolyScene>(scene), arguments.family, arguments.output);
+  if (!scene) throw Failure(ExitCode::usage, scene.error().message());
+  write_scene(*scene, arguments.family, arguments.output);
 }
 
 }  // namespace

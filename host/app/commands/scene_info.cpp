@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
@@ -37,13 +36,13 @@ Json box_json(const geometry::Box& box) {
 
 // --- cells of Jones's program
 
-guests::jones::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
-  auto result = guests::jones::encode(scene);
-  if (auto* error = std::get_if<scene::SceneError>(&result)) {
-    error->source = source;
-    throw Failure(ExitCode::bad_input, error->message());
+scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
+  auto result = scene::encode(scene);
+  if (!result) {
+    result.error().file = source;
+    throw Failure(ExitCode::bad_input, result.error().message());
   }
-  return std::get<guests::jones::EncodedScene>(std::move(result));
+  return std::move(*result);
 }
 
 void describe_cells(const SceneText& file, bool json) {

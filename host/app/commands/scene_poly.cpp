@@ -7,14 +7,14 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/scene/read/builtin.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/poly_scene.hpp"
-#include "host/scene/read/poly_file.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/poly_file.hpp"
 #include "host/scene/read/poly_json.hpp"
 
 namespace sightline::app {
@@ -71,12 +71,12 @@ void write_scene(const scene::PolyScene& scene, const std::string& source, const
         fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
   }
   auto text = scene::write_poly(scene, format.value_or(scene::PolyFormat::json));
-  if (auto* error = std::get_if<scene::SceneError>(&text)) {
-    error->source = source;
-    throw Failure(ExitCode::bad_input, error->message());
+  if (!text) {
+    text.error().file = source;
+    throw Failure(ExitCode::bad_input, text.error().message());
   }
   Output output(path);
-  output.write(std::get<std::string>(text));
+  output.write(*text);
   output.commit();
 }
 
@@ -98,18 +98,17 @@ void tell(const scene::PolyImportReport& report) {
     warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
 }
 
-std::variant<scene::PolyImport, scene::SceneError> read_poly_text(const SceneText& file, bool mend) {
+base::Result<scene::PolyImport> read_poly_text(const SceneText& file, bool mend) {
   return scene::read_poly(file.text, file.name, input_format(file), {mend});
 }
 
 scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
   auto read = read_poly_text(file, mend);
-  if (const auto* error = std::get_if<scene::SceneError>(&read))
-    throw Failure(ExitCode::bad_input, error->message());
-  auto import = std::get<scene::PolyImport>(std::move(read));
+  if (!read) throw Failure(ExitCode::bad_input, read.error().message());
+  auto import = std::move(*read);
   auto errors = scene::check_poly_scene(import.scene);
   if (!errors.empty()) {
-    errors.front().source = file.name;
+    errors.front().file = file.name;
     const std::string more =
         errors.size() > 1 ? fmt::format(" (the first of {} errors)", errors.size()) : std::string();
     throw Failure(ExitCode::bad_input, errors.front().message() + more);
@@ -119,15 +118,14 @@ scene::PolyImport load_poly_file(const SceneText& file, bool mend) {
 
 scene::CellComplexFile load_cell_complex(const SceneText& file) {
   auto read = scene::read_cell_complex(file.text, file.name);
-  if (const auto* error = std::get_if<scene::SceneError>(&read))
-    throw Failure(ExitCode::bad_input, error->message());
-  return std::get<scene::CellComplexFile>(std::move(read));
+  if (!read) throw Failure(ExitCode::bad_input, read.error().message());
+  return std::move(*read);
 }
 
 SceneText read_scene_text(const std::string& name_or_file) {
   if (const auto generated = generated_scene(name_or_file)) {
     auto text = scene::write_poly(*generated, scene::PolyFormat::json);
-    return {name_or_file, std::get<std::string>(std::move(text)), false, SceneKind::polyhedra};
+    return {name_or_file, std::move(*text), false, SceneKind::polyhedra};
   }
   if (name_or_file != "-") require_scene_exists(name_or_file);
   if (const auto builtin = scene::builtin_scene_text(name_or_file))

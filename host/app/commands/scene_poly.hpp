@@ -2,11 +2,11 @@
 #pragma once
 
 #include <string>
-#include <variant>
 
 #include "host/app/command.hpp"
-#include "host/scene/read/cell_complex_file.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
 #include "host/scene/read/poly_import.hpp"
 
 namespace sightline::app {
@@ -29,8 +29,7 @@ struct SceneText {
 // usage: a generated scene of an impossible size.
 [[nodiscard]] SceneText read_scene_text(const std::string& name_or_file);
 
-[[nodiscard]] std::variant<scene::PolyImport, scene::SceneError> read_poly_text(const SceneText& file,
-                                                                                bool mend);
+[[nodiscard]] base::Result<scene::PolyImport> read_poly_text(const SceneText& file, bool mend);
 // Of a file of polyhedra, read and checked. Failure bad_input, naming the first thing that is wrong.
 [[nodiscard]] scene::PolyImport load_poly_file(const SceneText& file, bool mend);
 // What was done to the scene while it was read, as warnings.

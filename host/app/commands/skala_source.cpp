@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include "host/app/command.hpp"
 #include "host/app/commands/jones_session.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
@@ -18,9 +18,9 @@ namespace sightline::app {
 namespace {
 
 template <class Value>
-Value checked(std::variant<Value, scene::HeightError> result, ExitCode code) {
-  if (const auto* error = std::get_if<scene::HeightError>(&result)) throw Failure(code, error->message());
-  return std::get<Value>(std::move(result));
+Value checked(base::Result<Value> result, ExitCode code) {
+  if (!result) throw Failure(code, result.error().message(base::MessageStyle::position));
+  return std::move(*result);
 }
 
 scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {

@@ -16,8 +16,8 @@
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
-#include "host/app/progress.hpp"
 #include "host/app/scene_source.hpp"
+#include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
 
@@ -64,17 +64,17 @@ scene::PolyScene stood_up(scene::PolyScene scene, std::string_view vertical) {
 }
 
 native::EventList study(const native::RotationModel& model, const SpinOptions& options) {
-  ProgressLine line;
+  base::ProgressLine line;
   native::BuildOptions build;
   build.tolerance = options.tolerance * degree;
   build.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));
   };
   auto built = native::build_event_list(model, build);
-  if (auto* stopped = std::get_if<native::BuildStopped>(&built)) {
-    throw Failure(ExitCode::bad_input, options.scene + ": " + stopped->message);
+  if (!built) {
+    throw Failure(ExitCode::bad_input, options.scene + ": " + built.error().message());
   }
-  return std::get<native::EventList>(std::move(built));
+  return std::move(*built);
 }
 
 // From the file if it is there, else found, and kept there.

@@ -4,20 +4,19 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <memory>
 #include <thread>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/app/commands/sweep_file.hpp"
 #include "host/app/eae_option.hpp"
-#include "host/app/progress.hpp"
 #include "host/app/scene_source.hpp"
+#include "host/base/number.hpp"
+#include "host/base/parallel.hpp"
+#include "host/base/progress.hpp"
 #include "host/compare/sweep.hpp"
-#include "host/harness/in_order.hpp"
 
 namespace sightline::app {
 
@@ -72,19 +71,12 @@ std::string known_algorithms() {
 }
 
 compare::SweepShard shard_argument(const SweepArguments& arguments) {
-  std::uint64_t number = 0;
-  std::uint64_t count = 0;
-  const std::string& text = arguments.shard;
-  const char* const end = text.data() + text.size();
-  const auto [slash, first_error] = std::from_chars(text.data(), end, number);
-  bool good = first_error == std::errc{} && slash != end && *slash == '/';
-  if (good) {
-    const auto [after, error] = std::from_chars(slash + 1, end, count);
-    good = error == std::errc{} && after == end && 1 <= number && number <= count && count <= most_views;
+  const auto parts = base::whole_numbers<std::uint64_t, 2>(arguments.shard, '/', 1, most_views);
+  if (!parts || (*parts)[0] > (*parts)[1]) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--shard: found \"{}\", expected I/N, I from 1 to N", arguments.shard));
   }
-  if (!good)
-    throw Failure(ExitCode::usage, fmt::format("--shard: found \"{}\", expected I/N, I from 1 to N", text));
-  return compare::sweep_shard(arguments.views, number, count);
+  return compare::sweep_shard(arguments.views, (*parts)[0], (*parts)[1]);
 }
 
 // Unless asked for: all that apply but the oracle, which is slow.
@@ -128,9 +120,8 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
   options.turned = arguments.turn;
   auto sweep =
       compare::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
-  if (const auto* error = std::get_if<scene::SceneError>(&sweep))
-    throw Failure(ExitCode::bad_input, error->message());
-  return std::get<compare::Sweep>(std::move(sweep));
+  if (!sweep) throw Failure(ExitCode::bad_input, sweep.error().message());
+  return std::move(*sweep);
 }
 
 // How many views of the shard the file has already.
@@ -159,11 +150,11 @@ ExitCode run_sweep(const SweepArguments& arguments) {
   SweepFile file(arguments.output);
   std::uint64_t differing = 0;
   const std::uint64_t kept = kept_views(file, arguments, sweep, shard, differing);
-  const InterruptKey interrupt;
+  const base::InterruptKey interrupt;
   std::uint64_t done = kept;
   {
-    ProgressLine progress;
-    harness::OrderedWork<std::string> work;
+    base::ProgressLine progress;
+    base::OrderedWork<std::string> work;
     work.first = shard.first + kept;
     work.last = shard.last;
     work.jobs = arguments.jobs != 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
@@ -175,9 +166,9 @@ ExitCode run_sweep(const SweepArguments& arguments) {
     };
     work.go_on = [&] {
       progress.show(fmt::format("{} of {} views, {} differ", done, shard.last - shard.first, differing));
-      return !InterruptKey::pressed();
+      return !base::InterruptKey::pressed();
     };
-    harness::run_in_order(work);
+    base::run_in_order(work);
   }
   if (done < shard.last - shard.first) {
     complain(fmt::format("stopped after {} of {} views{}", done, shard.last - shard.first,

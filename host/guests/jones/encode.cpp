@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "host/base/result.hpp"
 #include "host/scene/check/problems.hpp"
 #include "host/scene/model/locate.hpp"
 #include "host/scene/read/octal.hpp"
@@ -200,13 +201,13 @@ class Encoder {
 };
 
 // Refuses what cannot fit before any of it is built: every line is a word, an opening is at least ten.
-std::optional<scene::SceneError> too_large(const scene::CellScene& scene, std::uint32_t base) {
+std::optional<base::Error> too_large(const scene::CellScene& scene, std::uint32_t base) {
   std::uint64_t words = scene_header_words + 10 * std::uint64_t{scene.openings.size()};
   for (const scene::Cell& cell : scene.cells) words += 5 + cell.lines.size();
   if (base <= core_words && words <= core_words - base) return std::nullopt;
-  return scene::SceneError{"", "",
-                           "needs at least " + std::to_string(words) + " words from address " +
-                               scene::octal(base) + "; core ends at " + scene::octal(core_words - 1)};
+  return base::Error{"", "",
+                     "needs at least " + std::to_string(words) + " words from address " + scene::octal(base) +
+                         "; core ends at " + scene::octal(core_words - 1)};
 }
 
 Box limits_in(const Box& cell) {
@@ -220,26 +221,24 @@ Box limits_in(const Box& cell) {
 
 }  // namespace
 
-std::variant<EncodedScene, scene::SceneError> encode(const scene::CellScene& scene,
-                                                     const TapeOptions& options, std::uint32_t base) {
+base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options, std::uint32_t base) {
   if (const auto error = too_large(scene, base)) return *error;
   const Point eye = options.view.value_or(scene.default_view);
   const auto location = scene::locate(scene, eye);
-  if (const auto* error = std::get_if<scene::SceneError>(&location)) return *error;
-  const std::size_t initial_cell = std::get<std::size_t>(location);
+  if (!location) return location.error();
+  const std::size_t initial_cell = *location;
   const Box limits = limits_in(scene.cells[initial_cell].box);
   if (!limits.contains(eye)) {
-    return scene::SceneError{"", "point " + scene::text_of(eye),
-                             "is too close to the faces of cell " + std::to_string(initial_cell) +
-                                 ": expected " + scene::text_of(0, limits.span(0)) + ", " +
-                                 scene::text_of(1, limits.span(1)) + ", " +
-                                 scene::text_of(2, limits.span(2))};
+    return base::Error{"", "point " + scene::text_of(eye),
+                       "is too close to the faces of cell " + std::to_string(initial_cell) + ": expected " +
+                           scene::text_of(0, limits.span(0)) + ", " + scene::text_of(1, limits.span(1)) + ", " +
+                           scene::text_of(2, limits.span(2))};
   }
   EncodedScene result = Encoder(scene, base).encode(initial_cell, eye, limits);
   if (base + result.words.size() > core_words) {
-    return scene::SceneError{"", "",
-                             "needs " + std::to_string(result.words.size()) + " words from address " +
-                                 scene::octal(base) + "; core ends at " + scene::octal(core_words - 1)};
+    return base::Error{"", "",
+                       "needs " + std::to_string(result.words.size()) + " words from address " + scene::octal(base) +
+                           "; core ends at " + scene::octal(core_words - 1)};
   }
   return result;
 }

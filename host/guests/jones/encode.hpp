@@ -22,9 +22,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
@@ -60,8 +60,7 @@ struct EncodedScene {
 
 // Precondition: check_scene(scene) found nothing. Errors: the eye is in no cell or not within the limits of
 // its own (it would see through the near plane), the scene does not fit between base and the end of core.
-[[nodiscard]] std::variant<EncodedScene, scene::SceneError> encode(const scene::CellScene& scene,
-                                                                   const TapeOptions& options = {},
-                                                                   std::uint32_t base = 0);
+[[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options = {},
+                                                std::uint32_t base = 0);
 
 }  // namespace sightline::guests::jones

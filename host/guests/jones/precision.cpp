@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "host/base/result.hpp"
 #include "host/guests/jones/twin/elements.hpp"
 #include "host/guests/jones/twin/search.hpp"
 
@@ -85,11 +86,10 @@ std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene
   return lines;
 }
 
-std::variant<SceneInCore, scene::SceneError> scene_in_core(const scene::CellScene& scene,
-                                                           const geometry::Point& eye) {
+base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene, const geometry::Point& eye) {
   auto encoded = encode(scene, {eye});
-  if (auto* error = std::get_if<scene::SceneError>(&encoded)) return std::move(*error);
-  const auto& image = std::get<EncodedScene>(encoded);
+  if (!encoded) return std::move(encoded.error());
+  const auto& image = *encoded;
   SceneInCore result;
   result.core.resize(core_words);
   for (std::size_t i = 0; i < image.words.size(); ++i) result.core.at(i) = core::Word18(image.words[i].value);

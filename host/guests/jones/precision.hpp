@@ -11,10 +11,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/oracle/drawn_error.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -70,8 +70,8 @@ struct SceneInCore {
   std::vector<std::optional<SceneLine>> lines;  // by address
 };
 // Error: as of encode.
-[[nodiscard]] std::variant<SceneInCore, scene::SceneError> scene_in_core(const scene::CellScene& scene,
-                                                                         const geometry::Point& eye);
+[[nodiscard]] base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene,
+                                                      const geometry::Point& eye);
 // Of an image in which the scene was encoded; core: the words by address.
 [[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene,
                                                                      std::span<const core::Word18> core);

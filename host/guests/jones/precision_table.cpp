@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/algorithms/oracle/matter.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/jones/precision_guest.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/views.hpp"
@@ -50,19 +51,18 @@ bool ArithmeticError::complete() const {
   return std::all_of(statuses.begin(), statuses.end(), [](Status s) { return s == Status::complete; });
 }
 
-std::variant<PrecisionStudy, scene::SceneError> PrecisionStudy::of(const scene::CellScene& scene,
-                                                                   std::span<const geometry::Point> eyes) {
+base::Result<PrecisionStudy> PrecisionStudy::of(const scene::CellScene& scene,
+                                                std::span<const geometry::Point> eyes) {
   const auto matter = oracle::Matter::of(scene);
-  if (!matter)
-    return scene::SceneError{"", "", "found a scene with too many grid units for the exact reference"};
+  if (!matter) return base::Error{"", "", "found a scene with too many grid units for the exact reference"};
   const auto lines = matter->real_lines();
   PrecisionStudy study;
   study.scene_ = scene;
   for (const geometry::Point& eye : eyes) {
     auto in_core = scene_in_core(scene, eye);
-    if (auto* error = std::get_if<scene::SceneError>(&in_core)) return std::move(*error);
-    study.views_.push_back({eye, std::get<SceneInCore>(std::move(in_core)),
-                            oracle::visible_lines(*matter, lines, eye, exact_window())});
+    if (!in_core) return std::move(in_core.error());
+    study.views_.push_back(
+        {eye, std::move(*in_core), oracle::visible_lines(*matter, lines, eye, exact_window())});
   }
   return study;
 }
@@ -96,8 +96,7 @@ Measured PrecisionStudy::measure(const Precision& precision) const {
   return measured;
 }
 
-std::variant<Measured, scene::SceneError> PrecisionStudy::measure_on_machine(int fraction_bits, bool truncate,
-                                                                             bool eae) const {
+base::Result<Measured> PrecisionStudy::measure_on_machine(int fraction_bits, bool truncate, bool eae) const {
   Measured measured;
   measured.precision.fraction_bits = fraction_bits;
   measured.precision.truncate = truncate;
@@ -110,8 +109,8 @@ std::variant<Measured, scene::SceneError> PrecisionStudy::measure_on_machine(int
   for (std::size_t i = 0; i < views_.size(); ++i) {
     options.tape.view = views_[i].eye;
     auto assembled = assemble_program(scene_, options);
-    if (auto* error = std::get_if<scene::SceneError>(&assembled)) return std::move(*error);
-    const auto& program = std::get<Program>(assembled);
+    if (!assembled) return std::move(assembled.error());
+    const auto& program = *assembled;
     const auto lines = lines_by_address(program.scene, image_of(program));
     const GuestPieces pieces = run_for_pieces(program, eae);
     const Window window;
@@ -151,11 +150,10 @@ ErrorTable measure_error_table(bool eae) {
   for (const SixViews& views : six_views) {
     const auto scene = scene::load_cell_scene(std::string(views.scene));
     ErrorTableRow row{std::string(views.scene), {views.eyes.begin(), views.eyes.end()}, {}};
-    const auto study = PrecisionStudy::of(std::get<scene::CellScene>(scene), views.eyes);
+    const auto study = PrecisionStudy::of(*scene, views.eyes);
     for (const Precision& column : table.columns) {
-      auto cell =
-          std::get<PrecisionStudy>(study).measure_on_machine(column.fraction_bits, column.truncate, eae);
-      row.cells.push_back(std::get<Measured>(std::move(cell)));
+      auto cell = study->measure_on_machine(column.fraction_bits, column.truncate, eae);
+      row.cells.push_back(std::move(*cell));
     }
     table.rows.push_back(std::move(row));
   }

@@ -11,10 +11,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/jones/line_error.hpp"
 #include "host/guests/jones/precision.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -54,15 +54,15 @@ struct Measured {
 class PrecisionStudy {
  public:
   // Error: an eye at which the program cannot stand; or the scene is beyond the limits of the oracle.
-  [[nodiscard]] static std::variant<PrecisionStudy, scene::SceneError> of(
-      const scene::CellScene& scene, std::span<const geometry::Point> eyes);
+  [[nodiscard]] static base::Result<PrecisionStudy> of(const scene::CellScene& scene,
+                                                       std::span<const geometry::Point> eyes);
 
   // precision: possible(). Every view that ends with a status counts with what it drew until then.
   [[nodiscard]] Measured measure(const Precision& precision) const;
   // The program itself, assembled with these fraction bits (0..3), on a PDP-7 with the EAE or without. Error:
   // the program and the scene do not fit into core.
-  [[nodiscard]] std::variant<Measured, scene::SceneError> measure_on_machine(int fraction_bits, bool truncate,
-                                                                             bool eae = true) const;
+  [[nodiscard]] base::Result<Measured> measure_on_machine(int fraction_bits, bool truncate,
+                                                          bool eae = true) const;
   // The first length of a word, 12..36, with which every view is complete; nothing if there is none.
   [[nodiscard]] std::optional<int> shortest_complete_word(int fraction_bits, bool truncate) const;
 

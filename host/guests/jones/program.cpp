@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "host/base/result.hpp"
 #include "host/guests/jones/tape.hpp"
 #include "tools/asm/pdp7.hpp"
 
@@ -53,16 +54,14 @@ std::string all_diagnostics(const assembler::Assembly& assembly) {
 
 }  // namespace
 
-std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene& scene,
-                                                          const ProgramOptions& options) {
+base::Result<Program> assemble_program(const scene::CellScene& scene, const ProgramOptions& options) {
   auto tape = write_tape(scene, options.tape);
-  if (auto* error = std::get_if<scene::SceneError>(&tape)) return *error;
+  if (!tape) return tape.error();
   assembler::Options assembler_options;
   assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
   assembler_options.defines.push_back({"FRACTION", core::Word18(options.fraction_bits)});
   assembler_options.defines.push_back({"TRUNCATE", core::Word18(options.truncate ? 1 : 0)});
-  const auto assembly =
-      assembler::assemble_pdp7(sources_with(std::get<std::string>(tape)), assembler_options);
+  const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) throw std::logic_error("the program does not assemble:\n" + all_diagnostics(assembly));
 
   Program program;
@@ -72,13 +71,13 @@ std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene
   const std::uint32_t tables = words_of(assembly, "recs");
   const std::uint32_t end = program.core.rbegin()->first + 1;
   if (end > tables) {
-    return scene::SceneError{
+    return base::Error{
         "", "",
         fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
   }
   auto encoded = encode(scene, options.tape, program.labels.scene);
-  if (auto* error = std::get_if<scene::SceneError>(&encoded)) return *error;
-  program.scene = std::get<EncodedScene>(std::move(encoded));
+  if (!encoded) return encoded.error();
+  program.scene = std::move(*encoded);
   const auto image_words = static_cast<std::uint32_t>(program.core.size());
   program.program_words = image_words - static_cast<std::uint32_t>(program.scene.words.size());
   program.words_used = image_words + (core_words - tables);

@@ -12,11 +12,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/state.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/jones/encode.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
@@ -64,7 +64,7 @@ struct ProgramOptions {
 };
 
 // Error: the eye is not in a cell, or the scene does not fit into core beside the program.
-[[nodiscard]] std::variant<Program, scene::SceneError> assemble_program(const scene::CellScene& scene,
-                                                                        const ProgramOptions& options);
+[[nodiscard]] base::Result<Program> assemble_program(const scene::CellScene& scene,
+                                                     const ProgramOptions& options);
 
 }  // namespace sightline::guests::jones

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/base/result.hpp"
+
 namespace sightline::guests::jones {
 namespace {
 
@@ -18,11 +20,10 @@ std::string line_of(const EncodedWord& word) {
 
 }  // namespace
 
-std::variant<std::string, scene::SceneError> write_tape(const scene::CellScene& scene,
-                                                        const TapeOptions& options) {
+base::Result<std::string> write_tape(const scene::CellScene& scene, const TapeOptions& options) {
   const auto encoded = encode(scene, options);
-  if (const auto* error = std::get_if<scene::SceneError>(&encoded)) return *error;
-  const auto& result = std::get<EncodedScene>(encoded);
+  if (!encoded) return encoded.error();
+  const auto& result = *encoded;
   std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +
                      std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
                      " openings in " + std::to_string(result.opening_words) + ", header " +

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <string>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/guests/jones/encode.hpp"
 
 namespace sightline::guests::jones {
@@ -13,7 +13,6 @@ namespace sightline::guests::jones {
 // PDP-7 symbolic source of encode(scene, options), one word a line, numbers in octal, decimal in the
 // comments; tags scene, c0.., o0... The first line is a comment with the scene's name and counts. Errors are
 // those of encode.
-[[nodiscard]] std::variant<std::string, scene::SceneError> write_tape(const scene::CellScene& scene,
-                                                                      const TapeOptions& options = {});
+[[nodiscard]] base::Result<std::string> write_tape(const scene::CellScene& scene, const TapeOptions& options = {});
 
 }  // namespace sightline::guests::jones

@@ -156,8 +156,8 @@ Outcome<Section> all_against_each_other(const Context& context) {
   for (const auto& [scene, agreement] : scenes) {
     context.progress(fmt::format("pictures of {}", scene.name));
     auto strip = agreement_strip(scene, agreement);
-    if (auto* const error = std::get_if<ReportError>(&strip)) return std::move(*error);
-    section.blocks.emplace_back(std::get<Figure>(std::move(strip)));
+    if (!strip) return std::move(strip.error());
+    section.blocks.emplace_back(std::move(*strip));
   }
   return section;
 }

@@ -84,12 +84,11 @@ std::optional<std::string> fault(guests::jones::Status status, std::uint64_t cel
 
 std::optional<std::string> try_program(const scene::CellScene& scene) {
   const auto assembled = guests::jones::assemble_program(scene, {});
-  if (const auto* const error = std::get_if<scene::SceneError>(&assembled)) return error->message();
+  if (!assembled) return assembled.error().message();
   guests::jones::GuestOptions options;
   options.views = 1;
   options.display = false;
-  const guests::jones::GuestRun run =
-      guests::jones::run_guest(std::get<guests::jones::Program>(assembled), options);
+  const guests::jones::GuestRun run = guests::jones::run_guest(*assembled, options);
   if (run.views.empty()) return "no view within the limit of time";
   return fault(run.views.front().status, run.views.front().distinct_cells, scene);
 }
@@ -97,10 +96,9 @@ std::optional<std::string> try_program(const scene::CellScene& scene) {
 Trial in_arithmetic(const Precision& precision) {
   return [precision](const scene::CellScene& scene) -> std::optional<std::string> {
     const auto made = guests::jones::scene_in_core(scene, scene.default_view);
-    if (const auto* const error = std::get_if<scene::SceneError>(&made)) return error->message();
-    const auto& core = std::get<guests::jones::SceneInCore>(made).core;
-    const auto view =
-        guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
+    if (!made) return made.error().message();
+    const auto& core = made->core;
+    const auto view = guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
     return fault(view.status, view.counts.distinct_cells, scene);
   };
 }
@@ -108,9 +106,8 @@ Trial in_arithmetic(const Precision& precision) {
 std::optional<std::string> try_native(const scene::CellScene& scene) {
   const scene::PolyScene poly = scene::poly_scene_of(scene);
   const auto result = algorithms::jones::visible_edges(scene::complex_of(scene, poly), poly.camera);
-  if (const auto* const error = std::get_if<algorithms::jones::Error>(&result))
-    return std::string(algorithms::jones::message(*error));
-  const auto& view = std::get<algorithms::jones::View>(result);
+  if (!result) return result.error().message();
+  const auto& view = *result;
   if (view.picture != algorithms::exact::visible_edges(poly, poly.camera)) return "not the picture of exact";
   if (view.counts.mask_sides > 4) return fmt::format("a mask of {} sides", view.counts.mask_sides);
   return fault(guests::jones::Status::complete, view.counts.cells, scene);

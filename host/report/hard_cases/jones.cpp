@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <tuple>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/hard_cases/program.hpp"
 #include "host/report/hard_cases/segments.hpp"
-#include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/cells/decompose.hpp"
-#include "host/scene/model/eye_place.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
 #include "host/scene/read/poly_json.hpp"
@@ -25,9 +25,9 @@ namespace sightline::harness::report {
 namespace {
 
 namespace native = algorithms::jones;
+using base::Error;
 using picture::LinePicture;
 using scene::PolyScene;
-using scene::SceneError;
 
 // A case as every build wants it.
 struct Loaded {
@@ -36,27 +36,27 @@ struct Loaded {
   scene::CellComplex complex;
 };
 
-std::variant<Loaded, SceneError> load_poly(std::string_view text, const std::string& file) {
+base::Result<Loaded> load_poly(std::string_view text, const std::string& file) {
   auto read = scene::read_poly_json(text, file);
-  if (auto* const error = std::get_if<SceneError>(&read)) return std::move(*error);
+  if (!read) return std::move(read.error());
   Loaded loaded;
-  loaded.poly = std::get<PolyScene>(std::move(read));
+  loaded.poly = std::move(*read);
   auto errors = scene::check_poly_scene(loaded.poly);
   if (!errors.empty()) return std::move(errors.front());
   auto complex = scene::compartment(loaded.poly);
-  if (auto* const error = std::get_if<SceneError>(&complex)) return std::move(*error);
-  loaded.complex = std::get<scene::CellComplex>(std::move(complex));
+  if (!complex) return std::move(complex.error());
+  loaded.complex = std::move(*complex);
   return loaded;
 }
 
-std::variant<Loaded, SceneError> load(const JonesHardCase& hard) {
+base::Result<Loaded> load(const JonesHardCase& hard) {
   const std::string_view text = hard_case_text(hard.file);
   const std::string file(hard.file);
   if (scene::is_poly_json(text)) return load_poly(text, file);
   auto read = scene::read_possible_cell_scene(text, file);
-  if (auto* const error = std::get_if<SceneError>(&read)) return std::move(*error);
+  if (!read) return std::move(read.error());
   Loaded loaded;
-  loaded.cells = std::get<scene::CellScene>(std::move(read));
+  loaded.cells = std::move(*read);
   loaded.poly = scene::poly_scene_of(*loaded.cells);
   loaded.complex = scene::complex_of(*loaded.cells, loaded.poly);
   return loaded;
@@ -99,11 +99,11 @@ Cell native_cell(const JonesHardCase& hard, const Loaded& loaded, bool compare) 
   Complaints complaints;
   for (const scene::PolyCamera& camera : cameras_of(hard, loaded.poly)) {
     const auto result = native::visible_edges(loaded.complex, camera);
-    if (const auto* const error = std::get_if<native::Error>(&result)) {
-      complaints.add(std::string(native::message(*error)));
+    if (!result) {
+      complaints.add(result.error().message());
       continue;
     }
-    const auto& view = std::get<native::View>(result);
+    const auto& view = *result;
     if (compare && view.picture != algorithms::oracle::visible_edges(loaded.poly, camera))
       complaints.add("not the oracle's picture");
     complaints.compare("cells", view.counts.cells, hard.cells);
@@ -143,10 +143,9 @@ std::optional<std::string> why_no_oracle(const JonesHardCase& hard, const Loaded
   return std::nullopt;
 }
 
-JonesHardResult run_rejected(const std::variant<Loaded, SceneError>& loaded) {
+JonesHardResult run_rejected(const base::Result<Loaded>& loaded) {
   Cell cell = Verdict{false, "accepted"};
-  if (const auto* const error = std::get_if<SceneError>(&loaded))
-    cell = Verdict{true, "refused: " + error->message()};
+  if (!loaded) cell = Verdict{true, "refused: " + loaded.error().message()};
   return {cell, cell, cell, cell, cell};
 }
 
@@ -155,11 +154,11 @@ JonesHardResult run_rejected(const std::variant<Loaded, SceneError>& loaded) {
 JonesHardResult run_hard_case(const JonesHardCase& hard) {
   const auto input = load(hard);
   if (hard.rejected) return run_rejected(input);
-  if (const auto* const error = std::get_if<SceneError>(&input)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!input) {
+    const Cell cell = Verdict{false, "refused: " + input.error().message()};
     return {cell, cell, cell, cell, cell};
   }
-  const auto& loaded = std::get<Loaded>(input);
+  const auto& loaded = *input;
   JonesHardResult result;
   const auto no_oracle = why_no_oracle(hard, loaded);
   result.native = native_cell(hard, loaded, !no_oracle);

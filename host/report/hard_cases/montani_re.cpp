@@ -4,13 +4,13 @@
 
 #include <array>
 #include <utility>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/montani_re_pixels.hpp"
 #include "host/scene/check/poly_scene.hpp"
@@ -40,10 +40,10 @@ class Complaints {
   std::string text_;
 };
 
-std::variant<PolyScene, scene::SceneError> load(const MontaniReHardCase& hard) {
+base::Result<PolyScene> load(const MontaniReHardCase& hard) {
   auto read = scene::read_poly_json(hard_case_text(hard.file), std::string(hard.file));
-  if (const auto* const scene = std::get_if<PolyScene>(&read)) {
-    auto errors = scene::check_poly_scene(*scene);
+  if (read) {
+    auto errors = scene::check_poly_scene(*read);
     if (!errors.empty()) return std::move(errors.front());
   }
   return read;
@@ -164,10 +164,10 @@ std::optional<std::string> wrong_lines(const PolyScene& scene, const picture::Li
   const LineAlgorithm& algorithm = *find_line_algorithm("montani-re");
   if (algorithm.why_not(scene) || algorithm.why_not_seen(scene, scene.camera)) return std::nullopt;
   const auto prepared = algorithm.prepare(scene);
-  if (const auto* const error = std::get_if<scene::SceneError>(&prepared)) return error->message();
-  const auto drawn = std::get<PreparedScene>(prepared).view(scene.camera);
-  if (const auto* const error = std::get_if<scene::SceneError>(&drawn)) return error->message();
-  if (agrees(algorithm, std::get<LineView>(drawn).picture, truth, scene, scene.camera)) return std::nullopt;
+  if (!prepared) return prepared.error().message();
+  const auto drawn = prepared->view(scene.camera);
+  if (!drawn) return drawn.error().message();
+  if (agrees(algorithm, drawn->picture, truth, scene, scene.camera)) return std::nullopt;
   return "other lines";
 }
 
@@ -197,17 +197,17 @@ std::string expected_value(const MontaniReHardCase& hard) {
 MontaniReHardResult run_hard_case(const MontaniReHardCase& hard) {
   if (hard.file.ends_with(".txt")) return run_lattice_case(hard);
   const auto input = load(hard);
-  if (const auto* const error = std::get_if<scene::SceneError>(&input)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!input) {
+    const Cell cell = Verdict{false, "refused: " + input.error().message()};
     return {cell, cell, cell, cell};
   }
-  const auto& scene = std::get<PolyScene>(input);
+  const auto& scene = *input;
   const auto made = native::faces_of(scene, scene.camera);
-  if (const auto* const error = std::get_if<scene::SceneError>(&made)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!made) {
+    const Cell cell = Verdict{false, "refused: " + made.error().message()};
     return {cell, cell, exact_cell(scene), oracle_cell(hard, scene)};
   }
-  const auto& set = std::get<native::FaceSet>(made);
+  const auto& set = *made;
   return {native_cell(hard, scene, set), stripes_cell(hard, scene, set), exact_cell(scene),
           oracle_cell(hard, scene)};
 }

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
@@ -80,7 +79,7 @@ Fault lines_fault(const PolyScene& scene) {
 
 Fault cuts_fault(const PolyScene& scene) {
   const auto made = native::faces_of(scene, scene.camera);
-  const auto& set = std::get<native::FaceSet>(made);
+  const auto& set = *made;
   const auto seen = native::visible_regions(set);
   if (seen.counts.cuts != 1) return fmt::format("{} cuts", seen.counts.cuts);
   for (const native::TrapezoidPcs& region : seen.regions) {
@@ -94,7 +93,7 @@ using Failure = std::optional<std::pair<int, std::string>>;  // the first n, and
 void try_stripes(int n, std::array<Failure, thicknesses.size()>& builds) {
   const PolyScene scene = pinwheel(n);
   const auto made = native::faces_of(scene, scene.camera);
-  const auto& set = std::get<native::FaceSet>(made);
+  const auto& set = *made;
   const native::ListedFaces listed = native::listed_faces(set);
   const PixelView view = pixels_along_z(scene, pinwheel_pixels);
   for (std::size_t b = 0; b < thicknesses.size(); ++b) {
@@ -169,7 +168,7 @@ PolyScene sliver(int exponent) {
 
 Fault sliver_fault(const PolyScene& scene) {
   const auto made = native::faces_of(scene, scene.camera);
-  const auto& set = std::get<native::FaceSet>(made);
+  const auto& set = *made;
   const auto seen = native::visible_regions(set);
   const double found = native::area(set.image, seen.regions[0]);
   const double expected = 0.5 * scene.vertices[1][0] * scene.vertices[2][1];
@@ -181,7 +180,7 @@ Fault sliver_fault(const PolyScene& scene) {
 double share_in_stripes(int exponent, std::int32_t units) {
   const PolyScene scene = sliver(exponent);
   const auto made = native::faces_of(scene, scene.camera);
-  const auto& set = std::get<native::FaceSet>(made);
+  const auto& set = *made;
   constexpr double scale = 1.0 / sliver_pixel;
   const native::StripeFrame frame{{scale, scale}, {8, 8}, 64, 64};
   return square_pixels(native::stripe_pcs(set.image, set.faces[0].pcs, frame, units), units) /

@@ -8,6 +8,8 @@
 
 #include "host/algorithms/montani_re/lattice_boundary.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/hard_cases/montani_re.hpp"
 #include "host/report/montani_re_pixels.hpp"
@@ -164,7 +166,7 @@ std::int32_t size_of(const std::array<LatticePcs, 2>& pcs) {
 
 }  // namespace
 
-std::variant<LatticeRegions, scene::SceneError> read_chains(std::string_view text, std::string_view source) {
+base::Result<LatticeRegions> read_chains(std::string_view text, std::string_view source) {
   LatticeRegions regions;
   scene::PolyLines lines(text, source);
   while (lines.next()) {
@@ -173,7 +175,7 @@ std::variant<LatticeRegions, scene::SceneError> read_chains(std::string_view tex
       return lines.error(fmt::format("found {} fields, expected name, x, y and links", fields.size()));
     std::array<std::int32_t, 2> start{};
     for (std::size_t a = 0; a < 2; ++a) {
-      const auto number = scene::integer_number(fields[1 + a]);
+      const auto number = base::signed_number(fields[1 + a]);
       if (!number || *number < 0 || *number > farthest)
         return lines.unexpected(fields[1 + a], fmt::format("an integer from 0 to {}", farthest));
       start[a] = static_cast<std::int32_t>(*number);
@@ -188,8 +190,8 @@ std::variant<LatticeRegions, scene::SceneError> read_chains(std::string_view tex
 
 MontaniReHardResult run_lattice_case(const MontaniReHardCase& hard) {
   const auto read = read_chains(hard_case_text(hard.file), hard.file);
-  if (const auto* const error = std::get_if<scene::SceneError>(&read)) return unusable(error->message());
-  const auto& regions = std::get<LatticeRegions>(read);
+  if (!read) return unusable(read.error().message());
+  const auto& regions = *read;
   const auto region = [&regions](std::string_view name) {
     const auto found = regions.find(name);
     return found != regions.end() ? found->second : std::vector<FreemanChain>{};

@@ -5,10 +5,10 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/montani_re/lattice_pcs.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::harness::report {
@@ -17,7 +17,6 @@ namespace sightline::harness::report {
 using LatticeRegions = std::map<std::string, std::vector<algorithms::montani_re::FreemanChain>, std::less<>>;
 
 // Errors name the line, what was found and what was expected. That chains close is not checked.
-[[nodiscard]] std::variant<LatticeRegions, scene::SceneError> read_chains(std::string_view text,
-                                                                          std::string_view source);
+[[nodiscard]] base::Result<LatticeRegions> read_chains(std::string_view text, std::string_view source);
 
 }  // namespace sightline::harness::report

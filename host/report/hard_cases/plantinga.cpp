@@ -11,6 +11,7 @@
 
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/hard_cases/plantinga_checks.hpp"
 #include "host/report/plantinga_models.hpp"
@@ -76,11 +77,11 @@ TurnFault events_fault(const PlantingaHardCase& hard, const EventLines& lines,
 
 Result run_lines(const PlantingaHardCase& hard) {
   const auto read = read_event_lines(hard_case_text(hard.file));
-  if (const auto* const error = std::get_if<std::string>(&read)) {
-    const Cell cell = wrong("refused: " + *error);
+  if (!read) {
+    const Cell cell = wrong("refused: " + read.error().message());
     return {cell, cell, cell, cell};
   }
-  const auto& lines = std::get<EventLines>(read);
+  const auto& lines = *read;
   const auto events = events_of(lines, hard.whole_lines);
   const std::size_t near = event_count_in_doubles(lines, hard.whole_lines);
   const std::string none(no_faces);
@@ -106,24 +107,24 @@ TurnFault picture_fault(const TurnedScene& turned) {
   return std::nullopt;
 }
 
-std::variant<TurnedScene, std::string> turn_scene(const PlantingaHardCase& hard) {
+base::Result<TurnedScene> turn_scene(const PlantingaHardCase& hard) {
   auto read = scene::read_poly_json(hard_case_text(hard.file), hard.file);
-  if (const auto* const error = std::get_if<scene::SceneError>(&read)) return error->message();
-  auto& scene = std::get<scene::PolyScene>(read);
-  if (const auto errors = scene::check_poly_scene(scene); !errors.empty()) return errors.front().message();
+  if (!read) return read.error();
+  auto& scene = *read;
+  if (const auto errors = scene::check_poly_scene(scene); !errors.empty()) return errors.front();
   native::RotationModel model(scene);
   auto built = native::build_event_list(model);
-  if (const auto* const stopped = std::get_if<native::BuildStopped>(&built)) return stopped->message;
-  return TurnedScene{std::move(scene), std::move(model), std::get<native::EventList>(std::move(built))};
+  if (!built) return built.error();
+  return TurnedScene{std::move(scene), std::move(model), std::move(*built)};
 }
 
 Result run_scene(const PlantingaHardCase& hard) {
   const auto made = turn_scene(hard);
-  if (const auto* const error = std::get_if<std::string>(&made)) {
-    const Cell cell = wrong("refused: " + *error);
+  if (!made) {
+    const Cell cell = wrong("refused: " + made.error().message());
     return {cell, cell, cell, cell};
   }
-  const auto& turned = std::get<TurnedScene>(made);
+  const auto& turned = *made;
   return {judged(hard.turn(turned)),
           std::string("not applicable: no arithmetic but the exact one has a turn"),
           judged(turn_fault(turned)), judged(picture_fault(turned))};
@@ -131,12 +132,11 @@ Result run_scene(const PlantingaHardCase& hard) {
 
 Outcome<Result> run_model(const Context& context, const PlantingaHardCase& hard) {
   auto outcome = study_model(context, hard.model);
-  if (auto* const error = std::get_if<ReportError>(&outcome)) return std::move(*error);
-  auto& studied = std::get<StudiedModel>(outcome);
+  if (!outcome) return std::move(outcome.error());
+  auto& studied = *outcome;
   auto scene = plantinga_scene(hard.model);
-  if (auto* const error = std::get_if<ReportError>(&scene)) return std::move(*error);
-  const TurnedScene turned{std::get<scene::PolyScene>(std::move(scene)), std::move(studied.model),
-                           std::move(studied.list)};
+  if (!scene) return std::move(scene.error());
+  const TurnedScene turned{std::move(*scene), std::move(studied.model), std::move(studied.list)};
   const std::string none = "not applicable: too large; in the tests";
   return Result{judged(hard.turn(turned)), none, judged(large_steps(turned)), none};
 }
@@ -166,8 +166,8 @@ Outcome<Table> plantinga_cases(const Context& context) {
       result = {judged(hard.table()), none, none, none};
     } else if (!hard.model.empty()) {
       auto made = run_model(untimed, hard);
-      if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
-      result = std::get<Result>(std::move(made));
+      if (!made) return std::move(made.error());
+      result = std::move(*made);
     } else {
       result = hard.file.ends_with(".txt") ? run_lines(hard) : run_scene(hard);
     }

@@ -9,11 +9,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/plantinga/event_list.hpp"
 #include "host/algorithms/plantinga/potential_events.hpp"
+#include "host/base/result.hpp"
 #include "host/report/report.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -24,7 +24,7 @@ struct EventLines {
   std::vector<algorithms::plantinga::Segment> edges;
 };
 // The error names the line, and what was expected.
-[[nodiscard]] std::variant<EventLines, std::string> read_event_lines(std::string_view text);
+[[nodiscard]] base::Result<EventLines> read_event_lines(std::string_view text);
 
 // The events of every vertex with every edge; without vertices of three edges, or of the ends of two with
 // each other. whole_lines: of three, wherever their lines meet. Ascending, equal ones once.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/plantinga.hpp"
 
 namespace sightline::harness::report {
@@ -126,15 +127,15 @@ bool meets_inside(const NearCrossing& crossing, double angle) {
 
 }  // namespace
 
-std::variant<EventLines, std::string> read_event_lines(std::string_view text) {
+base::Result<EventLines> read_event_lines(std::string_view text) {
   EventLines lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const auto words = words_of(text.substr(0, end));
     if (!words.empty() && !append(lines, words))
-      return fmt::format(
+      return base::fail(fmt::format(
           "line {}: found \"{}\", expected vertex x y z or edge x y z x y z in whole numbers below 2^23",
-          number, text.substr(0, end));
+          number, text.substr(0, end)));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;

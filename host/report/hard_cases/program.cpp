@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <variant>
 
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
@@ -88,11 +87,11 @@ Cell guest_cell(const JonesHardCase& hard, const guests::jones::Program& program
 
 std::pair<Cell, Cell> run_programs(const JonesHardCase& hard, const scene::CellScene& scene) {
   const auto assembled = guests::jones::assemble_program(scene, {});
-  if (const auto* const error = std::get_if<scene::SceneError>(&assembled)) {
-    const Cell cell = Verdict{hard.machine_rejects, "refuses: " + error->message()};
+  if (!assembled) {
+    const Cell cell = Verdict{hard.machine_rejects, "refuses: " + assembled.error().message()};
     return {cell, cell};
   }
-  const auto& program = std::get<guests::jones::Program>(assembled);
+  const auto& program = *assembled;
   const auto truth = truth_of(hard, scene, program);
   if (!truth) return {Verdict{false, "beyond the oracle"}, Verdict{false, "beyond the oracle"}};
   const guests::jones::View twin = twin_view(program, hard.scale);

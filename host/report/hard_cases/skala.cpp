@@ -160,13 +160,12 @@ SkalaHardResult run_hard_case(const SkalaHardCase& hard) {
   if (hard.file.empty()) return run_all_octants();
   if (hard.file.ends_with(".txt")) return run_commands(hard);
   const auto read = scene::read_height_grid(hard_case_text(hard.file), std::string(hard.file));
-  if (const auto* const error = std::get_if<scene::HeightError>(&read)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!read) {
+    const Cell cell = Verdict{false, "refused: " + read.error().message(base::MessageStyle::position)};
     return {cell, cell, cell, cell};
   }
-  const auto& grid = std::get<HeightGrid>(read);
-  if (const auto reason = compare::why_not_comparable(grid, hard.view))
-    return run_without_oracle(hard, grid, *reason);
+  const auto& grid = *read;
+  if (const auto reason = compare::why_not_comparable(grid, hard.view)) return run_without_oracle(hard, grid, *reason);
   return run_against_oracle(hard, grid);
 }
 

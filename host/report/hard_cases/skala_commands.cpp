@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 
+#include "host/base/number.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/projection.hpp"
@@ -38,10 +38,9 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
       bytes.push_back(static_cast<std::uint8_t>(row->command));
       continue;
     }
-    std::uint8_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    bytes.push_back(value);
+    const auto value = base::whole_number<std::uint8_t>(word);
+    if (!value) return std::nullopt;
+    bytes.push_back(*value);
   }
   return bytes;
 }

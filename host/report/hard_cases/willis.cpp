@@ -8,12 +8,12 @@
 #include <bit>
 #include <cmath>
 #include <utility>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/willis_views.hpp"
-#include "host/scene/model/eye_place.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/poly_json.hpp"
 
 namespace sightline::harness::report {
@@ -21,17 +21,17 @@ namespace sightline::harness::report {
 namespace {
 
 namespace willis = algorithms::willis;
+using base::Error;
 using scene::PolyScene;
-using scene::SceneError;
 using willis::Model;
 using willis::Surface;
 
 constexpr int picture_size = 128;
 
-std::variant<PolyScene, SceneError> load(const WillisHardCase& hard) {
+base::Result<PolyScene> load(const WillisHardCase& hard) {
   auto read = scene::read_poly_json(hard_case_text(hard.file), hard.file);
-  if (auto* const error = std::get_if<SceneError>(&read)) return std::move(*error);
-  auto errors = scene::check_poly_scene(std::get<PolyScene>(read));
+  if (!read) return std::move(read.error());
+  auto errors = scene::check_poly_scene(*read);
   if (!errors.empty()) return std::move(errors.front());
   return read;
 }
@@ -89,17 +89,17 @@ std::vector<Surface> long_beside_small(std::int32_t length) {
 
 WillisHardResult run_hard_case(const WillisHardCase& hard) {
   const auto loaded = load(hard);
-  if (const auto* const error = std::get_if<SceneError>(&loaded)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!loaded) {
+    const Cell cell = Verdict{false, "refused: " + loaded.error().message()};
     return {cell, cell, cell};
   }
-  const auto& scene = std::get<PolyScene>(loaded);
+  const auto& scene = *loaded;
   const auto made = willis::make_model(scene, hard.options);
-  if (const auto* const error = std::get_if<SceneError>(&made)) {
-    const Cell cell = Verdict{false, "refused: " + error->message()};
+  if (!made) {
+    const Cell cell = Verdict{false, "refused: " + made.error().message()};
     return {cell, cell, cell};
   }
-  const auto& model = std::get<Model>(made);
+  const auto& model = *made;
   WillisHardResult result;
   if (hard.facts != nullptr) result.facts = hard.facts(scene, model);
   result.build = build_cell(hard, scene, model);

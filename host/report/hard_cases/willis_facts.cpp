@@ -36,7 +36,7 @@ Verdict verdict(bool good, std::string found = {}) {
 // The sides of a scene's walls: 2 i and 2 i + 1 are those of wall i.
 std::vector<Surface> sides_of(const PolyScene& scene) {
   auto walls = willis::walls_of(scene, 1);
-  return std::get<std::vector<Surface>>(std::move(walls));
+  return std::move(*walls);
 }
 
 std::vector<std::uint32_t> faces_shown(const Model& model, const scene::PolyCamera& camera) {
@@ -190,7 +190,7 @@ Verdict few_pieces(const PolyScene&, const Model& model) {
 Verdict common_plane(const PolyScene& scene, const Model&) {
   auto made = willis::surfaces_of(scene);
   std::vector<Surface> common;
-  for (const Surface& s : std::get<0>(made)) {
+  for (const Surface& s : *made) {
     if (std::all_of(s.points.begin(), s.points.end(),
                     [](const Point& p) { return p[0] == 100 * willis::lattice_unit; }))
       common.push_back(s);

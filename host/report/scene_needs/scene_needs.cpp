@@ -148,18 +148,18 @@ Outcome<Section> scene_needs(const Context& context) {
       "What each scene asked of its machine, and what the machine had. A device that a program does not "
       "use is not there, and costs nothing."});
   auto jones_runs = run_all_jones(context, false);
-  if (auto* const error = std::get_if<ReportError>(&jones_runs)) return std::move(*error);
-  const auto& jones = std::get<0>(jones_runs);
+  if (!jones_runs) return std::move(jones_runs.error());
+  const auto& jones = *jones_runs;
   const guests::skala::Program program = guests::skala::assemble_program();
   const auto skala_runs = run_all_skala(context, program, false);
-  if (const auto* const error = std::get_if<ReportError>(&skala_runs)) return *error;
+  if (!skala_runs) return skala_runs.error();
   auto unseen = unseen_building(context);
-  if (auto* const error = std::get_if<ReportError>(&unseen)) return std::move(*error);
+  if (!unseen) return std::move(unseen.error());
   section.blocks.emplace_back(core_table(jones));
   section.blocks.emplace_back(work_table(jones));
-  for (Block& block : std::get<std::vector<Block>>(unseen)) section.blocks.push_back(std::move(block));
+  for (Block& block : *unseen) section.blocks.push_back(std::move(block));
   section.blocks.emplace_back(memory_table(program));
-  section.blocks.emplace_back(dots_table(std::get<0>(skala_runs)));
+  section.blocks.emplace_back(dots_table(*skala_runs));
   return section;
 }
 

@@ -27,8 +27,8 @@ Outcome<Table> corridors(const Context& context) {
     for (const char* const name : {"corridor8", "corridor32"}) {
       context.progress(fmt::format("{} on the PDP-7", name));
       const auto made = run_jones({name, eae, false, false});
-      if (const auto* const error = std::get_if<ReportError>(&made)) return *error;
-      const auto& run = std::get<JonesRun>(made);
+      if (!made) return made.error();
+      const auto& run = *made;
       const guests::jones::GuestView& view = run.guest.views.front();
       table.rows.push_back({std::string(name), std::string(eae ? "yes" : "no"),
                             static_cast<std::int64_t>(run.scene.cells.size()),
@@ -47,12 +47,12 @@ Outcome<Table> corridors(const Context& context) {
 
 Outcome<std::vector<Block>> unseen_building(const Context& context) {
   auto guest = corridors(context);
-  if (auto* const error = std::get_if<ReportError>(&guest)) return std::move(*error);
+  if (!guest) return std::move(guest.error());
   std::vector<Block> blocks;
-  blocks.emplace_back(std::get<Table>(std::move(guest)));
+  blocks.emplace_back(std::move(*guest));
   auto native = unseen_native(context);
-  if (auto* const error = std::get_if<ReportError>(&native)) return std::move(*error);
-  for (Block& block : std::get<std::vector<Block>>(native)) blocks.push_back(std::move(block));
+  if (!native) return std::move(native.error());
+  for (Block& block : *native) blocks.push_back(std::move(block));
   return blocks;
 }
 

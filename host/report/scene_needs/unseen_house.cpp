@@ -44,11 +44,11 @@ Outcome<std::vector<View>> first_views(const std::vector<std::unique_ptr<LoadedB
   std::vector<View> views;
   for (const auto& building : buildings) {
     auto view = building->walker.visible_edges(building->camera);
-    if (const auto* const error = std::get_if<algorithms::jones::Error>(&view))
+    if (!view)
       return ReportError{ErrorKind::differs,
                          fmt::format("the house beside {} by {} rooms: {}", building->side, building->side,
-                                     algorithms::jones::message(*error))};
-    views.push_back(std::get<View>(std::move(view)));
+                                     view.error().message())};
+    views.push_back(std::move(*view));
     if (views.back().picture != views.front().picture || views.back().counts != views.front().counts)
       return ReportError{
           ErrorKind::differs,
@@ -83,8 +83,8 @@ Table empty_table() {
 Outcome<Table> views_from_house(const std::vector<std::unique_ptr<LoadedBuilding>>& buildings,
                                 const Context& context) {
   const auto looked = first_views(buildings);
-  if (const auto* const error = std::get_if<ReportError>(&looked)) return *error;
-  const auto& views = std::get<std::vector<View>>(looked);
+  if (!looked) return looked.error();
+  const auto& views = *looked;
   context.progress("the house beside each of them");
   const std::vector<double> times =
       context.host_times ? median_times(buildings) : std::vector<double>(buildings.size(), 1.0);

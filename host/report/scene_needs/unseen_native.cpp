@@ -61,11 +61,11 @@ std::optional<ReportError> look(LoadedBuilding& building, Measured& measured) {
         const auto view_begun = Clock::now();
         const auto view = building.walker.visible_edges(here);
         const double time = seconds_since(view_begun);
-        if (const auto* const error = std::get_if<algorithms::jones::Error>(&view))
+        if (!view)
           return ReportError{ErrorKind::differs, fmt::format("a building of {} by {} rooms: {}", side, side,
-                                                             algorithms::jones::message(*error))};
+                                                             view.error().message())};
         quickest = again == 0 ? time : std::min(quickest, time);
-        const auto& counts = std::get<algorithms::jones::View>(view).counts;
+        const auto& counts = view->counts;
         if (again == 0) measured.visits += counts.visits;
         measured.most_cells = std::max(measured.most_cells, counts.cells);
       }
@@ -81,10 +81,8 @@ Outcome<Measured> measure(std::size_t side, std::vector<std::unique_ptr<LoadedBu
   const scene::PolyScene scene = scene::generate_house_beside(side);
   const auto begun = Clock::now();
   auto cut = scene::compartment(scene);
-  if (const auto* const error = std::get_if<scene::SceneError>(&cut))
-    return ReportError{ErrorKind::bad_input, error->message()};
-  buildings.push_back(
-      std::make_unique<LoadedBuilding>(side, std::get<scene::CellComplex>(std::move(cut)), scene.camera));
+  if (!cut) return ReportError{ErrorKind::bad_input, cut.error().message()};
+  buildings.push_back(std::make_unique<LoadedBuilding>(side, std::move(*cut), scene.camera));
   LoadedBuilding& building = *buildings.back();
   Measured measured;
   measured.load_s = seconds_since(begun);
@@ -157,18 +155,18 @@ Outcome<std::vector<Block>> unseen_native(const Context& context) {
   for (const std::size_t side : sides) {
     context.progress(fmt::format("a building of {} rooms", side * side));
     const auto measured = measure(side, buildings);
-    if (const auto* const error = std::get_if<ReportError>(&measured)) return *error;
-    add(table, plot, side, std::get<Measured>(measured));
+    if (!measured) return measured.error();
+    add(table, plot, side, *measured);
   }
   auto house = views_from_house(buildings, context);
-  if (auto* const error = std::get_if<ReportError>(&house)) return std::move(*error);
+  if (!house) return std::move(house.error());
   std::vector<Block> blocks;
-  blocks.emplace_back(std::get<Table>(std::move(house)));
+  blocks.emplace_back(std::move(*house));
   blocks.emplace_back(std::move(table));
   if (!context.host_times) return blocks;
   auto figure = draw_plot(plot);
-  if (auto* const error = std::get_if<ReportError>(&figure)) return std::move(*error);
-  blocks.emplace_back(std::get<Figure>(std::move(figure)));
+  if (!figure) return std::move(figure.error());
+  blocks.emplace_back(std::move(*figure));
   return blocks;
 }
 

@@ -40,9 +40,8 @@ Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const gu
   options.truncate = build.truncate;
   options.tape.view = views.eye(view);
   const auto assembled = guests::jones::assemble_program(views.scene(), options);
-  if (const auto* const error = std::get_if<scene::SceneError>(&assembled))
-    return ReportError{ErrorKind::bad_input, views.name() + ": " + error->message()};
-  const auto& program = std::get<guests::jones::Program>(assembled);
+  if (!assembled) return ReportError{ErrorKind::bad_input, views.name() + ": " + assembled.error().message()};
+  const auto& program = *assembled;
   std::vector<core::Word18> words(guests::jones::core_words);
   for (const auto& [address, word] : program.core) words.at(address) = word;
   GuestView run{guests::jones::run_for_pieces(program, eae),
@@ -144,9 +143,8 @@ struct ExactScene {
   // Every view has a picture: guests::jones::Walker gives none for an eye in a solid.
   [[nodiscard]] std::optional<picture::LinePicture> by_jones(std::size_t view) {
     auto seen = walker.visible_edges(cameras[view]);
-    auto* const found = std::get_if<algorithms::jones::View>(&seen);
-    if (found == nullptr) return std::nullopt;
-    return std::move(found->picture);
+    if (!seen) return std::nullopt;
+    return std::move(seen->picture);
   }
   [[nodiscard]] picture::LinePicture by_edges(std::size_t view) const {
     return algorithms::exact::visible_edges(mesh, cameras[view]);
@@ -195,10 +193,10 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
   context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
-      auto build = measure_build(
-          views, {guests::jones::NumberKind::fixed_point, guests::jones::machine_word_bits, f, truncate});
-      if (auto* const error = std::get_if<ReportError>(&build)) return std::move(*error);
-      measured.machine.push_back(std::get<MachineBuild>(std::move(build)));
+      auto build =
+          measure_build(views, {guests::jones::NumberKind::fixed_point, guests::jones::machine_word_bits, f, truncate});
+      if (!build) return std::move(build.error());
+      measured.machine.push_back(std::move(*build));
     }
   }
   context.progress(fmt::format("{} in C++ in every arithmetic", views.name()));
@@ -217,11 +215,11 @@ Outcome<MachineBuild> measure_build(const SceneViews& views, const guests::jones
   build.precision = precision;
   for (std::size_t view = 0; view < views.size(); ++view) {
     auto with = run_guest(views, view, precision, true);
-    if (auto* const error = std::get_if<ReportError>(&with)) return std::move(*error);
+    if (!with) return std::move(with.error());
     auto without = run_guest(views, view, precision, false);
-    if (auto* const error = std::get_if<ReportError>(&without)) return std::move(*error);
-    const auto& eae = std::get<GuestView>(with);
-    const auto& plain = std::get<GuestView>(without);
+    if (!without) return std::move(without.error());
+    const auto& eae = *with;
+    const auto& plain = *without;
     if (!same_pieces(eae, plain))
       return ReportError{ErrorKind::differs, fmt::format("{}, {}: internal error: the program draws other "
                                                          "pieces with the EAE than without",
@@ -252,10 +250,10 @@ Outcome<std::vector<JonesMeasured>> measure_jones(const Context& context) {
   std::vector<JonesMeasured> scenes;
   for (const guests::jones::SixViews& six : guests::jones::six_views) {
     const auto views = SceneViews::of(six);
-    if (const auto* const error = std::get_if<ReportError>(&views)) return *error;
-    auto measured = measure_scene(std::get<SceneViews>(views), context);
-    if (auto* const error = std::get_if<ReportError>(&measured)) return std::move(*error);
-    scenes.push_back(std::get<JonesMeasured>(std::move(measured)));
+    if (!views) return views.error();
+    auto measured = measure_scene(*views, context);
+    if (!measured) return std::move(measured.error());
+    scenes.push_back(std::move(*measured));
   }
   return scenes;
 }

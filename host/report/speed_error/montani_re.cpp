@@ -8,7 +8,6 @@
 #include <functional>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
@@ -181,8 +180,7 @@ MontaniRePoint exact_point(const PolyScene& scene, const native::FaceSet& set, c
   point.sides = seen.counts.sides;
   const auto view = native::visible_edges(scene, scene.camera);
   compare(point, truth, grid_of_regions(scene, set, seen.regions, truth.pixels.frame),
-          segments_of(std::get<native::LineView>(view).picture, scene,
-                      PixelPlane(scene.camera, truth.pixels.frame)));
+          segments_of(view->picture, scene, PixelPlane(scene.camera, truth.pixels.frame)));
   return point;
 }
 
@@ -203,7 +201,7 @@ void take_times(MontaniReCurve& curve, const PolyScene& scene, const native::Str
   for (const std::int32_t units : thicknesses) {
     jobs.emplace_back([&scene, &frame, units] {
       const auto faces = native::faces_of(scene, scene.camera);
-      const auto& set = std::get<native::FaceSet>(faces);
+      const auto& set = *faces;
       const auto listed = native::listed_faces(set);
       (void)native::raster_by_difference(set.image, listed.list, listed.faces, frame, units);
     });
@@ -229,9 +227,9 @@ std::vector<MontaniReCurve> measure_montani_re(const MontaniReMeasure& order, co
   std::vector<MontaniReCurve> curves;
   for (const std::string& family : order.scenes) {
     context.progress(fmt::format("{} {} in stripes of every thickness", family, order.scene_size));
-    const auto scene = std::get<PolyScene>(scene::generate_scene(family, order.scene_size));
+    const auto scene = *scene::generate_scene(family, order.scene_size);
     const auto made = native::faces_of(scene, scene.camera);
-    const auto& set = std::get<native::FaceSet>(made);
+    const auto& set = *made;
     const auto listed = native::listed_faces(set);
     const Truth truth = truth_of(scene, set, order.raster);
     MontaniReCurve& curve = curves.emplace_back();

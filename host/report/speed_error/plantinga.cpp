@@ -145,7 +145,7 @@ PlantingaPoint tolerance_point(const Context& context, const StudiedModel& studi
   native::BuildOptions options;
   options.tolerance = degrees * degree;
   const auto begun = std::chrono::steady_clock::now();
-  const auto list = std::get<native::EventList>(native::build_event_list(studied.model, options));
+  const auto list = *native::build_event_list(studied.model, options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
   PlantingaPoint point;
   point.degrees = degrees;
@@ -212,8 +212,8 @@ Outcome<std::vector<PlantingaCurve>> measure_plantinga(const Context& context) {
   for (const std::string_view name : names) {
     context.progress(fmt::format("{}: angle tolerances", name));
     const auto outcome = study_model(untimed, name);
-    if (const auto* const error = std::get_if<ReportError>(&outcome)) return *error;
-    const auto& studied = std::get<StudiedModel>(outcome);
+    if (!outcome) return outcome.error();
+    const auto& studied = *outcome;
     const auto truths = truths_of(studied.model, context.full ? 2000 : 500);
     PlantingaCurve curve;
     curve.model = name;

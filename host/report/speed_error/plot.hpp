@@ -23,8 +23,8 @@ inline constexpr std::string_view host_title = "time on this computer";
 // Adds the figure; the error, if it could not be drawn.
 [[nodiscard]] inline std::optional<ReportError> add_figure(std::vector<Block>& blocks, const Plot& plot) {
   auto figure = draw_plot(plot);
-  if (auto* const error = std::get_if<ReportError>(&figure)) return std::move(*error);
-  blocks.emplace_back(std::get<Figure>(std::move(figure)));
+  if (!figure) return std::move(figure.error());
+  blocks.emplace_back(std::move(*figure));
   return std::nullopt;
 }
 

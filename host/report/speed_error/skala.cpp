@@ -108,8 +108,8 @@ class Bench {
                                                        const FinePicture& fine) {
     auto stream = guests::skala::stream_of(grid, view_of(order));
     const auto run = run_guest(program_, stream, order);
-    if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
-    const auto& guest = std::get<guests::skala::GuestPicture>(run);
+    if (!run) return run.error();
+    const auto& guest = *run;
     points.push_back({setting, fine.error_of(dots_of(guest.raster, order.raster)), guest.drawing, {}});
     later(points, [stream = std::move(stream)] { (void)twin_of(stream, guests::skala::Device::ef9365); });
     return std::nullopt;
@@ -199,11 +199,10 @@ std::optional<ReportError> measure_boards(const guests::skala::Program& program,
         order.device = device;
         order.link = link;
         const auto run = run_guest(program, guests::skala::stream_of(grid, view_of(order)), order);
-        if (const auto* const error = std::get_if<ReportError>(&run)) return *error;
-        const auto& guest = std::get<guests::skala::GuestPicture>(run);
-        boards.push_back({function, device, link,
-                          fine.error_of(dots_of(guest.raster, guests::skala::raster_side)), guest.drawing,
-                          guest.total, guest.dots_not_shown});
+        if (!run) return run.error();
+        const auto& guest = *run;
+        boards.push_back({function, device, link, fine.error_of(dots_of(guest.raster, guests::skala::raster_side)),
+                          guest.drawing, guest.total, guest.dots_not_shown});
       }
     }
   }

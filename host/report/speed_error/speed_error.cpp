@@ -41,10 +41,10 @@ Outcome<Section> speed_against_error(const Context& context) {
       "is drawn and what is visible, WVR the share of random points on all lines, a pixel or more from any "
       "end, that are wrongly seen or hidden."});
   auto jones = measure_jones(context);
-  if (auto* const error = std::get_if<ReportError>(&jones)) return std::move(*error);
-  auto jones_blocks = jones_error_blocks(std::get<std::vector<JonesMeasured>>(jones));
-  if (auto* const error = std::get_if<ReportError>(&jones_blocks)) return std::move(*error);
-  append(section, std::get<std::vector<Block>>(std::move(jones_blocks)));
+  if (!jones) return std::move(jones.error());
+  auto jones_blocks = jones_error_blocks(*jones);
+  if (!jones_blocks) return std::move(jones_blocks.error());
+  append(section, std::move(*jones_blocks));
   context.progress("the error table on the PDP-7");
   append(section, published_error_blocks(guests::jones::measure_error_table()));
 
@@ -54,23 +54,23 @@ Outcome<Section> speed_against_error(const Context& context) {
       "of masks, 64 to a dot of the 8080's raster. PMR is the share of the raster's dots that differ, H the "
       "greatest distance between the dots or lines of the two pictures."});
   const auto skala = measure_skala(context);
-  if (const auto* const error = std::get_if<ReportError>(&skala)) return *error;
-  auto skala_blocks = skala_error_blocks(std::get<SkalaMeasured>(skala));
-  if (auto* const error = std::get_if<ReportError>(&skala_blocks)) return std::move(*error);
-  append(section, std::get<std::vector<Block>>(std::move(skala_blocks)));
+  if (!skala) return skala.error();
+  auto skala_blocks = skala_error_blocks(*skala);
+  if (!skala_blocks) return std::move(skala_blocks.error());
+  append(section, std::move(*skala_blocks));
 
   section.blocks.emplace_back(Heading{"Montani and Re"});
   auto montani_re = montani_re_error_part(context);
-  if (auto* const error = std::get_if<ReportError>(&montani_re)) return std::move(*error);
-  append(section, std::get<std::vector<Block>>(std::move(montani_re)));
+  if (!montani_re) return std::move(montani_re.error());
+  append(section, std::move(*montani_re));
 
   section.blocks.emplace_back(Heading{"Willis"});
   section.blocks.emplace_back(
       Paragraph{"Surfaces in the order of their distances, each cut as often as the limit allows until no "
                 "two are in each other's boundary, held against the nearest face on every sight line."});
   auto willis_blocks = willis_error_blocks(measure_willis(context));
-  if (auto* const error = std::get_if<ReportError>(&willis_blocks)) return std::move(*error);
-  append(section, std::get<std::vector<Block>>(std::move(willis_blocks)));
+  if (!willis_blocks) return std::move(willis_blocks.error());
+  append(section, std::move(*willis_blocks));
 
   section.blocks.emplace_back(Heading{"Plantinga, Seales and Dyer"});
   section.blocks.emplace_back(
@@ -78,10 +78,10 @@ Outcome<Section> speed_against_error(const Context& context) {
                 "the share of angles at which any edge has other pieces or other ends than it should, WVR "
                 "the share of the length of all edges in the image that is wrongly seen or hidden."});
   const auto plantinga = measure_plantinga(context);
-  if (const auto* const error = std::get_if<ReportError>(&plantinga)) return *error;
-  auto plantinga_blocks = plantinga_error_blocks(std::get<std::vector<PlantingaCurve>>(plantinga));
-  if (auto* const error = std::get_if<ReportError>(&plantinga_blocks)) return std::move(*error);
-  append(section, std::get<std::vector<Block>>(std::move(plantinga_blocks)));
+  if (!plantinga) return plantinga.error();
+  auto plantinga_blocks = plantinga_error_blocks(*plantinga);
+  if (!plantinga_blocks) return std::move(plantinga_blocks.error());
+  append(section, std::move(*plantinga_blocks));
   return section;
 }
 

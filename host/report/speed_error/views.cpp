@@ -25,11 +25,10 @@ ReportError unusable(std::string_view scene, const std::string& why) {
 
 Outcome<SceneViews> SceneViews::of(const guests::jones::SixViews& views) {
   auto scene = scene::load_cell_scene(std::string(views.scene));
-  if (const auto* const error = std::get_if<scene::SceneError>(&scene))
-    return ReportError{ErrorKind::bad_input, error->message()};
+  if (!scene) return ReportError{ErrorKind::bad_input, scene.error().message()};
   SceneViews result;
   result.name_ = views.scene;
-  result.scene_ = std::get<scene::CellScene>(std::move(scene));
+  result.scene_ = std::move(*scene);
   const auto matter = oracle::Matter::of(result.scene_);
   if (!matter) return unusable(views.scene, "found a scene with too many grid units for the exact reference");
   const auto lines = matter->real_lines();
@@ -37,11 +36,9 @@ Outcome<SceneViews> SceneViews::of(const guests::jones::SixViews& views) {
   window.near = guests::jones::near_z;
   for (const geometry::Point& eye : views.eyes) {
     auto in_core = guests::jones::scene_in_core(result.scene_, eye);
-    if (const auto* const error = std::get_if<scene::SceneError>(&in_core))
-      return unusable(views.scene, error->message());
+    if (!in_core) return unusable(views.scene, in_core.error().message());
     const auto visible = oracle::visible_lines(*matter, lines, eye, window);
-    result.views_.push_back({eye, std::get<guests::jones::SceneInCore>(std::move(in_core)),
-                             compare::CellReference(lines, visible, eye, window)});
+    result.views_.push_back({eye, std::move(*in_core), compare::CellReference(lines, visible, eye, window)});
   }
   return result;
 }

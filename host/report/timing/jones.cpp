@@ -173,14 +173,14 @@ Outcome<Gallery> screens(const Runs& runs, bool phosphor) {
   for (const auto& [order, run] : runs) {
     if (!order.eae) continue;
     auto png = phosphor ? phosphor_png(run) : crisp_png(run);
-    if (auto* const error = std::get_if<ReportError>(&png)) return std::move(*error);
+    if (!png) return std::move(png.error());
     const double plain = view_seconds(run_of(runs, order.scene, false));
     gallery.figures.push_back(
         {fmt::format("{}-{}", phosphor ? "phosphor" : "screen", order.scene), order.scene,
          fmt::format("{:.3f} s, without EAE {:.3f} s", view_seconds(run), plain),
          fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines{}", order.scene,
                      run.view().pieces, phosphor ? ", as the glowing screen shows it" : ""),
-         "image/png", std::get<picture::Bytes>(std::move(png)), false, false});
+         "image/png", std::move(*png), false, false});
   }
   return gallery;
 }
@@ -189,20 +189,20 @@ Outcome<Gallery> screens(const Runs& runs, bool phosphor) {
 
 Outcome<std::vector<Block>> timing_of_jones(const Context& context) {
   auto made = run_all_jones(context, true);
-  if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
-  const Runs runs = std::get<Runs>(std::move(made));
+  if (!made) return std::move(made.error());
+  const Runs runs = std::move(*made);
   const auto pair = run_jones({"roberts", true, true, false});
-  if (const auto* const error = std::get_if<ReportError>(&pair)) return *error;
+  if (!pair) return pair.error();
   std::vector<Block> blocks;
-  blocks.emplace_back(paper_table("jones-paper-times", "Jones 1971: every number for time",
-                                  times(runs, std::get<JonesRun>(pair))));
+  blocks.emplace_back(
+      paper_table("jones-paper-times", "Jones 1971: every number for time", times(runs, *pair)));
   blocks.emplace_back(paper_table("jones-paper-sizes", "Jones 1971: every number for size", sizes(runs)));
   blocks.emplace_back(views_table(runs));
   for (const bool phosphor : {true, false}) {
     context.progress(phosphor ? "the photographs" : "the pictures");
     auto gallery = screens(runs, phosphor);
-    if (auto* const error = std::get_if<ReportError>(&gallery)) return std::move(*error);
-    blocks.emplace_back(std::get<Gallery>(std::move(gallery)));
+    if (!gallery) return std::move(gallery.error());
+    blocks.emplace_back(std::move(*gallery));
   }
   return blocks;
 }

@@ -72,11 +72,9 @@ std::string sides_of(const native::LatticeStripe& stripe) {
 
 Outcome<Table> stripes_table() {
   const auto read = read_chains(hard_case_text("M18.txt"), "M18.txt");
-  if (const auto* const error = std::get_if<scene::SceneError>(&read))
-    return ReportError{ErrorKind::bad_input, error->message()};
+  if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
   std::vector<native::FreemanChain> chains;
-  for (const auto& [name, of_region] : std::get<LatticeRegions>(read))
-    chains.insert(chains.end(), of_region.begin(), of_region.end());
+  for (const auto& [name, of_region] : *read) chains.insert(chains.end(), of_region.begin(), of_region.end());
   const auto pcs = native::lattice_pcs(chains);
   const auto stripes = pcs ? native::whole_stripes(*pcs) : std::nullopt;
   if (!stripes) return ReportError{ErrorKind::bad_input, "M18.txt: a chain does not close"};
@@ -113,14 +111,12 @@ struct Surface {
 
 Outcome<Surface> surface() {
   const auto read = scene::read_poly_json(hard_case_text("M17.json"), "M17.json");
-  if (const auto* const error = std::get_if<scene::SceneError>(&read))
-    return ReportError{ErrorKind::bad_input, error->message()};
-  const auto& scene = std::get<scene::PolyScene>(read);
+  if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
+  const auto& scene = *read;
   auto made = native::faces_of(scene, scene.camera);
-  if (const auto* const error = std::get_if<scene::SceneError>(&made))
-    return ReportError{ErrorKind::bad_input, error->message()};
+  if (!made) return ReportError{ErrorKind::bad_input, made.error().message()};
   Surface result;
-  result.set = std::get<native::FaceSet>(std::move(made));
+  result.set = std::move(*made);
   for (const native::Face& face : result.set.faces) result.names += scene.bodies[face.body].name;
   result.listed = native::listed_faces(result.set);
   return result;
@@ -204,10 +200,10 @@ Table steps_table(const Surface& surface) {
 
 Outcome<std::vector<Block>> timing_of_montani_re(const Context& context) {
   auto stripes = stripes_table();
-  if (auto* const error = std::get_if<ReportError>(&stripes)) return std::move(*error);
+  if (!stripes) return std::move(stripes.error());
   auto made = surface();
-  if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
-  const auto& faces = std::get<Surface>(made);
+  if (!made) return std::move(made.error());
+  const auto& faces = *made;
   std::vector<std::size_t> sizes{100, 1000};
   if (context.full) sizes.push_back(10000);
   const int rounds = !context.host_times ? 0 : context.full ? 5 : 3;
@@ -217,7 +213,7 @@ Outcome<std::vector<Block>> timing_of_montani_re(const Context& context) {
   std::vector<Block> blocks;
   blocks.emplace_back(Heading{"Montani and Re"});
   blocks.emplace_back(montani_re_paper_table(families));
-  blocks.emplace_back(std::get<Table>(std::move(stripes)));
+  blocks.emplace_back(std::move(*stripes));
   blocks.emplace_back(relations_table(faces));
   blocks.emplace_back(steps_table(faces));
   blocks.emplace_back(montani_re_growth_table(families));

@@ -21,8 +21,8 @@ Outcome<Section> timing_against_papers(const Context& context) {
   for (const auto papers :
        {&timing_of_jones, &timing_of_skala, &timing_of_montani_re, &timing_of_plantinga, &timing_of_willis}) {
     auto blocks = papers(context);
-    if (auto* const error = std::get_if<ReportError>(&blocks)) return std::move(*error);
-    auto& made = std::get<std::vector<Block>>(blocks);
+    if (!blocks) return std::move(blocks.error());
+    auto& made = *blocks;
     section.blocks.insert(section.blocks.end(), std::make_move_iterator(made.begin()),
                           std::make_move_iterator(made.end()));
   }

@@ -160,8 +160,8 @@ Outcome<std::vector<Block>> timing_of_plantinga(const Context& context) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     context.progress(fmt::format("events of {}", names[i]));
     const auto outcome = study_model(context, names[i]);
-    if (const auto* const error = std::get_if<ReportError>(&outcome)) return *error;
-    const auto& studied = std::get<StudiedModel>(outcome);
+    if (!outcome) return outcome.error();
+    const auto& studied = *outcome;
     from_cache = from_cache || studied.from_cache;
     add_events_row(events, studied, printed[i]);
     if (!context.host_times) continue;

@@ -54,8 +54,8 @@ Outcome<Runs> run_curves(const Context& context, const guests::skala::Program& p
     context.progress(fmt::format("{} in long slices on the 8080", function.name));
     SkalaOrder order{std::string(function.name), guests::skala::PictureKind::lines, {256, 30}, 0, true};
     auto run = run_skala(program, order);
-    if (auto* const error = std::get_if<ReportError>(&run)) return std::move(*error);
-    runs.emplace_back(std::move(order), std::get<SkalaRun>(std::move(run)));
+    if (!run) return std::move(run.error());
+    runs.emplace_back(std::move(order), std::move(*run));
   }
   return runs;
 }
@@ -136,13 +136,13 @@ Outcome<Gallery> rasters(const Runs& runs) {
   Gallery gallery{"skala-rasters", "Skala: what the raster board shows", {}};
   for (const auto& [order, run] : runs) {
     auto png = raster_png(run, order);
-    if (auto* const error = std::get_if<ReportError>(&png)) return std::move(*error);
+    if (!png) return std::move(png.error());
     const std::string_view picture = name_of(order.picture);
     gallery.figures.push_back(
         {fmt::format("raster-{}-{}", order.function, picture), fmt::format("{}, {}", order.function, picture),
          fmt::format("{:.3f} s", seconds(run.guest.drawing)),
          fmt::format("The function {} drawn by the 8080 as {} on 256 by 256 points", order.function, picture),
-         "image/png", std::get<picture::Bytes>(std::move(png)), false, true});
+         "image/png", std::move(*png), false, true});
   }
   return gallery;
 }
@@ -152,13 +152,13 @@ Outcome<Gallery> rasters(const Runs& runs) {
 Outcome<std::vector<Block>> timing_of_skala(const Context& context) {
   const guests::skala::Program program = guests::skala::assemble_program();
   auto made = run_all_skala(context, program, true);
-  if (auto* const error = std::get_if<ReportError>(&made)) return std::move(*error);
+  if (!made) return std::move(made.error());
   auto long_slices = run_curves(context, program);
-  if (auto* const error = std::get_if<ReportError>(&long_slices)) return std::move(*error);
-  const Runs runs = std::get<Runs>(std::move(made));
-  const Runs curves = std::get<Runs>(std::move(long_slices));
+  if (!long_slices) return std::move(long_slices.error());
+  const Runs runs = std::move(*made);
+  const Runs curves = std::move(*long_slices);
   auto gallery = rasters(runs);
-  if (auto* const error = std::get_if<ReportError>(&gallery)) return std::move(*error);
+  if (!gallery) return std::move(gallery.error());
   Table functions = functions_table(runs, "skala-functions", "Skala: drawing time of the eight functions");
   functions.notes = {
       "Seconds of the emulated 8080 at 3 MHz, from the first command in memory to the last dot. Lines and "
@@ -170,7 +170,7 @@ Outcome<std::vector<Block>> timing_of_skala(const Context& context) {
   blocks.emplace_back(std::move(functions));
   blocks.emplace_back(functions_table(curves, "skala-long-slices",
                                       "Skala: the same functions in 30 slices of 256 points, not rotated"));
-  blocks.emplace_back(std::get<Gallery>(std::move(gallery)));
+  blocks.emplace_back(std::move(*gallery));
   return blocks;
 }
 

@@ -10,13 +10,13 @@
 #include <optional>
 #include <utility>
 
+#include "host/algorithms/registry/willis_display.hpp"
 #include "host/algorithms/willis/sight_lines.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/report/speed_error/clock.hpp"
 #include "host/report/timing/paper_numbers.hpp"
 #include "host/report/timing/willis_pictures.hpp"
 #include "host/report/willis_scenes.hpp"
-#include "host/algorithms/registry/willis_display.hpp"
 
 namespace sightline::harness::report {
 
@@ -239,12 +239,12 @@ Outcome<std::vector<Block>> timing_of_willis(const Context& context) {
   const std::list<Flown> all = fly_all(context);
   context.progress("Willis: pictures of what is wrong");
   auto gallery = willis_pictures();
-  if (auto* const error = std::get_if<ReportError>(&gallery)) return std::move(*error);
+  if (!gallery) return std::move(gallery.error());
   std::vector<Block> blocks;
   blocks.emplace_back(
       paper_table("willis-paper", "Willis 1977: every number for time and size", numbers(all)));
   blocks.emplace_back(scenes_table(all));
-  blocks.emplace_back(std::get<Gallery>(std::move(gallery)));
+  blocks.emplace_back(std::move(*gallery));
   blocks.emplace_back(rule_table(context));
   return blocks;
 }

@@ -1,8 +1,7 @@
 // A scene of polyhedra cut into cells, by whichever way suits it.
 #pragma once
 
-#include <variant>
-
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -21,11 +20,11 @@ struct Compartments {
 };
 
 // Of a checked scene. An error says why the method does not apply.
-[[nodiscard]] std::variant<Compartments, SceneError> compartments_of(
+[[nodiscard]] base::Result<Compartments> compartments_of(
     const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic);
 
 // The complex alone.
-[[nodiscard]] std::variant<CellComplex, SceneError> compartment(
-    const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic);
+[[nodiscard]] base::Result<CellComplex> compartment(const PolyScene& scene,
+                                                    CompartmentMethod method = CompartmentMethod::automatic);
 
 }  // namespace sightline::scene

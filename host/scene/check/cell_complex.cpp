@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "host/base/result.hpp"
 #include "host/scene/cells/builder.hpp"
 #include "host/scene/check/cell_complex_parts.hpp"
 #include "host/scene/check/problems.hpp"
@@ -110,8 +111,8 @@ void check_complex_lines(const CellComplex& complex, Problems& problems) {
   }
 }
 
-std::vector<SceneError> check_complex(const CellComplex& complex, const PolyScene& scene,
-                                      std::uint64_t seed) {
+std::vector<base::Error> check_complex(const CellComplex& complex, const PolyScene& scene,
+                                       std::uint64_t seed) {
   Problems problems;
   check_complex_numbers(complex, scene, problems);
   if (!problems.none()) return problems.take();

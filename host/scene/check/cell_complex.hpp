@@ -15,16 +15,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/base/result.hpp"
+#include "host/scene/check/cell_scene.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
-#include "host/scene/check/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
 
 // What is wrong (at most most_scene_errors), named by cell or opening from 0; empty if nothing is. The scene
 // is a checked one; the complex may be anything.
-[[nodiscard]] std::vector<SceneError> check_complex(const CellComplex& complex, const PolyScene& scene,
-                                                    std::uint64_t seed = 1);
+[[nodiscard]] std::vector<base::Error> check_complex(const CellComplex& complex, const PolyScene& scene,
+                                                     std::uint64_t seed = 1);
 
 }  // namespace sightline::scene

@@ -4,9 +4,10 @@
 #include <set>
 #include <string>
 
+#include "host/base/result.hpp"
 #include "host/scene/check/cell_scene_faces.hpp"
-#include "host/scene/model/locate.hpp"
 #include "host/scene/check/problems.hpp"
+#include "host/scene/model/locate.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -223,7 +224,7 @@ void check_line(std::size_t cell, const Box& box, std::size_t number, const Line
 
 }  // namespace
 
-std::vector<SceneError> check_scene(const CellScene& scene) {
+std::vector<base::Error> check_scene(const CellScene& scene) {
   Problems problems;
   check_extents(scene, problems);
   if (!problems.none()) return problems.take();
@@ -240,7 +241,7 @@ std::vector<SceneError> check_scene(const CellScene& scene) {
   if (problems.none()) check_faces(scene, problems);
   if (problems.none()) {
     const auto location = locate(scene, scene.default_view);
-    if (const auto* error = std::get_if<SceneError>(&location)) problems.add("default_view", error->cause);
+    if (!location) problems.add("default_view", location.error().found);
   }
   return problems.take();
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
@@ -20,6 +21,6 @@ inline constexpr std::size_t most_scene_errors = 100;
 
 // What is wrong, named by cell, opening, wall or solid number; empty if nothing is. Faces are only looked at
 // when nothing else is wrong, because one misplaced box would be reported again by every face around it.
-[[nodiscard]] std::vector<SceneError> check_scene(const CellScene& scene);
+[[nodiscard]] std::vector<base::Error> check_scene(const CellScene& scene);
 
 }  // namespace sightline::scene

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "host/base/result.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_scene_parts.hpp"
 
@@ -97,7 +98,7 @@ void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Probl
 
 }  // namespace
 
-std::vector<SceneError> check_poly_scene(const PolyScene& scene) {
+std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
   Problems problems;
   if (scene.bodies.empty()) problems.add("bodies", "expected at least one body, found none");
   check_camera(scene.camera, problems);

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -19,6 +20,6 @@ namespace sightline::scene {
 // Everything that is wrong (at most most_scene_errors), named by body, face and vertex from 0; empty if
 // nothing is. Faces are looked at when their vertices exist and are within the limit, solids when their faces
 // are in order.
-[[nodiscard]] std::vector<SceneError> check_poly_scene(const PolyScene& scene);
+[[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
 
 }  // namespace sightline::scene

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/model/cell_scene.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
 
@@ -30,7 +31,7 @@ class Problems {
  public:
   // Nothing is added beyond most_scene_errors, nor what is there already (a face has two sides).
   void add(std::string place, std::string cause) {
-    SceneError error{"", std::move(place), std::move(cause)};
+    base::Error error{"", std::move(place), std::move(cause)};
     if (!full() && std::find(errors_.begin(), errors_.end(), error) == errors_.end()) {
       errors_.push_back(std::move(error));
     }
@@ -41,10 +42,10 @@ class Problems {
 
   [[nodiscard]] bool none() const { return errors_.empty(); }
   [[nodiscard]] bool full() const { return errors_.size() >= most_scene_errors; }
-  [[nodiscard]] std::vector<SceneError> take() { return std::move(errors_); }
+  [[nodiscard]] std::vector<base::Error> take() { return std::move(errors_); }
 
  private:
-  std::vector<SceneError> errors_;
+  std::vector<base::Error> errors_;
 };
 
 }  // namespace sightline::scene

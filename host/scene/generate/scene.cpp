@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -59,18 +61,17 @@ std::size_t largest_generated_size(std::string_view family) {
   return found != nullptr ? found->largest : 0;
 }
 
-std::variant<PolyScene, SceneError> generate_scene(std::string_view family, std::size_t size,
-                                                   std::uint64_t seed) {
+base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size, std::uint64_t seed) {
   const Family* const found = find_family(family);
   if (found == nullptr) {
     std::string names;
     for (const Family& known : families) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    return SceneError{std::string(family), "", "no such family of scenes; there are " + names};
+    return base::Error{std::string(family), "", "no such family of scenes; there are " + names};
   }
   if (size < found->smallest || size > found->largest) {
-    return SceneError{std::string(family), "size",
-                      "found " + std::to_string(size) + ", expected " + std::to_string(found->smallest) +
-                          ".." + std::to_string(found->largest)};
+    return base::Error{std::string(family), "size",
+                       "found " + std::to_string(size) + ", expected " + std::to_string(found->smallest) +
+                           ".." + std::to_string(found->largest)};
   }
   return found->generate(size, seed);
 }

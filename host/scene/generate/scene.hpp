@@ -14,17 +14,17 @@
 //   are edges all the same.    big_rooms: the same, all lengths divided by 5 (and rounded down).
 // corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
 // are the built-in scenes of that name.
-// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35, of
-// as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
+// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35,
+// of as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
 // splitting is measured. Looked at from its edge, below the tops of the walls.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -44,8 +44,8 @@ namespace sightline::scene {
 [[nodiscard]] PolyScene generate_corridors(std::size_t n);
 inline constexpr std::int32_t prism_block = 20000;
 inline constexpr std::size_t prisms_in_block = 35;
-// The gap at most 1/100 of a block, so that there is room for 35 (25 with a gap of 160 are the other published
-// town).
+// The gap at most 1/100 of a block, so that there is room for 35 (25 with a gap of 160 are the other
+// published town).
 [[nodiscard]] PolyScene generate_prisms(std::size_t n, std::uint64_t seed = 1, std::int32_t gap = 50);
 
 // Every family by name, in the order above.
@@ -53,8 +53,8 @@ inline constexpr std::size_t prisms_in_block = 35;
 // 0 if there is no such family.
 [[nodiscard]] std::size_t largest_generated_size(std::string_view family);
 // An unknown family or a size that is 0 or too large is an error that says what there is.
-[[nodiscard]] std::variant<PolyScene, SceneError> generate_scene(std::string_view family, std::size_t size,
-                                                                 std::uint64_t seed = 1);
+[[nodiscard]] base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size,
+                                                     std::uint64_t seed = 1);
 
 struct GeneratedSceneName {
   std::string_view family;

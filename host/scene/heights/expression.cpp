@@ -7,18 +7,19 @@
 #include <numbers>
 #include <optional>
 
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/heights/function.hpp"
-#include "host/scene/heights/number.hpp"
 
 namespace sightline::scene {
 namespace {
 
-HeightError error_at(const std::string& expression, std::string_view source, std::size_t place,
+base::Error error_at(const std::string& expression, std::string_view source, std::size_t place,
                      std::string found, std::string expected) {
   place = std::min(place, expression.size());
-  return {std::string(source), std::to_string(place + 1),
-          std::move(found),    std::move(expected),
-          expression,          place};
+  base::Error error{std::string(source), std::to_string(place + 1), std::move(found), std::move(expected)};
+  error.excerpt = "  " + expression + "\n  " + std::string(place, ' ') + "^";
+  return error;
 }
 
 // The first '=' that is not part of a comparison.
@@ -34,24 +35,17 @@ std::optional<std::size_t> assignment(const std::string& text) {
   return std::nullopt;
 }
 
-std::optional<HeightError> refused(const std::string& expression, std::string_view source) {
+std::optional<base::Error> refused(const std::string& expression, std::string_view source) {
   if (expression.size() > longest_expression) {
-    return HeightError{std::string(source),
-                       "",
+    return base::Error{std::string(source), "",
                        "an expression of " + std::to_string(expression.size()) + " characters",
-                       "at most " + std::to_string(longest_expression),
-                       "",
-                       0};
+                       "at most " + std::to_string(longest_expression)};
   }
   const auto strange =
       std::find_if(expression.begin(), expression.end(), [](char c) { return c < ' ' || c > '~'; });
   if (strange != expression.end()) {
-    return HeightError{std::string(source),
-                       std::to_string(strange - expression.begin() + 1),
-                       "a character that is not printable ASCII",
-                       "an expression of x and z",
-                       "",
-                       0};
+    return base::Error{std::string(source), std::to_string(strange - expression.begin() + 1),
+                       "a character that is not printable ASCII", "an expression of x and z"};
   }
   if (const auto place = assignment(expression))
     return error_at(expression, source, *place, "an assignment", "a comparison is written ==");
@@ -109,10 +103,10 @@ class Evaluator {
 
 }  // namespace
 
-std::variant<HeightGrid, HeightError> sample_expression(const std::string& expression, Interval domain,
-                                                        GridSize size, std::string_view source) {
+base::Result<HeightGrid> sample_expression(const std::string& expression, Interval domain, GridSize size,
+                                           std::string_view source) {
   const auto checked = check_size(size, source);
-  if (const auto* error = std::get_if<HeightError>(&checked)) return *error;
+  if (!checked) return checked.error();
   if (auto error = refused(expression, source)) return *error;
   try {
     Evaluator value(expression);
@@ -127,29 +121,25 @@ std::variant<HeightGrid, HeightError> sample_expression(const std::string& expre
   }
 }
 
-std::variant<Interval, HeightError> read_domain(const std::string& text, std::string_view source) {
-  const HeightError error{
-      std::string(source), "", "'" + text + "'", "A:B with numbers A < B, such as -3:3", "", 0};
+base::Result<Interval> read_domain(const std::string& text, std::string_view source) {
+  const base::Error error{std::string(source), "", "'" + text + "'", "A:B with numbers A < B, such as -3:3"};
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return error;
-  const auto low = finite_number(std::string_view(text).substr(0, colon));
-  const auto high = finite_number(std::string_view(text).substr(colon + 1));
+  const auto low = base::decimal_number(std::string_view(text).substr(0, colon));
+  const auto high = base::decimal_number(std::string_view(text).substr(colon + 1));
   if (!low || !high || !(*low < *high)) return error;
   return Interval{*low, *high};
 }
 
-std::variant<GridSize, HeightError> check_size(GridSize size, std::string_view source) {
+base::Result<GridSize> check_size(GridSize size, std::string_view source) {
   const auto inside = [](std::size_t n, std::size_t low, std::size_t high) { return n >= low && n <= high; };
   if (inside(size.points, smallest_grid.points, largest_grid.points) &&
       inside(size.slices, smallest_grid.slices, largest_grid.slices)) {
     return size;
   }
-  return HeightError{std::string(source),
-                     "",
+  return base::Error{std::string(source), "",
                      std::to_string(size.slices) + " slices of " + std::to_string(size.points) + " points",
-                     "2 to 1024 slices of 2 to 1024 points",
-                     "",
-                     0};
+                     "2 to 1024 slices of 2 to 1024 points"};
 }
 
 }  // namespace sightline::scene

@@ -8,8 +8,8 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::scene {
@@ -19,15 +19,15 @@ inline constexpr Interval expression_domain{-10, 10};  // unless told otherwise
 
 // Sampled as the functions by name are. `source` is named in errors: an error of the expression points at its
 // place; an expression that is nowhere finite on the grid is an error too.
-[[nodiscard]] std::variant<HeightGrid, HeightError> sample_expression(const std::string& expression,
-                                                                      Interval domain, GridSize size,
-                                                                      std::string_view source = "--function");
+[[nodiscard]] base::Result<HeightGrid> sample_expression(const std::string& expression, Interval domain,
+                                                         GridSize size,
+                                                         std::string_view source = "--function");
 
 // "A:B" with finite A < B.
-[[nodiscard]] std::variant<Interval, HeightError> read_domain(const std::string& text,
-                                                              std::string_view source = "--domain");
+[[nodiscard]] base::Result<Interval> read_domain(const std::string& text,
+                                                 std::string_view source = "--domain");
 
 // Within smallest_grid and largest_grid, or why not.
-[[nodiscard]] std::variant<GridSize, HeightError> check_size(GridSize size, std::string_view source);
+[[nodiscard]] base::Result<GridSize> check_size(GridSize size, std::string_view source);
 
 }  // namespace sightline::scene

@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sightline::scene {
+#include "host/base/result.hpp"
 
-std::string HeightError::message() const {
-  std::string result = source;
-  if (!place.empty()) result += ":" + place;
-  result += ": found " + found;
-  if (!expected.empty()) result += ", expected " + expected;
-  if (!text.empty()) result += "\n  " + text + "\n  " + std::string(caret, ' ') + "^";
-  return result;
-}
+namespace sightline::scene {
 
 std::vector<double> even_positions(std::size_t count) {
   std::vector<double> positions(count, 0.0);

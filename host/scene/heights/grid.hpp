@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 
 // From low to high, both included.
@@ -41,19 +43,6 @@ struct HeightGrid {
   [[nodiscard]] double height(std::size_t point, std::size_t slice) const {
     return heights[slice * x.size() + point];
   }
-};
-
-// Why there is no grid, and where: the only way the samplers and readers of grids fail.
-struct HeightError {
-  std::string source;    // the file, or the option, as the user named it
-  std::string place;     // "3:12": line and column from 1 (an expression: the column); empty: the whole
-  std::string found;     // what is there
-  std::string expected;  // empty: nothing to add
-  std::string text;      // an expression: itself, to be shown with `caret` under it; else empty
-  std::size_t caret = 0;
-
-  // "source:place: found X, expected Y", for an expression followed by its text and a line with a caret.
-  [[nodiscard]] std::string message() const;
 };
 
 // `count` positions at equal distances from -1 to 1, of exact symmetry about 0; a single one is at 0.

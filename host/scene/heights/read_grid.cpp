@@ -9,21 +9,22 @@
 #include <system_error>
 #include <utility>
 
+#include "host/base/result.hpp"
 #include "host/scene/heights/read_points.hpp"
 #include "host/scene/heights/read_text.hpp"
 
 namespace sightline::scene {
 namespace {
 
-HeightError error_in(std::string_view source, std::string place, std::string found, std::string expected) {
-  return {std::string(source), std::move(place), std::move(found), std::move(expected), "", 0};
+base::Error error_in(std::string_view source, std::string place, std::string found, std::string expected) {
+  return {std::string(source), std::move(place), std::move(found), std::move(expected)};
 }
 
 std::string count_of(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-std::variant<HeightGrid, HeightError> read_matrix(const HeightText& text, std::string_view source) {
+base::Result<HeightGrid> read_matrix(const HeightText& text, std::string_view source) {
   const HeightLine& first = text.lines.front();
   const std::size_t points = first.fields.size();
   HeightGrid grid;
@@ -51,27 +52,26 @@ std::variant<HeightGrid, HeightError> read_matrix(const HeightText& text, std::s
 
 }  // namespace
 
-std::variant<HeightGrid, HeightError> read_height_grid(std::string_view text, std::string_view source) {
+base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_view source) {
   const auto lines = read_height_text(text, source);
-  if (const auto* error = std::get_if<HeightError>(&lines)) return *error;
-  const auto& height_text = std::get<HeightText>(lines);
+  if (!lines) return lines.error();
+  const auto& height_text = *lines;
   auto result =
       is_point_data(height_text) ? read_points(height_text, source) : read_matrix(height_text, source);
-  auto* grid = std::get_if<HeightGrid>(&result);
-  if (grid == nullptr) return result;
-  if (grid->slices() > largest_grid.slices || grid->points() > largest_grid.points) {
-    return error_in(
-        source, "",
-        std::to_string(grid->slices()) + " slices of " + std::to_string(grid->points()) + " points",
-        "at most 1024 of 1024");
+  if (!result) return result;
+  HeightGrid& grid = *result;
+  if (grid.slices() > largest_grid.slices || grid.points() > largest_grid.points) {
+    return error_in(source, "",
+                    std::to_string(grid.slices()) + " slices of " + std::to_string(grid.points()) + " points",
+                    "at most 1024 of 1024");
   }
-  if (!anywhere_finite(grid->heights))
+  if (!anywhere_finite(grid.heights))
     return error_in(source, "", "a grid without any defined height", "at least one");
-  grid->range = finite_range(grid->heights);
+  grid.range = finite_range(grid.heights);
   return result;
 }
 
-std::variant<HeightGrid, HeightError> load_height_grid(const std::string& file) {
+base::Result<HeightGrid> load_height_grid(const std::string& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) return error_in(file, "", "no such file", "");

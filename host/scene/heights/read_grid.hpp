@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::scene {
@@ -27,10 +27,9 @@ namespace sightline::scene {
 inline constexpr std::uintmax_t largest_grid_file = std::uintmax_t{64} << 20;
 
 // `source` is named in errors, with line and column of the first one.
-[[nodiscard]] std::variant<HeightGrid, HeightError> read_height_grid(std::string_view text,
-                                                                     std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_view source);
 
 // A file of at most largest_grid_file bytes.
-[[nodiscard]] std::variant<HeightGrid, HeightError> load_height_grid(const std::string& file);
+[[nodiscard]] base::Result<HeightGrid> load_height_grid(const std::string& file);
 
 }  // namespace sightline::scene

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -21,7 +23,7 @@ class Points {
  public:
   Points(const HeightText& text, std::string_view source) : lines_(text.lines), source_(source) {}
 
-  std::variant<HeightGrid, HeightError> grid() {
+  base::Result<HeightGrid> grid() {
     if (!equal_blocks() || !directions() || !places()) return *error_;
     const std::vector<double> curves = coordinates(constant_, length_, lines_.size() / length_);
     const std::vector<double> along = coordinates(running_, 1, length_);
@@ -149,12 +151,8 @@ class Points {
 
   bool fail(std::size_t line, std::size_t field, std::string found, std::string expected) {
     const HeightLine& where = lines_[line];
-    error_ = HeightError{source_,
-                         place_of(where.number, where.fields[field].column),
-                         std::move(found),
-                         std::move(expected),
-                         "",
-                         0};
+    error_ = base::Error{source_, place_of(where.number, where.fields[field].column), std::move(found),
+                         std::move(expected)};
     return false;
   }
 
@@ -163,7 +161,7 @@ class Points {
   std::size_t length_ = 0;    // of a block
   std::size_t constant_ = 0;  // 0: x, 1: y
   std::size_t running_ = 1;
-  std::optional<HeightError> error_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
@@ -175,7 +173,7 @@ bool is_point_data(const HeightText& text) {
          std::any_of(text.lines.begin(), text.lines.end(), after_blank);
 }
 
-std::variant<HeightGrid, HeightError> read_points(const HeightText& text, std::string_view source) {
+base::Result<HeightGrid> read_points(const HeightText& text, std::string_view source) {
   return Points(text, source).grid();
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/heights/read_text.hpp"
 
@@ -13,7 +13,6 @@ namespace sightline::scene {
 [[nodiscard]] bool is_point_data(const HeightText& text);
 
 // The grid without its range. Its size is only limited from below.
-[[nodiscard]] std::variant<HeightGrid, HeightError> read_points(const HeightText& text,
-                                                                std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_points(const HeightText& text, std::string_view source);
 
 }  // namespace sightline::scene

@@ -5,7 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "host/scene/heights/number.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -72,7 +73,7 @@ class LineReader {
   }
 
   [[nodiscard]] bool separated() const { return separator_ != ' '; }
-  [[nodiscard]] const HeightError& error() const { return *error_; }
+  [[nodiscard]] const base::Error& error() const { return *error_; }
 
  private:
   bool field(std::string_view line, std::size_t begin, std::size_t end, HeightLine& result) {
@@ -87,7 +88,7 @@ class LineReader {
       result.fields.push_back({std::numeric_limits<double>::quiet_NaN(), column});
       return true;
     }
-    const auto value = finite_number(text);
+    const auto value = base::decimal_number(text);
     if (!value) {
       const bool comma = text.find(',') != std::string_view::npos;
       return fail(result.number, column, shown(text),
@@ -98,13 +99,13 @@ class LineReader {
   }
 
   bool fail(std::size_t line, std::size_t column, std::string found, std::string expected) {
-    error_ = HeightError{source_, place_of(line, column), std::move(found), std::move(expected), "", 0};
+    error_ = base::Error{source_, place_of(line, column), std::move(found), std::move(expected)};
     return false;
   }
 
   std::string source_;
   char separator_;
-  std::optional<HeightError> error_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
@@ -113,7 +114,7 @@ std::string place_of(std::size_t line, std::size_t column) {
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
-std::variant<HeightText, HeightError> read_height_text(std::string_view text, std::string_view source) {
+base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
   if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
   LineReader reader(text, source);
   HeightText result;
@@ -136,17 +137,12 @@ std::variant<HeightText, HeightError> read_height_text(std::string_view text, st
     if (!reader.read(line, fields)) return reader.error();
     numbers += fields.fields.size();
     if (numbers > most_numbers) {
-      return HeightError{std::string(source),
-                         place_of(number, 1),
-                         "more numbers than the largest grid has",
-                         "at most 1024 slices of 1024 points",
-                         "",
-                         0};
+      return base::Error{std::string(source), place_of(number, 1), "more numbers than the largest grid has",
+                         "at most 1024 slices of 1024 points"};
     }
     result.lines.push_back(std::move(fields));
   }
-  if (result.lines.empty())
-    return HeightError{std::string(source), "", "no line of numbers", "at least two", "", 0};
+  if (result.lines.empty()) return base::Error{std::string(source), "", "no line of numbers", "at least two"};
   return result;
 }
 

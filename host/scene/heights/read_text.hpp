@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::scene {
@@ -29,8 +29,7 @@ struct HeightText {
 };
 
 // A field that is no number, more than 1024 fields in a line or a file without numbers is an error.
-[[nodiscard]] std::variant<HeightText, HeightError> read_height_text(std::string_view text,
-                                                                     std::string_view source);
+[[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
 
 // "line:column"
 [[nodiscard]] std::string place_of(std::size_t line, std::size_t column);

@@ -7,8 +7,8 @@
 // are actual lines (F = 1) and which only artificial edges (F = 0). Scenes of general polyhedra will be a
 // type beside this one.
 //
-// A CellScene as such promises nothing: check_scene (host/scene/check/cell_scene.hpp) says whether it describes a possible scene,
-// and all that draws or encodes scenes expects a checked one.
+// A CellScene as such promises nothing: check_scene (host/scene/check/cell_scene.hpp) says whether it
+// describes a possible scene, and all that draws or encodes scenes expects a checked one.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/geometry/box.hpp"
 
 namespace sightline::scene {
@@ -63,17 +64,6 @@ struct CellScene {
   std::vector<Opening> openings;
 
   friend bool operator==(const CellScene&, const CellScene&) = default;
-};
-
-// What is wrong with a scene: where it came from, where in it, and what was found and what was expected.
-struct SceneError {
-  std::string source;  // file or built-in name; empty if the scene was made in memory
-  std::string place;   // "openings[3].rect", "line 4, column 7", "cell 3"; empty for the whole
-  std::string cause;
-
-  // "source: place: cause", without what is empty.
-  [[nodiscard]] std::string message() const;
-  friend bool operator==(const SceneError&, const SceneError&) = default;
 };
 
 }  // namespace sightline::scene

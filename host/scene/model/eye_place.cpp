@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_scene_parts.hpp"
 
@@ -101,17 +102,17 @@ EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
   return place;
 }
 
-std::optional<SceneError> eye_error(const PolyScene& scene, const PolyCamera& camera) {
+std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera) {
   if (!camera.perspective) return std::nullopt;
   const EyePlace place = eye_place(scene, camera.eye);
   if (place.kind == EyePlace::Kind::free) return std::nullopt;
   const std::string eye = "the eye " + std::to_string(camera.eye[0]) + "," + std::to_string(camera.eye[1]) +
                           "," + std::to_string(camera.eye[2]) + " is ";
   if (place.kind == EyePlace::Kind::inside)
-    return SceneError{"", body_place(scene, place.body),
-                      eye + "inside this solid, expected it in free space"};
-  return SceneError{"", face_place(scene, place.body, place.face),
-                    eye + "on this face, expected it in free space"};
+    return base::Error{"", body_place(scene, place.body),
+                       eye + "inside this solid, expected it in free space"};
+  return base::Error{"", face_place(scene, place.body, place.face),
+                     eye + "on this face, expected it in free space"};
 }
 
 }  // namespace sightline::scene

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -30,6 +31,6 @@ struct EyePlace {
 
 // Whether the scene can be drawn from this camera by those that need an eye in free space: an error naming
 // body and face if not. The eye of an orthographic camera is no place, so it can be anywhere.
-[[nodiscard]] std::optional<SceneError> eye_error(const PolyScene& scene, const PolyCamera& camera);
+[[nodiscard]] std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera);
 
 }  // namespace sightline::scene

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "host/base/result.hpp"
 #include "host/scene/check/problems.hpp"
 
 namespace sightline::scene {
 
-std::variant<std::size_t, SceneError> locate(const CellScene& scene, const geometry::Point& point) {
+base::Result<std::size_t> locate(const CellScene& scene, const geometry::Point& point) {
   std::vector<std::size_t> around;
   for (std::size_t c = 0; c < scene.cells.size(); ++c) {
     if (scene.cells[c].box.contains(point)) around.push_back(c);
@@ -16,10 +17,10 @@ std::variant<std::size_t, SceneError> locate(const CellScene& scene, const geome
     const std::string place = "point " + text_of(point);
     for (std::size_t s = 0; s < scene.solids.size(); ++s) {
       if (scene.solids[s].contains(point))
-        return SceneError{"", place, "is inside solid " + std::to_string(s)};
+        return base::Error{"", place, "is inside solid " + std::to_string(s)};
     }
     const bool inside = scene.outer.contains(point);
-    return SceneError{"", place, inside ? "is in no cell" : "is outside the outer box"};
+    return base::Error{"", place, inside ? "is in no cell" : "is outside the outer box"};
   }
   for (const Opening& opening : scene.openings) {
     if (opening.place.bounds().contains(point)) return std::min(opening.cells[0], opening.cells[1]);

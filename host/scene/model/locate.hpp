@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
@@ -12,7 +12,6 @@ namespace sightline::scene {
 // (closed), the lower-numbered of the two cells of the lowest-numbered such opening; else, on an opaque face,
 // the lowest-numbered cell on the side looked into (+z). An error if the point is in a solid or outside
 // everything.
-[[nodiscard]] std::variant<std::size_t, SceneError> locate(const CellScene& scene,
-                                                           const geometry::Point& point);
+[[nodiscard]] base::Result<std::size_t> locate(const CellScene& scene, const geometry::Point& point);
 
 }  // namespace sightline::scene

@@ -1,17 +1,18 @@
 // See cell_complex_file.hpp.
+#include "host/scene/check/cell_complex.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "host/scene/read/cell_complex_file.hpp"
-#include "host/scene/check/cell_complex.hpp"
-#include "host/scene/read/json_text.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/read/json_text.hpp"
 #include "host/scene/read/poly_json.hpp"
 
 namespace sightline::scene {
@@ -53,12 +54,12 @@ class ComplexReader {
  private:
   [[nodiscard]] bool failed() const { return !errors_.empty(); }
   // What follows from the first error is none of the file's.
-  void fail(std::vector<SceneError> errors) {
+  void fail(std::vector<base::Error> errors) {
     if (failed()) return;
     errors_ = std::move(errors);
-    for (SceneError& error : errors_) error.source = source_;
+    for (base::Error& error : errors_) error.file = source_;
   }
-  void fail(SceneError error) { fail(std::vector{std::move(error)}); }
+  void fail(base::Error error) { fail(std::vector{std::move(error)}); }
   void expected(const std::string& what, const json& found, const std::string& place) {
     fail({"", place, "expected " + what + ", found " + describe_json(found)});
   }
@@ -116,13 +117,13 @@ class ComplexReader {
     if (!nested_within(*polyhedra, deepest_polyhedra))
       return fail({"", "polyhedra", "is nested deeper than any scene of polyhedra"});
     auto scene = read_poly_json(polyhedra->dump(-1, ' ', false, json::error_handler_t::replace), source_);
-    if (auto* error = std::get_if<SceneError>(&scene)) return fail(in_polyhedra(std::move(*error)));
-    file_.scene = std::get<PolyScene>(std::move(scene));
+    if (!scene) return fail(in_polyhedra(std::move(scene.error())));
+    file_.scene = std::move(*scene);
     auto errors = check_poly_scene(file_.scene);
-    for (SceneError& error : errors) error = in_polyhedra(std::move(error));
+    for (base::Error& error : errors) error = in_polyhedra(std::move(error));
     fail(std::move(errors));
   }
-  static SceneError in_polyhedra(SceneError error) {
+  static base::Error in_polyhedra(base::Error error) {
     error.place = error.place.empty() ? "polyhedra" : "polyhedra: " + error.place;
     return error;
   }
@@ -227,7 +228,7 @@ class ComplexReader {
   }
 
   std::string source_;
-  std::vector<SceneError> errors_;
+  std::vector<base::Error> errors_;
   CellComplexFile file_;
 };
 
@@ -243,10 +244,10 @@ CheckedCellComplex check_cell_complex(std::string_view text, std::string_view so
   return ComplexReader(source).run(document);
 }
 
-std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view text, std::string_view source) {
+base::Result<CellComplexFile> read_cell_complex(std::string_view text, std::string_view source) {
   auto checked = check_cell_complex(text, source);
-  if (auto* errors = std::get_if<std::vector<SceneError>>(&checked)) return std::move(errors->front());
-  return std::get<CellComplexFile>(std::move(checked));
+  if (!checked) return std::move(checked.error().front());
+  return std::move(*checked);
 }
 
 bool is_cell_complex(std::string_view text) {

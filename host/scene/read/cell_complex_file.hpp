@@ -8,18 +8,18 @@
 // normal and offset. A half-space is a number: n >= 0 where plane n is not positive, -1 - n where plane n is
 // not negative. A cell is {"bounds": half-spaces, "lines": [[edge, a, b, c, d]...], "openings": numbers}: a
 // line is from a/b to c/d of its edge. An opening is {"cells": [on the negative side, on the positive],
-// "plane", "sides": half-spaces}; the cell outside is null. All of it is as CellComplex (host/scene/model/cell_complex.hpp)
-// says.
+// "plane", "sides": half-spaces}; the cell outside is null. All of it is as CellComplex
+// (host/scene/model/cell_complex.hpp) says.
 #pragma once
 
 #include <functional>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
+#include "host/scene/cells/decompose.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
-#include "host/scene/cells/decompose.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -37,12 +37,11 @@ void write_cell_complex(const PolyScene& scene, const Compartments& compartments
 // All errors there are of the first kind found: of the form (the first alone), of the scene
 // (check_poly_scene), or of the cells (check_complex, which does not notice a missing part of an edge). A
 // syntax error names line and column.
-using CheckedCellComplex = std::variant<CellComplexFile, std::vector<SceneError>>;
+using CheckedCellComplex = base::Result<CellComplexFile, std::vector<base::Error>>;
 [[nodiscard]] CheckedCellComplex check_cell_complex(std::string_view json, std::string_view source);
 
 // The first of these errors.
-[[nodiscard]] std::variant<CellComplexFile, SceneError> read_cell_complex(std::string_view json,
-                                                                          std::string_view source);
+[[nodiscard]] base::Result<CellComplexFile> read_cell_complex(std::string_view json, std::string_view source);
 
 // By the schema at its beginning, of any version.
 [[nodiscard]] bool is_cell_complex(std::string_view text);

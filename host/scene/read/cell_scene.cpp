@@ -9,8 +9,9 @@
 #include <optional>
 #include <system_error>
 
-#include "host/scene/read/builtin.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/json_text.hpp"
 
 namespace sightline::scene {
@@ -32,7 +33,7 @@ class Reader {
   explicit Reader(std::string_view source) : source_(source) {}
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
-  [[nodiscard]] const SceneError& error() const { return *error_; }
+  [[nodiscard]] const base::Error& error() const { return *error_; }
 
   void expected(const std::string& what, const json& found, const std::string& place) {
     fail(place, "expected " + what + ", found " + describe_json(found));
@@ -167,7 +168,7 @@ class Reader {
 
  private:
   void fail(const std::string& place, const std::string& cause) {
-    if (!error_) error_ = SceneError{source_, place, cause};
+    if (!error_) error_ = base::Error{source_, place, cause};
   }
 
   std::size_t ring_axis(const json& value, const std::string& place) {
@@ -181,7 +182,7 @@ class Reader {
   }
 
   std::string source_;
-  std::optional<SceneError> error_;
+  std::optional<base::Error> error_;
 };
 
 CellScene read_fields(const json& document, Reader& reader) {
@@ -201,8 +202,8 @@ CellScene read_fields(const json& document, Reader& reader) {
   return scene;
 }
 
-std::variant<std::string, SceneError> file_text(const std::string& file) {
-  const auto cannot = [&](const std::string& why) { return SceneError{file, "", why}; };
+base::Result<std::string> file_text(const std::string& file) {
+  const auto cannot = [&](const std::string& why) { return base::Error{file, "", why}; };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
@@ -223,7 +224,7 @@ std::variant<std::string, SceneError> file_text(const std::string& file) {
 
 }  // namespace
 
-std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, std::string_view source) {
+base::Result<CellScene> read_cell_scene(std::string_view json_text, std::string_view source) {
   json document;
   try {
     document = json::parse(json_text);
@@ -236,27 +237,26 @@ std::variant<CellScene, SceneError> read_cell_scene(std::string_view json_text, 
   return scene;
 }
 
-std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view json_text,
-                                                             const std::string& source) {
+base::Result<CellScene> read_possible_cell_scene(std::string_view json_text, const std::string& source) {
   auto result = read_cell_scene(json_text, source);
-  if (const auto* scene = std::get_if<CellScene>(&result)) {
-    auto errors = check_scene(*scene);
+  if (result) {
+    auto errors = check_scene(*result);
     if (!errors.empty()) {
-      SceneError first = std::move(errors.front());
-      first.source = source;
-      if (errors.size() > 1) first.cause += " (the first of " + std::to_string(errors.size()) + " errors)";
+      base::Error first = std::move(errors.front());
+      first.file = source;
+      if (errors.size() > 1) first.found += " (the first of " + std::to_string(errors.size()) + " errors)";
       return first;
     }
   }
   return result;
 }
 
-std::variant<CellScene, SceneError> load_cell_scene(const std::string& name_or_file) {
+base::Result<CellScene> load_cell_scene(const std::string& name_or_file) {
   if (const auto builtin = builtin_scene_text(name_or_file))
     return read_possible_cell_scene(*builtin, name_or_file);
   const auto text = file_text(name_or_file);
-  if (const auto* error = std::get_if<SceneError>(&text)) return *error;
-  return read_possible_cell_scene(std::get<std::string>(text), name_or_file);
+  if (!text) return text.error();
+  return read_possible_cell_scene(*text, name_or_file);
 }
 
 }  // namespace sightline::scene

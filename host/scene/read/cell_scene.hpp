@@ -10,22 +10,21 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
 
 // `source` is named in errors. The first error found is returned; a syntax error names line and column.
-[[nodiscard]] std::variant<CellScene, SceneError> read_cell_scene(std::string_view json,
-                                                                  std::string_view source);
+[[nodiscard]] base::Result<CellScene> read_cell_scene(std::string_view json, std::string_view source);
 
 // Read and checked, so that what is returned is a possible scene. Of several errors of a check the first is
 // returned, with their number.
-[[nodiscard]] std::variant<CellScene, SceneError> read_possible_cell_scene(std::string_view json,
-                                                                           const std::string& source);
+[[nodiscard]] base::Result<CellScene> read_possible_cell_scene(std::string_view json,
+                                                               const std::string& source);
 
 // A built-in name, or else a file (at most 64 MiB), read as by read_possible_cell_scene.
-[[nodiscard]] std::variant<CellScene, SceneError> load_cell_scene(const std::string& name_or_file);
+[[nodiscard]] base::Result<CellScene> load_cell_scene(const std::string& name_or_file);
 
 }  // namespace sightline::scene

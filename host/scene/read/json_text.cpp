@@ -1,8 +1,10 @@
 #include "host/scene/read/json_text.hpp"
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 
-SceneError json_syntax_error(std::string_view source, std::string_view what) {
+base::Error json_syntax_error(std::string_view source, std::string_view what) {
   const std::size_t line = what.find("line ");
   const std::size_t colon = what.find(": ", line == std::string_view::npos ? 0 : line);
   if (line == std::string_view::npos || colon == std::string_view::npos)

@@ -5,13 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
 
 // `what` is the text of the library's exception, "[...] parse error at line L, column C: cause". The place is
 // line and column.
-[[nodiscard]] SceneError json_syntax_error(std::string_view source, std::string_view what);
+[[nodiscard]] base::Error json_syntax_error(std::string_view source, std::string_view what);
 
 // "openings[3]"
 [[nodiscard]] std::string indexed(std::string_view place, std::size_t i);

@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "host/scene/heights/number.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_text.hpp"
 
 namespace sightline::scene {
@@ -15,7 +16,7 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, std::string_view source) : lines_(text, source) { mesh_.source = source; }
 
-  std::variant<PolyMesh, SceneError> run() {
+  base::Result<PolyMesh> run() {
     while (!error_ && lines_.next()) read_statement();
     if (error_) return *error_;
     if (mesh_.vertices.empty()) return lines_.error("found no vertices, expected lines \"v x y z\"");
@@ -65,7 +66,7 @@ class ObjReader {
     }
     std::array<double, 3> point{};
     for (std::size_t a = 0; a < 3; ++a) {
-      const auto number = finite_number(fields[a + 1]);
+      const auto number = base::decimal_number(fields[a + 1]);
       if (!number) {
         error_ = lines_.unexpected(fields[a + 1], "a number");
         return;
@@ -97,12 +98,12 @@ class ObjReader {
 
   [[nodiscard]] std::optional<VertexIndex> vertex_of(std::string_view corner) const {
     const std::size_t slash = corner.find('/');
-    const auto number = integer_number(corner.substr(0, slash));
+    const auto number = base::signed_number(corner.substr(0, slash));
     if (!number) return std::nullopt;
     while (corner.find('/') != std::string_view::npos) {  // vt and vn are integers or left out
       corner.remove_prefix(corner.find('/') + 1);
       const std::string_view part = corner.substr(0, corner.find('/'));
-      if (!part.empty() && !integer_number(part)) return std::nullopt;
+      if (!part.empty() && !base::signed_number(part)) return std::nullopt;
     }
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     if (*number < -count || *number > count || *number == 0) return std::nullopt;
@@ -129,12 +130,12 @@ class ObjReader {
   std::size_t object_ = 0;
   std::size_t group_ = 0;
   bool has_objects_ = false;
-  std::optional<SceneError> error_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
 
-std::variant<PolyMesh, SceneError> read_obj(std::string_view text, std::string_view source) {
+base::Result<PolyMesh> read_obj(std::string_view text, std::string_view source) {
   return ObjReader(text, source).run();
 }
 

@@ -8,12 +8,12 @@
 #pragma once
 
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_import.hpp"
 
 namespace sightline::scene {
 
-[[nodiscard]] std::variant<PolyMesh, SceneError> read_obj(std::string_view text, std::string_view source);
+[[nodiscard]] base::Result<PolyMesh> read_obj(std::string_view text, std::string_view source);
 
 }  // namespace sightline::scene

@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "host/scene/heights/number.hpp"
+#include "host/base/number.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_text.hpp"
 
 namespace sightline::scene {
@@ -18,7 +19,7 @@ class OffReader {
     mesh_.source = source;
   }
 
-  std::variant<PolyMesh, SceneError> run() {
+  base::Result<PolyMesh> run() {
     if (read_header() && read_vertices() && read_faces() && lines_.next())
       error_ = lines_.unexpected(lines_.fields()[0], "nothing after the last face");
     if (error_) return *error_;
@@ -26,7 +27,7 @@ class OffReader {
   }
 
  private:
-  bool fail(SceneError error) {
+  bool fail(base::Error error) {
     error_ = std::move(error);
     return false;
   }
@@ -60,7 +61,7 @@ class OffReader {
   }
 
   bool read_count(std::string_view field, std::size_t& count) {
-    const auto number = integer_number(field);
+    const auto number = base::signed_number(field);
     if (!number || *number < 0 || *number > std::numeric_limits<std::int32_t>::max())
       return fail(lines_.unexpected(field, "a number of vertices or faces"));
     count = static_cast<std::size_t>(*number);
@@ -79,7 +80,7 @@ class OffReader {
         return fail(lines_.error("found " + std::to_string(fields.size()) + " numbers, expected x, y and z"));
       std::array<double, 3> point{};
       for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto number = finite_number(fields[i]);
+        const auto number = base::decimal_number(fields[i]);
         if (!number) return fail(lines_.unexpected(fields[i], "a number"));
         if (i < 3) point[i] = *number;
       }
@@ -104,7 +105,7 @@ class OffReader {
 
   bool read_face(PolyFace& face) {
     const auto& fields = lines_.fields();
-    const auto count = integer_number(fields[0]);
+    const auto count = base::signed_number(fields[0]);
     if (!count || *count < 3)
       return fail(lines_.unexpected(fields[0], "how many vertices the face has, 3 or more"));
     if (static_cast<std::uint64_t>(*count) > fields.size() - 1) {
@@ -113,7 +114,7 @@ class OffReader {
     }
     face.outline.reserve(static_cast<std::size_t>(*count));
     for (std::size_t i = 1; i <= static_cast<std::size_t>(*count); ++i) {
-      const auto vertex = integer_number(fields[i]);
+      const auto vertex = base::signed_number(fields[i]);
       if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= vertices_)
         return fail(lines_.unexpected(fields[i], "a vertex below " + std::to_string(vertices_)));
       face.outline.push_back(static_cast<VertexIndex>(*vertex));
@@ -126,12 +127,12 @@ class OffReader {
   PolyMesh mesh_;
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
-  std::optional<SceneError> error_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
 
-std::variant<PolyMesh, SceneError> read_off(std::string_view text, std::string_view source) {
+base::Result<PolyMesh> read_off(std::string_view text, std::string_view source) {
   return OffReader(text, source).run();
 }
 

@@ -5,11 +5,12 @@
 #include <charconv>
 #include <set>
 
-#include "host/scene/read/poly_quantise.hpp"
-#include "host/scene/read/poly_triangulate.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/read/obj.hpp"
 #include "host/scene/read/off.hpp"
 #include "host/scene/read/poly_json.hpp"
+#include "host/scene/read/poly_quantise.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -40,12 +41,12 @@ std::vector<Ring> rings_of(const PolyScene& scene, const PolyFace& face) {
   return rings;
 }
 
-SceneError cannot_split(std::size_t body, std::size_t face) {
+base::Error cannot_split(std::size_t body, std::size_t face) {
   return {"", "body " + std::to_string(body) + ", face " + std::to_string(face),
           "has holes and cannot be split into triangles; JSON keeps holes"};
 }
 
-std::variant<std::string, SceneError> write_off(const PolyScene& scene) {
+base::Result<std::string> write_off(const PolyScene& scene) {
   std::string faces;
   std::size_t count = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -79,7 +80,7 @@ std::string obj_name(std::string_view name, std::size_t body, std::set<std::stri
   return text;
 }
 
-std::variant<std::string, SceneError> write_obj(const PolyScene& scene) {
+base::Result<std::string> write_obj(const PolyScene& scene) {
   std::string text;
   for (const PolyPoint& p : scene.vertices) {
     text += "v ";
@@ -177,22 +178,22 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
   return PolyFormat::json;
 }
 
-std::variant<PolyImport, SceneError> read_poly(std::string_view text, std::string_view source,
-                                               PolyFormat format, const PolyImportOptions& options) {
+base::Result<PolyImport> read_poly(std::string_view text, std::string_view source, PolyFormat format,
+                                   const PolyImportOptions& options) {
   if (format == PolyFormat::json) {
     auto scene = read_poly_json(text, source);
-    if (auto* error = std::get_if<SceneError>(&scene)) return std::move(*error);
-    PolyImport result{std::get<PolyScene>(std::move(scene)), {}};
+    if (!scene) return std::move(scene.error());
+    PolyImport result{std::move(*scene), {}};
     result.report.step = result.scene.step;
     for (const PolyBody& body : result.scene.bodies) result.report.sheets += body.sheet ? 1U : 0U;
     return result;
   }
   auto mesh = format == PolyFormat::off ? read_off(text, source) : read_obj(text, source);
-  if (auto* error = std::get_if<SceneError>(&mesh)) return std::move(*error);
-  return import_poly(std::get<PolyMesh>(std::move(mesh)), options);
+  if (!mesh) return std::move(mesh.error());
+  return import_poly(std::move(*mesh), options);
 }
 
-std::variant<std::string, SceneError> write_poly(const PolyScene& scene, PolyFormat format) {
+base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) {
   switch (format) {
     case PolyFormat::off: return write_off(scene);
     case PolyFormat::obj: return write_obj(scene);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_import.hpp"
 
 namespace sightline::scene {
@@ -18,15 +18,14 @@ enum class PolyFormat { off, obj, json };
 [[nodiscard]] PolyFormat poly_format_of(std::string_view file, std::string_view text);
 
 // The scene is not checked. JSON is not quantised, nor mended.
-[[nodiscard]] std::variant<PolyImport, SceneError> read_poly(std::string_view text, std::string_view source,
-                                                             PolyFormat format,
-                                                             const PolyImportOptions& options = {});
+[[nodiscard]] base::Result<PolyImport> read_poly(std::string_view text, std::string_view source,
+                                                 PolyFormat format, const PolyImportOptions& options = {});
 
 // The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
 // which hide the same; the diagonals are seams. An error names a face for which that cannot be done. Neither
 // keeps the camera. OFF has no names, nor which faces make a body: read again, parts that hang together are
 // the bodies. In OBJ names that could not be told apart or read again are changed.
-[[nodiscard]] std::variant<std::string, SceneError> write_poly(const PolyScene& scene, PolyFormat format);
+[[nodiscard]] base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format);
 
 }  // namespace sightline::scene

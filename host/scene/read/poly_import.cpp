@@ -7,9 +7,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "host/base/result.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/read/poly_quantise.hpp"
 #include "host/scene/check/poly_shells.hpp"
+#include "host/scene/read/poly_quantise.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::scene {
@@ -22,7 +23,7 @@ class Import {
  public:
   Import(PolyMesh mesh, const PolyImportOptions& options) : mesh_(std::move(mesh)), options_(options) {}
 
-  std::variant<PolyImport, SceneError> run() {
+  base::Result<PolyImport> run() {
     quantise();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
@@ -151,8 +152,8 @@ class Import {
         }
         const auto triangles = triangulate(scene().vertices, face);
         if (!triangles) {
-          error_ = SceneError{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f),
-                              "is not planar and cannot be split into triangles along its vertices"};
+          error_ = base::Error{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f),
+                               "is not planar and cannot be split into triangles along its vertices"};
           return false;
         }
         ++report().split_faces;
@@ -215,12 +216,12 @@ class Import {
   PolyMesh mesh_;
   PolyImportOptions options_;
   PolyImport result_;
-  std::optional<SceneError> error_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
 
-std::variant<PolyImport, SceneError> import_poly(PolyMesh mesh, const PolyImportOptions& options) {
+base::Result<PolyImport> import_poly(PolyMesh mesh, const PolyImportOptions& options) {
   return Import(std::move(mesh), options).run();
 }
 

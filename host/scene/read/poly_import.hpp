@@ -16,9 +16,9 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -58,8 +58,7 @@ struct PolyImport {
 };
 
 // An error for a file whose faces cannot be split, naming body and face. The scene is not checked.
-[[nodiscard]] std::variant<PolyImport, SceneError> import_poly(PolyMesh mesh,
-                                                               const PolyImportOptions& options = {});
+[[nodiscard]] base::Result<PolyImport> import_poly(PolyMesh mesh, const PolyImportOptions& options = {});
 
 // From above, right and in front (y is up), outside of the scene; orthographic if no such point keeps below
 // poly_coordinate_limit.

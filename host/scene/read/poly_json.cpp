@@ -8,10 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "host/base/result.hpp"
+#include "host/scene/check/poly_shells.hpp"
 #include "host/scene/read/json_text.hpp"
 #include "host/scene/read/poly_import.hpp"
 #include "host/scene/read/poly_quantise.hpp"
-#include "host/scene/check/poly_shells.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -26,7 +27,7 @@ class PolyReader {
  public:
   explicit PolyReader(std::string_view source) : source_(source) {}
 
-  std::variant<PolyScene, SceneError> run(const json& document) {
+  base::Result<PolyScene> run(const json& document) {
     if (!document.is_object()) expected("an object", document, "");
     read(document);
     if (error_) return *error_;
@@ -35,7 +36,7 @@ class PolyReader {
 
  private:
   void expected(const std::string& what, const json& found, const std::string& place) {
-    if (!error_) error_ = SceneError{source_, place, "expected " + what + ", found " + describe_json(found)};
+    if (!error_) error_ = base::Error{source_, place, "expected " + what + ", found " + describe_json(found)};
   }
 
   // Null if the field is missing; that is an error if it is required.
@@ -48,7 +49,7 @@ class PolyReader {
     const auto found = object.find(name);
     if (found != object.end()) return &*found;
     if (required)
-      error_ = SceneError{source_, place, std::string("expected a field \"") + name + "\", found none"};
+      error_ = base::Error{source_, place, std::string("expected a field \"") + name + "\", found none"};
     return nullptr;
   }
 
@@ -178,13 +179,13 @@ class PolyReader {
   }
 
   std::string source_;
-  std::optional<SceneError> error_;
+  std::optional<base::Error> error_;
   PolyScene scene_;
 };
 
 }  // namespace
 
-std::variant<PolyScene, SceneError> read_poly_json(std::string_view text, std::string_view source) {
+base::Result<PolyScene> read_poly_json(std::string_view text, std::string_view source) {
   json document;
   try {
     document = json::parse(text);

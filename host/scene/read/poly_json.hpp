@@ -11,16 +11,15 @@
 #pragma once
 
 #include <string_view>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
 
 // The first error found; a syntax error names line and column.
-[[nodiscard]] std::variant<PolyScene, SceneError> read_poly_json(std::string_view json,
-                                                                 std::string_view source);
+[[nodiscard]] base::Result<PolyScene> read_poly_json(std::string_view json, std::string_view source);
 
 // A JSON object with a field "bodies", as opposed to a cell scene. False for text that is no JSON.
 [[nodiscard]] bool is_poly_json(std::string_view text);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 
 bool PolyLines::next() {
@@ -36,11 +38,11 @@ bool PolyLines::split(std::string_view line) {
   return false;
 }
 
-SceneError PolyLines::error(const std::string& cause) const {
+base::Error PolyLines::error(const std::string& cause) const {
   return {source_, number_ == 0 ? "end of file" : "line " + std::to_string(number_), cause};
 }
 
-SceneError PolyLines::unexpected(std::string_view found, const std::string& expected) const {
+base::Error PolyLines::unexpected(std::string_view found, const std::string& expected) const {
   return error("found " + quoted_excerpt(found) + ", expected " + expected);
 }
 

@@ -2,7 +2,6 @@
 // common.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::scene {
@@ -24,9 +24,9 @@ class PolyLines {
   [[nodiscard]] bool next();
   [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
   // Error at the line last read, or at the end of the file when next() was false.
-  [[nodiscard]] SceneError error(const std::string& cause) const;
+  [[nodiscard]] base::Error error(const std::string& cause) const;
   // "found X, expected WHAT"
-  [[nodiscard]] SceneError unexpected(std::string_view found, const std::string& expected) const;
+  [[nodiscard]] base::Error unexpected(std::string_view found, const std::string& expected) const;
 
  private:
   // Adds the fields of one line; true if the next line continues it.
@@ -38,14 +38,6 @@ class PolyLines {
   std::size_t next_number_ = 1;
   std::size_t number_ = 0;  // 0: before the first line or behind the last
 };
-
-// A whole field as an integer.
-[[nodiscard]] inline std::optional<std::int64_t> integer_number(std::string_view field) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size()) return std::nullopt;
-  return value;
-}
 
 // At most 40 characters of what a file says, without those that are not printable ASCII.
 [[nodiscard]] std::string quoted_excerpt(std::string_view text);

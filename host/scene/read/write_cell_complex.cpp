@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "host/scene/read/cell_complex_file.hpp"
 #include "host/scene/read/poly_file.hpp"
@@ -31,7 +30,7 @@ class ComplexWriter {
     rows("cells", complex_.cells, [&](const ComplexCell& cell) { add(cell); });
     rows("openings", complex_.openings, [&](const ComplexOpening& opening) { add(opening); });
     // JSON can hold every checked scene.
-    text_ += "\"polyhedra\": " + std::get<std::string>(write_poly(scene, PolyFormat::json)) + "}\n";
+    text_ += "\"polyhedra\": " + *write_poly(scene, PolyFormat::json) + "}\n";
     flush();
   }
 

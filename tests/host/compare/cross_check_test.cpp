@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/compare/cross_check_faces.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -121,12 +122,12 @@ TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
 // One end of one piece of the second view moved by a little, for each kind of comparison.
 TEST(AgreementFails, WhenAPieceIsShorter) {
   const auto lines = tables_with("montani-re", [](harness::LineAlgorithm& a) {
-    a.prepare = [](const scene::PolyScene& scene) -> std::variant<harness::PreparedScene, scene::SceneError> {
+    a.prepare = [](const scene::PolyScene& scene) -> base::Result<harness::PreparedScene> {
       auto made = harness::find_line_algorithm("exact")->prepare(scene);
-      auto& prepared = std::get<harness::PreparedScene>(made);
+      auto& prepared = *made;
       prepared.view = [whole = prepared.view](const scene::PolyCamera& camera) {
         auto seen = whole(camera);
-        picture::LinePiece& piece = std::get<harness::LineView>(seen).picture.pieces[7];
+        picture::LinePiece& piece = seen->picture.pieces[7];
         if (camera.forward[0] == 3) piece.low = mediant(piece.low, piece.high);
         return seen;
       };
@@ -153,11 +154,10 @@ TEST(AgreementFails, WhenAFaceIsAnother) {
     if (algorithm.name != "willis") continue;
     algorithm.prepare = [](const scene::PolyScene& scene, const harness::FaceOptions& options) {
       auto made = harness::find_face_algorithm("willis")->prepare(scene, options);
-      auto& prepared = std::get<harness::PreparedFaces>(made);
-      prepared.view = [view = prepared.view](const scene::PolyCamera& camera,
-                                             const harness::FaceWindow& window) {
+      auto& prepared = *made;
+      prepared.view = [view = prepared.view](const scene::PolyCamera& camera, const harness::FaceWindow& window) {
         auto seen = view(camera, window);
-        picture::PixelGrid& grid = std::get<harness::FaceView>(seen).faces;
+        picture::PixelGrid& grid = seen->faces;
         for (int row = 100; row < 103; ++row)
           for (int column = 60; column < 63; ++column) grid.set(column, row, 99);
         return seen;

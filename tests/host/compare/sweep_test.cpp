@@ -8,10 +8,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <variant>
 
 #include "host/compare/sweep_views.hpp"
-#include "host/harness/in_order.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -21,14 +19,14 @@ namespace sightline::compare {
 namespace {
 
 scene::PolyScene generated(std::string_view family, std::size_t size) {
-  return std::get<scene::PolyScene>(scene::generate_scene(family, size));
+  return *scene::generate_scene(family, size);
 }
 
 Sweep sweep_of(const scene::PolyScene& scene, const SweepOptions& options,
                const scene::CellScene* cells = nullptr) {
   auto sweep = Sweep::of("test", scene, cells, options);
-  if (const auto* error = std::get_if<scene::SceneError>(&sweep)) throw std::runtime_error(error->message());
-  return std::get<Sweep>(std::move(sweep));
+  if (!sweep) throw std::runtime_error(sweep.error().message());
+  return std::move(*sweep);
 }
 
 TEST(Algorithms, AreFoundByNameAndExactIsTheFirst) {
@@ -181,45 +179,6 @@ TEST(Sweep, TheGuestAgainstItsTwin) {
     EXPECT_NE(line.find("\"status\":\"complete\",\"same_as_twin\":true"), std::string::npos) << line;
     EXPECT_NE(line.find("\"guest\":\"with EAE\""), std::string::npos) << line;
   }
-}
-
-// --- threads
-
-TEST(InOrder, EveryResultOnceAndInOrder) {
-  for (const unsigned jobs : {1U, 2U, 7U}) {
-    std::vector<std::uint64_t> taken;
-    harness::OrderedWork<std::uint64_t> work;
-    work.first = 5;
-    work.last = 1005;
-    work.jobs = jobs;
-    work.make = [](std::uint64_t n) { return n * n; };
-    work.take = [&](std::uint64_t n, std::uint64_t result) {
-      EXPECT_EQ(result, n * n);
-      taken.push_back(n);
-    };
-    work.go_on = [] { return true; };
-    harness::run_in_order(work);
-    ASSERT_EQ(taken.size(), 1000U);
-    for (std::size_t i = 0; i < taken.size(); ++i) EXPECT_EQ(taken[i], 5 + i);
-  }
-}
-
-TEST(InOrder, StopsWhenToldToAndPassesOnWhatIsThrown) {
-  std::uint64_t count = 0;
-  harness::OrderedWork<int> work;
-  work.last = std::uint64_t{1} << 40;
-  work.jobs = 2;
-  work.make = [](std::uint64_t) { return 1; };
-  work.take = [&](std::uint64_t, int) { ++count; };
-  work.go_on = [&] { return count < 50; };
-  harness::run_in_order(work);
-  EXPECT_EQ(count, 50U);
-  work.go_on = [] { return true; };
-  work.make = [](std::uint64_t n) -> int { return n < 70 ? 1 : throw std::runtime_error("made"); };
-  EXPECT_THROW(harness::run_in_order(work), std::runtime_error);
-  work.make = [](std::uint64_t) { return 1; };
-  work.take = [](std::uint64_t n, int) { n < 7 ? void() : throw std::runtime_error("taken"); };
-  EXPECT_THROW(harness::run_in_order(work), std::runtime_error);
 }
 
 }  // namespace

@@ -9,26 +9,29 @@
 #include <string>
 #include <vector>
 
+#include "host/base/file.hpp"
+
 namespace sightline::picture {
 namespace {
 
 struct Chunk {
   std::string type;
-  Bytes data;
+  base::Bytes data;
 };
 
-std::uint32_t number(const Bytes& bytes, std::size_t at, std::size_t size = 4) {
+std::uint32_t number(const base::Bytes& bytes, std::size_t at, std::size_t size = 4) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < size; ++i) value = value << 8 | bytes.at(at + i);
   return value;
 }
 
-std::vector<Chunk> chunks_of(const Bytes& bytes) {
+std::vector<Chunk> chunks_of(const base::Bytes& bytes) {
   std::vector<Chunk> chunks;
   for (std::size_t at = 8; at < bytes.size();) {
     const std::size_t length = number(bytes, at);
     const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    chunks.push_back({std::string(begin + 4, begin + 8), Bytes(begin + 8, begin + 8 + static_cast<std::ptrdiff_t>(length))});
+    chunks.push_back({std::string(begin + 4, begin + 8),
+                      base::Bytes(begin + 8, begin + 8 + static_cast<std::ptrdiff_t>(length))});
     at += length + 12;
   }
   return chunks;
@@ -41,12 +44,12 @@ Image picture(int width, int height, int seed) {
   return image;
 }
 
-Bytes animation(int frames, FrameTime time = {}, std::uint32_t plays = 0) {
+base::Bytes animation(int frames, FrameTime time = {}, std::uint32_t plays = 0) {
   ApngWriter writer(time, plays, {{"Title", "test"}});
   for (int i = 0; i < frames; ++i) EXPECT_TRUE(writer.add(picture(20, 10, i)));
   const auto bytes = writer.finish();
   EXPECT_TRUE(bytes);
-  return bytes ? *bytes : Bytes();
+  return bytes ? *bytes : base::Bytes();
 }
 
 TEST(Apng, ChunksInOrder) {
@@ -54,8 +57,9 @@ TEST(Apng, ChunksInOrder) {
   std::string order;
   for (const Chunk& chunk : chunks) order += chunk.type + " ";
   EXPECT_EQ(order, "IHDR tEXt acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
-  EXPECT_EQ(chunks[2].data, (Bytes{0, 0, 0, 3, 0, 0, 0, 5}));
-  EXPECT_EQ(chunks[3].data, (Bytes{0, 0, 0, 0, 0, 0, 0, 20, 0, 0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 50, 0, 0}));
+  EXPECT_EQ(chunks[2].data, (base::Bytes{0, 0, 0, 3, 0, 0, 0, 5}));
+  EXPECT_EQ(chunks[3].data,
+            (base::Bytes{0, 0, 0, 0, 0, 0, 0, 20, 0, 0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 50, 0, 0}));
   // fcTL and fdAT are numbered together.
   for (std::size_t i = 5; i < 9; ++i) EXPECT_EQ(number(chunks[i].data, 0), i - 4);
 }
@@ -69,7 +73,7 @@ TEST(Apng, FirstFrameIsThePicture) {
 }
 
 TEST(Apng, EveryFrameIsWhole) {
-  const Bytes bytes = animation(4);
+  const base::Bytes bytes = animation(4);
   int frame = 0;
   for (const Chunk& chunk : chunks_of(bytes)) {
     if (chunk.type != "fdAT") continue;
@@ -78,14 +82,15 @@ TEST(Apng, EveryFrameIsWhole) {
     const auto still = encode_png(picture(20, 10, frame));
     ASSERT_TRUE(still);
     for (const Chunk& part : chunks_of(*still))
-      EXPECT_TRUE(part.type != "IDAT" || part.data == Bytes(chunk.data.begin() + 4, chunk.data.end())) << frame;
+      EXPECT_TRUE(part.type != "IDAT" || part.data == base::Bytes(chunk.data.begin() + 4, chunk.data.end()))
+          << frame;
   }
   EXPECT_EQ(frame, 3);
 }
 
 // Bit by bit, as the specification defines the code; the file's own must be that over type and data.
 TEST(Apng, CodesOfAllChunks) {
-  const Bytes bytes = animation(2);
+  const base::Bytes bytes = animation(2);
   for (std::size_t at = 8; at < bytes.size();) {
     const std::size_t length = number(bytes, at);
     std::uint32_t code = 0xFFFFFFFFU;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 
+#include "host/base/file.hpp"
 #include "tests/support/approve.hpp"
 
 namespace sightline::picture {
@@ -20,13 +21,13 @@ Image noise(int width, int height, int channels) {
   return image;
 }
 
-Bytes encoded(const Image& image, const TextEntries& text = {}) {
+base::Bytes encoded(const Image& image, const TextEntries& text = {}) {
   auto bytes = encode_png(image, text);
   EXPECT_TRUE(bytes) << bytes.error().message();
   return *bytes;
 }
 
-std::string refusal(const Bytes& bytes) {
+std::string refusal(const base::Bytes& bytes) {
   const auto file = decode_png(bytes, "x.png");
   return file ? "accepted" : file.error().message();
 }
@@ -64,7 +65,7 @@ TEST(Png, RoundTrip) {
 
 TEST(Png, TextEntriesComeBackAndNoTimeIsWritten) {
   const TextEntries text{{"Title", "roberts"}, {"Comment", "two\nlines"}, {"Empty", ""}};
-  const Bytes bytes = encoded(noise(4, 4, 1), text);
+  const base::Bytes bytes = encoded(noise(4, 4, 1), text);
   const auto file = decode_png(bytes, "noise");
   ASSERT_TRUE(file) << file.error().message();
   EXPECT_EQ(file->text, text);
@@ -84,9 +85,10 @@ TEST(Png, RefusesWhatCannotBeWritten) {
 }
 
 TEST(Png, EveryTruncationIsRefused) {
-  const Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
+  const base::Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
   for (std::size_t length = 0; length < bytes.size(); ++length) {
-    EXPECT_NE(refusal(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))), "accepted")
+    EXPECT_NE(refusal(base::Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))),
+              "accepted")
         << length;
   }
 }
@@ -94,9 +96,9 @@ TEST(Png, EveryTruncationIsRefused) {
 TEST(Png, EveryDamagedBitIsRefused) {
   // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check
   // sums of chunks libpng does not look at: the text entry's own, which is why there is none here.
-  const Bytes bytes = encoded(noise(9, 7, 1));
+  const base::Bytes bytes = encoded(noise(9, 7, 1));
   for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
-    Bytes damaged = bytes;
+    base::Bytes damaged = bytes;
     damaged[i / 8] = static_cast<std::uint8_t>(damaged[i / 8] ^ (1U << (i % 8)));
     const auto file = decode_png(damaged, "x.png");
     if (file) {
@@ -108,7 +110,7 @@ TEST(Png, EveryDamagedBitIsRefused) {
 
 TEST(Png, SaysWhatIsWrong) {
   EXPECT_EQ(refusal({}), "x.png: byte 0: no PNG signature, expected a PNG file");
-  Bytes bytes = encoded(noise(2, 2, 1));
+  base::Bytes bytes = encoded(noise(2, 2, 1));
   bytes.push_back(0);
   EXPECT_NE(refusal(bytes).find("1 bytes after the last chunk"), std::string::npos);
   bytes = encoded(noise(2, 2, 1));
@@ -121,54 +123,6 @@ TEST(Png, SaysWhatIsWrong) {
   ASSERT_FALSE(missing);
   EXPECT_NE(missing.error().message().find("/nonexistent/picture.png"), std::string::npos);
   EXPECT_NE(missing.error().message().find("No such file"), std::string::npos);
-}
-
-TEST_F(FileTest, AppearsOnlyWhenComplete) {
-  {
-    auto file = AtomicFile::create(path("log"));
-    ASSERT_TRUE(file) << file.error().message();
-    file->write(std::string_view("half"));
-    EXPECT_FALSE(std::filesystem::exists(path("log")));
-  }
-  EXPECT_EQ(files(), 0);
-  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("first")));
-  {
-    auto file = AtomicFile::create(path("log"));
-    ASSERT_TRUE(file) << file.error().message();
-    file->write(std::string_view("second, given up"));
-  }
-  EXPECT_EQ(tests::read_whole(path("log")), "first");
-  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("third")));
-  EXPECT_EQ(tests::read_whole(path("log")), "third");
-  EXPECT_EQ(files(), 1);
-}
-
-TEST_F(FileTest, KeepsLinksAndLeftOvers) {
-  ASSERT_TRUE(write_file_atomically(path("target"), std::string_view("old")));
-  ASSERT_TRUE(write_file_atomically(path("link.partial"), std::string_view("somebody else's")));
-  ASSERT_TRUE(write_file_atomically(path("target.partial"), std::string_view("somebody else's")));
-  std::filesystem::create_symlink(path("target"), path("link"));
-  ASSERT_TRUE(write_file_atomically(path("link"), std::string_view("new")));
-  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
-  EXPECT_EQ(tests::read_whole(path("target")), "new");
-  EXPECT_EQ(tests::read_whole(path("target.partial")), "somebody else's");
-}
-
-TEST_F(FileTest, ErrorsNameFileAndCause) {
-  const auto nowhere = write_file_atomically(path("no/such/file"), std::string_view("x"));
-  ASSERT_FALSE(nowhere);
-  EXPECT_EQ(nowhere.error().message(), path("no/such/file") + ": cannot write: No such file or directory");
-  const auto directory = write_file_atomically(directory_.string(), std::string_view("x"));
-  ASSERT_FALSE(directory);
-  EXPECT_NE(directory.error().message().find("Is a directory"), std::string::npos);
-  const auto full = write_file_atomically("/dev/full", std::string_view("x"));
-  ASSERT_FALSE(full);
-  EXPECT_EQ(full.error().message(), "/dev/full: cannot write: No space left on device");
-  EXPECT_TRUE(write_file_atomically("/dev/null", std::string_view("x")));
-  EXPECT_FALSE(read_file(directory_.string()));
-  ASSERT_TRUE(write_file_atomically(path("big"), std::string_view("12345")));
-  EXPECT_FALSE(read_file(path("big"), 4));
-  EXPECT_TRUE(read_file(path("big"), 5));
 }
 
 TEST_F(FileTest, PngOnDisk) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "host/base/file.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/stroke_log.hpp"
 #include "host/picture/stroke_sinks.hpp"
@@ -136,7 +137,7 @@ TEST(StrokeLog, WriterLeavesTheWholeLogOrNone) {
   std::filesystem::remove(path);
   const auto strokes = tests::cube_pass(0, 7);
   for (const bool commit : {false, true}) {
-    auto file = AtomicFile::create(path);
+    auto file = base::AtomicFile::create(path);
     ASSERT_TRUE(file) << file.error().message();
     StrokeLogWriter writer(std::move(*file));
     for (const auto& stroke : strokes) writer.stroke(stroke);

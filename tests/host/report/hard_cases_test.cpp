@@ -21,8 +21,8 @@ namespace {
 const Section& section() {
   static const Section made = [] {
     auto outcome = hard_cases({});
-    if (const auto* const error = std::get_if<ReportError>(&outcome)) ADD_FAILURE() << error->message;
-    return std::holds_alternative<Section>(outcome) ? std::get<Section>(std::move(outcome)) : Section{};
+    if (!outcome) ADD_FAILURE() << outcome.error().message;
+    return outcome.has_value() ? std::move(*outcome) : Section{};
   }();
   return made;
 }

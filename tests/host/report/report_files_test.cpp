@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "host/base/file.hpp"
 #include "host/report/html_page.hpp"
 #include "host/report/write_report.hpp"
 #include "tests/host/report/sample_report.hpp"
@@ -34,24 +35,24 @@ class ReportFiles : public testing::Test {
 };
 
 std::string text_of(const files::path& path) {
-  const auto bytes = picture::read_file(path.string());
+  const auto bytes = base::read_file(path.string());
   return bytes ? std::string(bytes->begin(), bytes->end()) : "no " + path.string();
 }
 
 TEST_F(ReportFiles, AreThePageAndTheTables) {
   const auto written = write_report(sample_report(), (folder_ / "new" / "deep").string());
-  ASSERT_TRUE(std::holds_alternative<std::vector<std::string>>(written));
+  ASSERT_TRUE(written);
   EXPECT_EQ(found(), (std::set<std::string>{"new", "new/deep", "new/deep/index.html", "new/deep/tables",
                                             "new/deep/tables/sample.csv", "new/deep/tables/sample.json"}));
-  EXPECT_EQ(std::get<std::vector<std::string>>(written).front(), (folder_ / "new/deep/index.html").string());
+  EXPECT_EQ(written->front(), (folder_ / "new/deep/index.html").string());
   EXPECT_EQ(text_of(folder_ / "new/deep/index.html"), html_page(sample_report()));
 }
 
 TEST_F(ReportFiles, AFileInTheWayIsAnErrorThatNamesIt) {
-  ASSERT_TRUE(picture::write_file_atomically((folder_ / "taken").string(), std::string_view("mine")));
+  ASSERT_TRUE(base::write_file_atomically((folder_ / "taken").string(), std::string_view("mine")));
   const std::string directory = (folder_ / "taken").string();
-  for (const auto& error : {std::get<ReportError>(prepare_directory(directory)),
-                            std::get<ReportError>(write_report(sample_report(), directory))}) {
+  for (const auto& error :
+       {prepare_directory(directory).error(), write_report(sample_report(), directory).error()}) {
     EXPECT_EQ(error.kind, ErrorKind::file);
     EXPECT_NE(error.message.find(directory), std::string::npos) << error.message;
   }
@@ -65,17 +66,17 @@ TEST_F(ReportFiles, NothingIsLeftWhenOneCannotBeWritten) {
   const auto before = found();
   for (const char* const name : {"a", "b"}) {
     const auto written = write_report(sample_report(), (folder_ / name).string());
-    ASSERT_TRUE(std::holds_alternative<ReportError>(written)) << name;
-    EXPECT_EQ(std::get<ReportError>(written).kind, ErrorKind::file);
+    ASSERT_FALSE(written) << name;
+    EXPECT_EQ(written.error().kind, ErrorKind::file);
     EXPECT_EQ(found(), before) << name;
   }
-  EXPECT_TRUE(std::holds_alternative<ReportError>(prepare_directory((folder_ / "a").string())));
+  EXPECT_FALSE(prepare_directory((folder_ / "a").string()));
   EXPECT_EQ(found(), before);
 }
 
 TEST_F(ReportFiles, AnOlderReportIsReplaced) {
-  ASSERT_FALSE(std::holds_alternative<ReportError>(write_report(sample_report(), folder_.string())));
-  ASSERT_FALSE(std::holds_alternative<ReportError>(write_report(sample_report(false), folder_.string())));
+  ASSERT_TRUE(write_report(sample_report(), folder_.string()));
+  ASSERT_TRUE(write_report(sample_report(false), folder_.string()));
   EXPECT_EQ(text_of(folder_ / "index.html"), html_page(sample_report(false)));
 }
 
@@ -84,8 +85,7 @@ TEST_F(ReportFiles, WhatAPartGivesIsHeldAgainstTheRules) {
     Report report = sample_report();
     change(report.sections[0]);
     const auto written = write_report(report, folder_.string());
-    const auto* const error = std::get_if<ReportError>(&written);
-    return error == nullptr ? std::string("written") : error->message;
+    return written ? std::string("written") : written.error().message;
   };
   const auto table = [](Section& section) -> Table& { return std::get<Table>(section.blocks[2]); };
   EXPECT_EQ(refused([&](Section& section) { table(section).rows[1].pop_back(); }),

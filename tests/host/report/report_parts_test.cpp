@@ -27,12 +27,12 @@ Context quiet() {
 }
 
 const Section& timing() {
-  static const Section section = std::get<Section>(timing_against_papers(quiet()));
+  static const Section section = *timing_against_papers(quiet());
   return section;
 }
 
 const Section& needs() {
-  static const Section section = std::get<Section>(scene_needs(quiet()));
+  static const Section section = *scene_needs(quiet());
   return section;
 }
 

@@ -70,10 +70,10 @@ TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
 TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   const auto first = draw_plot(sample_plot());
   const auto second = draw_plot(sample_plot());
-  ASSERT_TRUE(std::holds_alternative<Figure>(first)) << std::get<ReportError>(first).message;
-  const auto& figure = std::get<Figure>(first);
+  ASSERT_TRUE(first) << first.error().message;
+  const auto& figure = *first;
   EXPECT_EQ(figure.media_type, "image/svg+xml");
-  EXPECT_EQ(figure.bytes, std::get<Figure>(second).bytes);
+  EXPECT_EQ(figure.bytes, second->bytes);
   const std::string svg(figure.bytes.begin(), figure.bytes.end());
   EXPECT_NE(svg.find("`touch here`"), std::string::npos);
   EXPECT_NE(svg.find("the \"house\" &amp; &lt;co>'s"), std::string::npos) << svg;
@@ -86,8 +86,8 @@ TEST(ReportPlot, WithoutAPointSaysThatThereIsNothingToDraw) {
   plot.curves.erase(plot.curves.begin());
   const auto expect_nothing = [](const Plot& empty, bool nothing) {
     const auto drawn = draw_plot(empty);
-    ASSERT_TRUE(std::holds_alternative<Figure>(drawn)) << std::get<ReportError>(drawn).message;
-    const auto& bytes = std::get<Figure>(drawn).bytes;
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    const auto& bytes = drawn->bytes;
     const std::string svg(bytes.begin(), bytes.end());
     EXPECT_EQ(svg.find("nothing to draw") != std::string::npos, nothing) << svg;
     EXPECT_NE(svg.find("touch here"), std::string::npos) << "the title stays";
@@ -113,7 +113,7 @@ TEST(ReportPlot, AMissingGnuplotIsSaid) {
   ASSERT_EQ(setenv("PATH", kept.c_str(), 1), 0);
   ASSERT_TRUE(missing);
   EXPECT_EQ(missing->kind, ErrorKind::missing_tool);
-  EXPECT_EQ(std::get<ReportError>(drawn).kind, ErrorKind::missing_tool);
+  EXPECT_EQ(drawn.error().kind, ErrorKind::missing_tool);
   EXPECT_NE(missing->message.find("gnuplot-nox"), std::string::npos);
   EXPECT_FALSE(gnuplot_missing());
 }

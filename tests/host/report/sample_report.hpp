@@ -56,8 +56,7 @@ inline Report sample_report(bool host_times = true) {
   const Part part{1, "Sample", &sample_part};
   Context context;
   context.host_times = host_times;
-  return {
-      nasty, "0.0", {"Introduction."}, std::get<std::vector<Section>>(make_sections({&part, 1}, context))};
+  return {nasty, "0.0", {"Introduction."}, *make_sections({&part, 1}, context)};
 }
 
 }  // namespace sightline::harness::report

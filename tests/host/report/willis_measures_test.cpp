@@ -23,7 +23,7 @@ Context quiet() {
 
 std::map<std::string, Table> tables_of(const Outcome<std::vector<Block>>& made) {
   std::map<std::string, Table> tables;
-  for (const Block& block : std::get<std::vector<Block>>(made)) {
+  for (const Block& block : *made) {
     const auto* const table = std::get_if<Table>(&block);
     if (table == nullptr) continue;
     for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size()) << table->id;
@@ -66,8 +66,8 @@ TEST(WillisTiming, HasThePapersNumbersAndWhatTheRuleCosts) {
 // With nothing cut something is wrong in the picture, or it would show nothing; cut, nothing away from edges.
 TEST(WillisTiming, PicturesShowWhatIsWrong) {
   const auto made = willis_pictures();
-  ASSERT_TRUE(std::holds_alternative<Gallery>(made));
-  const auto& figures = std::get<Gallery>(made).figures;
+  ASSERT_TRUE(made);
+  const auto& figures = made->figures;
   ASSERT_EQ(figures.size(), 3U);
   const auto inside = [](const Figure& figure) {
     constexpr std::string_view before = "points wrong: ";

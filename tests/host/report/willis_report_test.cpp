@@ -18,7 +18,7 @@ namespace willis = algorithms::willis;
 
 willis::Model model_of(const scene::PolyScene& scene, const willis::ModelOptions& options = {}) {
   auto made = willis::make_model(scene, options);
-  return std::get<willis::Model>(std::move(made));
+  return std::move(*made);
 }
 
 TEST(WillisHardCases, AllAreThereAndAsTheyMustBe) {

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <variant>
 
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/poly_json.hpp"
@@ -22,11 +21,11 @@ inline std::string hard_case_text(const std::string& file) {
 
 inline PolyScene hard_case_scene(const std::string& file) {
   auto read = read_poly_json(hard_case_text(file), file);
-  if (const auto* const error = std::get_if<SceneError>(&read)) {
-    ADD_FAILURE() << error->message();
+  if (!read) {
+    ADD_FAILURE() << read.error().message();
     return {};
   }
-  return std::get<PolyScene>(std::move(read));
+  return std::move(*read);
 }
 
 }  // namespace sightline::scene

@@ -7,35 +7,35 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <variant>
 
-#include "host/scene/model/poly_builder.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/poly_builder.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline::scene {
 
 inline PolyImport read(std::string_view text, PolyFormat format, bool mend = false) {
   auto result = read_poly(text, "test", format, {mend});
-  if (const auto* error = std::get_if<SceneError>(&result)) {
-    ADD_FAILURE() << error->message();
+  if (!result) {
+    ADD_FAILURE() << result.error().message();
     return {};
   }
-  return std::get<PolyImport>(result);
+  return *result;
 }
 
 inline std::string written(const PolyScene& scene, PolyFormat format) {
   const auto text = write_poly(scene, format);
-  if (const auto* error = std::get_if<SceneError>(&text)) {
-    ADD_FAILURE() << error->message();
+  if (!text) {
+    ADD_FAILURE() << text.error().message();
     return {};
   }
-  return std::get<std::string>(text);
+  return *text;
 }
 
 inline std::string problems(const PolyScene& scene) {
   std::string text;
-  for (const SceneError& error : check_poly_scene(scene)) text += error.message() + "\n";
+  for (const base::Error& error : check_poly_scene(scene)) text += error.message() + "\n";
   return text;
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <variant>
 
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
@@ -13,11 +12,11 @@ namespace sightline::scene {
 
 inline CellScene builtin_scene(std::string_view name) {
   auto result = read_cell_scene(builtin_scene_text(name).value(), name);
-  if (const auto* error = std::get_if<SceneError>(&result)) {
-    ADD_FAILURE() << error->message();
+  if (!result) {
+    ADD_FAILURE() << result.error().message();
     return {};
   }
-  return std::get<CellScene>(result);
+  return *result;
 }
 
 }  // namespace sightline::scene

@@ -1,8 +1,8 @@
 #include <string>
 
 #include "emulators/core/word.hpp"
+#include "host/base/number.hpp"
 #include "tools/asm/pdp7/pass.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -187,7 +187,7 @@ std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Posi
   if (!value.known) return std::nullopt;
   const std::uint32_t address = finished(value, at);
   if (address <= image::last_address) return address;
-  error(at, std::string(what) + " " + image::octal(address, 6),
+  error(at, std::string(what) + " " + base::octal(address, 6),
         std::string("an address from 00000 to 77777") + hint);
   return std::nullopt;
 }

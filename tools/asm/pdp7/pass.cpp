@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "host/base/number.hpp"
 #include "tools/image/core_image.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::assembler {
 
@@ -19,7 +19,7 @@ std::string describe(const Token& token) {
     if (byte >= ' ' && byte < 0177) {
       text += c;
     } else {
-      text += "\\" + image::octal(byte, 3);
+      text += "\\" + base::octal(byte, 3);
     }
   }
   return text + (token.text.size() > 40 ? "...'" : "'");
@@ -198,7 +198,7 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_f
     return;
   }
   if (!location_by_origin_ && (location_ & image::field_mask) == 0) {
-    error(at, "a word at " + image::octal(location_, 5) + " that runs over the end of its bank",
+    error(at, "a word at " + base::octal(location_, 5) + " that runs over the end of its bank",
           "an origin for the next bank");
   }
   location_by_origin_ = false;
@@ -207,7 +207,7 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_f
     if (!added) {
       const Position& first = place->second;
       warning(at,
-              "a second word at " + image::octal(location_, 5) + ", which replaces that of " +
+              "a second word at " + base::octal(location_, 5) + ", which replaces that of " +
                   sources_[first.file].name + ":" + std::to_string(first.line),
               "one word an address");
     }
@@ -219,7 +219,7 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_f
 void Pdp7Pass::place_literals(const Position& at) {
   if (program_.pool_bases.size() <= pools_placed_) program_.pool_bases.resize(pools_placed_ + 1);
   program_.pool_bases[pools_placed_++] = location_;
-  for (const Literal& literal : pool_) emit(literal.word, at, "(" + image::octal(literal.word, 6) + ")");
+  for (const Literal& literal : pool_) emit(literal.word, at, "(" + base::octal(literal.word, 6) + ")");
   pool_.clear();
   pool_index_.clear();
 }

@@ -2,15 +2,15 @@
 
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/isa.hpp"
+#include "host/base/number.hpp"
 #include "tools/image/core_image.hpp"
-#include "tools/image/error.hpp"
 
 namespace sightline::assembler {
 namespace {
 
+using base::octal;
 using image::bank_mask;
 using image::field_mask;
-using image::octal;
 
 constexpr std::uint32_t word_mask = core::Word18::mask;
 constexpr std::uint32_t step_count_mask = 077;

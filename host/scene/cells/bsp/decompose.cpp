@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/geometry/rational.hpp"
-#include "host/scene/cells/builder.hpp"
 #include "host/scene/cells/bsp/join.hpp"
 #include "host/scene/cells/bsp/space.hpp"
 #include "host/scene/cells/bsp/tree.hpp"
+#include "host/scene/cells/builder.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -119,16 +120,16 @@ class ComplexMaker {
 
 }  // namespace
 
-std::variant<CellComplex, SceneError> compartment_bsp(const PolyScene& scene, const BspOptions& options) {
+base::Result<CellComplex> compartment_bsp(const PolyScene& scene, const BspOptions& options) {
   const bool has_face = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const PolyBody& body) { return !body.faces.empty(); });
-  if (!has_face) return SceneError{"", "", "there is no face"};
+  if (!has_face) return base::Error{"", "", "there is no face"};
   CellComplexBuilder builder(scene, outer_box_of(scene));
   std::optional<BspTree> tree = build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
   if (!tree) {
-    return SceneError{"", "",
-                      "cut by the planes of its faces, space falls into more than " +
-                          std::to_string(options.most_leaves) + " cells"};
+    return base::Error{"", "",
+                       "cut by the planes of its faces, space falls into more than " +
+                           std::to_string(options.most_leaves) + " cells"};
   }
   ComplexMaker(builder, *tree).make(options.join);
   return builder.take();

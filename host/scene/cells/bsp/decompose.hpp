@@ -20,8 +20,8 @@
 #pragma once
 
 #include <cstddef>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -35,7 +35,7 @@ struct BspOptions {
 
 // Of a checked scene. The same scene and options give the same complex, cell for cell. The outer box's own
 // surface is free: openings to `outside`. An error names the limit that was met.
-[[nodiscard]] std::variant<CellComplex, SceneError> compartment_bsp(const PolyScene& scene,
-                                                                    const BspOptions& options = {});
+[[nodiscard]] base::Result<CellComplex> compartment_bsp(const PolyScene& scene,
+                                                        const BspOptions& options = {});
 
 }  // namespace sightline::scene

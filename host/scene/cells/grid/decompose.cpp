@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/cells/boxes.hpp"
 #include "host/scene/cells/builder.hpp"
 #include "host/scene/cells/grid/cells.hpp"
@@ -23,27 +24,27 @@ namespace {
 using geometry::Box;
 using geometry::Rectangle;
 
-std::optional<SceneError> fault_of_faces(const PolyScene& scene) {
+std::optional<base::Error> fault_of_faces(const PolyScene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
       const PolyFace& face = scene.bodies[b].faces[f];
       const std::string place = "body " + std::to_string(b) + ", face " + std::to_string(f);
       if (!grid_axis_of(scene, face))
-        return SceneError{"", place, "is not parallel to two axes, as a grid needs"};
+        return base::Error{"", place, "is not parallel to two axes, as a grid needs"};
       if (!has_grid_sides(scene, face))
-        return SceneError{"", place, "has a side that is not parallel to an axis, as a grid needs"};
+        return base::Error{"", place, "has a side that is not parallel to an axis, as a grid needs"};
     }
   }
   return std::nullopt;
 }
 
-std::optional<SceneError> fault_of_size(const GridPlanes& planes, const GridOptions& options) {
+std::optional<base::Error> fault_of_size(const GridPlanes& planes, const GridOptions& options) {
   const std::size_t most_units = std::min(options.most_units, GridSpace::most_units);
   if (planes.all_units() <= static_cast<double>(most_units)) return std::nullopt;
-  return SceneError{"", "",
-                    "a grid of " + std::to_string(planes.units(0)) + " x " + std::to_string(planes.units(1)) +
-                        " x " + std::to_string(planes.units(2)) + " units, expected at most " +
-                        std::to_string(most_units)};
+  return base::Error{"", "",
+                     "a grid of " + std::to_string(planes.units(0)) + " x " +
+                         std::to_string(planes.units(1)) + " x " + std::to_string(planes.units(2)) +
+                         " units, expected at most " + std::to_string(most_units)};
 }
 
 Box box_of(const GridPlanes& planes, const GridCell& cell) {
@@ -55,16 +56,16 @@ Box box_of(const GridPlanes& planes, const GridCell& cell) {
   return box;
 }
 
-std::optional<SceneError> add_openings(CellComplexBuilder& builder, const GridSpace& space,
-                                       const GridCells& cells, const GridOptions& options) {
+std::optional<base::Error> add_openings(CellComplexBuilder& builder, const GridSpace& space,
+                                        const GridCells& cells, const GridOptions& options) {
   const GridPlanes& planes = space.planes();
   GridOpenings openings(space, options.most_units);
-  std::optional<SceneError> fault;
+  std::optional<base::Error> fault;
   cells.for_each_meeting([&](CellNumber below, std::size_t axis, CellNumber above) {
     if (fault) return;
     const auto free = openings.between(cells.cells()[below], cells.cells()[above], axis);
     if (!free) {
-      fault = SceneError{
+      fault = base::Error{
           "", axis_name(axis) + " = " + std::to_string(planes.at(axis, cells.cells()[below].end[axis])),
           "the outlines of sheets cut one rectangle into more than " + std::to_string(options.most_units) +
               " parts"};
@@ -162,12 +163,12 @@ void add_lines(CellComplexBuilder& builder, const GridPlanes& planes, const Grid
 
 }  // namespace
 
-std::optional<SceneError> why_no_grid(const PolyScene& scene, const GridOptions& options) {
+std::optional<base::Error> why_no_grid(const PolyScene& scene, const GridOptions& options) {
   if (auto fault = fault_of_faces(scene)) return fault;
   return fault_of_size(GridPlanes(scene, outer_box_of(scene)), options);
 }
 
-std::variant<CellComplex, SceneError> compartment_grid(const PolyScene& scene, const GridOptions& options) {
+base::Result<CellComplex> compartment_grid(const PolyScene& scene, const GridOptions& options) {
   if (auto fault = fault_of_faces(scene)) return *fault;
   const Box outer = outer_box_of(scene);
   GridPlanes planes(scene, outer);

@@ -15,8 +15,8 @@
 
 #include <cstddef>
 #include <optional>
-#include <variant>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -29,11 +29,11 @@ struct GridOptions {
 
 // Why a scene cannot be cut by a grid: a face or a side of one that is not parallel to the axes (named as
 // "body 0, face 0"), or more units than allowed. Nothing if it can.
-[[nodiscard]] std::optional<SceneError> why_no_grid(const PolyScene& scene, const GridOptions& options = {});
+[[nodiscard]] std::optional<base::Error> why_no_grid(const PolyScene& scene, const GridOptions& options = {});
 
 // Of a checked scene. The outer box is the one of outer_box_of. Fails as why_no_grid says, or if one
 // rectangle between two cells is cut into more than most_units parts by the outlines of sheets.
-[[nodiscard]] std::variant<CellComplex, SceneError> compartment_grid(const PolyScene& scene,
-                                                                     const GridOptions& options = {});
+[[nodiscard]] base::Result<CellComplex> compartment_grid(const PolyScene& scene,
+                                                         const GridOptions& options = {});
 
 }  // namespace sightline::scene

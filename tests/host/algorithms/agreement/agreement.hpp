@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/cells/bsp/decompose.hpp"
 #include "host/scene/cells/grid/decompose.hpp"
 
@@ -36,10 +36,10 @@ class Agreement {
     hold("exact", exact::visible_edges(mesh_, camera));
     for (Cells& cells : cells_) {
       const auto result = cells.walker.visible_edges(camera);
-      if (const auto* error = std::get_if<jones::Error>(&result)) {
-        text += cells.name + ": " + std::string(jones::message(*error)) + "\n";
+      if (!result) {
+        text += cells.name + ": " + result.error().message() + "\n";
       } else {
-        hold(cells.name, std::get<jones::View>(result).picture);
+        hold(cells.name, result->picture);
       }
     }
     return text;
@@ -59,11 +59,11 @@ class Agreement {
     jones::Walker walker;
   };
 
-  void add(const std::string& name, std::variant<scene::CellComplex, scene::SceneError> made) {
-    if (const auto* error = std::get_if<scene::SceneError>(&made)) {
-      no_complex_ += name + ": " + error->message() + "\n";
+  void add(const std::string& name, base::Result<scene::CellComplex> made) {
+    if (!made) {
+      no_complex_ += name + ": " + made.error().message() + "\n";
     } else {
-      cells_.emplace_back(name, std::get<scene::CellComplex>(std::move(made)));
+      cells_.emplace_back(name, std::move(*made));
     }
   }
 

@@ -13,16 +13,15 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/registry/lines.hpp"
-#include "tests/support/shrink_scene.hpp"
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
 #include "host/scene/read/poly_file.hpp"
 #include "tests/host/algorithms/agreement/agreement.hpp"
 #include "tests/host/algorithms/agreement/random_scene.hpp"
 #include "tests/support/effort.hpp"
+#include "tests/support/shrink_scene.hpp"
 
 namespace sightline::algorithms {
 namespace {
@@ -36,7 +35,7 @@ std::uint32_t number_from(const char* variable, std::uint32_t otherwise) {
 std::string saved(const scene::PolyScene& scene, std::uint32_t seed) {
   const std::string file = "disagreement-" + std::to_string(seed) + ".json";
   const auto text = scene::write_poly(scene, scene::PolyFormat::json);
-  if (!picture::write_file_atomically(file, std::get<std::string>(text))) return "not saved: " + file;
+  if (!base::write_file_atomically(file, *text)) return "not saved: " + file;
   return "sightline compare " + file;
 }
 
@@ -53,8 +52,7 @@ class Everyone {
       if (algorithm.name == "exact" || algorithm.name == "oracle" || algorithm.name == "jones") continue;
       if (algorithm.why_not(scene)) continue;
       auto made = algorithm.prepare(scene);
-      if (auto* prepared = std::get_if<harness::PreparedScene>(&made))
-        others_.emplace_back(&algorithm, std::move(prepared->view));
+      if (made) others_.emplace_back(&algorithm, std::move(made->view));
     }
   }
 
@@ -67,13 +65,13 @@ class Everyone {
       Share& share = shares[algorithm->name];
       ++share.views;
       const auto seen = view(camera);
-      if (const auto* const error = std::get_if<scene::SceneError>(&seen)) {
-        if (error->cause.find("pass through each other") == std::string::npos)
-          text += error->message() + "\n";
+      if (!seen) {
+        if (seen.error().found.find("pass through each other") == std::string::npos)
+          text += seen.error().message() + "\n";
         continue;
       }
       ++share.drawn;
-      if (!harness::agrees(*algorithm, std::get<harness::LineView>(seen).picture, exact, scene_, camera))
+      if (!harness::agrees(*algorithm, seen->picture, exact, scene_, camera))
         text += std::string(algorithm->name) + ": not the picture of exact\n";
     }
     return text;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <variant>
 
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -35,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(, Figures,
 
 TEST_P(Figures, AreThePublishedOnes) {
   const Figure& figure = GetParam();
-  const auto scene = std::get<scene::PolyScene>(scene::generate_scene(figure.family, figure.size));
+  const auto scene = *scene::generate_scene(figure.family, figure.size);
   for (const Maker& maker : {exact_maker, oracle_maker}) {
     if (maker.draw == oracle_maker.draw && !figure.oracle_too) continue;
     const picture::LinePicture drawn = maker.draw(scene, scene.camera);

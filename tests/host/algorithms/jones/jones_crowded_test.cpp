@@ -2,8 +2,6 @@
 // view from a room touches little of them.
 #include <gtest/gtest.h>
 
-#include <variant>
-
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/prepared_complex.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
@@ -19,14 +17,11 @@ class CrowdedBuilding : public ::testing::Test {
   static constexpr std::int32_t pitch = 200;
 
   scene::PolyScene scene_ = scene::generate_big_rooms(rooms);
-  scene::CellComplex complex_ =
-      std::get<scene::CellComplex>(scene::compartment(scene_, scene::CompartmentMethod::grid));
+  scene::CellComplex complex_ = *scene::compartment(scene_, scene::CompartmentMethod::grid);
   jones::PreparedComplex prepared_{complex_};
   jones::Walker walker_{prepared_};
 
-  [[nodiscard]] jones::View view(const scene::PolyCamera& camera) {
-    return std::get<jones::View>(walker_.visible_edges(camera));
-  }
+  [[nodiscard]] jones::View view(const scene::PolyCamera& camera) { return *walker_.visible_edges(camera); }
   [[nodiscard]] scene::PolyCamera from_room(std::int32_t x, std::int32_t y) const {
     scene::PolyCamera camera = scene_.camera;
     camera.eye = {x * pitch + 97, y * pitch + 103, 70};

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/jones/visible_edges.hpp"
@@ -75,13 +74,13 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
     const std::string what = where + (camera.perspective ? " perspective eye " : " orthographic eye ") +
                              testing::PrintToString(camera.eye) + " forward " +
                              testing::PrintToString(camera.forward);
-    if (const auto* error = std::get_if<jones::Error>(&result)) {
-      EXPECT_EQ(*error, jones::Error::eye_in_solid) << what;
+    if (!result) {
+      EXPECT_EQ(result.error(), base::fail(jones::eye_in_solid)) << what;
       return false;
     }
     ++compared_;
     const picture::LinePicture exact = exact::visible_edges(scene, camera);
-    const picture::LinePicture& seen = std::get<jones::View>(result).picture;
+    const picture::LinePicture& seen = result->picture;
     EXPECT_TRUE(seen == exact) << what << ": " << seen.pieces.size() << " pieces, exact "
                                << exact.pieces.size();
     return true;
@@ -91,13 +90,12 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
 TEST_P(GeneratedSet, IsSeenAsExactSaysAfterAutomaticCompartmentation) {
   for (const scene::GeneratedSceneName& name : scene::generated_set()) {
     if (name.family != GetParam()) continue;
-    const auto scene = std::get<scene::PolyScene>(scene::generate_scene(name.family, name.size, name.seed));
+    const auto scene = *scene::generate_scene(name.family, name.size, name.seed);
     const std::string where =
         std::string(name.family) + ' ' + std::to_string(name.size) + " seed " + std::to_string(name.seed);
     const auto seed = static_cast<std::uint32_t>(name.seed);
-    std::vector<scene::CellComplex> complexes{std::get<scene::CellComplex>(scene::compartment_bsp(scene))};
-    if (!scene::why_no_grid(scene))
-      complexes.push_back(std::get<scene::CellComplex>(scene::compartment_grid(scene)));
+    std::vector<scene::CellComplex> complexes{*scene::compartment_bsp(scene)};
+    if (!scene::why_no_grid(scene)) complexes.push_back(*scene::compartment_grid(scene));
     expect_exact(scene, complexes, seed, where);
     if (HasFailure()) return;
   }

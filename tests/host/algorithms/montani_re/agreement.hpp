@@ -3,7 +3,6 @@
 
 #include <map>
 #include <string>
-#include <variant>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
@@ -24,11 +23,11 @@ inline void compare_view(const scene::PolyScene& scene, const scene::PolyCamera&
                          Agreement& agreement) {
   ++agreement.views;
   const auto drawn = visible_edges(scene, camera);
-  if (const auto* error = std::get_if<scene::SceneError>(&drawn)) {
-    if (agreement.first_wrong.empty()) agreement.first_wrong = scene.name + ": " + error->message();
+  if (!drawn) {
+    if (agreement.first_wrong.empty()) agreement.first_wrong = scene.name + ": " + drawn.error().message();
     return;
   }
-  const picture::LinePicture& ours = std::get<LineView>(drawn).picture;
+  const picture::LinePicture& ours = drawn->picture;
   const picture::LinePicture truth = exact::visible_edges(scene, camera);
   if (ours == truth) {
     ++agreement.equal;
@@ -47,8 +46,7 @@ inline std::map<std::string, Agreement> compare_generated_set(std::size_t step, 
   std::map<std::string, Agreement> families;
   const auto names = scene::generated_set();
   for (std::size_t i = 0; i < names.size(); i += step) {
-    const auto scene =
-        std::get<scene::PolyScene>(scene::generate_scene(names[i].family, names[i].size, names[i].seed));
+    const auto scene = *scene::generate_scene(names[i].family, names[i].size, names[i].seed);
     RandomCameras cameras(scene, static_cast<std::uint32_t>(i + 1));
     Agreement& agreement = families[std::string(names[i].family)];
     for (int view = 0; view < views; ++view) {

@@ -47,7 +47,7 @@ TEST(MontaniReAgreement, OneSilhouetteOrNeighboursIsTheSame) {
   for (const scene::PolyScene& scene :
        {scene::generate_boxes(12), scene::generate_bricks(8), scene::generate_triangles(16)}) {
     const auto faces = faces_of(scene, scene.camera);
-    const auto& set = std::get<FaceSet>(faces);
+    const auto& set = *faces;
     const VisibleRegions by_neighbours = visible_regions(set);
     const VisibleRegions by_silhouette = visible_regions(set, Silhouette::whole);
     EXPECT_TRUE(edges_of_regions(set, by_neighbours.regions) == edges_of_regions(set, by_silhouette.regions))

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "tests/host/algorithms/montani_re/plane_faces.hpp"
 #include "tests/host/scene/hard_case_files.hpp"
@@ -23,7 +22,7 @@ Areas seen_areas(const FaceSet& set) {
 // A sheet a face.
 FaceSet case_set(const std::string& name) {
   const scene::PolyScene scene = scene::hard_case_scene(name);
-  return std::get<FaceSet>(faces_of(scene, scene.camera));
+  return *faces_of(scene, scene.camera);
 }
 
 TEST(MontaniReHardCases, M1CycleOfThree) {

@@ -30,7 +30,7 @@ scene::PolyCamera along_z() {
 }
 
 picture::LinePicture drawn(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
-  return std::get<LineView>(visible_edges(scene, camera)).picture;
+  return visible_edges(scene, camera)->picture;
 }
 
 void expect_agreement(const scene::PolyScene& scene, const scene::PolyCamera& camera) {

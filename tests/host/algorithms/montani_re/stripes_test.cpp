@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::int32_t, 6> thicknesses{2, 4, 8, 16, 32, 64};  // 8 to 1/4 pixels
 
 FaceSet set_of(const scene::PolyScene& scene) {
-  return std::get<FaceSet>(faces_of(scene, scene.camera));
+  return *faces_of(scene, scene.camera);
 }
 
 StripeFrame frame_of(const FaceSet& set, std::int32_t size) {

@@ -8,16 +8,17 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/table_1.hpp"
+#include "host/base/file.hpp"
 #include "tests/host/algorithms/plantinga/turning_scenes.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
 
-using picture::Bytes;
+using base::Bytes;
 
 struct Made {
   RotationModel model{three_boxes()};
-  EventList list = std::get<EventList>(build_event_list(model));
+  EventList list = *build_event_list(model);
   Bytes bytes = encode_events(list);
 };
 

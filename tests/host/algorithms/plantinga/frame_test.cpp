@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/plantinga/visible_edges.hpp"
@@ -65,7 +64,7 @@ class Frames : public ::testing::TestWithParam<scene::PolyScene (*)()> {};
 TEST_P(Frames, EndWhereTheExactPictureDoes) {
   const RotationModel model(GetParam()());
   const auto built = build_event_list(model);
-  const auto& list = std::get<EventList>(built);
+  const auto& list = *built;
   EdgeStructureGraph graph(list);
   FrameMaker frames(model);
   std::vector<ImageLine> lines;

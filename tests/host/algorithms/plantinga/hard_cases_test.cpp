@@ -259,8 +259,7 @@ TEST(PlantingaHardCases, P19AnEventAtPi) {
 // --- turning scenes
 
 struct Turned {
-  explicit Turned(scene::PolyScene of)
-      : scene(std::move(of)), model(scene), list(std::get<EventList>(build_event_list(model))) {}
+  explicit Turned(scene::PolyScene of) : scene(std::move(of)), model(scene), list(*build_event_list(model)) {}
 
   // Every end of a piece there ever is, with its edge.
   template <class Visit>

@@ -5,27 +5,26 @@
 
 #include <array>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
 #include "host/scene/model/poly_builder.hpp"
-#include "host/scene/read/poly_file.hpp"
 #include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
 
 namespace sightline::algorithms::plantinga {
 
 inline scene::PolyScene model_scene(const std::string& name) {
   const std::string path = SIGHTLINE_TEST_DATA "/models/" + name + ".off";
-  const auto bytes = picture::read_file(path);
+  const auto bytes = base::read_file(path);
   if (!bytes) {
     ADD_FAILURE() << bytes.error().message();
     return {};
   }
   const std::string text(bytes->begin(), bytes->end());
   auto read = scene::read_poly(text, path, scene::PolyFormat::off);
-  if (auto* import = std::get_if<scene::PolyImport>(&read)) return std::move(import->scene);
-  ADD_FAILURE() << std::get<scene::SceneError>(read).cause;
+  if (read) return std::move(read->scene);
+  ADD_FAILURE() << read.error().found;
   return {};
 }
 

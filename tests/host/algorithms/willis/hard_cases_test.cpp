@@ -32,13 +32,13 @@ constexpr std::array shapes{BoundaryShape::oval, BoundaryShape::ball};
 
 std::vector<Surface> sides_of(const std::string& file) {
   auto walls = walls_of(hard_case_scene(file), 1);
-  return std::get<std::vector<Surface>>(std::move(walls));
+  return std::move(*walls);
 }
 
 Model model_of(const PolyScene& scene, ModelOptions options = {}) {
   options.plan = true;
   auto made = make_model(scene, options);
-  return std::get<Model>(std::move(made));
+  return std::move(*made);
 }
 
 Model model_of(std::vector<Surface> sides, bool rule90 = false) {
@@ -130,7 +130,7 @@ TEST(WillisHardCases, W5HalvesCoverALittleOverAThird) {
 TEST(WillisHardCases, W7TheCommonFacesNeedNoOrder) {
   auto made = surfaces_of(hard_case_scene("W7.json"));
   std::vector<Surface> common;
-  for (const Surface& s : std::get<0>(made))
+  for (const Surface& s : *made)
     if (std::all_of(s.points.begin(), s.points.end(),
                     [](const Point& p) { return p[0] == 100 * lattice_unit; }))
       common.push_back(s);

@@ -61,7 +61,7 @@ picture::PixelGrid drawn(const Model& model, const Setting& setting, Representat
 
 void expect_exact(const scene::PolyScene& scene, const Setting& setting, const ModelOptions& options = {}) {
   const auto made = make_model(scene, options);
-  const Model& model = std::get<Model>(made);
+  const Model& model = *made;
   ASSERT_TRUE(model.residual.empty()) << scene.name;
   const picture::PixelGrid truth = nearest_faces(scene, setting);
   const picture::PixelGrid picture = drawn(model, setting);
@@ -85,7 +85,7 @@ TEST(WillisPicture, ScenesAgainstTheNearestFace) {
 TEST(WillisPicture, PrismTownFromWithinInPlan) {
   const scene::PolyScene scene = scene::generate_prisms(20, 4, 60);
   const auto made = make_model(scene, {.plan = true});
-  const Model& model = std::get<Model>(made);
+  const Model& model = *made;
   ASSERT_TRUE(model.residual.empty());
   const Setting setting = setting_at({9973, 301, -4001}, 128);
   ASSERT_FALSE(plan_error(model, setting.camera));
@@ -99,9 +99,9 @@ TEST(WillisPicture, NothingShowsBetweenPieces) {
   const Setting setting = setting_at({1013, 987, -1507}, 1500);
   const picture::PixelGrid whole = [&] {
     auto uncut = make_model(scene, {.order_cells = false, .limits = {.depth = 0}});
-    return drawn(std::get<Model>(uncut), setting);
+    return drawn(*uncut, setting);
   }();
-  const picture::PixelGrid cut = drawn(std::get<Model>(made), setting);
+  const picture::PixelGrid cut = drawn(*made, setting);
   for (std::size_t i = 0; i < whole.values.size(); ++i)
     EXPECT_EQ(whole.values[i] == 0, cut.values[i] == 0) << i;
 }

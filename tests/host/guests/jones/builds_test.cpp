@@ -29,11 +29,11 @@ Program assembled(const Build& build) {
   options.fraction_bits = build.fraction_bits;
   options.truncate = build.truncate;
   auto program = assemble_program(scene::builtin_scene(build.scene), options);
-  if (const auto* error = std::get_if<scene::SceneError>(&program)) {
-    ADD_FAILURE() << error->message();
+  if (!program) {
+    ADD_FAILURE() << program.error().message();
     return {};
   }
-  return std::get<Program>(std::move(program));
+  return std::move(*program);
 }
 
 Parameters twin_parameters(const Build& build) {

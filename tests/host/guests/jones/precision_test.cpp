@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <string>
-#include <variant>
 
 #include "host/guests/jones/precision_table.hpp"
 #include "host/guests/jones/twin/search.hpp"
@@ -17,13 +16,13 @@ namespace oracle = algorithms::oracle;
 
 PrecisionStudy study_of(const SixViews& views) {
   auto study = PrecisionStudy::of(scene::builtin_scene(views.scene), views.eyes);
-  EXPECT_TRUE(std::holds_alternative<PrecisionStudy>(study));
-  return std::get<PrecisionStudy>(std::move(study));
+  EXPECT_TRUE(study);
+  return std::move(*study);
 }
 
 SceneInCore in_core(const char* scene) {
   const auto loaded = scene::builtin_scene(scene);
-  return std::get<SceneInCore>(scene_in_core(loaded, loaded.default_view));
+  return *scene_in_core(loaded, loaded.default_view);
 }
 
 class JonesPrecision : public testing::TestWithParam<const char*> {};

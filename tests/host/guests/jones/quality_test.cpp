@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/algorithms/oracle/drawn_error.hpp"
@@ -33,12 +32,11 @@ constexpr double allowed_share = 0.01;
 
 // The scene in core with the eye there; nothing if no eye can stand there.
 std::optional<std::vector<core::Word18>> core_of(const scene::CellScene& scene, const geometry::Point& eye) {
-  const auto encoded = encode(scene, {eye}, TestCore::header);
-  const auto* image = std::get_if<EncodedScene>(&encoded);
-  if (!image) return std::nullopt;
+  const auto encoded = guests::jones::encode(scene, {eye}, TestCore::header);
+  if (!encoded) return std::nullopt;
   std::vector<core::Word18> words(core_words);
-  for (std::size_t i = 0; i < image->words.size(); ++i) {
-    words.at(image->base + i) = core::Word18(image->words[i].value);
+  for (std::size_t i = 0; i < encoded->words.size(); ++i) {
+    words.at(encoded->base + i) = core::Word18(encoded->words[i].value);
   }
   return words;
 }
@@ -80,9 +78,9 @@ TEST_P(JonesQuality, AtMostOnePerCentIsWrongByMoreThanAPoint) {
   const auto matter = oracle::Matter::of(scene);
   ASSERT_TRUE(matter);
   const auto lines = matter->real_lines();
-  const auto home = encode(scene, {}, TestCore::header);
-  ASSERT_TRUE(std::holds_alternative<EncodedScene>(home));
-  const geometry::Box& home_box = std::get<EncodedScene>(home).eye_limits;
+  const auto home = guests::jones::encode(scene, {}, TestCore::header);
+  ASSERT_TRUE(home);
+  const geometry::Box& home_box = home->eye_limits;
   oracle::Window window;
   window.near = 1;
   Dice dice(1971);

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "host/base/result.hpp"
 #include "tests/host/scene/scene_support.hpp"
 #include "tests/support/approve.hpp"
 
@@ -19,11 +20,11 @@ using geometry::Point;
 
 EncodedScene encoded(const scene::CellScene& scene, const TapeOptions& options = {}, std::uint32_t base = 0) {
   auto result = encode(scene, options, base);
-  if (const auto* error = std::get_if<scene::SceneError>(&result)) {
-    ADD_FAILURE() << error->message();
+  if (!result) {
+    ADD_FAILURE() << result.error().message();
     return {};
   }
-  return std::get<EncodedScene>(result);
+  return *result;
 }
 
 // The sizes measured with the prototype of the specification.
@@ -180,8 +181,7 @@ TEST(Encode, SplitsVectorsThatAWordCannotHold) {
 
 std::string refusal(const scene::CellScene& scene, const TapeOptions& options, std::uint32_t base = 0) {
   const auto result = encode(scene, options, base);
-  const auto* error = std::get_if<scene::SceneError>(&result);
-  return error ? error->message() : "encoded";
+  return !result ? result.error().message() : "encoded";
 }
 
 TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
@@ -234,7 +234,7 @@ std::vector<std::uint32_t> assemble(const std::string& tape, std::uint32_t base)
 TEST(WriteTape, AssemblesToTheEncodedWords) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = scene::builtin_scene(name);
-    const auto tape = std::get<std::string>(write_tape(scene));
+    const auto tape = *write_tape(scene);
     EXPECT_EQ(tape[0], '/');
     std::vector<std::uint32_t> expected;
     for (const EncodedWord& word : encoded(scene, {}, 03456).words) expected.push_back(word.value);
@@ -245,7 +245,7 @@ TEST(WriteTape, AssemblesToTheEncodedWords) {
 TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const std::string path = SIGHTLINE_SOURCE_DIR "/firmware/pdp7/jones/scenes/" + std::string(name) + ".s";
-    const auto tape = std::get<std::string>(write_tape(scene::builtin_scene(name)));
+    const auto tape = *write_tape(scene::builtin_scene(name));
     if (tests::approving()) {
       EXPECT_TRUE(tests::write_whole(path, tape)) << path;
     }

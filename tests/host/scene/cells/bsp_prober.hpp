@@ -7,7 +7,6 @@
 #include <optional>
 #include <random>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/scene/cells/bsp/decompose.hpp"
@@ -24,9 +23,7 @@ struct Passage {
 class Prober {
  public:
   explicit Prober(PolyScene scene)
-      : scene_(std::move(scene)),
-        complex_(std::get<CellComplex>(compartment_bsp(scene_))),
-        triangles_(triangles_of(scene_)) {}
+      : scene_(std::move(scene)), complex_(*compartment_bsp(scene_)), triangles_(triangles_of(scene_)) {}
 
   [[nodiscard]] const CellComplex& complex() const { return complex_; }
 

@@ -1,7 +1,5 @@
 // Compartmentation by BSP: cells hold exactly the free points, straight lines pass from cell to cell through
 // one opening or are stopped by a face, lines are where edges touch cells.
-#include "host/scene/cells/bsp/decompose.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,14 +9,16 @@
 #include <string_view>
 #include <utility>
 
-#include "host/scene/read/builtin.hpp"
+#include "host/base/result.hpp"
+#include "host/scene/cells/bsp/decompose.hpp"
 #include "host/scene/check/cell_complex.hpp"
+#include "host/scene/check/poly_scene.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_builder.hpp"
-#include "host/scene/check/poly_scene.hpp"
-#include "host/scene/read/poly_file.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
 #include "tests/host/scene/cells/bsp_prober.hpp"
 
 namespace sightline::scene {
@@ -27,7 +27,7 @@ namespace {
 PolyScene model(const std::string& name) {
   std::ifstream file(std::string(SIGHTLINE_TEST_DATA) + "/models/" + name);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return std::get<PolyImport>(read_poly(text, name, PolyFormat::off)).scene;
+  return read_poly(text, name, PolyFormat::off)->scene;
 }
 
 // Solids that reach into each other and stand in each other, one with a cavity, and a sheet with a window
@@ -88,7 +88,7 @@ PolyScene scene_named(const std::string& name) {
   if (name.ends_with(".off")) return model(name);
   const std::size_t colon = name.find(':');
   const std::string family = name.substr(0, colon);
-  PolyScene scene = std::get<PolyScene>(generate_scene(family, std::stoul(name.substr(colon + 1)), 5));
+  PolyScene scene = *generate_scene(family, std::stoul(name.substr(colon + 1)), 5);
   if (family == "touch")
     std::erase_if(scene.bodies, [n = 0](const PolyBody&) mutable { return n++ * 5 % 13 < 6; });
   return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
@@ -190,8 +190,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CompartmentBspTest,
 std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) {
   std::string text;
   const auto made = compartment_bsp(scene, options);
-  for (const SceneError& error : check_complex(std::get<CellComplex>(made), scene))
-    text += error.message() + '\n';
+  for (const base::Error& error : check_complex(*made, scene)) text += error.message() + '\n';
   return text;
 }
 
@@ -212,15 +211,15 @@ TEST(CompartmentBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
 
 TEST(CompartmentBsp, CutsTheSolidsAndWallsOfCellScenes) {
   for (const std::string_view name : builtin_scene_names()) {
-    const CellScene cells = std::get<CellScene>(load_cell_scene(std::string(name)));
+    const CellScene cells = *load_cell_scene(std::string(name));
     EXPECT_EQ(problems_of(poly_scene_of(cells)), "") << name;
   }
 }
 
 TEST(CompartmentBsp, IsTheSameEachTime) {
   const PolyScene scene = generate_triangles(16);
-  const auto first = std::get<CellComplex>(compartment_bsp(scene));
-  const auto second = std::get<CellComplex>(compartment_bsp(scene));
+  const auto first = *compartment_bsp(scene);
+  const auto second = *compartment_bsp(scene);
   EXPECT_EQ(first.planes, second.planes);
   EXPECT_EQ(first.bounds, second.bounds);
   EXPECT_EQ(first.sides, second.sides);
@@ -229,20 +228,19 @@ TEST(CompartmentBsp, IsTheSameEachTime) {
 
 // Around a block of cubes that touch face to face there is no more to cut than around one box.
 TEST(CompartmentBsp, JoinsWhatIsConvexTogether) {
-  EXPECT_EQ(std::get<CellComplex>(compartment_bsp(generate_boxes(1))).cells.size(), 6U);
-  EXPECT_EQ(std::get<CellComplex>(compartment_bsp(generate_touch(3))).cells.size(), 6U);
+  EXPECT_EQ(compartment_bsp(generate_boxes(1))->cells.size(), 6U);
+  EXPECT_EQ(compartment_bsp(generate_touch(3))->cells.size(), 6U);
   BspOptions apart;
   apart.join = false;
-  EXPECT_GT(std::get<CellComplex>(compartment_bsp(generate_touch(3), apart)).cells.size(), 6U);
+  EXPECT_GT(compartment_bsp(generate_touch(3), apart)->cells.size(), 6U);
 }
 
 TEST(CompartmentBsp, NamesWhatStopsIt) {
   const auto empty = compartment_bsp(PolyScene{});
-  EXPECT_EQ(std::get<SceneError>(empty).cause, "there is no face");
+  EXPECT_EQ(empty.error().found, "there is no face");
   const auto large = compartment_bsp(generate_boxes(10), {.most_leaves = 20});
-  EXPECT_EQ(std::get<SceneError>(large).cause,
-            "cut by the planes of its faces, space falls into more than 20 cells");
-  EXPECT_TRUE(std::holds_alternative<CellComplex>(compartment_bsp(generate_boxes(1), {.most_leaves = 7})));
+  EXPECT_EQ(large.error().found, "cut by the planes of its faces, space falls into more than 20 cells");
+  EXPECT_TRUE(compartment_bsp(generate_boxes(1), {.most_leaves = 7}));
 }
 
 }  // namespace

@@ -1,20 +1,19 @@
 // Compartmentation by grid and by hand: what comes out is possible, fills space and names every edge.
-#include "host/scene/cells/grid/decompose.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/geometry/box_tree.hpp"
-#include "host/scene/cells/from_cell_scene.hpp"
-#include "host/scene/check/cell_complex.hpp"
 #include "host/scene/cells/decompose.hpp"
 #include "host/scene/cells/free_rectangles.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
+#include "host/scene/cells/grid/decompose.hpp"
+#include "host/scene/check/cell_complex.hpp"
 #include "host/scene/generate/random.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_builder.hpp"
@@ -29,15 +28,15 @@ using geometry::Rectangle;
 
 CellComplex grid(const PolyScene& scene) {
   auto result = compartment_grid(scene);
-  if (const auto* error = std::get_if<SceneError>(&result)) {
-    ADD_FAILURE() << scene.name << ": " << error->message();
+  if (!result) {
+    ADD_FAILURE() << scene.name << ": " << result.error().message();
     return {};
   }
-  return std::get<CellComplex>(std::move(result));
+  return std::move(*result);
 }
 
 void expect_possible(const CellComplex& complex, const PolyScene& scene) {
-  for (const SceneError& error : check_complex(complex, scene))
+  for (const base::Error& error : check_complex(complex, scene))
     ADD_FAILURE() << scene.name << ": " << error.message();
 }
 
@@ -73,7 +72,7 @@ TEST(CompartmentGrid, GeneratedScenes) {
                                                                                      {"town", 9},
                                                                                      {"touch", 3},
                                                                                      {"aligned", 4}}) {
-    const PolyScene scene = std::get<PolyScene>(generate_scene(family, size));
+    const PolyScene scene = *generate_scene(family, size);
     expect_possible(grid(scene), scene);
   }
 }
@@ -99,11 +98,11 @@ TEST(CompartmentGrid, ARoomIsNineUnits) {
   EXPECT_FALSE(why_no_grid(scene, {9}));
   const auto refused = why_no_grid(scene, {8});
   ASSERT_TRUE(refused);
-  EXPECT_NE(refused->cause.find("3 x 3 x 1"), std::string::npos) << refused->cause;
+  EXPECT_NE(refused->found.find("3 x 3 x 1"), std::string::npos) << refused->found;
   // But a wall's door is cut out of what the wall leaves free.
   const auto cut = compartment_grid(scene, {9});
-  ASSERT_TRUE(std::holds_alternative<SceneError>(cut));
-  EXPECT_EQ(std::get<SceneError>(cut).place, "x = 0");
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(cut.error().place, "x = 0");
 }
 
 TEST(CompartmentGrid, BodiesThatTouchOverlapOrHaveSplitFaces) {
@@ -159,13 +158,13 @@ TEST(CompartmentGrid, WhatIsNotParallelToTheAxesIsNamed) {
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->place, "body 1, face 0");
   const PolyScene triangles = generate_triangles(2);
-  EXPECT_TRUE(std::holds_alternative<SceneError>(compartment_grid(triangles)));
-  EXPECT_TRUE(std::holds_alternative<SceneError>(compartment(triangles, CompartmentMethod::grid)));
-  EXPECT_EQ(std::get<Compartments>(compartments_of(triangles)).method, CompartmentMethod::bsp);
+  EXPECT_FALSE(compartment_grid(triangles));
+  EXPECT_FALSE(compartment(triangles, CompartmentMethod::grid));
+  EXPECT_EQ(compartments_of(triangles)->method, CompartmentMethod::bsp);
   PolyBuilder flat;
   const std::array<PolyPoint, 3> triangle{{{0, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
   flat.add_sheet("triangle", triangle);
-  EXPECT_NE(why_no_grid(flat.scene())->cause.find("side"), std::string::npos);
+  EXPECT_NE(why_no_grid(flat.scene())->found.find("side"), std::string::npos);
 }
 
 // Boxes that do not touch: all of every edge is on some cell.
@@ -187,7 +186,7 @@ TEST(CompartmentGrid, EdgesAreCovered) {
 // Of a building of more rows than are gone through at once, in which walls lie on two such bands.
 TEST(CompartmentGrid, LinesStandByEdge) {
   const auto cut = compartment_grid(generate_big_rooms(130));
-  const CellComplex& complex = std::get<CellComplex>(cut);
+  const CellComplex& complex = *cut;
   std::size_t unordered = 0;
   std::size_t lines = 0;
   for (const ComplexCell& cell : complex.cells) {

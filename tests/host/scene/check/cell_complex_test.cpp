@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/cells/bsp/decompose.hpp"
 #include "host/scene/cells/grid/decompose.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -21,7 +21,7 @@ namespace {
 class CheckComplex : public ::testing::Test {
  protected:
   const PolyScene scene_ = poly_scene_of(builtin_scene("roberts"));
-  const CellComplex good_ = std::get<CellComplex>(compartment_grid(scene_));
+  const CellComplex good_ = *compartment_grid(scene_);
 
   // The first opening between two cells.
   [[nodiscard]] std::size_t inner_opening() const {
@@ -35,8 +35,8 @@ class CheckComplex : public ::testing::Test {
     CellComplex complex = good_;
     damage(complex);
     const auto errors = check_complex(complex, scene_);
-    const bool found = std::any_of(errors.begin(), errors.end(), [&](const SceneError& error) {
-      return error.place.find(place) == 0 && error.cause.find(cause) != std::string::npos;
+    const bool found = std::any_of(errors.begin(), errors.end(), [&](const base::Error& error) {
+      return error.place.find(place) == 0 && error.found.find(cause) != std::string::npos;
     });
     EXPECT_TRUE(found) << place << ": " << cause << "\nfound "
                        << (errors.empty() ? "nothing" : errors.front().message());
@@ -102,7 +102,7 @@ TEST_F(CheckComplex, AnOpeningOutsideIsOnTheOuterBox) {
     const auto errors = check_complex(complex, scene_);
     ASSERT_FALSE(errors.empty());
     EXPECT_EQ(errors.front().place, "opening " + std::to_string(o));
-    EXPECT_EQ(errors.front().cause, "leads outside within the outer box");
+    EXPECT_EQ(errors.front().found, "leads outside within the outer box");
     return;
   }
   FAIL() << "no opening";
@@ -164,8 +164,8 @@ TEST_F(CheckComplex, Places) {
   twice.cells.push_back(twice.cells[0]);
   list_openings(twice);
   const auto errors = check_complex(twice, scene_);
-  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const SceneError& error) {
-    return error.cause.find("as has cell 0") != std::string::npos;
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const base::Error& error) {
+    return error.found.find("as has cell 0") != std::string::npos;
   }));
 }
 
@@ -174,19 +174,19 @@ TEST(CheckComplexScenes, MatterInACellIsFound) {
   const PolyScene scene = generate_boxes(8, 2);
   PolyScene fewer = scene;
   fewer.bodies.pop_back();
-  CellComplex complex = std::get<CellComplex>(compartment_grid(fewer));
-  complex.edges = std::get<CellComplex>(compartment_grid(scene)).edges;
+  CellComplex complex = *compartment_grid(fewer);
+  complex.edges = compartment_grid(scene)->edges;
   const auto errors = check_complex(complex, scene);
   ASSERT_FALSE(errors.empty());
-  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const SceneError& error) {
-    return error.cause.find("of a solid") != std::string::npos || error.place == "cells";
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const base::Error& error) {
+    return error.found.find("of a solid") != std::string::npos || error.place == "cells";
   }));
 }
 
 TEST(CheckComplexScenes, SlantedCells) {
   const PolyScene scene = generate_triangles(6, 4);
-  CellComplex complex = std::get<CellComplex>(compartment_bsp(scene));
-  for (const SceneError& error : check_complex(complex, scene)) ADD_FAILURE() << error.message();
+  CellComplex complex = *compartment_bsp(scene);
+  for (const base::Error& error : check_complex(complex, scene)) ADD_FAILURE() << error.message();
   const ComplexCell& cell = complex.cells[0];
   complex.bounds[cell.first_bound] = complex.bounds[cell.first_bound + 1];
   complex.bounds[cell.first_bound].turned = !complex.bounds[cell.first_bound].turned;

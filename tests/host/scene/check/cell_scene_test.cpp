@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/locate.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 TEST(CheckScene, FindsNothingInTheBuiltinScenes) {
   for (const std::string_view name : builtin_scene_names()) {
-    for (const SceneError& error : check_scene(builtin_scene(name)))
+    for (const base::Error& error : check_scene(builtin_scene(name)))
       ADD_FAILURE() << name << ": " << error.message();
   }
 }
@@ -31,10 +32,10 @@ TEST_P(ImpossibleHouse, IsNamed) {
   GetParam().apply(scene);
   const auto errors = check_scene(scene);
   const bool found = std::any_of(errors.begin(), errors.end(),
-                                 [](const SceneError& e) { return e.message() == GetParam().message; });
+                                 [](const base::Error& e) { return e.message() == GetParam().message; });
   EXPECT_TRUE(found) << "expected: " << GetParam().message;
   if (!found) {
-    for (const SceneError& error : errors) ADD_FAILURE() << "found: " << error.message();
+    for (const base::Error& error : errors) ADD_FAILURE() << "found: " << error.message();
   }
 }
 
@@ -131,8 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 std::string where(const CellScene& scene, const geometry::Point& point) {
   const auto location = locate(scene, point);
-  if (const auto* error = std::get_if<SceneError>(&location)) return error->message();
-  return std::to_string(std::get<std::size_t>(location));
+  if (!location) return location.error().message();
+  return std::to_string(*location);
 }
 
 TEST(Locate, FindsTheCellAroundAPoint) {

@@ -6,21 +6,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/result.hpp"
+
 namespace sightline::scene {
 namespace {
 
 HeightGrid grid_of(const std::string& expression, Interval domain = {-2, 2}, GridSize size = {5, 3}) {
   const auto result = sample_expression(expression, domain, size);
-  if (const auto* error = std::get_if<HeightError>(&result)) {
-    ADD_FAILURE() << error->message();
+  if (!result) {
+    ADD_FAILURE() << result.error().message(base::MessageStyle::position);
     return {};
   }
-  return std::get<HeightGrid>(result);
+  return *result;
 }
 
-HeightError error_of(const std::string& expression, GridSize size = {5, 3}) {
+base::Error error_of(const std::string& expression, GridSize size = {5, 3}) {
   const auto result = sample_expression(expression, {-2, 2}, size);
-  if (const auto* error = std::get_if<HeightError>(&result)) return *error;
+  if (!result) return result.error();
   ADD_FAILURE() << "no error: " << expression;
   return {};
 }
@@ -53,29 +55,31 @@ TEST(SampleExpression, UndefinedHeightsAreHoles) {
 }
 
 TEST(SampleExpression, ErrorsPointAtTheirPlace) {
-  const HeightError unknown = error_of("sin(x) + frog(z)");
+  const base::Error unknown = error_of("sin(x) + frog(z)");
   EXPECT_EQ(unknown.place, "10");
-  EXPECT_EQ(unknown.caret, 9U);
-  EXPECT_NE(unknown.message().find("\n  sin(x) + frog(z)\n           ^"), std::string::npos)
-      << unknown.message();
+  EXPECT_EQ(unknown.place, "10");
+  EXPECT_NE(unknown.message(base::MessageStyle::position).find("\n  sin(x) + frog(z)\n           ^"),
+            std::string::npos)
+      << unknown.message(base::MessageStyle::position);
   EXPECT_EQ(unknown.source, "--function");
-  EXPECT_EQ(error_of("x + y").caret, 4U);
-  EXPECT_EQ(error_of("x + ").caret, 4U);
-  EXPECT_EQ(error_of("(x + z").caret, 6U);
-  EXPECT_EQ(error_of("x z").caret, 2U);
-  EXPECT_EQ(error_of("x + * z").caret, 4U);
-  EXPECT_EQ(error_of("max(x,z), z").caret, 8U);
+  EXPECT_EQ(error_of("x + y").place, "5");
+  EXPECT_EQ(error_of("x + ").place, "5");
+  EXPECT_EQ(error_of("(x + z").place, "7");
+  EXPECT_EQ(error_of("x z").place, "3");
+  EXPECT_EQ(error_of("x + * z").place, "5");
+  EXPECT_EQ(error_of("max(x,z), z").place, "9");
 }
 
 // The parser counts from 0 and says so in the middle of its sentences.
 TEST(SampleExpression, OnePlaceIsSaid) {
   for (const char* wrong : {"x + y", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
-    const HeightError error = error_of(wrong);
-    EXPECT_EQ(error.message().find("position"), std::string::npos) << error.message();
+    const base::Error error = error_of(wrong);
+    EXPECT_EQ(error.message(base::MessageStyle::position).find("position"), std::string::npos)
+        << error.message(base::MessageStyle::position);
     EXPECT_GT(error.found.size(), std::string("an error: ").size()) << wrong;
   }
-  EXPECT_EQ(error_of("x,z").caret, 1U);
+  EXPECT_EQ(error_of("x,z").place, "2");
 }
 
 TEST(SampleExpression, AnAngleOfTwo) {
@@ -83,9 +87,9 @@ TEST(SampleExpression, AnAngleOfTwo) {
 }
 
 TEST(SampleExpression, WhatOtherwiseWouldBeTakenForSomethingElse) {
-  EXPECT_EQ(error_of("x = 3").caret, 2U);
-  EXPECT_NE(error_of("x = 3").message().find("=="), std::string::npos);
-  EXPECT_EQ(error_of("x += 3").caret, 3U);
+  EXPECT_EQ(error_of("x = 3").place, "3");
+  EXPECT_NE(error_of("x = 3").message(base::MessageStyle::position).find("=="), std::string::npos);
+  EXPECT_EQ(error_of("x += 3").place, "4");
   error_of("x, z");
   error_of("\"text\"");
   error_of("");
@@ -96,8 +100,8 @@ TEST(SampleExpression, WhatOtherwiseWouldBeTakenForSomethingElse) {
 }
 
 TEST(SampleExpression, NowhereFinite) {
-  const HeightError error = error_of("log(-1 - x*x)");
-  EXPECT_NE(error.message().find("nowhere finite"), std::string::npos);
+  const base::Error error = error_of("log(-1 - x*x)");
+  EXPECT_NE(error.message(base::MessageStyle::position).find("nowhere finite"), std::string::npos);
   error_of("0/0");
   // Nothing of the 65 x 65 points of the range, but a point of the grid.
   EXPECT_EQ(grid_of("x + 1 > 0.33 && x + 1 < 0.34 && z == -2 ? 5 : 0/0", {-2, 2}, {7, 2}).range,
@@ -105,21 +109,20 @@ TEST(SampleExpression, NowhereFinite) {
 }
 
 TEST(SampleExpression, SizesAtTheDoor) {
-  EXPECT_NE(error_of("x", {1, 5}).message().find("2 to 1024"), std::string::npos);
+  EXPECT_NE(error_of("x", {1, 5}).message(base::MessageStyle::position).find("2 to 1024"), std::string::npos);
   error_of("x", {5, 1});
   error_of("x", {1025, 5});
   error_of("x", {5, 1025});
 }
 
 TEST(ReadDomain, TwoNumbers) {
-  EXPECT_EQ(std::get<Interval>(read_domain("-3:3")), (Interval{-3, 3}));
-  EXPECT_EQ(std::get<Interval>(read_domain("+1e-3:2.5")), (Interval{0.001, 2.5}));
-  EXPECT_EQ(std::get<Interval>(read_domain("-1e-400:1")), (Interval{0, 1}))
-      << "too near 0 to be told from it";
+  EXPECT_EQ(*read_domain("-3:3"), (Interval{-3, 3}));
+  EXPECT_EQ(*read_domain("+1e-3:2.5"), (Interval{0.001, 2.5}));
+  EXPECT_EQ(*read_domain("-1e-400:1"), (Interval{0, 1})) << "too near 0 to be told from it";
   for (const char* bad :
        {"", ":", "3", "3:", ":3", "3:3", "3:-3", "a:b", "0:nan", "0:inf", "0:1:2", "0 :1", "0:1e999"})
-    EXPECT_TRUE(std::holds_alternative<HeightError>(read_domain(bad))) << bad;
-  EXPECT_EQ(std::get<HeightError>(read_domain("3:-3")).message(),
+    EXPECT_FALSE(read_domain(bad)) << bad;
+  EXPECT_EQ(read_domain("3:-3").error().message(base::MessageStyle::position),
             "--domain: found '3:-3', expected A:B with numbers A < B, such as -3:3");
 }
 

@@ -11,16 +11,16 @@ namespace {
 
 HeightGrid grid_of(std::string_view text) {
   const auto result = read_height_grid(text, "grid.txt");
-  if (const auto* error = std::get_if<HeightError>(&result)) {
-    ADD_FAILURE() << error->message();
+  if (!result) {
+    ADD_FAILURE() << result.error().message(base::MessageStyle::position);
     return {};
   }
-  return std::get<HeightGrid>(result);
+  return *result;
 }
 
 std::string error_of(std::string_view text) {
   const auto result = read_height_grid(text, "grid.txt");
-  if (const auto* error = std::get_if<HeightError>(&result)) return error->message();
+  if (!result) return result.error().message(base::MessageStyle::position);
   return "no error";
 }
 
@@ -130,19 +130,19 @@ TEST(ReadHeightGrid, DamagedShapes) {
 
 TEST(LoadHeightGrid, FilesThatAreNone) {
   const auto missing = load_height_grid("/nowhere/grid.csv");
-  EXPECT_EQ(std::get<HeightError>(missing).message(), "/nowhere/grid.csv: found no such file");
+  EXPECT_EQ(missing.error().message(base::MessageStyle::position), "/nowhere/grid.csv: found no such file");
   const auto folder = load_height_grid(SIGHTLINE_TEST_DATA);
-  EXPECT_NE(std::get<HeightError>(folder).message().find("directory"), std::string::npos);
+  EXPECT_NE(folder.error().message(base::MessageStyle::position).find("directory"), std::string::npos);
 }
 
 TEST(LoadHeightGrid, OfTheTestData) {
   const auto csv = load_height_grid(SIGHTLINE_TEST_DATA "/heights/terrain.csv");
-  ASSERT_TRUE(std::holds_alternative<HeightGrid>(csv)) << std::get<HeightError>(csv).message();
+  ASSERT_TRUE(csv) << csv.error().message(base::MessageStyle::position);
   const auto points = load_height_grid(SIGHTLINE_TEST_DATA "/heights/terrain-points.dat");
-  ASSERT_TRUE(std::holds_alternative<HeightGrid>(points)) << std::get<HeightError>(points).message();
-  EXPECT_EQ(std::get<HeightGrid>(csv).heights, std::get<HeightGrid>(points).heights);
-  EXPECT_EQ(std::get<HeightGrid>(csv).slices(), 10U);
-  EXPECT_EQ(std::get<HeightGrid>(csv).points(), 12U);
+  ASSERT_TRUE(points) << points.error().message(base::MessageStyle::position);
+  EXPECT_EQ(csv->heights, points->heights);
+  EXPECT_EQ(csv->slices(), 10U);
+  EXPECT_EQ(csv->points(), 12U);
 }
 
 }  // namespace

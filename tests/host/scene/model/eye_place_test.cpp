@@ -7,11 +7,11 @@
 #include <string>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/check/poly_scene.hpp"
 #include "host/scene/generate/random.hpp"
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_builder.hpp"
-#include "host/scene/check/poly_scene.hpp"
 #include "host/scene/read/poly_import.hpp"
 
 namespace sightline::scene {
@@ -117,7 +117,7 @@ TEST(EyePlace, ErrorsNameTheBody) {
 
 TEST(EyePlace, TheGeneratedViewsAreInFreeSpace) {
   for (const std::string_view family : generator_names()) {
-    const PolyScene scene = std::get<PolyScene>(generate_scene(family, 4));
+    const PolyScene scene = *generate_scene(family, 4);
     EXPECT_FALSE(eye_error(scene, scene.camera)) << family;
   }
 }
@@ -174,7 +174,7 @@ TEST(AimCamera, ExactWhereTheVectorsAreSmall) {
 }
 
 TEST(AimCamera, TheThreeQuarterViewIsThatOfAFile) {
-  PolyScene scene = std::get<PolyScene>(generate_scene("town", 9, 2));
+  PolyScene scene = *generate_scene("town", 9, 2);
   EXPECT_EQ(three_quarter_camera({}, scene), default_poly_camera(scene));
   for (std::size_t vertical = 0; vertical < 3; ++vertical)
     for (const bool forward_is_z : {false, true}) {
@@ -188,7 +188,7 @@ TEST(AimCamera, TheThreeQuarterViewIsThatOfAFile) {
 }
 
 TEST(AimCamera, FramesOfTheKindsOfScene) {
-  EXPECT_EQ(frame_of(std::get<PolyScene>(generate_scene("boxes", 8)).camera), (SceneFrame{2, false, false}));
+  EXPECT_EQ(frame_of(generate_scene("boxes", 8)->camera), (SceneFrame{2, false, false}));
   EXPECT_EQ(frame_of(PolyCamera{}), (SceneFrame{1, false, true}));
   EXPECT_EQ(frame_of(default_poly_camera({})), (SceneFrame{1, false, false}));
 }

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "host/scene/read/builtin.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/check/poly_shells.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline::scene {
@@ -14,9 +15,9 @@ namespace {
 TEST(PolyFromCells, EverySolidAndWallIsThereAndNothingElse) {
   for (const std::string_view name : builtin_scene_names()) {
     const auto loaded = load_cell_scene(std::string(name));
-    const CellScene& cells = std::get<CellScene>(loaded);
+    const CellScene& cells = *loaded;
     const PolyScene scene = poly_scene_of(cells);
-    for (const SceneError& error : check_poly_scene(scene)) ADD_FAILURE() << name << ": " << error.message();
+    for (const base::Error& error : check_poly_scene(scene)) ADD_FAILURE() << name << ": " << error.message();
     ASSERT_EQ(scene.bodies.size(), cells.solids.size() + (cells.walls.empty() ? 0U : 1U)) << name;
     for (std::size_t s = 0; s < cells.solids.size(); ++s) {
       EXPECT_TRUE(enclosed_volume(scene.vertices, scene.bodies[s]) == 6 * cells.solids[s].volume()) << name;

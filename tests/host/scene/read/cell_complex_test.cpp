@@ -1,15 +1,14 @@
 // Cells as a file: what is written is read again, and every kind of damage is named.
-#include "host/scene/read/cell_complex_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
 namespace sightline::scene {
@@ -24,13 +23,12 @@ std::string written(const PolyScene& scene, const Compartments& compartments) {
 }
 
 std::string file_of(const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic) {
-  return written(scene, std::get<Compartments>(compartments_of(scene, method)));
+  return written(scene, *compartments_of(scene, method));
 }
 
 std::string error_of(const std::string& text) {
   const auto read = read_cell_complex(text, "c.json");
-  const auto* error = std::get_if<SceneError>(&read);
-  return error != nullptr ? error->message() : "";
+  return !read ? read.error().message() : "";
 }
 
 TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
@@ -42,10 +40,9 @@ TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
     const std::string text = file_of(scene);
     EXPECT_TRUE(is_cell_complex(text));
     const auto read = read_cell_complex(text, "c.json");
-    const auto* file = std::get_if<CellComplexFile>(&read);
-    ASSERT_NE(file, nullptr) << error_of(text);
-    EXPECT_EQ(file->scene, scene);
-    EXPECT_EQ(written(file->scene, file->compartments), text);
+    ASSERT_TRUE(read) << error_of(text);
+    EXPECT_EQ(read->scene, scene);
+    EXPECT_EQ(written(read->scene, read->compartments), text);
   }
   EXPECT_NE(file_of(scenes[0], CompartmentMethod::bsp), file_of(scenes[0], CompartmentMethod::grid));
 }

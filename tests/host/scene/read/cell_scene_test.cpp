@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "tests/host/scene/scene_support.hpp"
 #include "tests/support/effort.hpp"
@@ -70,8 +71,8 @@ TEST_P(DamagedScene, IsNamedByFilePlaceAndCause) {
     document[pointer.parent_pointer()].erase(pointer.back());
   }
   const auto result = read_cell_scene(document.dump(), "damaged.json");
-  ASSERT_TRUE(std::holds_alternative<SceneError>(result));
-  EXPECT_EQ(std::get<SceneError>(result), (SceneError{"damaged.json", GetParam().place, GetParam().cause}));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error(), (base::Error{"damaged.json", GetParam().place, GetParam().cause}));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -114,27 +115,27 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ReadCellScene, NamesLineAndColumnOfASyntaxError) {
   const auto result = read_cell_scene("{\"name\": \"x\",\n  \"outer\": [}", "bad.json");
-  const auto& error = std::get<SceneError>(result);
-  EXPECT_EQ(error.source, "bad.json");
+  const auto& error = result.error();
+  EXPECT_EQ(error.file, "bad.json");
   EXPECT_EQ(error.place, "line 2, column 13");
-  EXPECT_NE(error.cause.find("unexpected '}'"), std::string::npos) << error.cause;
+  EXPECT_NE(error.found.find("unexpected '}'"), std::string::npos) << error.found;
 }
 
 TEST(ReadCellScene, RefusesTextThatIsNoJsonObject) {
   for (const char* text : {"", " ", "[]", "7", "null", "\xff\xfe", "{\"name\":\"\xc3\"}"}) {
-    EXPECT_TRUE(std::holds_alternative<SceneError>(read_cell_scene(text, "x"))) << text;
+    EXPECT_FALSE(read_cell_scene(text, "x")) << text;
   }
-  EXPECT_TRUE(std::holds_alternative<SceneError>(read_cell_scene(std::string(100000, '['), "x")));
+  EXPECT_FALSE(read_cell_scene(std::string(100000, '['), "x"));
 }
 
 TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
-  EXPECT_TRUE(std::holds_alternative<CellScene>(load_cell_scene("corridor8")));
+  EXPECT_TRUE(load_cell_scene("corridor8"));
   const auto missing = load_cell_scene("no/such/scene.json");
-  EXPECT_EQ(std::get<SceneError>(missing).message(),
+  EXPECT_EQ(missing.error().message(),
             "no/such/scene.json: no such file, and not a built-in scene (house, roberts, street4, corridor8, "
             "corridor32)");
   const auto folder = load_cell_scene(SIGHTLINE_SOURCE_DIR);
-  EXPECT_NE(std::get<SceneError>(folder).cause.find("directory"), std::string::npos);
+  EXPECT_NE(folder.error().found.find("directory"), std::string::npos);
 }
 
 TEST(LoadCellScene, ChecksWhatAFileSays) {
@@ -144,8 +145,8 @@ TEST(LoadCellScene, ChecksWhatAFileSays) {
   std::ofstream(file) << document.dump();
   const auto result = load_cell_scene(file.string());
   std::filesystem::remove(file);
-  ASSERT_TRUE(std::holds_alternative<SceneError>(result));
-  EXPECT_EQ(std::get<SceneError>(result).source, file.string());
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().file, file.string());
 }
 
 // Bytes changed, removed and doubled at random: an error or a scene that can be checked, nothing else.
@@ -162,10 +163,10 @@ TEST(ReadCellScene, SurvivesRandomDamage) {
       }
     }
     const auto result = read_cell_scene(text, "random");
-    if (const auto* scene = std::get_if<CellScene>(&result)) {
-      EXPECT_LE(check_scene(*scene).size(), most_scene_errors);
+    if (result) {
+      EXPECT_LE(check_scene(*result).size(), most_scene_errors);
     } else {
-      EXPECT_FALSE(std::get<SceneError>(result).cause.empty());
+      EXPECT_FALSE(result.error().found.empty());
     }
   }
 }

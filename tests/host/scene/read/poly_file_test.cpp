@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/read/poly_json.hpp"
 #include "tests/host/scene/poly_support.hpp"
 
@@ -155,9 +156,8 @@ TEST(ReadPoly, DamageIsNamedByLine) {
   };
   for (const Damage& damage : damages) {
     const auto result = read_poly(damage.text, "test", damage.format);
-    const auto* error = std::get_if<SceneError>(&result);
-    ASSERT_NE(error, nullptr) << damage.text;
-    EXPECT_EQ(error->message(), damage.message);
+    ASSERT_FALSE(result) << damage.text;
+    EXPECT_EQ(result.error().message(), damage.message);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/read/poly_file.hpp"
 #include "tests/host/scene/poly_support.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
   for (const std::string_view family : generator_names()) {
-    const auto scene = std::get<PolyScene>(generate_scene(family, 3, 5));
+    const auto scene = *generate_scene(family, 3, 5);
     EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
     if (family == "rooms" || family == "big_rooms") continue;  // holes
     PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
@@ -75,9 +76,8 @@ TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
     add(face.holes[0], x, y);
   scene.bodies = {{"", true, {face}}};
   const auto result = write_poly(scene, PolyFormat::off);
-  const auto* error = std::get_if<SceneError>(&result);
-  ASSERT_NE(error, nullptr);
-  EXPECT_EQ(error->place, "body 0, face 0");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().place, "body 0, face 0");
 }
 
 // Names that are the same, look like a comment or a line that goes on, or are those of unnamed bodies.

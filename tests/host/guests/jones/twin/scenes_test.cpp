@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <random>
 #include <string>
-#include <variant>
 
 #include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -19,11 +18,11 @@ class JonesTwinScenes : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     const auto loaded = scene::load_cell_scene(GetParam());
-    ASSERT_TRUE(std::holds_alternative<scene::CellScene>(loaded));
-    cells_ = std::get<scene::CellScene>(loaded).cells.size();
-    const auto encoded = encode(std::get<scene::CellScene>(loaded), {}, TestCore::header);
-    ASSERT_TRUE(std::holds_alternative<EncodedScene>(encoded));
-    const auto& image = std::get<EncodedScene>(encoded);
+    ASSERT_TRUE(loaded);
+    cells_ = loaded->cells.size();
+    const auto encoded = guests::jones::encode(*loaded, {}, TestCore::header);
+    ASSERT_TRUE(encoded);
+    const auto& image = *encoded;
     limits_ = image.eye_limits;
     for (std::size_t i = 0; i < image.words.size(); ++i) {
       words_.at(image.base + i) = core::Word18(image.words[i].value);

@@ -1,5 +1,4 @@
-// See file_io.hpp.
-#include "host/picture/file_io.hpp"
+#include "host/base/file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,11 +11,11 @@
 #include <system_error>
 #include <utility>
 
-namespace sightline::picture {
+namespace sightline::base {
 
 namespace {
 
-FileError system_error(const std::string& path, const char* doing, int code) {
+Error system_error(const std::string& path, const char* doing, int code) {
   return {path, "", std::string(doing) + ": " + std::generic_category().message(code), ""};
 }
 
@@ -104,7 +103,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     }
     if (errno != EEXIST) return system_error(path, "cannot write", errno);
   }
-  return FileError{path, "", "cannot write: too many left-over files " + target + ".partial*", "none"};
+  return Error{path, "", "cannot write: too many left-over files " + target + ".partial*", "none"};
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -164,7 +163,7 @@ Result<Bytes> read_file(const std::string& path, std::size_t limit) {
     const std::size_t n = std::fread(block.data(), 1, block.size(), file.get());
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(n));
     if (bytes.size() > limit) {
-      return FileError{path, "", "more than " + std::to_string(limit) + " bytes", "a smaller file"};
+      return Error{path, "", "more than " + std::to_string(limit) + " bytes", "a smaller file"};
     }
     if (n == block.size()) continue;
     if (std::ferror(file.get()) != 0) return system_error(path, "cannot read", errno != 0 ? errno : EIO);
@@ -172,4 +171,4 @@ Result<Bytes> read_file(const std::string& path, std::size_t limit) {
   }
 }
 
-}  // namespace sightline::picture
+}  // namespace sightline::base

@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "host/picture/result.hpp"
+#include "host/base/result.hpp"
 
-namespace sightline::picture {
+namespace sightline::base {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -55,4 +55,4 @@ class AtomicFile {
 // The whole file; an error for a directory, and for more than `limit` bytes.
 [[nodiscard]] Result<Bytes> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
 
-}  // namespace sightline::picture
+}  // namespace sightline::base

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string_view>
 
-#include "host/guests/run/pdp7.hpp"
-
-namespace sightline::app {
+namespace sightline::base {
 
 // While it lives the first Ctrl-C is remembered instead of ending the process; a second one ends it.
 class InterruptKey {
@@ -28,9 +27,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(const harness::Progress& progress);
-  // What the line says of any other work; one line, printable.
-  void show(std::string_view text);
+  void show(std::string_view text);  // one line, printable
+  // Of a run on an emulated machine; says how to stop it.
+  void show_run(std::uint64_t emulated_nanoseconds, std::uint64_t instructions);
 
  private:
   [[nodiscard]] bool is_time();
@@ -40,4 +39,4 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-}  // namespace sightline::app
+}  // namespace sightline::base

@@ -1,5 +1,4 @@
-// See progress.hpp.
-#include "host/app/progress.hpp"
+#include "host/base/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace sightline::app {
+namespace sightline::base {
 
 namespace {
 
@@ -59,12 +58,11 @@ bool ProgressLine::is_time() {
   return true;
 }
 
-void ProgressLine::show(const harness::Progress& progress) {
+void ProgressLine::show_run(std::uint64_t emulated_nanoseconds, std::uint64_t instructions) {
   if (!is_time()) return;
   shown_ = true;
   fmt::print(stderr, "\r\033[K{:.1f} s emulated, {} million instructions (Ctrl-C stops)",
-             static_cast<double>(core::nanoseconds_of(progress.now)) / 1e9,
-             progress.instructions / 1'000'000);
+             static_cast<double>(emulated_nanoseconds) / 1e9, instructions / 1'000'000);
   static_cast<void>(std::fflush(stderr));
 }
 
@@ -75,4 +73,4 @@ void ProgressLine::show(std::string_view text) {
   static_cast<void>(std::fflush(stderr));
 }
 
-}  // namespace sightline::app
+}  // namespace sightline::base

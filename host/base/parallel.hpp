@@ -12,25 +12,25 @@
 #include <utility>
 #include <vector>
 
-namespace sightline::harness {
+namespace sightline::base {
 
-template <class Result>
+template <class Value>
 struct OrderedWork {
   std::uint64_t first = 0;
   std::uint64_t last = 0;                           // excluded
   unsigned jobs = 1;                                // threads
-  std::function<Result(std::uint64_t)> make;        // on any of them
-  std::function<void(std::uint64_t, Result)> take;  // on the caller's, first to last
+  std::function<Value(std::uint64_t)> make;        // on any of them
+  std::function<void(std::uint64_t, Value)> take;  // on the caller's, first to last
   std::function<bool()> go_on;                      // asked some times a second on the caller's
 };
 
 // Returns once all is taken, or soon after go_on says no: then what has been begun is finished and dropped.
 // What make or take throws is thrown here. The threads are never far ahead of what is taken.
-template <class Result>
-void run_in_order(const OrderedWork<Result>& work) {
+template <class Value>
+void run_in_order(const OrderedWork<Value>& work) {
   std::mutex mutex;
   std::condition_variable changed;
-  std::map<std::uint64_t, Result> ready;
+  std::map<std::uint64_t, Value> ready;
   std::exception_ptr failure;
   std::uint64_t next = work.first;
   std::uint64_t taken = work.first;
@@ -45,7 +45,7 @@ void run_in_order(const OrderedWork<Result>& work) {
       const std::uint64_t number = next++;
       lock.unlock();
       std::exception_ptr thrown;
-      std::map<std::uint64_t, Result> made;
+      std::map<std::uint64_t, Value> made;
       try {
         made.emplace(number, work.make(number));
       } catch (...) {
@@ -96,4 +96,4 @@ void run_in_order(const OrderedWork<Result>& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::base

@@ -1,0 +1,59 @@
+#include "host/base/number.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+namespace sightline::base {
+
+namespace {
+
+template <class Number, class Format>
+std::optional<Number> whole_text(std::string_view text, Format format) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, value, format);
+  if (text.empty() || error != std::errc{} || after != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> signed_number(std::string_view text, int radix) {
+  return whole_text<std::int64_t>(text, radix);
+}
+
+std::optional<std::uint64_t> unsigned_number(std::string_view text, int radix) {
+  return whole_text<std::uint64_t>(text, radix);
+}
+
+std::optional<double> decimal_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  // from_chars reports "out of range" for numbers too near 0 as for those too great.
+  if (error == std::errc::result_out_of_range)
+    value = std::strtod(std::string(text).c_str(), nullptr);
+  else if (error != std::errc{})
+    return std::nullopt;
+  if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> fixed_number(std::string_view text, double least, double most) {
+  const auto value = whole_text<double>(text, std::chars_format::fixed);
+  if (!value || !(*value >= least && *value <= most)) return std::nullopt;
+  return value;
+}
+
+std::string octal(std::uint32_t value, unsigned digits) {
+  std::string text(digits, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, value >>= 3) {
+    *digit = static_cast<char>('0' + (value & 07U));
+  }
+  return text;
+}
+
+}  // namespace sightline::base

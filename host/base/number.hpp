@@ -1,0 +1,64 @@
+// Numbers in texts: the whole text is the number, or there is none. Blanks, a leading '+' (except in
+// decimal_number) and prefixes of a radix are not part of a number. The caller words the error: what a number
+// stands for is known there.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sightline::base {
+
+// Digits of radix 2 to 36, letters in either case. Signed numbers may begin with '-'.
+[[nodiscard]] std::optional<std::int64_t> signed_number(std::string_view text, int radix = 10);
+[[nodiscard]] std::optional<std::uint64_t> unsigned_number(std::string_view text, int radix = 10);
+
+// A whole number from `least` to `most`, both included.
+template <std::integral Number>
+[[nodiscard]] std::optional<Number> whole_number(std::string_view text, int radix = 10,
+                                                 Number least = std::numeric_limits<Number>::min(),
+                                                 Number most = std::numeric_limits<Number>::max()) {
+  const auto value = [&] {
+    if constexpr (std::signed_integral<Number>)
+      return signed_number(text, radix);
+    else
+      return unsigned_number(text, radix);
+  }();
+  if (!value || *value < least || *value > most) return std::nullopt;
+  return static_cast<Number>(*value);
+}
+
+// Decimal whole numbers between separators: "3,-4,5", "640x480", "2/7".
+template <std::integral Number, std::size_t count>
+[[nodiscard]] std::optional<std::array<Number, count>> whole_numbers(
+    std::string_view text, char separator, Number least = std::numeric_limits<Number>::min(),
+    Number most = std::numeric_limits<Number>::max()) {
+  std::array<Number, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    const std::size_t length = last ? text.size() : text.find(separator);
+    if (length == std::string_view::npos) return std::nullopt;
+    const auto number = whole_number<Number>(text.substr(0, length), 10, least, most);
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+    if (!last) text.remove_prefix(length + 1);
+  }
+  return numbers;
+}
+
+// A finite decimal number as people and programs write it: 1, -2.5, +1e-3. Numbers too near 0 for a double
+// are 0. Infinity and NaN are no numbers.
+[[nodiscard]] std::optional<double> decimal_number(std::string_view text);
+
+// The same without a leading '+' and without an exponent, from `least` to `most`.
+[[nodiscard]] std::optional<double> fixed_number(std::string_view text, double least, double most);
+
+// Digits in octal with leading zeros.
+[[nodiscard]] std::string octal(std::uint32_t value, unsigned digits);
+
+}  // namespace sightline::base

@@ -1,0 +1,84 @@
+// Files that are written completely or not at all, and what the errors of reading and writing say.
+#include "host/base/file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "tests/support/approve.hpp"
+
+namespace sightline::base {
+namespace {
+
+// A directory of its own for each test in the build tree, removed afterwards.
+class FileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = std::filesystem::current_path() /
+                 (std::string("sightline-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(directory_);
+    std::filesystem::create_directories(directory_);
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+  [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  [[nodiscard]] long files() const {
+    return std::distance(std::filesystem::directory_iterator(directory_),
+                         std::filesystem::directory_iterator());
+  }
+
+  std::filesystem::path directory_;
+};
+
+TEST_F(FileTest, AppearsOnlyWhenComplete) {
+  {
+    auto file = AtomicFile::create(path("log"));
+    ASSERT_TRUE(file) << file.error().message();
+    file->write(std::string_view("half"));
+    EXPECT_FALSE(std::filesystem::exists(path("log")));
+  }
+  EXPECT_EQ(files(), 0);
+  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("first")));
+  {
+    auto file = AtomicFile::create(path("log"));
+    ASSERT_TRUE(file) << file.error().message();
+    file->write(std::string_view("second, given up"));
+  }
+  EXPECT_EQ(tests::read_whole(path("log")), "first");
+  ASSERT_TRUE(write_file_atomically(path("log"), std::string_view("third")));
+  EXPECT_EQ(tests::read_whole(path("log")), "third");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(FileTest, KeepsLinksAndLeftOvers) {
+  ASSERT_TRUE(write_file_atomically(path("target"), std::string_view("old")));
+  ASSERT_TRUE(write_file_atomically(path("link.partial"), std::string_view("somebody else's")));
+  ASSERT_TRUE(write_file_atomically(path("target.partial"), std::string_view("somebody else's")));
+  std::filesystem::create_symlink(path("target"), path("link"));
+  ASSERT_TRUE(write_file_atomically(path("link"), std::string_view("new")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(tests::read_whole(path("target")), "new");
+  EXPECT_EQ(tests::read_whole(path("target.partial")), "somebody else's");
+}
+
+TEST_F(FileTest, ErrorsNameFileAndCause) {
+  const auto nowhere = write_file_atomically(path("no/such/file"), std::string_view("x"));
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().message(), path("no/such/file") + ": cannot write: No such file or directory");
+  const auto directory = write_file_atomically(directory_.string(), std::string_view("x"));
+  ASSERT_FALSE(directory);
+  EXPECT_NE(directory.error().message().find("Is a directory"), std::string::npos);
+  const auto full = write_file_atomically("/dev/full", std::string_view("x"));
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().message(), "/dev/full: cannot write: No space left on device");
+  EXPECT_TRUE(write_file_atomically("/dev/null", std::string_view("x")));
+  EXPECT_FALSE(read_file(directory_.string()));
+  ASSERT_TRUE(write_file_atomically(path("big"), std::string_view("12345")));
+  EXPECT_FALSE(read_file(path("big"), 4));
+  EXPECT_TRUE(read_file(path("big"), 5));
+}
+
+}  // namespace
+}  // namespace sightline::base

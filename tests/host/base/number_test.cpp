@@ -1,0 +1,78 @@
+#include "host/base/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace sightline::base {
+namespace {
+
+TEST(WholeNumber, IsTheWholeText) {
+  EXPECT_EQ(whole_number<int>("0"), 0);
+  EXPECT_EQ(whole_number<int>("-17"), -17);
+  EXPECT_EQ(whole_number<int>("007"), 7);
+  for (const char* const wrong : {"", " 1", "1 ", "+1", "1x", "0x10", "1.0", "--1", "-", "1e3"})
+    EXPECT_FALSE(whole_number<int>(wrong)) << wrong;
+}
+
+TEST(WholeNumber, IsOfTheRadix) {
+  EXPECT_EQ(whole_number<std::uint32_t>("777777", 8), 0777777U);
+  EXPECT_EQ(whole_number<std::uint32_t>("fF", 16), 0xFFU);
+  EXPECT_FALSE(whole_number<std::uint32_t>("8", 8));
+  EXPECT_FALSE(whole_number<std::uint32_t>("G", 16));
+}
+
+TEST(WholeNumber, IsInTheRange) {
+  EXPECT_EQ(whole_number<int>("1", 10, 1, 9), 1);
+  EXPECT_EQ(whole_number<int>("9", 10, 1, 9), 9);
+  EXPECT_FALSE(whole_number<int>("0", 10, 1, 9));
+  EXPECT_FALSE(whole_number<int>("10", 10, 1, 9));
+}
+
+TEST(WholeNumber, FitsItsType) {
+  EXPECT_EQ(whole_number<std::uint8_t>("255"), 255);
+  EXPECT_FALSE(whole_number<std::uint8_t>("256"));
+  EXPECT_FALSE(whole_number<std::uint8_t>("-1"));
+  EXPECT_EQ(whole_number<std::uint64_t>("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_FALSE(whole_number<std::uint64_t>("18446744073709551616"));
+  EXPECT_EQ(whole_number<std::int64_t>("-9223372036854775808"), std::numeric_limits<std::int64_t>::min());
+  EXPECT_FALSE(whole_number<std::int64_t>("9223372036854775808"));
+}
+
+TEST(WholeNumbers, AreAllThereBetweenSeparators) {
+  using Three = std::array<int, 3>;
+  EXPECT_EQ((whole_numbers<int, 3>("3,-4,5", ',')), (Three{3, -4, 5}));
+  for (const char* const wrong : {"", "3,-4", "3,-4,", "3,-4,5,6", ",4,5", "3, 4,5", "3x4x5"})
+    EXPECT_FALSE((whole_numbers<int, 3>(wrong, ','))) << wrong;
+  EXPECT_EQ((whole_numbers<int, 2>("640x480", 'x', 1, 1024)), (std::array{640, 480}));
+  EXPECT_FALSE((whole_numbers<int, 2>("640x0", 'x', 1, 1024)));
+  EXPECT_FALSE((whole_numbers<int, 2>("2048x480", 'x', 1, 1024)));
+}
+
+TEST(DecimalNumber, IsFinite) {
+  EXPECT_EQ(decimal_number("1"), 1.0);
+  EXPECT_EQ(decimal_number("-2.5"), -2.5);
+  EXPECT_EQ(decimal_number("+1e-3"), 1e-3);
+  EXPECT_EQ(decimal_number("1e-400"), 0.0);
+  for (const char* const wrong : {"", "+", "+-1", "1e400", "inf", "nan", "0x1p3", "1,5", " 1", "1 "})
+    EXPECT_FALSE(decimal_number(wrong)) << wrong;
+}
+
+TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
+  EXPECT_EQ(fixed_number("0.25", 0, 1), 0.25);
+  EXPECT_EQ(fixed_number("1", 0, 1), 1.0);
+  for (const char* const wrong : {"", "1.5", "-0.5", "1e-3", "+1", "nan", "inf"})
+    EXPECT_FALSE(fixed_number(wrong, 0, 1)) << wrong;
+}
+
+TEST(Octal, HasLeadingZeros) {
+  EXPECT_EQ(octal(0, 5), "00000");
+  EXPECT_EQ(octal(0777776, 6), "777776");
+  EXPECT_EQ(octal(7, 2), "07");
+}
+
+}  // namespace
+}  // namespace sightline::base
