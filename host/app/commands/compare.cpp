@@ -191,7 +191,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   }();
   if (!compared) {
     base::Error named = compared.error();
-    named.source = name;
+    named.file = name;
     throw Failure(ExitCode::bad_input, named.message());
   }
   auto comparison = *compared;

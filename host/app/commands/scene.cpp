@@ -46,7 +46,7 @@ void tape(const SceneArguments& arguments) {
   guests::jones::TapeOptions options;
   if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_scene(arguments.scene);
-  auto text = scene::write_tape(scene, options);
+  auto text = guests::jones::write_tape(scene, options);
   if (!text) {
     text.error().file = arguments.scene;
     throw Failure(ExitCode::bad_input, text.error().message());

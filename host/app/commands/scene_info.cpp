@@ -36,8 +36,8 @@ Json box_json(const geometry::Box& box) {
 
 // --- cells of Jones's program
 
-scene::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
-  auto result = scene::encode(scene);
+guests::jones::EncodedScene encoded(const scene::CellScene& scene, const std::string& source) {
+  auto result = guests::jones::encode(scene);
   if (!result) {
     result.error().file = source;
     throw Failure(ExitCode::bad_input, result.error().message());
