@@ -31,8 +31,9 @@ struct ByteImageArgument {
 
 // Without a format the ending decides, and for another ending the content: a text that begins as a record of
 // Intel HEX does, `:` and the ten digits of the shortest one, is HEX, all else raw. `raw` says what raw bytes
-// are then taken for: .com instead of .bin. The file is read once, so it may be a pipe. Raw bytes go to the address, 0 if none was given; a .com file to 0100 and a
-// HEX file where it says: these two refuse an address. Failure io or bad_input.
+// are then taken for: .com instead of .bin. The file is read once, so it may be a pipe. Raw bytes go to the
+// address, 0 if none was given; a .com file to 0100 and a HEX file where it says: these two refuse an
+// address. Failure io or bad_input.
 [[nodiscard]] image::ByteImage load_byte_image(const ByteImageArgument& argument,
                                                std::optional<ByteFormat> format = std::nullopt,
                                                ByteFormat raw = ByteFormat::bin);

@@ -5,7 +5,9 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/app/help_formatter.hpp"
@@ -86,8 +88,134 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
 
 }  // namespace
 
+Option Option::required() const {
+  option_->required();
+  return *this;
+}
+
+Option Option::default_value() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Option::default_value(const std::string& text) const {
+  option_->default_str(text);
+  return *this;
+}
+
+Option Option::value(const std::string& name) const {
+  option_->type_name(name);
+  return *this;
+}
+
+Option Option::group(const std::string& heading) const {
+  option_->group(heading);
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& values) const {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+
+Option Option::one_of_numbers(const std::vector<double>& values) const {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+
+Option Option::one_of_any_case(const std::vector<std::string>& values) const {
+  option_->check(CLI::IsMember(values, CLI::ignore_case));
+  return *this;
+}
+
+template <class Number>
+Option Option::range(Number low, Number high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+template Option Option::range(int, int) const;
+template Option Option::range(unsigned, unsigned) const;
+template Option Option::range(std::int64_t, std::int64_t) const;
+template Option Option::range(std::uint64_t, std::uint64_t) const;
+template Option Option::range(double, double) const;
+
+Option Option::check(const std::function<std::string(const std::string&)>& why_not) const {
+  option_->check(why_not);
+  return *this;
+}
+
+Option Option::separated_by(char separator) const {
+  option_->delimiter(separator);
+  return *this;
+}
+
+Option Option::one_at_a_time() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option Option::needs(const Option& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Option Option::excludes(const Option& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option Option::hidden() const {
+  option_->description("");
+  return *this;
+}
+
+Command Command::add_command(const std::string& name, const std::string& summary) const {
+  app_->require_subcommand(1);
+  return {*app_->add_subcommand(name, summary), *exit_code_};
+}
+
+template <class Value>
+Option Command::option(const std::string& names, Value& variable, std::string_view help) const {
+  return Option(app_->add_option(names, variable, std::string(help)));
+}
+template Option Command::option(const std::string&, std::string&, std::string_view) const;
+template Option Command::option(const std::string&, int&, std::string_view) const;
+template Option Command::option(const std::string&, unsigned&, std::string_view) const;
+template Option Command::option(const std::string&, std::int64_t&, std::string_view) const;
+template Option Command::option(const std::string&, std::uint64_t&, std::string_view) const;
+template Option Command::option(const std::string&, double&, std::string_view) const;
+template Option Command::option(const std::string&, std::optional<int>&, std::string_view) const;
+template Option Command::option(const std::string&, std::optional<double>&, std::string_view) const;
+template Option Command::option(const std::string&, std::optional<std::size_t>&, std::string_view) const;
+template Option Command::option(const std::string&, std::vector<std::string>&, std::string_view) const;
+template Option Command::option(const std::string&, std::vector<int>&, std::string_view) const;
+
+Option Command::flag(const std::string& names, bool& variable, std::string_view help) const {
+  return Option(app_->add_flag(names, variable, std::string(help)));
+}
+
+Option Command::flag(const std::string& names, std::string_view help) const {
+  return Option(app_->add_flag(names)->description(std::string(help)));
+}
+
+Option Command::added(const std::string& name) const {
+  return Option(app_->get_option(name));
+}
+
+void Command::footer(const std::string& text) const {
+  app_->footer(text);
+}
+
+void Command::run(std::function<ExitCode()> work) const {
+  app_->callback([work = std::move(work), exit_code = exit_code_] { *exit_code = work(); });
+}
+
+bool Command::is_given(const std::string& option) const {
+  return app_->count(option) > 0;
+}
+
 int run_command_line(int argc, char** argv, const std::string& footer,
-                     const std::function<void(CLI::App&, ExitCode&)>& add_commands) {
+                     const std::function<void(const Command&)>& add_commands) {
   // A file that grows beyond what the shell allows is an error of writing like others, not the end.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
@@ -95,9 +223,8 @@ int run_command_line(int argc, char** argv, const std::string& footer,
     CLI::App app("Sightline: hidden-line programs of 1971-1990 on the machines they were written for",
                  "sightline");
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
-    app.require_subcommand(1);
     app.formatter(help_formatter());
-    add_commands(app, exit_code);
+    add_commands(Command(app, exit_code));
     app.footer(footer);
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);

@@ -3,21 +3,12 @@
 
 #include "host/app/command_line.hpp"
 #include "host/app/commands/asm.hpp"
-#include "host/app/commands/compare.hpp"
-#include "host/app/commands/demo.hpp"
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/disasm.hpp"
-#include "host/app/commands/draw.hpp"
-#include "host/app/commands/jones.hpp"
-#include "host/app/commands/report.hpp"
 #include "host/app/commands/run.hpp"
-#include "host/app/commands/scene.hpp"
-#include "host/app/commands/skala.hpp"
-#include "host/app/commands/spin.hpp"
-#include "host/app/commands/sweep.hpp"
 
+namespace sightline::app {
 namespace {
-
-using sightline::app::ExitCode;
 
 constexpr const char* sightline_examples =
     "Examples:\n"
@@ -44,25 +35,27 @@ constexpr const char* sightline_examples =
     "`sightline COMMAND --help` explains a command and its options. Numbers of the PDP-7 are octal.\n"
     "Data goes to standard output, messages to standard error.\n";
 
-void add_commands(CLI::App& app, ExitCode& exit_code) {
-  sightline::app::add_demo_command(app, exit_code);
-  sightline::app::add_report_command(app);
-  sightline::app::add_jones_command(app, exit_code);
-  sightline::app::add_skala_command(app, exit_code);
-  sightline::app::add_draw_command(app, exit_code);
-  sightline::app::add_compare_command(app, exit_code);
-  sightline::app::add_spin_command(app, exit_code);
-  sightline::app::add_sweep_command(app, exit_code);
-  sightline::app::add_asm_command(app, exit_code);
-  sightline::app::add_disasm_command(app, exit_code);
-  sightline::app::add_run_command(app, exit_code);
-  sightline::app::add_scene_command(app, exit_code);
+void add_commands(const Command& program) {
+  add_demo_command(program);
+  add_report_command(program);
+  add_jones_command(program);
+  add_skala_command(program);
+  add_draw_command(program);
+  add_compare_command(program);
+  add_spin_command(program);
+  add_sweep_command(program);
+  add_asm_command(program.library(), program.exit_code());
+  add_disasm_command(program.library(), program.exit_code());
+  add_run_command(program.library(), program.exit_code());
+  add_scene_command(program);
 }
 
 }  // namespace
+}  // namespace sightline::app
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "report")
     return static_cast<int>(sightline::app::run_report_program(argv));
-  return sightline::app::run_command_line(argc, argv, sightline_examples, add_commands);
+  return sightline::app::run_command_line(argc, argv, sightline::app::sightline_examples,
+                                          sightline::app::add_commands);
 }

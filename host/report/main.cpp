@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
-#include "host/app/command.hpp"
 #include "host/app/command_line.hpp"
 #include "host/report/plot.hpp"
 #include "host/report/write_report.hpp"
@@ -16,6 +14,7 @@
 namespace {
 
 namespace report = sightline::harness::report;
+using sightline::app::Command;
 using sightline::app::ExitCode;
 using sightline::app::Failure;
 
@@ -123,32 +122,27 @@ ExitCode run_report(const ReportArguments& arguments) {
   return ExitCode::ok;
 }
 
-void add_report_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand(
+void add_report_command(const Command& app) {
+  const Command command = app.add_command(
       "report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
   const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("-o,--output", arguments->directory, "Folder for the report")
-      ->capture_default_str()
-      ->type_name("DIR");
+  command.option("-o,--output", arguments->directory, "Folder for the report").default_value().value("DIR");
   std::string parts;
   for (const report::Part& part : report::all_parts())
     parts += fmt::format("{}{} {}", parts.empty() ? "" : "; ", part.number, part.title);
-  command->add_option("--part", arguments->parts, "Only this part: " + parts)
-      ->type_name("N")
-      ->allow_extra_args(false);
+  command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command
-      ->add_option(
-          "--cache", arguments->cache,
-          "Folder where events of turning scenes are kept for the next report; what is there and is of "
-          "no use is made anew")
-      ->default_str("cache in the report's folder")
-      ->type_name("DIR");
-  command->add_flag("--full", arguments->full, "Measure longer, where that makes figures better");
-  command->add_flag("--no-host-times", arguments->no_host_times,
-                    "Leave out times of this computer: the same bytes in every run");
-  command->add_flag("-q,--quiet", arguments->quiet, "No progress, no talk");
-  command->footer(report_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_report(*arguments); });
+      .option("--cache", arguments->cache,
+              "Folder where events of turning scenes are kept for the next report; what is there and is of "
+              "no use is made anew")
+      .default_value("cache in the report's folder")
+      .value("DIR");
+  command.flag("--full", arguments->full, "Measure longer, where that makes figures better");
+  command.flag("--no-host-times", arguments->no_host_times,
+               "Leave out times of this computer: the same bytes in every run");
+  command.flag("-q,--quiet", arguments->quiet, "No progress, no talk");
+  command.footer(report_examples);
+  command.run([arguments] { return run_report(*arguments); });
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
-#include "host/app/commands/compare.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/commands/draw_camera.hpp"
 #include "host/app/commands/skala_options.hpp"
@@ -245,18 +243,18 @@ ExitCode run_compare(CompareArguments arguments) {
   return ExitCode::differs;
 }
 
-void add_compare_options(CLI::App& command, CompareArguments& arguments) {
-  command.add_option("SCENE", arguments.scenes, "Scenes and functions")->default_str("all built-in ones");
-  command.add_option("--view,--eye", arguments.view, "The eye in a scene")
-      ->default_str("the scene's own view")
-      ->type_name("X,Y,Z");
+void add_compare_options(const Command& command, CompareArguments& arguments) {
+  command.option("SCENE", arguments.scenes, "Scenes and functions").default_value("all built-in ones");
+  command.option("--view,--eye", arguments.view, "The eye in a scene")
+      .default_value("the scene's own view")
+      .value("X,Y,Z");
   command
-      .add_option("--orthographic", arguments.orthographic,
-                  "Polyhedra in parallel projection along this direction, as turns want it")
-      ->type_name("X,Y,Z");
-  command.add_option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
-      ->default_str("512")
-      ->check(CLI::Range(64, 4096));
+      .option("--orthographic", arguments.orthographic,
+              "Polyhedra in parallel projection along this direction, as turns want it")
+      .value("X,Y,Z");
+  command.option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
+      .default_value("512")
+      .range(64, 4096);
   add_eae_options(command, arguments.no_eae);
   guests::skala::View& view = arguments.function_view;
   constexpr scene::GridSize usual = usual_grid_size(guests::skala::PictureKind::lines);
@@ -268,23 +266,21 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   add_picture_option(command, arguments.picture, "What is drawn of a function");
   add_slices_options(command, arguments.slices);
   add_levels_option(command, arguments.levels);
-  command.add_option("-o,--output", arguments.directory, "Folder for the overlays")
-      ->capture_default_str()
-      ->type_name("DIR");
-  command.add_flag("--json", arguments.json, "One JSON document instead of the tables");
+  command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");
+  command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand(
+void add_compare_command(const Command& program) {
+  const Command command = program.add_command(
       "compare",
       "Hold the old programs (guest and twin) and the native methods against the oracle, on one view");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->function_view.rotation = 30;
-  add_compare_options(*command, *arguments);
-  command->footer(compare_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_compare(*arguments); });
+  add_compare_options(command, *arguments);
+  command.footer(compare_examples);
+  command.run([arguments] { return run_compare(*arguments); });
 }
 
 }  // namespace sightline::app

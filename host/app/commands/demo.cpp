@@ -1,10 +1,8 @@
-#include "host/app/commands/demo.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/demo_comparison.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/skala_demo.hpp"
@@ -135,16 +133,14 @@ ExitCode run_demo(const DemoArguments& arguments) {
 
 }  // namespace
 
-void add_demo_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("demo", "Run both machines on all their scenes and functions, and compare");
+void add_demo_command(const Command& program) {
+  const Command command =
+      program.add_command("demo", "Run both machines on all their scenes and functions, and compare");
   const auto arguments = std::make_shared<DemoArguments>();
-  command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
-      ->capture_default_str()
-      ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "One JSON document instead of the table");
-  command->footer(demo_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_demo(*arguments); });
+  command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--json", arguments->json, "One JSON document instead of the table");
+  command.footer(demo_examples);
+  command.run([arguments] { return run_demo(*arguments); });
 }
 
 }  // namespace sightline::app

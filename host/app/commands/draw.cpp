@@ -1,13 +1,11 @@
-#include "host/app/commands/draw.hpp"
-
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "host/algorithms/registry/faces.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/draw_faces.hpp"
 #include "host/app/commands/draw_lines.hpp"
 #include "host/app/commands/draw_skala.hpp"
-#include "host/algorithms/registry/lines.hpp"
-#include "host/algorithms/registry/faces.hpp"
 
 namespace sightline::app {
 
@@ -26,29 +24,27 @@ constexpr const char* draw_examples =
 
 }  // namespace
 
-void add_draw_command(CLI::App& app, ExitCode& exit_code) {
+void add_draw_command(const Command& program) {
   std::string names;
   for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
     names += std::string(algorithm.name) + ", ";
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
     if (harness::find_line_algorithm(algorithm.name) == nullptr) names += std::string(algorithm.name) + ", ";
-  CLI::App* const command = app.add_subcommand(
+  const Command command = program.add_command(
       "draw", "Draw without what is hidden, as SVG, PNG or HP-GL, by a native method: " + names + "skala");
-  command->require_subcommand(1);
   // One more line algorithm is a line in the table, none here.
   for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
-    add_draw_lines(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
-                   algorithm, exit_code);
+    add_draw_lines(command.add_command(std::string(algorithm.name), std::string(algorithm.description)),
+                   algorithm);
   }
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
     if (harness::find_line_algorithm(algorithm.name) != nullptr) continue;
-    add_draw_faces(*command->add_subcommand(std::string(algorithm.name), std::string(algorithm.description)),
-                   algorithm, exit_code);
+    add_draw_faces(command.add_command(std::string(algorithm.name), std::string(algorithm.description)),
+                   algorithm);
   }
-  add_draw_skala(*command->add_subcommand(
-                     "skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)"),
-                 exit_code);
-  command->footer(draw_examples);
+  add_draw_skala(
+      command.add_command("skala", "A surface over a grid: lines, shaded or contours, after Skala (1985)"));
+  command.footer(draw_examples);
 }
 
 }  // namespace sightline::app

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <string_view>
 
@@ -91,9 +90,9 @@ scene::PolyCamera aimed(const CameraArguments& arguments, const scene::PolyScene
 
 }  // namespace
 
-void add_camera_options(CLI::App& command, CameraArguments& arguments) {
+void add_camera_options(const Command& command, CameraArguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    command.add_option(name, value, help)->type_name("X,Y,Z")->group("View");
+    command.option(name, value, help).value("X,Y,Z").group("View");
   };
   add("--eye", arguments.eye, "Look from this point");
   add("--look-at", arguments.look_at, "Look at this point");
@@ -102,10 +101,10 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       "With --right and --up: the camera's vectors themselves, at right angles");
   add("--right", arguments.right, "See --forward");
   add("--up", arguments.up, "See --forward");
-  command.add_option("--vertical", arguments.vertical, "Which axis points up, such as z or -y")
-      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}))
-      ->type_name("AXIS")
-      ->group("View");
+  command.option("--vertical", arguments.vertical, "Which axis points up, such as z or -y")
+      .one_of({"x", "y", "z", "-x", "-y", "-z"})
+      .value("AXIS")
+      .group("View");
 }
 
 scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene) {

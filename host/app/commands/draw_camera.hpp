@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/app/command.hpp"
+#include "host/app/command_line.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -20,7 +20,7 @@ struct CameraArguments {
   std::string vertical;
 };
 
-void add_camera_options(CLI::App& command, CameraArguments& arguments);
+void add_camera_options(const Command& command, CameraArguments& arguments);
 
 inline constexpr const char* camera_help =
     "Points and directions are whole numbers in the scene's own units (`sightline scene info` says its "

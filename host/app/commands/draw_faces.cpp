@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -188,46 +187,42 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
 
 }  // namespace
 
-void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, ExitCode& exit_code) {
+void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawFacesArguments>();
-  command.add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
+  command.option("SCENE", arguments->scene, scene_source_help).required();
   command
-      .add_option("-o,--output", arguments->output,
-                  "The picture, .png, or a flight once around the scene, .apng")
-      ->required()
-      ->type_name("FILE");
+      .option("-o,--output", arguments->output, "The picture, .png, or a flight once around the scene, .apng")
+      .required()
+      .value("FILE");
   add_camera_options(command, arguments->camera);
   command
-      .add_option("--field", arguments->field,
-                  "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-                  "--orthographic")
-      ->default_str("everything, or 60 degrees of a flight")
-      ->type_name("ANGLE")
-      ->group("View");
+      .option("--field", arguments->field,
+              "Show this much across the shorter side, straight ahead: degrees, or scene units with "
+              "--orthographic")
+      .default_value("everything, or 60 degrees of a flight")
+      .value("ANGLE")
+      .group("View");
   command
-      .add_option("--pixels", arguments->pixels,
-                  "Size of the image; 512x512 is made by the priority display itself")
-      ->capture_default_str()
-      ->type_name("WxH");
-  command.add_option("--picture", arguments->picture, "Faces filled, or lines between them")
-      ->check(CLI::IsMember({"faces", "lines"}))
-      ->capture_default_str();
-  command.add_option("--frames", arguments->frames, "Of a flight, 25 a second")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str();
-  command.add_option("--depth", arguments->options.depth, "Cut no surface more often than this")
-      ->check(CLI::Range(0, 1000))
-      ->default_str("30");
-  command.add_flag(
+      .option("--pixels", arguments->pixels,
+              "Size of the image; 512x512 is made by the priority display itself")
+      .default_value()
+      .value("WxH");
+  command.option("--picture", arguments->picture, "Faces filled, or lines between them")
+      .one_of({"faces", "lines"})
+      .default_value();
+  command.option("--frames", arguments->frames, "Of a flight, 25 a second").range(1, 10'000).default_value();
+  command.option("--depth", arguments->options.depth, "Cut no surface more often than this")
+      .range(0, 1000)
+      .default_value("30");
+  command.flag(
       "--plan", arguments->options.plan,
       "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between "
       "their feet and tops");
-  command.add_flag("--rule90", arguments->options.rule90,
-                   "The paper's rule that normals be within 90 degrees, which is wrong");
-  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--rule90", arguments->options.rule90,
+               "The paper's rule that normals be within 90 degrees, which is wrong");
+  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(draw_faces_footer(algorithm.name));
-  command.callback(
-      [arguments, &algorithm, &exit_code] { exit_code = run_draw_faces(algorithm, *arguments); });
+  command.run([arguments, &algorithm] { return run_draw_faces(algorithm, *arguments); });
 }
 
 }  // namespace sightline::app

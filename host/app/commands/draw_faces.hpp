@@ -2,12 +2,12 @@
 // filled faces, of their outlines, or a flight as animated PNG.
 #pragma once
 
-#include "host/app/command.hpp"
 #include "host/algorithms/registry/faces.hpp"
+#include "host/app/command_line.hpp"
 
 namespace sightline::app {
 
 // The algorithm is one of the table's, which does not end.
-void add_draw_faces(CLI::App& command, const harness::FaceAlgorithm& algorithm, ExitCode& exit_code);
+void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm);
 
 }  // namespace sightline::app

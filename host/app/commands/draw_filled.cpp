@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -76,16 +75,16 @@ void print_filled_summary(const harness::FaceAlgorithm& algorithm, const FilledP
 
 }  // namespace
 
-void add_fill_options(CLI::App& command, FillArguments& arguments) {
-  CLI::Option* const fill = command.add_flag(
-      "--fill", arguments.fill,
-      "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
-  std::vector<double> thicknesses(harness::stripe_thicknesses.begin(), harness::stripe_thicknesses.end());
-  command.add_option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
-      ->check(CLI::IsMember(std::move(thicknesses)))
-      ->capture_default_str()
-      ->type_name("")
-      ->needs(fill);
+void add_fill_options(const Command& command, FillArguments& arguments) {
+  const Option fill =
+      command.flag("--fill", arguments.fill,
+                   "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
+  const std::vector<double> thicknesses(harness::stripe_thicknesses.begin(), harness::stripe_thicknesses.end());
+  command.option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
+      .one_of_numbers(thicknesses)
+      .default_value()
+      .value("")
+      .needs(fill);
 }
 
 ExitCode draw_filled(const harness::FaceAlgorithm& algorithm, const FillArguments& arguments,

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "host/app/command.hpp"
+#include "host/algorithms/registry/faces.hpp"
+#include "host/app/command_line.hpp"
 #include "host/app/commands/draw_output.hpp"
 #include "host/app/scene_source.hpp"
-#include "host/algorithms/registry/faces.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
@@ -18,7 +18,7 @@ struct FillArguments {
 };
 
 // --fill and --stripe.
-void add_fill_options(CLI::App& command, FillArguments& arguments);
+void add_fill_options(const Command& command, FillArguments& arguments);
 
 struct FilledPicture {
   const SceneSource& source;

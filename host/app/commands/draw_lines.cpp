@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -165,31 +164,30 @@ ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArgume
 
 }  // namespace
 
-void add_draw_lines(CLI::App& command, const harness::LineAlgorithm& algorithm, ExitCode& exit_code) {
+void add_draw_lines(const Command& command, const harness::LineAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawLinesArguments>();
-  command.add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
+  command.option("SCENE", arguments->scene, scene_source_help).required();
   add_camera_options(command, arguments->camera);
   command
-      .add_option("--field", arguments->field,
-                  "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-                  "--orthographic")
-      ->default_str("everything")
-      ->type_name("ANGLE")
-      ->group("View");
-  CLI::Option* const all_edges =
-      command.add_flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
-  CLI::Option* const hidden =
-      command.add_flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
+      .option("--field", arguments->field,
+              "Show this much across the shorter side, straight ahead: degrees, or scene units with "
+              "--orthographic")
+      .default_value("everything")
+      .value("ANGLE")
+      .group("View");
+  const Option all_edges =
+      command.flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
+  const Option hidden =
+      command.flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
   if (harness::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
-    command.get_option("--fill")->excludes(all_edges)->excludes(hidden);
+    command.added("--fill").excludes(all_edges).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
-  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(algorithm.why_not_view == nullptr ? draw_lines_footer(algorithm.name)
                                                    : draw_parallel_footer(algorithm.name));
-  command.callback(
-      [arguments, &algorithm, &exit_code] { exit_code = run_draw_lines(algorithm, *arguments); });
+  command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }
 
 }  // namespace sightline::app

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -46,31 +45,29 @@ void refuse_sizes_of_others(const DrawOutput& output, DrawingFormat format) {
 
 }  // namespace
 
-void add_draw_output_options(CLI::App& command, DrawOutput& output) {
-  output.command = &command;
+void add_draw_output_options(const Command& command, DrawOutput& output) {
+  output.command = command;
   command
-      .add_option("-o,--output", output.file,
-                  "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")
-      ->capture_default_str()
-      ->type_name("WxH");
-  command.add_option("--margin", output.paper.margin, "Around the drawing in mm, for .svg, .plt and .hpgl")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1000.0))
-      ->type_name("MM");
-  command.add_option("--pen", output.paper.pen, "Width of a line in mm, for .svg")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 10.0))
-      ->type_name("MM");
-  command.add_option("--pixels", output.pixels, "Size of the image, for .png")
-      ->capture_default_str()
-      ->type_name("WxH");
+      .option("-o,--output", output.file,
+              "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
+      .required()
+      .value("FILE");
+  command.option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")
+      .default_value()
+      .value("WxH");
+  command.option("--margin", output.paper.margin, "Around the drawing in mm, for .svg, .plt and .hpgl")
+      .default_value()
+      .range(0.0, 1000.0)
+      .value("MM");
+  command.option("--pen", output.paper.pen, "Width of a line in mm, for .svg")
+      .default_value()
+      .range(0.01, 10.0)
+      .value("MM");
+  command.option("--pixels", output.pixels, "Size of the image, for .png").default_value().value("WxH");
 }
 
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
-  if (output.command->count(option) > 0)
+  if (output.command->is_given(option))
     throw Failure(ExitCode::usage, fmt::format("{}: found without {}", option, needed));
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/app/command.hpp"
+#include "host/app/command_line.hpp"
 #include "host/picture/vector_drawing.hpp"
 
 namespace sightline::app {
@@ -13,7 +13,7 @@ namespace sightline::app {
 enum class DrawingFormat { svg, png, hpgl };
 
 struct DrawOutput {
-  const CLI::App* command = nullptr;  // whose options these are
+  std::optional<Command> command;  // whose options these are
   std::string file;
   picture::Paper paper;          // SVG and HP-GL
   std::string size = "200x200";  // of the paper, millimetres
@@ -22,7 +22,7 @@ struct DrawOutput {
 };
 
 // --output, --size, --margin, --pen, --pixels.
-void add_draw_output_options(CLI::App& command, DrawOutput& output);
+void add_draw_output_options(const Command& command, DrawOutput& output);
 
 // Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, in small or capital letters. Failure
 // usage, also of a size that the format does not have.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
@@ -100,35 +99,35 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   return ExitCode::ok;
 }
 
-void add_view_options(CLI::App& command, DrawSkalaArguments& arguments) {
+void add_view_options(const Command& command, DrawSkalaArguments& arguments) {
   algorithms::skala::View& view = arguments.view;
   add_picture_option(command, arguments.picture, "What is drawn");
-  command.add_option("--along", arguments.along, "Slices along x, along z or both")
-      ->check(CLI::IsMember({"x", "z", "both"}))
-      ->default_str("the less end-on");
+  command.option("--along", arguments.along, "Slices along x, along z or both")
+      .one_of({"x", "z", "both"})
+      .default_value("the less end-on");
   add_angle_options(command, view.rotation, view.elevation);
   add_levels_option(command, view.levels);
-  command.add_flag("--net", view.net, "Contours: draw the net of all cells, too");
-  command.add_flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
-  command.add_flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
-  command.add_flag("--no-visibility", arguments.no_visibility, "Draw what is hidden, too");
-  command.add_option("--columns", view.columns, "Of the masks: how finely hidden parts are found")
-      ->capture_default_str()
-      ->check(CLI::Range(algorithms::skala::fewest_columns, algorithms::skala::most_columns));
+  command.flag("--net", view.net, "Contours: draw the net of all cells, too");
+  command.flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
+  command.flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
+  command.flag("--no-visibility", arguments.no_visibility, "Draw what is hidden, too");
+  command.option("--columns", view.columns, "Of the masks: how finely hidden parts are found")
+      .default_value()
+      .range(algorithms::skala::fewest_columns, algorithms::skala::most_columns);
 }
 
 }  // namespace
 
-void add_draw_skala(CLI::App& command, ExitCode& exit_code) {
+void add_draw_skala(const Command& command) {
   const auto arguments = std::make_shared<DrawSkalaArguments>();
   arguments->view.rotation = 30;
-  command.add_option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
+  command.option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
-  command.add_flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
   command.footer(draw_skala_examples);
-  command.callback([arguments, &exit_code] { exit_code = run_draw_skala(*arguments); });
+  command.run([arguments] { return run_draw_skala(*arguments); });
 }
 
 }  // namespace sightline::app

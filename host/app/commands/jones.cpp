@@ -1,11 +1,9 @@
-#include "host/app/commands/jones.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/run_scripts.hpp"
 #include "host/app/eae_option.hpp"
@@ -160,35 +158,33 @@ ExitCode run_jones(const JonesArguments& arguments) {
 
 }  // namespace
 
-void add_jones_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("jones", "Run Jones's hidden-line program (1971) on the emulated PDP-7");
+void add_jones_command(const Command& program) {
+  const Command command =
+      program.add_command("jones", "Run Jones's hidden-line program (1971) on the emulated PDP-7");
   const auto arguments = std::make_shared<JonesArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
-  add_eae_options(*command, arguments->no_eae);
-  command->add_option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 3));
-  command->add_flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
-  command->add_option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
-      ->default_str("the scene's own view")
-      ->type_name("X,Y,Z");
-  command->add_option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
-      ->default_str("512")
-      ->check(CLI::Range(64, 4096));
-  command->add_option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
-      ->type_name("SCRIPT");
-  command->add_flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
-  command->add_flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
-  command->add_option("--views", arguments->views, "How many views to compute; the last is shown")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->add_option("-o,--output", arguments->directory, "Folder for the pictures")
-      ->capture_default_str()
-      ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "One JSON document instead of the summary");
-  command->footer(jones_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_jones(*arguments); });
+  command.option("SCENE", arguments->scene, scene_argument_help).required();
+  add_eae_options(command, arguments->no_eae);
+  command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
+      .default_value()
+      .range(0, 3);
+  command.flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
+  command.option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
+      .default_value("the scene's own view")
+      .value("X,Y,Z");
+  command.option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
+      .default_value("512")
+      .range(64, 4096);
+  command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
+      .value("SCRIPT");
+  command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
+  command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
+  command.option("--views", arguments->views, "How many views to compute; the last is shown")
+      .default_value()
+      .range(1, 1000);
+  command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--json", arguments->json, "One JSON document instead of the summary");
+  command.footer(jones_examples);
+  command.run([arguments] { return run_jones(*arguments); });
 }
 
 }  // namespace sightline::app

@@ -1,16 +1,15 @@
-#include "host/app/commands/report.hpp"
-
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <system_error>
 
+#include "host/app/commands/commands.hpp"
+
 namespace sightline::app {
 
-void add_report_command(CLI::App& app) {
-  app.add_subcommand("report",
-                     "Measure the old programs and all algorithms beside the papers: one page, with tables");
+void add_report_command(const Command& program) {
+  program.add_command("report",
+                      "Measure the old programs and all algorithms beside the papers: one page, with tables");
 }
 
 ExitCode run_report_program(char** argv) {

@@ -1,11 +1,8 @@
-// See scene.hpp.
-#include "host/app/commands/scene.hpp"
-
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/scene_check.hpp"
 #include "host/app/commands/scene_compartment.hpp"
 #include "host/app/commands/scene_generate.hpp"
@@ -56,21 +53,18 @@ void tape(const SceneArguments& arguments) {
   output.commit();
 }
 
-void add_tape(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command =
-      parent.add_subcommand("tape", "Write a scene as a source tape of Jones's program");
+void add_tape(const Command& parent) {
+  const Command command = parent.add_command("tape", "Write a scene as a source tape of Jones's program");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_argument_help))->required();
-  command->add_option("--at,--eye", arguments->at, "The eye")
-      ->default_str("the scene's own view")
-      ->type_name("X,Y,Z");
-  command->add_option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(tape_examples);
-  command->callback([arguments, &exit_code] {
+  command.option("SCENE", arguments->scene, scene_argument_help).required();
+  command.option("--at,--eye", arguments->at, "The eye").default_value("the scene's own view").value("X,Y,Z");
+  command.option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
+      .default_value()
+      .value("FILE");
+  command.footer(tape_examples);
+  command.run([arguments] {
     tape(*arguments);
-    exit_code = ExitCode::ok;
+    return ExitCode::ok;
   });
 }
 
@@ -111,13 +105,13 @@ ExitCode check(const SceneArguments& arguments) {
   return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
 }
 
-void add_check(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("check", "Say everything that is wrong with a scene");
+void add_check(const Command& parent) {
+  const Command command = parent.add_command("check", "Say everything that is wrong with a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
-  command->footer(check_examples);
-  command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.flag("--json", arguments->json, "One JSON document instead of lines");
+  command.footer(check_examples);
+  command.run([arguments] { return check(*arguments); });
 }
 
 // --- info
@@ -131,15 +125,15 @@ constexpr const char* info_examples =
     "  sightline scene info part.cells.json\n"
     "      of cells cut by `sightline scene compartment`, and of the polyhedra they were made of\n";
 
-void add_info(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("info", "Describe a scene");
+void add_info(const Command& parent) {
+  const Command command = parent.add_command("info", "Describe a scene");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
-  command->footer(info_examples);
-  command->callback([arguments, &exit_code] {
+  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.flag("--json", arguments->json, "One JSON document instead of lines");
+  command.footer(info_examples);
+  command.run([arguments] {
     describe_scene_text(read_scene_text(arguments->scene), arguments->json);
-    exit_code = ExitCode::ok;
+    return ExitCode::ok;
   });
 }
 
@@ -150,12 +144,12 @@ constexpr const char* list_examples =
     "  sightline scene list\n"
     "  for s in $(sightline scene list); do sightline scene info $s; done\n";
 
-void add_list(CLI::App& parent, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand("list", "The names of the built-in scenes");
+void add_list(const Command& parent) {
+  const Command command = parent.add_command("list", "The names of the built-in scenes");
   const auto arguments = std::make_shared<SceneArguments>();
-  command->add_flag("--json", arguments->json, "One JSON document instead of lines");
-  command->footer(list_examples);
-  command->callback([arguments, &exit_code] {
+  command.flag("--json", arguments->json, "One JSON document instead of lines");
+  command.footer(list_examples);
+  command.run([arguments] {
     const auto names = scene::builtin_scene_names();
     if (arguments->json) {
       const Json document{{"schema", "sightline/scene-list/1"}, {"scenes", names}};
@@ -163,28 +157,27 @@ void add_list(CLI::App& parent, ExitCode& exit_code) {
     } else {
       for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
     }
-    exit_code = ExitCode::ok;
+    return ExitCode::ok;
   });
 }
 
 }  // namespace
 
-void add_scene_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand(
+void add_scene_command(const Command& program) {
+  const Command command = program.add_command(
       "scene", "Scenes: list, check, describe, convert, generate, cut into cells, write as a tape");
-  command->require_subcommand(1);
-  command->footer(
+  command.footer(
       "Examples:\n"
       "  sightline scene info house\n"
       "  sightline scene tape house -o house.s\n"
       "  sightline scene check part.off\n");
-  add_tape(*command, exit_code);
-  add_check(*command, exit_code);
-  add_info(*command, exit_code);
-  add_list(*command, exit_code);
-  add_scene_convert(*command, exit_code);
-  add_scene_generate(*command, exit_code);
-  add_scene_compartment_command(*command, exit_code);
+  add_tape(command);
+  add_check(command);
+  add_info(command);
+  add_list(command);
+  add_scene_convert(command);
+  add_scene_generate(command);
+  add_scene_compartment_command(command);
 }
 
 }  // namespace sightline::app

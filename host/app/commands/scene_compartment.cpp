@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -95,22 +94,22 @@ ExitCode run_compartment(const CompartmentArguments& arguments) {
 
 }  // namespace
 
-void add_scene_compartment_command(CLI::App& scene_command, ExitCode& exit_code) {
-  CLI::App* const command =
-      scene_command.add_subcommand("compartment", "Cut a scene's free space into cells and openings");
+void add_scene_compartment_command(const Command& scene_command) {
+  const Command command =
+      scene_command.add_command("compartment", "Cut a scene's free space into cells and openings");
   const auto arguments = std::make_shared<CompartmentArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_option("--method", arguments->method, "How space is cut")
-      ->check(CLI::IsMember({"auto", "grid", "bsp"}))
-      ->capture_default_str()
-      ->type_name("METHOD");
+  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.option("--method", arguments->method, "How space is cut")
+      .one_of({"auto", "grid", "bsp"})
+      .default_value()
+      .value("METHOD");
   command
-      ->add_option("-o,--output", arguments->output,
-                   "Where the cells go as JSON; - is standard output, without the counts")
-      ->type_name("FILE");
-  command->add_flag("--json", arguments->json, "The counts as one JSON document");
-  command->footer(compartment_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_compartment(*arguments); });
+      .option("-o,--output", arguments->output,
+              "Where the cells go as JSON; - is standard output, without the counts")
+      .value("FILE");
+  command.flag("--json", arguments->json, "The counts as one JSON document");
+  command.footer(compartment_examples);
+  command.run([arguments] { return run_compartment(*arguments); });
 }
 
 }  // namespace sightline::app

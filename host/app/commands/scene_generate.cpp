@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -71,26 +70,24 @@ void generate(const GenerateArguments& arguments) {
 
 }  // namespace
 
-void add_scene_generate(CLI::App& scene_command, ExitCode& exit_code) {
-  CLI::App* const command = scene_command.add_subcommand("generate", "Write a scene of a random family");
+void add_scene_generate(const Command& scene_command) {
+  const Command command = scene_command.add_command("generate", "Write a scene of a random family");
   const auto arguments = std::make_shared<GenerateArguments>();
-  command->add_option("FAMILY", arguments->family, "One of those below")->required();
-  command->add_option("SIZE", arguments->size, "How many of what: see below")
-      ->check(why_no_whole_number)
-      ->required();
-  command->add_option("--seed", arguments->seed, "Another seed, another scene")
-      ->check(why_no_whole_number)
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "A .json, .off or .obj file; - is JSON on standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(generate_examples + families_help());
-  command->callback([arguments, &exit_code] {
+  command.option("FAMILY", arguments->family, "One of those below").required();
+  command.option("SIZE", arguments->size, "How many of what: see below")
+      .check(why_no_whole_number)
+      .required();
+  command.option("--seed", arguments->seed, "Another seed, another scene")
+      .check(why_no_whole_number)
+      .default_value()
+      .value("N");
+  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+      .default_value()
+      .value("FILE");
+  command.footer(generate_examples + families_help());
+  command.run([arguments] {
     generate(*arguments);
-    exit_code = ExitCode::ok;
+    return ExitCode::ok;
   });
 }
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "host/app/commands/scene_poly.hpp"
-#include "host/scene/model/cell_complex.hpp"
 #include "host/scene/cells/decompose.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::app {
 

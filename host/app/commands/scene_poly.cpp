@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -138,21 +137,18 @@ SceneText read_scene_text(const std::string& name_or_file) {
   return file;
 }
 
-void add_scene_convert(CLI::App& scene_command, ExitCode& exit_code) {
-  CLI::App* const command = scene_command.add_subcommand("convert", "Read a scene and write it as polyhedra");
+void add_scene_convert(const Command& scene_command) {
+  const Command command = scene_command.add_command("convert", "Read a scene and write it as polyhedra");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_flag("--mend", arguments->mend,
-                    "Of OFF and OBJ: repair what can be repaired without guessing");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "A .json, .off or .obj file; - is JSON on standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(convert_examples);
-  command->callback([arguments, &exit_code] {
+  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
+  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+      .default_value()
+      .value("FILE");
+  command.footer(convert_examples);
+  command.run([arguments] {
     convert(*arguments);
-    exit_code = ExitCode::ok;
+    return ExitCode::ok;
   });
 }
 

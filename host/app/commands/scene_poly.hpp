@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/app/command.hpp"
+#include "host/app/command_line.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
@@ -43,6 +43,6 @@ void tell(const scene::PolyImportReport& report);
 void write_scene(const scene::PolyScene& scene, const std::string& source, const std::string& path);
 
 // `scene convert`. `exit_code` is set when the subcommand has run; it outlives the App.
-void add_scene_convert(CLI::App& scene_command, ExitCode& exit_code);
+void add_scene_convert(const Command& scene_command);
 
 }  // namespace sightline::app

@@ -1,11 +1,9 @@
-#include "host/app/commands/skala.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_report.hpp"
 #include "host/app/commands/skala_session.hpp"
@@ -89,89 +87,79 @@ ExitCode run_skala(SkalaArguments arguments) {
   return ExitCode::ok;
 }
 
-void add_skala_source_options(CLI::App& command, SkalaArguments& arguments) {
-  command.add_option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
+void add_skala_source_options(const Command& command, SkalaArguments& arguments) {
+  command.option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
   const scene::GridSize usual = usual_grid_size(arguments.order.view.picture);
   add_function_options(command, arguments.source, std::to_string(usual.slices), std::to_string(usual.points));
 }
 
-void add_view_options(CLI::App& command, SkalaArguments& arguments) {
+void add_view_options(const Command& command, SkalaArguments& arguments) {
   guests::skala::View& view = arguments.order.view;
   add_angle_options(command, view.rotation, view.elevation);
-  command.add_option("--zoom", view.zoom, "Enlarge about the middle")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 100.0))
-      ->type_name("F");
-  if (view.picture != guests::skala::PictureKind::contours) {
+  command.option("--zoom", view.zoom, "Enlarge about the middle")
+      .default_value()
+      .range(0.01, 100.0)
+      .value("F");
+  if (view.picture != PictureKind::contours) {
     add_slices_options(command, arguments.slices);
     // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
-    if (view.picture == guests::skala::PictureKind::surface) command.get_option("--both")->description("");
+    if (view.picture == PictureKind::surface) command.added("--both").hidden();
     return;
   }
-  command.add_flag("--both", arguments.slices.both);
+  command.flag("--both", arguments.slices.both, "");
   add_levels_option(command, view.levels);
-  command.add_flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
+  command.flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
 }
 
-void add_machine_options(CLI::App& command, SkalaArguments& arguments) {
-  command.add_option("--device", arguments.device, "A raster board or a plotter")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"raster", "alt256", "calcomp", "minigraf"}))
-      ->type_name("NAME");
-  command.add_flag("--no-visibility", arguments.no_visibility,
-                   "Draw everything: the program without its test");
-  command.add_option("--link", arguments.link, "From the host computer; serial is 9600 baud")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"parallel", "serial"}))
-      ->type_name("NAME");
-  command
-      .add_option("--clock", arguments.clock, "The processor's clock in Hz; the programs are timed for 3 MHz")
-      ->capture_default_str()
-      ->check(CLI::Range(std::int64_t{100'000}, std::int64_t{100'000'000}))
-      ->type_name("HZ");
+void add_machine_options(const Command& command, SkalaArguments& arguments) {
+  command.option("--device", arguments.device, "A raster board or a plotter")
+      .default_value()
+      .one_of({"raster", "alt256", "calcomp", "minigraf"})
+      .value("NAME");
+  command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its test");
+  command.option("--link", arguments.link, "From the host computer; serial is 9600 baud")
+      .default_value()
+      .one_of({"parallel", "serial"})
+      .value("NAME");
+  command.option("--clock", arguments.clock, "The processor's clock in Hz; the programs are timed for 3 MHz")
+      .default_value()
+      .range(std::int64_t{100'000}, std::int64_t{100'000'000})
+      .value("HZ");
 }
 
-void add_output_options(CLI::App& command, SkalaArguments& arguments) {
-  command.add_option("--palette", arguments.palette, "Of the PNG")
-      ->default_str("grey for surfaces, else colour")
-      ->check(CLI::IsMember({"colour", "grey"}))
-      ->type_name("NAME");
-  command.add_option("--scale", arguments.scale, "Pixels a point in the PNG")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 32));
-  command.add_option("-o,--output", arguments.directory, "Folder for the pictures")
-      ->capture_default_str()
-      ->type_name("DIR");
-  command.add_flag("--json", arguments.json, "One JSON document instead of the summary");
+void add_output_options(const Command& command, SkalaArguments& arguments) {
+  command.option("--palette", arguments.palette, "Of the PNG")
+      .default_value("grey for surfaces, else colour")
+      .one_of({"colour", "grey"})
+      .value("NAME");
+  command.option("--scale", arguments.scale, "Pixels a point in the PNG").default_value().range(1, 32);
+  command.option("-o,--output", arguments.directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--json", arguments.json, "One JSON document instead of the summary");
 }
 
-void add_picture(CLI::App& parent, const char* name, const char* description,
-                 guests::skala::PictureKind picture, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand(name, description);
+void add_picture(const Command& parent, const char* name, const char* description, PictureKind picture) {
+  const Command command = parent.add_command(name, description);
   const auto arguments = std::make_shared<SkalaArguments>();
   arguments->order.view.picture = picture;
   arguments->order.view.rotation = 30;
-  add_skala_source_options(*command, *arguments);
-  add_view_options(*command, *arguments);
-  add_machine_options(*command, *arguments);
-  add_output_options(*command, *arguments);
-  command->footer(footer());
-  command->callback([arguments, &exit_code] { exit_code = run_skala(*arguments); });
+  add_skala_source_options(command, *arguments);
+  add_view_options(command, *arguments);
+  add_machine_options(command, *arguments);
+  add_output_options(command, *arguments);
+  command.footer(footer());
+  command.run([arguments] { return run_skala(*arguments); });
 }
 
 }  // namespace
 
-void add_skala_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand(
+void add_skala_command(const Command& program) {
+  const Command command = program.add_command(
       "skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
-  command->require_subcommand(1);
-  add_picture(*command, "lines", "Slices of a surface with hidden lines removed",
-              guests::skala::PictureKind::lines, exit_code);
-  add_picture(*command, "surface", "A shaded surface with hidden parts removed",
-              guests::skala::PictureKind::surface, exit_code);
-  add_picture(*command, "contours", "Contour lines on a surface with hidden parts removed",
-              guests::skala::PictureKind::contours, exit_code);
-  command->footer(footer());
+  add_picture(command, "lines", "Slices of a surface with hidden lines removed", PictureKind::lines);
+  add_picture(command, "surface", "A shaded surface with hidden parts removed", PictureKind::surface);
+  add_picture(command, "contours", "Contour lines on a surface with hidden parts removed",
+              PictureKind::contours);
+  command.footer(footer());
 }
 
 }  // namespace sightline::app

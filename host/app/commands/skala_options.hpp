@@ -6,12 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "host/app/command_line.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/guests/skala/view.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace sightline::app {
 
@@ -21,11 +18,11 @@ namespace sightline::app {
 }
 
 // --function, --domain, --slices and --points. `slices` and `points` are what help says is usual.
-void add_function_options(CLI::App& command, SkalaSource& source, const std::string& slices,
+void add_function_options(const Command& command, SkalaSource& source, const std::string& slices,
                           const std::string& points);
 
 // --rotate and --elevate. The defaults are those the angles have.
-void add_angle_options(CLI::App& command, double& rotation, double& elevation);
+void add_angle_options(const Command& command, double& rotation, double& elevation);
 // Failure usage: an angle that is no number.
 void require_angles(double rotation, double elevation);
 
@@ -34,17 +31,17 @@ struct SkalaSlices {
   bool both = false;
   std::string along;  // "x" or "z"; empty: the less end-on
 };
-void add_slices_options(CLI::App& command, SkalaSlices& slices);
+void add_slices_options(const Command& command, SkalaSlices& slices);
 [[nodiscard]] guests::skala::Family family_of(const SkalaSlices& slices);
 
 // "lines", "surface" or "contours"
 [[nodiscard]] std::string_view picture_name(guests::skala::PictureKind picture);
 
 // --picture: "lines", "surface" or "contours"; empty: not given, lines.
-void add_picture_option(CLI::App& command, std::string& picture, const std::string& help);
+void add_picture_option(const Command& command, std::string& picture, const std::string& help);
 
 // --levels; the second without a default of its own.
-void add_levels_option(CLI::App& command, int& levels);
-void add_levels_option(CLI::App& command, std::optional<int>& levels);
+void add_levels_option(const Command& command, int& levels);
+void add_levels_option(const Command& command, std::optional<int>& levels);
 
 }  // namespace sightline::app

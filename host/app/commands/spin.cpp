@@ -1,8 +1,5 @@
-#include "host/app/commands/spin.hpp"
-
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +13,7 @@
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/app/commands/commands.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
@@ -180,42 +178,41 @@ void spin(const SpinOptions& options) {
 
 }  // namespace
 
-void add_spin_command(CLI::App& app, ExitCode&) {
+void add_spin_command(const Command& program) {
   const auto options = std::make_shared<SpinOptions>();
-  CLI::App* const command = app.add_subcommand("spin",
-                                               "Turn a scene about its vertical axis without hidden lines, "
-                                               "as an animated PNG, after Plantinga, Seales and "
-                                               "Dyer (1990)");
-  command->add_option("SCENE", options->scene, std::string(scene_source_help))->required();
-  command->add_option("-o,--output", options->out, "The animated PNG")->required()->type_name("FILE");
+  const Command command = program.add_command("spin",
+                                              "Turn a scene about its vertical axis without hidden lines, "
+                                              "as an animated PNG, after Plantinga, Seales and "
+                                              "Dyer (1990)");
+  command.option("SCENE", options->scene, scene_source_help).required();
+  command.option("-o,--output", options->out, "The animated PNG").required().value("FILE");
   command
-      ->add_option("--events", options->events,
-                   "Read the events of the turn from this file; if there is none, find and keep them in it")
-      ->type_name("FILE");
-  command->add_option("--vertical", options->vertical, "Which axis points up, such as z or -y")
-      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}))
-      ->type_name("AXIS")
-      ->capture_default_str();
-  command->add_option("--step", options->step, "Degrees from frame to frame")
-      ->type_name("DEGREES")
-      ->check(CLI::Range(0.05, 180.0))
-      ->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "Join events within so many degrees; 0: exact")
-      ->type_name("DEGREES")
-      ->check(CLI::Range(0.0, 30.0))
-      ->capture_default_str();
-  command->add_option("--size,--pixels", options->size, "Width and height in pixels")
-      ->check(CLI::Range(16, 4096))
-      ->capture_default_str();
-  command->add_option("--rate", options->rate, "Frames a second")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command->add_flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
-  command->footer(spin_examples);
-  command->callback([options] {
+      .option("--events", options->events,
+              "Read the events of the turn from this file; if there is none, find and keep them in it")
+      .value("FILE");
+  command.option("--vertical", options->vertical, "Which axis points up, such as z or -y")
+      .one_of({"x", "y", "z", "-x", "-y", "-z"})
+      .value("AXIS")
+      .default_value();
+  command.option("--step", options->step, "Degrees from frame to frame")
+      .value("DEGREES")
+      .range(0.05, 180.0)
+      .default_value();
+  command.option("--tolerance", options->tolerance, "Join events within so many degrees; 0: exact")
+      .value("DEGREES")
+      .range(0.0, 30.0)
+      .default_value();
+  command.option("--size,--pixels", options->size, "Width and height in pixels")
+      .range(16, 4096)
+      .default_value();
+  command.option("--rate", options->rate, "Frames a second").range(1, 100).default_value();
+  command.flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
+  command.footer(spin_examples);
+  command.run([options] {
     require_finite("--step", options->step);
     require_finite("--tolerance", options->tolerance);
     spin(*options);
+    return ExitCode::ok;
   });
 }
 

@@ -1,8 +1,6 @@
-#include "host/app/commands/sweep.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/app/commands/commands.hpp"
 #include "host/app/commands/sweep_file.hpp"
 #include "host/app/eae_option.hpp"
 #include "host/app/scene_source.hpp"
@@ -182,45 +181,45 @@ ExitCode run_sweep(const SweepArguments& arguments) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("sweep", "Hold algorithms against each other over many random views of a scene");
+void add_sweep_command(const Command& program) {
+  const Command command =
+      program.add_command("sweep", "Hold algorithms against each other over many random views of a scene");
   const auto arguments = std::make_shared<SweepArguments>();
-  command->add_option("SCENE", arguments->scene, std::string(scene_source_help))->required();
-  command->add_option("--views", arguments->views, "How many views there are in all")
-      ->required()
-      ->check(CLI::Range(std::uint64_t{1}, most_views))
-      ->type_name("N");
-  command->add_option("--seed", arguments->seed, "Another seed, other views")
-      ->check(why_no_whole_number)
-      ->capture_default_str()
-      ->type_name("N");
-  command->add_option("--shard", arguments->shard, "Only the I-th of N parts of the views")
-      ->capture_default_str()
-      ->type_name("I/N");
+  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.option("--views", arguments->views, "How many views there are in all")
+      .required()
+      .range(std::uint64_t{1}, most_views)
+      .value("N");
+  command.option("--seed", arguments->seed, "Another seed, other views")
+      .check(why_no_whole_number)
+      .default_value()
+      .value("N");
+  command.option("--shard", arguments->shard, "Only the I-th of N parts of the views")
+      .default_value()
+      .value("I/N");
   command
-      ->add_option("--algorithm", arguments->algorithms,
-                   fmt::format("Which of: {}; exact always runs", known_algorithms()))
-      ->default_str("all but the oracle")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  command->add_flag("--guest", arguments->guest,
-                    "Of a scene of cells: Jones's program on the emulated PDP-7 and its twin, too");
-  add_eae_options(*command, arguments->no_eae);
-  command->add_flag("--turn", arguments->turn,
-                    "A scene of cells in all directions, where Jones's program does not apply; without it "
-                    "along +z, as that program looks");
-  command->add_flag("--time", arguments->time, "Say how many host nanoseconds each view took");
-  command->add_option("--jobs", arguments->jobs, "Threads")
-      ->default_str("as many as there are cores")
-      ->check(CLI::Range(1U, 1024U));
+      .option("--algorithm", arguments->algorithms,
+              fmt::format("Which of: {}; exact always runs", known_algorithms()))
+      .default_value("all but the oracle")
+      .separated_by(',')
+      .value("NAME,...");
+  command.flag("--guest", arguments->guest,
+               "Of a scene of cells: Jones's program on the emulated PDP-7 and its twin, too");
+  add_eae_options(command, arguments->no_eae);
+  command.flag("--turn", arguments->turn,
+               "A scene of cells in all directions, where Jones's program does not apply; without it "
+               "along +z, as that program looks");
+  command.flag("--time", arguments->time, "Say how many host nanoseconds each view took");
+  command.option("--jobs", arguments->jobs, "Threads")
+      .default_value("as many as there are cores")
+      .range(1U, 1024U);
   command
-      ->add_option("-o,--output", arguments->output,
-                   "Where the lines go; a file that is there already is gone on with; - is standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(sweep_examples);
-  command->callback([arguments, &exit_code] { exit_code = run_sweep(*arguments); });
+      .option("-o,--output", arguments->output,
+              "Where the lines go; a file that is there already is gone on with; - is standard output")
+      .default_value()
+      .value("FILE");
+  command.footer(sweep_examples);
+  command.run([arguments] { return run_sweep(*arguments); });
 }
 
 }  // namespace sightline::app

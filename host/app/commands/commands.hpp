@@ -1,0 +1,24 @@
+// Every command of `sightline`. Each function adds one, with its subcommands, to the program.
+#pragma once
+
+#include "host/app/command_line.hpp"
+
+namespace sightline::app {
+
+void add_compare_command(const Command& program);
+void add_demo_command(const Command& program);
+void add_draw_command(const Command& program);
+void add_jones_command(const Command& program);
+void add_scene_command(const Command& program);
+void add_skala_command(const Command& program);
+void add_spin_command(const Command& program);
+void add_sweep_command(const Command& program);
+
+// `report` is a program of its own, sightline-report, so that only those who want it build and install it.
+// The command stands in the list and runs that program.
+void add_report_command(const Command& program);
+// Becomes sightline-report, found beside `sightline` or where an installation has it. Returns only if there
+// is none: io, said.
+[[nodiscard]] ExitCode run_report_program(char** argv);
+
+}  // namespace sightline::app
