@@ -1,0 +1,100 @@
+#!/bin/sh
+# Installs a build into a folder of its own and uses it as a stranger would: the command with its man pages and completion,
+# the machines as a library (CMake package, pkg-config, add_subdirectory), a Debian package.
+#
+#   check_install.sh BUILD_DIRECTORY CXX REPORT        REPORT: ON if sightline-report is built
+set -eu
+
+build=$1
+cxx=$2
+report=$3
+here=$(cd "$(dirname "$0")" && pwd)
+source=$(cd "$here/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() { echo "install: $*" >&2; exit 1; }
+quietly() { "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "$* failed"; }; }
+
+# What an example prints. $1: the program.
+check_example() {
+  case $1 in
+    */pdp7_square) expected="halted: 508 flashes, x from 256 to 320, 846800 ns of the display" ;;
+    */i8080_hello) expected="halted after 636 T-states, 83 instructions" ;;
+  esac
+  [ "$("$1" | tail -1)" = "$expected" ] || fail "$1 printed something else"
+}
+
+# The installed tree can be moved: nothing in it knows where it was.
+quietly cmake --install "$build" --prefix "$work/tree"
+mv "$work/tree" "$work/moved"
+tree=$work/moved
+
+for file in bin/sightline share/man/man1/sightline.1 share/man/man1/sightline-draw-exact.1 \
+            share/bash-completion/completions/sightline share/doc/sightline/LICENSE include/sightline/i8080/pin_bus.hpp; do
+  [ -s "$tree/$file" ] || fail "$file is missing"
+done
+"$tree/bin/sightline" --version | grep -q '^sightline [0-9.]*$' || fail "--version"
+if [ "$report" = ON ]; then
+  "$tree/bin/sightline" report --help | grep -q '^Usage: sightline report' || fail "the installed report is not found"
+  [ -s "$tree/share/man/man1/sightline-report.1" ] || fail "sightline-report.1 is missing"
+fi
+
+# Man pages: every subcommand has one, and groff finds nothing to warn of.
+for subcommand in $("$tree/bin/sightline" --help | awk '/^[^ ]/ { l = $0 == "Subcommands:" } l && /^  [^ ]/ { print $1 }'); do
+  [ "$subcommand" = report ] || [ -s "$tree/share/man/man1/sightline-$subcommand.1" ] || fail "no man page of $subcommand"
+done
+if command -v groff > /dev/null; then
+  warnings=$(groff -man -ww -z "$tree"/share/man/man1/*.1 2>&1)
+  [ -z "$warnings" ] || fail "man pages: $warnings"
+fi
+
+# Completion.
+if command -v bash > /dev/null; then
+  complete_line() {
+    bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sightline; echo "${COMPREPLY[*]}"' - \
+      "$tree/share/bash-completion/completions/sightline" "$@"
+  }
+  [ "$(complete_line sightline dis)" = disasm ] || fail "completion of a subcommand"
+  [ "$(complete_line sightline draw exact --orth)" = --orthographic ] || fail "completion of an option"
+  [ "$(complete_line sightline asm pdp7 --format h)" = hri ] || fail "completion of a value"
+  [ -z "$(complete_line sightline draw exact part.o)" ] || fail "completion of a file name is bash's own"
+fi
+
+# The library: by CMake's package, as a folder of another project, by pkg-config.
+cmake_build() { # cmake_build DIRECTORY "EXAMPLE..." OPTION...
+  directory=$work/$1
+  examples=$2
+  shift 2
+  quietly cmake -S "$here/examples" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 "$@"
+  # shellcheck disable=SC2086 # the list is split on purpose
+  quietly cmake --build "$directory" --target $examples
+  for example in $examples; do check_example "$directory/$example"; done
+}
+cmake_build package "pdp7_square i8080_hello" -DCMAKE_PREFIX_PATH="$tree"
+cmake_build subdirectory pdp7_square -DSIGHTLINE_SOURCE="$source"
+if command -v pkg-config > /dev/null; then
+  flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name sightline.pc)") pkg-config --cflags --libs sightline)
+  mkdir "$work/pkg-config"
+  # shellcheck disable=SC2086 # the flags are split on purpose
+  quietly "$cxx" -std=c++20 "$here/examples/i8080_hello.cpp" $flags -o "$work/pkg-config/i8080_hello"
+  check_example "$work/pkg-config/i8080_hello"
+fi
+
+# The headers do without exceptions and run-time types, and read no streams, files, threads or clocks.
+find "$tree/include" -name '*.hpp' | sort | sed 's/.*/#include "&"/' > "$work/all.cpp"
+quietly "$cxx" -std=c++20 -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only "$work/all.cpp"
+heavy=$("$cxx" -std=c++20 -M "$work/all.cpp" | tr -s ' ' '\n' |
+        grep -E '/(iostream|fstream|sstream|locale|filesystem|thread|mutex|stdexcept|regex|chrono)$' || true)
+[ -z "$heavy" ] || fail "the machines' headers read $heavy"
+
+# A Debian package of the same files.
+if command -v dpkg-deb > /dev/null && command -v dpkg-shlibdeps > /dev/null; then
+  quietly cpack --config "$build/CPackConfig.cmake" -B "$work/deb" -D CPACK_INSTALL_CMAKE_PROJECTS= \
+    -D "CPACK_INSTALLED_DIRECTORIES=$tree;/usr"
+  deb=$(find "$work/deb" -maxdepth 1 -name '*.deb')
+  dpkg-deb -f "$deb" Depends | grep -q 'libpng' || fail "the package does not depend on libpng"
+  dpkg-deb -x "$deb" "$work/root"
+  "$work/root/usr/bin/sightline" --version > /dev/null || fail "the packaged command does not run"
+fi

@@ -1,0 +1,15 @@
+
+_sightline() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=sightline i
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    if [[ -n ${_sightline_words["$command ${COMP_WORDS[i]}"]} && ${COMP_WORDS[i]} != -* ]]; then
+      command+=" ${COMP_WORDS[i]}"
+    fi
+  done
+  local words=${_sightline_words["$command $previous"]}
+  if [[ $previous != -* || -z $words ]]; then words=${_sightline_words[$command]}; fi
+  # Options only when one is begun: between them stand file names.
+  if [[ $current != -* ]]; then words=$(printf '%s\n' $words | grep -v '^--'); fi
+  COMPREPLY=($(compgen -W "$words" -- "$current"))
+}
+complete -o default -F _sightline sightline
