@@ -12,7 +12,7 @@ namespace {
 
 std::string read_error(std::string_view text) {
   const auto read = read_intel_hex(text, "f.hex");
-  return read ? "no error" : to_string(read.error());
+  return read ? "no error" : read.error().message(base::MessageStyle::compiler);
 }
 
 ByteImage image_of(std::uint16_t address, const std::vector<std::uint8_t>& bytes) {
@@ -76,7 +76,7 @@ TEST(IntelHex, WhatIsTaken) {
         ":020000040000FA\n:01000000AA55\n:00000001FF",
         ":0400000300000000F9\n:01000000AA55\n:01000000AA55\n:00000001FF\n \n"}) {
     const auto read = read_intel_hex(text, "f");
-    ASSERT_TRUE(read) << text << to_string(read.error());
+    ASSERT_TRUE(read) << text << read.error().message(base::MessageStyle::compiler);
     EXPECT_EQ(read.value().count(), 1U) << text;
     EXPECT_EQ(read.value()[0], 0xAA) << text;
   }
@@ -144,13 +144,14 @@ TEST(Binary, ReadAndWritten) {
   EXPECT_EQ(com.value().start, 0x0100);
   EXPECT_EQ(write_com(com.value(), "f").value(), bytes);
   EXPECT_TRUE(read_com(std::vector<std::uint8_t>(0xFF00), "f"));
-  EXPECT_EQ(to_string(read_com(std::vector<std::uint8_t>(0xFF01), "f.com").error()),
-            "f.com: error: found 65281 bytes, expected at most 65280 from address 0100 to FFFF");
+  EXPECT_EQ(
+      read_com(std::vector<std::uint8_t>(0xFF01), "f.com").error().message(base::MessageStyle::compiler),
+      "f.com: error: found 65281 bytes, expected at most 65280 from address 0100 to FFFF");
 }
 
 TEST(Binary, ComStartsAt0100) {
   EXPECT_EQ(write_com(image_of(0x0102, {5}), "f").value(), (std::vector<std::uint8_t>{0, 0, 5}));
-  EXPECT_EQ(to_string(write_com(image_of(0x00FF, {5}), "f.com").error()),
+  EXPECT_EQ(write_com(image_of(0x00FF, {5}), "f.com").error().message(base::MessageStyle::compiler),
             "f.com: error: found a byte at 00FF, expected a .com program from 0100 up");
   ByteImage elsewhere = image_of(0x0100, {5});
   elsewhere.start = 0x0200;

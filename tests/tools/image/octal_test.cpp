@@ -60,7 +60,7 @@ TEST(OctalImage, MistakesAreNamedWithLineAndColumn) {
   for (const Damage& damage : damages) {
     const auto read = read_octal(damage.text, "f");
     ASSERT_FALSE(read) << damage.text;
-    EXPECT_EQ(to_string(read.error()), damage.message);
+    EXPECT_EQ(read.error().message(base::MessageStyle::compiler), damage.message);
   }
 }
 

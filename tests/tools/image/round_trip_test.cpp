@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "tools/image/octal.hpp"
 #include "tests/support/effort.hpp"
+#include "tools/image/octal.hpp"
 #include "tools/image/tape.hpp"
 
 namespace sightline::image {
@@ -62,7 +62,7 @@ TEST(RoundTrip, Rim) {
     const auto tape = write_rim(image, "t");
     ASSERT_TRUE(tape);
     const auto read = read_image(tape.value(), "t", {});
-    ASSERT_TRUE(read) << to_string(read.error());
+    ASSERT_TRUE(read) << read.error().message(base::MessageStyle::compiler);
     ASSERT_EQ(read.value(), image);
   }
 }
@@ -74,13 +74,13 @@ TEST(RoundTrip, Hri) {
     const auto tape = write_hri(image, "t");
     ASSERT_TRUE(tape);
     const auto read = read_image(tape.value(), "t", image.words.begin()->first);
-    ASSERT_TRUE(read) << to_string(read.error());
+    ASSERT_TRUE(read) << read.error().message(base::MessageStyle::compiler);
     ASSERT_EQ(read.value(), image);
   }
 }
 
-// Hole 8 lost anywhere in a word is refused. (The one case that cannot be seen at once is the first line of a word
-// without data: it becomes blank feed, and the words after it are shifted.)
+// Hole 8 lost anywhere in a word is refused. (The one case that cannot be seen at once is the first line of a
+// word without data: it becomes blank feed, and the words after it are shifted.)
 TEST(RoundTrip, ALostHole8IsNoticed) {
   Images images(4);
   for (int i = 0; i < tests::effort(20, 3); ++i) {

@@ -33,8 +33,8 @@ Tape first_lines(const Tape& tape, std::size_t n) {
 }
 
 template <class T>
-std::string message(const Result<T>& result) {
-  return result ? "no error" : to_string(result.error());
+std::string message(const base::Result<T>& result) {
+  return result ? "no error" : result.error().message(base::MessageStyle::compiler);
 }
 
 TEST(Rim, IsReadAndWrittenLineByLine) {

@@ -61,7 +61,7 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
   EXPECT_NE(unknown.message(base::MessageStyle::position).find("\n  sin(x) + frog(z)\n           ^"),
             std::string::npos)
       << unknown.message(base::MessageStyle::position);
-  EXPECT_EQ(unknown.source, "--function");
+  EXPECT_EQ(unknown.file, "--function");
   EXPECT_EQ(error_of("x + y").place, "5");
   EXPECT_EQ(error_of("x + ").place, "5");
   EXPECT_EQ(error_of("(x + z").place, "7");
