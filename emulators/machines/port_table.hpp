@@ -157,8 +157,11 @@ class PortTable<Sink, PortRows<First, Rest...>> {
   // visit(Row{}, device) for every device that is there, in the order of the table.
   template <class Visit>
   void each_device(Visit visit) {
-    visit_device<First>(visit);
-    (visit_device<Rest>(visit), ...);
+    visit_devices(*this, visit);
+  }
+  template <class Visit>
+  void each_device(Visit visit) const {
+    visit_devices(*this, visit);
   }
 
   // Accesses nothing answered, by port.
@@ -183,9 +186,13 @@ class PortTable<Sink, PortRows<First, Rest...>> {
   [[nodiscard]] auto& slot() {
     return std::get<number<Row>>(devices_);
   }
-  template <class Row, class Visit>
-  void visit_device(Visit& visit) {
-    if (auto& device = slot<Row>()) visit(Row{}, *device);
+  template <class Self, class Visit>
+  static void visit_devices(Self& self, Visit& visit) {
+    const auto visit_one = [&](auto row) {
+      if (auto& device = std::get<number<decltype(row)>>(self.devices_)) visit(row, *device);
+    };
+    visit_one(First{});
+    (visit_one(Rest{}), ...);
   }
 
   template <class Row>

@@ -130,6 +130,7 @@ struct CalComp565Row {
   static constexpr DeviceKind kind = DeviceKind::plotter;
   static constexpr std::string_view name = "calcomp565";
   static constexpr std::string_view choice = "calcomp";
+  static constexpr std::int64_t micrometres_a_step = 254;
   static constexpr bool Configuration::*attached = &Configuration::calcomp565;
   static constexpr std::array reads{PortRange{0x60, 0x60}};
   static constexpr std::array writes = reads;
@@ -179,6 +180,7 @@ struct Minigraf0507Row {
   static constexpr DeviceKind kind = DeviceKind::plotter;
   static constexpr std::string_view name = "minigraf0507";
   static constexpr std::string_view choice = "minigraf";
+  static constexpr std::int64_t micrometres_a_step = 125;
   static constexpr bool Configuration::*attached = &Configuration::minigraf0507;
   static constexpr std::array<PortRange, 0> reads{};
   static constexpr std::array writes{PortRange{0xF0, 0xF0}};
@@ -217,6 +219,8 @@ struct ParallelRow {
   using Device = devices::ParallelLink;
   static constexpr DeviceKind kind = DeviceKind::link;
   static constexpr std::string_view name = "parallel";
+  static constexpr std::string_view chip = "8255";
+  static constexpr std::string_view received_by_host = "What the host took from the 8255";
   static constexpr HostBytes Configuration::*bytes = &Configuration::parallel;
   static constexpr std::array reads{PortRange{0xE4, 0xE7}};
   static constexpr std::array writes = reads;
@@ -267,6 +271,8 @@ struct SerialRow {
   using Device = devices::SerialLink;
   static constexpr DeviceKind kind = DeviceKind::link;
   static constexpr std::string_view name = "serial";
+  static constexpr std::string_view chip = "8251";
+  static constexpr std::string_view received_by_host = "What the 8251 sent to the host";
   static constexpr HostBytes Configuration::*bytes = &Configuration::serial;
   static constexpr std::array reads{PortRange{0xEC, 0xEF}};
   static constexpr std::array writes = reads;

@@ -100,13 +100,6 @@ void Output::commit() {
   if (!done) throw Failure(ExitCode::io, done.error().message());
 }
 
-std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
-                             std::string_view what) {
-  if (const auto value = base::whole_number<std::uint32_t>(text, 8, 0, most)) return *value;
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: found \"{}\", expected {}, octal, 0 to {:o}", option, text, what, most));
-}
-
 std::string why_no_whole_number(const std::string& text) {
   if (base::unsigned_number(text)) return {};
   return fmt::format("found \"{}\", expected a whole number from 0 to {}", text,

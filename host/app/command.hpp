@@ -78,10 +78,6 @@ class Output {
   std::unique_ptr<base::AtomicFile> file_;
 };
 
-// Octal digits up to `most`; anything else is a Failure usage: "OPTION: found TEXT, expected WHAT".
-[[nodiscard]] std::uint32_t octal_argument(std::string_view option, std::string_view text, std::uint32_t most,
-                                           std::string_view what);
-
 // The option parser takes -1 for the largest number there is, and that for all that are larger: a check for
 // options whose numbers have no other bounds. Nothing if `text` is a whole number from 0 to 2^64 - 1.
 [[nodiscard]] std::string why_no_whole_number(const std::string& text);

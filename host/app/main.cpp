@@ -2,10 +2,7 @@
 #include <string_view>
 
 #include "host/app/command_line.hpp"
-#include "host/app/commands/asm.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/disasm.hpp"
-#include "host/app/commands/run.hpp"
 
 namespace sightline::app {
 namespace {
@@ -44,9 +41,9 @@ void add_commands(const Command& program) {
   add_compare_command(program);
   add_spin_command(program);
   add_sweep_command(program);
-  add_asm_command(program.library(), program.exit_code());
-  add_disasm_command(program.library(), program.exit_code());
-  add_run_command(program.library(), program.exit_code());
+  add_asm_command(program);
+  add_disasm_command(program);
+  add_run_command(program);
   add_scene_command(program);
 }
 

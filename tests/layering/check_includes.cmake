@@ -25,7 +25,7 @@ set(RULES
   "host/algorithms/willis=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
   "host/harness="
-  "host/guests/run=host/base,host/picture,emulators,tools/image,tools/disasm"
+  "host/guests/run=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"
   "host/guests/jones=host/base,host/geometry,host/scene,host/picture,host/algorithms/oracle,emulators,tools/asm,tools/image"
   "host/guests/jones/twin=host/base,host/guests/jones,host/geometry,host/scene,host/picture,emulators/core,emulators/type340/words.hpp"
   "host/guests/skala=host/base,host/guests/run,host/geometry,host/scene,host/picture,emulators,tools/asm,tools/image"

@@ -1,137 +1,166 @@
-// See asm.hpp.
-#include "host/app/commands/asm.hpp"
-
+// `sightline asm`: symbolic source to a tape, a core image or a program file, a listing and a table of
+// symbols.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
-#include "host/app/commands/asm_files.hpp"
-#include "host/app/commands/asm_i8080.hpp"
-#include "host/base/file.hpp"
-#include "tools/asm/pdp7.hpp"
-#include "tools/image/octal.hpp"
-#include "tools/image/tape.hpp"
+#include "host/app/commands/commands.hpp"
+#include "host/app/commands/machine_command.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-struct AsmArguments {
-  AsmFiles files;
-  std::vector<std::string> defines;
-  std::string format = "rim";
-  bool twos_complement = false;
-  bool undefined_are_variables = false;
-  bool first_line_is_title = false;
-};
+using guests::run::Arguments;
+using guests::run::Format;
+using guests::run::MachineDescription;
+using guests::run::Program;
 
-constexpr const char* asm_examples =
-    "Examples:\n"
-    "  sightline asm pdp7 hello.s -o hello.rim --listing hello.lst\n"
-    "      a tape for `sightline run pdp7 --load hello.rim`, and a listing to read beside it\n"
-    "  sightline asm pdp7 -D EAE=0 program.s data.s --format octal -o program.oct\n"
-    "      two source tapes of one program, for a machine without the EAE, as an octal core image\n\n"
-    "The sources are read one after the other, as the tapes of one program; `-` is standard input. Numbers "
-    "are octal.\n"
-    "rim: paper tape in read-in mode, carries addresses below 20000 and the start address. hri: tape for the "
-    "READ IN\n"
-    "key, carries no address: load it with FILE@ADDRESS. octal: text, six-digit words, `NNNNN:` sets the "
-    "address, no\n"
-    "start address. Errors name file:line:column; when there is one nothing is written.\n";
+constexpr std::array<std::pair<const char*, const char*>, 3> output_options{
+    {{"-o", "--output"}, {"--listing", "--listing"}, {"--symbols", "--symbols"}}};  // as shown, as read
 
-assembler::Options options_from(const AsmArguments& arguments) {
-  assembler::Options options;
-  options.defines = read_defines(arguments.defines, &assembler::parse_define);
-  options.twos_complement = arguments.twos_complement;
-  options.undefined_are_variables = arguments.undefined_are_variables;
-  options.first_line_is_title = arguments.first_line_is_title;
-  return options;
+// Also of files not there yet, and by way of links.
+bool are_one_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  if (a == "-" || b == "-") return a == b;
+  std::error_code failed;  // what cannot be looked at is told when it is opened
+  if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;
+  if (fs::equivalent(a, b, failed)) return true;
+  const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
+  return !place.empty() && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-base::Bytes encoded(const image::CoreImage& core, const AsmArguments& arguments) {
-  if (arguments.format == "octal") {
-    const std::string text = image::write_octal(core);
-    return {text.begin(), text.end()};
+// Failure usage if two outputs are one file or both standard output, or if one of them is a source. What is
+// no regular file (/dev/null) may serve often.
+void refuse_clashing_files(const Arguments& arguments) {
+  for (std::size_t i = 0; i < output_options.size(); ++i) {
+    const auto& [option, key] = output_options[i];
+    const std::string& name = arguments.text(key);
+    if (name.empty()) continue;
+    for (std::size_t other = 0; other < i; ++other) {
+      const std::string& before = arguments.text(output_options[other].second);
+      if (!before.empty() && are_one_file(name, before))
+        throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected another file than that of {}",
+                                                   option, shown_name(name), output_options[other].first));
+    }
+    for (const std::string& source : arguments.list("SOURCE")) {
+      if (name != "-" && are_one_file(name, source))
+        throw Failure(ExitCode::usage,
+                      fmt::format("{}: found {}, expected no file that is a source", option, name));
+    }
   }
-  const std::string file = arguments.files.output == "-" ? "standard output" : arguments.files.output;
-  const auto tape = arguments.format == "hri" ? image::write_hri(core, file) : image::write_rim(core, file);
-  if (!tape) throw Failure(ExitCode::bad_input, tape.error().message(base::MessageStyle::compiler));
-  return tape.value();
 }
 
-std::string summary(const assembler::Assembly& assembly, const AsmArguments& arguments) {
-  const auto& words = assembly.image.words;
-  std::string text = fmt::format("{} words", words.size());
-  if (!words.empty()) text += fmt::format(" in {:05o}-{:05o}", words.begin()->first, words.rbegin()->first);
-  if (assembly.image.start) {
-    text += fmt::format(", start {:05o}", *assembly.image.start);
-  } else {
-    text += ", no start address";
+// The assembler tries several names and says itself that none of them could be read. A source says nothing
+// about standard input: `-` is a name like any other, and no such file is there.
+std::optional<std::string> read_include(const std::string& path) {
+  if (path == "-") return std::nullopt;
+  try {
+    return read_input_text(path);
+  } catch (const Failure&) {
+    return std::nullopt;
   }
-  text += fmt::format(", {} symbols", assembly.symbols.size());
-  if (arguments.files.output.empty()) return text + "; checked only, -o FILE writes it";
-  if (arguments.format == "hri" && !words.empty())
-    text += fmt::format("; load it @{:o}", words.begin()->first);
+}
+
+// Of --format, else by the name of the output.
+const Format& output_format(const MachineDescription& machine, const Arguments& arguments) {
+  const Format* const by_name = format_by_name(machine, arguments.text("--output"));
+  const bool decides = arguments.text("--format").empty();
+  if (decides && by_name != nullptr) return *by_name;
+  const std::string name = decides ? std::string(machine.assembler.format) : arguments.text("--format");
+  return *std::find_if(machine.formats.begin(), machine.formats.end(),
+                       [&name](const Format& format) { return format.name == name; });
+}
+
+std::string summary(const MachineDescription& machine, const Arguments& arguments,
+                    const guests::run::Assembled& assembled) {
+  const Program& program = assembled.program;
+  const auto address = [&machine](std::uint32_t a) { return digits(machine, a, machine.address_bits); };
+  std::string text = fmt::format("{} {}", program.words.size(), machine.word_bits == 8 ? "bytes" : "words");
+  if (!program.words.empty())
+    text +=
+        fmt::format(" in {}-{}", address(program.words.front().first), address(program.words.back().first));
+  text += program.start ? ", start " + address(*program.start) : ", no start address";
+  text += fmt::format(", {} symbols", assembled.symbols);
+  if (!arguments.given("--output")) return text + "; checked only, -o FILE writes it";
+  if (output_format(machine, arguments).tells_address && !program.words.empty())
+    text += fmt::format("; load it @{:o}", program.words.front().first);
   return text;
 }
 
-void assemble(const AsmArguments& arguments) {
-  refuse_clashing_files(arguments.files);
-  const auto options = options_from(arguments);
-  const auto assembly = assembler::assemble_pdp7(read_sources(arguments.files), options);
-  report_diagnostics(assembly.diagnostics);
-  const base::Bytes program =
-      arguments.files.output.empty() ? base::Bytes{} : encoded(assembly.image, arguments);
-  write_asm_files(arguments.files, program, assembler::write_listing(assembly.listing),
-                  assembler::write_symbols(assembly.symbols));
-  complain(summary(assembly, arguments));
+// All outputs appear or none. Failure io.
+void write_files(const MachineDescription& machine, const Arguments& arguments,
+                 const guests::run::Assembled& assembled) {
+  const std::string& path = arguments.text("--output");
+  guests::run::Bytes program;
+  if (!path.empty()) {
+    program = accepted(
+        output_format(machine, arguments).write(assembled.program, path == "-" ? "standard output" : path));
+  }
+  std::vector<Output> outputs;
+  if (!path.empty()) outputs.emplace_back(path).write(std::span<const std::uint8_t>(program));
+  if (arguments.given("--listing"))
+    outputs.emplace_back(arguments.text("--listing")).write(assembled.listing);
+  if (arguments.given("--symbols"))
+    outputs.emplace_back(arguments.text("--symbols")).write(assembled.symbol_table);
+  for (Output& output : outputs) output.commit();
+}
+
+ExitCode assemble(const MachineDescription& machine, const Arguments& arguments) {
+  refuse_clashing_files(arguments);
+  std::vector<assembler::SourceFile> sources;
+  for (const std::string& path : arguments.list("SOURCE"))
+    sources.push_back({shown_name(path), read_input_text(path)});
+  const guests::run::Assembled assembled =
+      accepted(machine.assembler.assemble(sources, arguments, read_include));
+  for (const auto& diagnostic : assembled.diagnostics)
+    fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
+  if (assembler::any_errors(assembled.diagnostics))
+    throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
+  write_files(machine, arguments, assembled);
+  complain(summary(machine, arguments, assembled));
+  return ExitCode::ok;
+}
+
+std::vector<guests::run::Option> options_of(const MachineDescription& machine) {
+  using enum guests::run::OptionKind;
+  const bool by_ending = has_endings(machine);
+  std::vector<guests::run::Option> options{
+      {positions, "SOURCE", {}, "Source files, in order; - is standard input"},
+      {list, "-D", "NAME=VALUE",
+       fmt::format("Define a symbol, NAME=VALUE, VALUE {}; wins over the source's own",
+                   machine.assembler.define_value)},
+      {text, "-o,--output", "FILE", "Where the program goes; - is standard output"},
+      {.name = "--format",
+       .argument = "FORMAT",
+       .help = "Form of the program",
+       .choices = format_names(machine),
+       .initial = by_ending ? "" : machine.assembler.format,
+       .shown_initial = by_ending ? "by the ending of -o" : ""},
+      {text, "--listing", "FILE", std::string(machine.assembler.listing_help)},
+      {text, "--symbols", "FILE", "Write the symbols, one `name value` a line"}};
+  options.insert(options.end(), machine.assembler.options.begin(), machine.assembler.options.end());
+  return options;
 }
 
 }  // namespace
 
-void add_asm_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command = app.add_subcommand("asm", "Assemble source for the PDP-7 or the 8080");
-  command->require_subcommand(1);
-  command->footer(
-      "Examples:\n"
-      "  sightline asm pdp7 hello.s -o hello.rim\n"
-      "  sightline asm i8080 hello.asm -o hello.com\n");
-  CLI::App* const pdp7 =
-      command->add_subcommand("pdp7", "Assemble PDP-7 symbolic source (DEC syntax, DIGITAL-7-3-S)");
-  const auto arguments = std::make_shared<AsmArguments>();
-  pdp7->add_option("SOURCE", arguments->files.sources, "Source files, in order; - is standard input")
-      ->required();
-  pdp7->add_option("-D", arguments->defines,
-                   "Define a symbol, NAME=VALUE, VALUE in octal; wins over the source's own")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
-  pdp7->add_option("-o,--output", arguments->files.output, "Where the program goes; - is standard output")
-      ->type_name("FILE");
-  pdp7->add_option("--format", arguments->format, "Form of the program")
-      ->check(CLI::IsMember({"rim", "hri", "octal"}))
-      ->capture_default_str()
-      ->type_name("FORMAT");
-  pdp7->add_option("--listing", arguments->files.listing,
-                   "Write address, octal word and source, line by line")
-      ->type_name("FILE");
-  pdp7->add_option("--symbols", arguments->files.symbols, "Write the symbols, one `name value` a line")
-      ->type_name("FILE");
-  pdp7->add_flag("--twos-complement", arguments->twos_complement,
-                 "-1 is 777777 (default: one's complement, 777776)");
-  pdp7->add_flag("--undefined-are-variables", arguments->undefined_are_variables,
-                 "DEC's rule: an undefined symbol is a variable (default: an error)");
-  pdp7->add_flag("--title", arguments->first_line_is_title,
-                 "The first line of each source is a title, not assembled");
-  pdp7->footer(asm_examples);
-  pdp7->callback([arguments, &exit_code] {
-    assemble(*arguments);
-    exit_code = ExitCode::ok;
-  });
-  add_asm_i8080_command(*command, exit_code);
+void add_asm_command(const Command& program) {
+  const Command command = program.add_command("asm", "Assemble source for the PDP-7 or the 8080");
+  command.footer(help_text("asm"));
+  for (const MachineDescription* machine : guests::run::machines()) {
+    if (machine->assembler.assemble == nullptr) continue;
+    add_machine_command(command, machine->name, machine->assembler.help, options_of(*machine),
+                        help_text("asm_" + std::string(machine->name)),
+                        [machine](const Arguments& arguments) { return assemble(*machine, arguments); });
+  }
 }
 
 }  // namespace sightline::app

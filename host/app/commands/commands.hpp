@@ -5,10 +5,13 @@
 
 namespace sightline::app {
 
+void add_asm_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_demo_command(const Command& program);
+void add_disasm_command(const Command& program);
 void add_draw_command(const Command& program);
 void add_jones_command(const Command& program);
+void add_run_command(const Command& program);
 void add_scene_command(const Command& program);
 void add_skala_command(const Command& program);
 void add_spin_command(const Command& program);

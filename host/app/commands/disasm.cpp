@@ -1,80 +1,62 @@
-// See disasm.hpp.
-#include "host/app/commands/disasm.hpp"
-
-#include <CLI/CLI.hpp>
-#include <memory>
+// `sightline disasm`: a tape, a core image or a program file to source that assembles to the same words
+// again.
 #include <string>
 
-#include "host/app/commands/disasm_i8080.hpp"
-#include "host/app/image_argument.hpp"
-#include "tools/disasm/disasm.hpp"
+#include "host/app/commands/commands.hpp"
+#include "host/app/commands/machine_command.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-struct DisasmArguments {
-  std::string file;
-  std::string output = "-";
-};
+using guests::run::Arguments;
+using guests::run::Disassembler;
+using guests::run::MachineDescription;
 
-constexpr const char* pdp7_examples =
-    "Examples:\n"
-    "  sightline disasm pdp7 hello.rim\n"
-    "      the tape as source; `sightline asm pdp7` makes the same words of it again\n"
-    "  sightline disasm pdp7 words.hri@200 -o words.s\n"
-    "      a tape for the READ IN key has no address of its own\n\n"
-    "The kind of file (RIM tape, HRI tape, octal core image) is recognised by its content; - is standard "
-    "input.\n"
-    "A word that is no named instruction comes out in octal.\n";
+ExitCode disassemble(const MachineDescription& machine, const Disassembler& disassembler,
+                     const Arguments& arguments) {
+  const auto file = accepted(file_argument(machine, "FILE", arguments.text("FILE")));
+  const auto input = read_named(file.path);
+  const auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  Output output(arguments.text("--output"));
+  output.write(disassembler.disassemble(program));
+  output.commit();
+  return ExitCode::ok;
+}
 
-constexpr const char* type340_examples =
-    "Examples:\n"
-    "  sightline disasm type340 picture.oct\n"
-    "      every display word in octal, with its meaning in a comment\n"
-    "  sightline run pdp7 --load a.rim --dump - --max-time 1 | tail -n +2 | sightline disasm type340 -\n"
-    "      look for display files in core after a run\n\n"
-    "The first word is read in mode 0 (parameter), the following ones as each word says, until a stop; after "
-    "a stop or\n"
-    "a gap mode 0 begins again. The output is source that assembles to the same words.\n";
-
-using Disassembler = std::string (*)(const image::CoreImage&);
-
-void add_target(CLI::App& parent, const char* name, const char* what, const char* examples,
-                Disassembler disassemble, ExitCode& exit_code) {
-  CLI::App* const command = parent.add_subcommand(name, what);
-  const auto arguments = std::make_shared<DisasmArguments>();
-  command->add_option("FILE", arguments->file, "Tape or octal core image, FILE[@ADDRESS], ADDRESS in octal")
-      ->required();
-  command->add_option("-o,--output", arguments->output, "Where the source goes; - is standard output")
-      ->capture_default_str()
-      ->type_name("FILE");
-  command->footer(examples);
-  command->callback([arguments, disassemble, &exit_code] {
-    const image::CoreImage core = load_image(image_argument("FILE", arguments->file));
-    Output output(arguments->output);
-    output.write(disassemble(core));
-    output.commit();
-    exit_code = ExitCode::ok;
-  });
+std::vector<guests::run::Option> options_of(const MachineDescription& machine,
+                                            const Disassembler& disassembler) {
+  using enum guests::run::OptionKind;
+  std::vector<guests::run::Option> options{{position, "FILE", {}, std::string(disassembler.file_help)}};
+  if (has_endings(machine)) {
+    options.push_back({.name = "--format",
+                       .argument = "FORMAT",
+                       .help = "Form of the file",
+                       .choices = format_names(machine),
+                       .shown_initial = "by its ending or content"});
+  }
+  options.push_back({.name = "-o,--output",
+                     .argument = "FILE",
+                     .help = "Where the source goes; - is standard output",
+                     .initial = "-"});
+  return options;
 }
 
 }  // namespace
 
-void add_disasm_command(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("disasm", "Disassemble a tape, a core image or an 8080 program");
-  command->require_subcommand(1);
-  command->footer(
-      "Examples:\n"
-      "  sightline disasm pdp7 hello.rim\n"
-      "  sightline disasm type340 picture.oct\n"
-      "  sightline disasm i8080 hello.com\n");
-  add_target(*command, "pdp7", "PDP-7 instructions", pdp7_examples, &disassembler::disassemble_pdp7,
-             exit_code);
-  add_target(*command, "type340", "Display words of the Type 340", type340_examples,
-             &disassembler::disassemble_type340, exit_code);
-  add_disasm_i8080_command(*command, exit_code);
+void add_disasm_command(const Command& program) {
+  const Command command =
+      program.add_command("disasm", "Disassemble a tape, a core image or an 8080 program");
+  command.footer(help_text("disasm"));
+  for (const MachineDescription* machine : guests::run::machines()) {
+    for (const Disassembler& disassembler : machine->disassemblers) {
+      add_machine_command(command, disassembler.name, disassembler.help, options_of(*machine, disassembler),
+                          help_text("disasm_" + std::string(disassembler.name)),
+                          [machine, &disassembler](const Arguments& arguments) {
+                            return disassemble(*machine, disassembler, arguments);
+                          });
+    }
+  }
 }
 
 }  // namespace sightline::app

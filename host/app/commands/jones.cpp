@@ -5,10 +5,11 @@
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/jones_session.hpp"
-#include "host/app/commands/run_scripts.hpp"
+#include "host/app/commands/machine_command.hpp"
 #include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
+#include "host/guests/run/pdp7_scripts.hpp"
 
 namespace sightline::app {
 
@@ -70,8 +71,7 @@ jones::GuestOptions guest_options(const JonesArguments& arguments) {
   options.views = arguments.views;
   options.photograph = photograph_time;
   if (!arguments.switches.empty()) {
-    options.switches =
-        read_switch_script(read_input_text(arguments.switches), shown_name(arguments.switches));
+    static_cast<void>(accepted(guests::run::read_switches(read_named(arguments.switches), options.switches)));
     // The modes asked for on the command line stay up whatever else the script does.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : options.switches) setting.switches = setting.switches | modes;

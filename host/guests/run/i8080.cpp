@@ -4,149 +4,517 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
+#include <bitset>
+#include <cstdlib>
 #include <iterator>
-#include <memory>
+#include <utility>
 
+#include "emulators/i8080/bus.hpp"
 #include "emulators/machines/i8080_machine.hpp"
-#include "host/guests/run/i8080_devices.hpp"
-#include "host/guests/run/i8080_ports.hpp"
-#include "host/guests/run/i8080_text.hpp"
+#include "host/picture/pen_drawing.hpp"
+#include "host/picture/png.hpp"
+#include "host/picture/raster_image.hpp"
+#include "host/picture/stroke_log.hpp"
+#include "tools/disasm/i8080.hpp"
+#include "tools/image/binary.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::run {
 
 namespace {
 
-using Ports = I8080RunPorts<I8080Devices>;
+using machines::DeviceKind;
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
-constexpr core::TStates time_between_calls{1 << 25};
+constexpr core::TStates time_between_questions{1 << 25};
+constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
-// PC behind an OUT of the stub.
+// What stands in memory for CP/M, and where PC is behind an OUT there.
+constexpr std::array<std::pair<i8080::Address, i8080::Byte>, 7> cpm_stub{{{0x0000, 0xD3},
+                                                                          {0x0001, 0x00},
+                                                                          {0x0005, 0xD3},
+                                                                          {0x0006, 0x01},
+                                                                          {0x0007, 0xC9},
+                                                                          {0x00D3, 0xD3},
+                                                                          {0x00D4, 0x00}}};
+constexpr std::uint8_t exit_port = 0;
+constexpr std::uint8_t bdos_port = 1;
 constexpr i8080::Address behind_exit = 0x0002;
 constexpr i8080::Address behind_returned_exit = 0x00D5;
 constexpr i8080::Address bdos = 0x0005;
 constexpr i8080::Address behind_bdos = 0x0007;
 
-I8080Stop stop_of(machines::I8080StopReason reason) {
-  switch (reason) {
-    case machines::I8080StopReason::halt: return I8080Stop::halt;
-    case machines::I8080StopReason::instruction_limit: return I8080Stop::instruction_limit;
-    case machines::I8080StopReason::time_limit: return I8080Stop::state_limit;
-    case machines::I8080StopReason::ports: return I8080Stop::unanswered;
-    case machines::I8080StopReason::observer: break;
-  }
-  return I8080Stop::interrupted;
-}
+// --- Ports ---
 
-// A machine with everything around it; it lives on the heap, the raster boards are large.
-template <class Observer>
-class Run {
+// A sink that writes what a plotter's pen does and keeps the lines it draws, as far as the run asks for them.
+// Strokes tell nothing of a lifted pen: marks one step apart are joined.
+class PlotterTaker {
  public:
-  Run(const I8080Job& job, Observer& observer)
-      : job_(job),
-        plotter_(job),
-        devices_(configuration_of(job), plotter_),
-        ports_(devices_, job.cpm, job.strict),
-        machine_(ports_, observer) {
-    const auto given = job.memory.bytes();
-    std::copy(given.begin(), given.end(), machine_.memory().begin());
-    if (job.cpm) {
-      for (const auto& [address, byte] : cpm_stub) machine_.deposit(address, byte);
+  static constexpr bool consumes = true;
+  // Corners kept of a program that draws for ever.
+  static constexpr std::size_t most_corners = std::size_t{1} << 22;
+
+  explicit PlotterTaker(bool drawing) : drawing_(drawing) {}
+
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke& stroke) {
+    if (log_.wanted()) log(stroke);
+    if (drawing_) draw({stroke.x, stroke.y});
+  }
+  void end_pass(core::Instant) {}
+
+  void take(TextTaker taker) { log_.take(std::move(taker)); }
+  void finish() { log_.finish(); }
+  [[nodiscard]] const std::vector<picture::PenPath>& paths() const { return paths_; }
+  // Marks beyond what is kept.
+  [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
+
+ private:
+  void log(const core::Stroke& stroke) {
+    picture::append_stroke_line(log_.text(), stroke);
+    log_.end_line();
+  }
+  void draw(picture::PenPoint point) {
+    const bool joined =
+        !paths_.empty() && std::abs(point.x - last_.x) <= 1 && std::abs(point.y - last_.y) <= 1;
+    const std::size_t kept = corners_ + (paths_.empty() ? 0 : paths_.back().corners.size());
+    if (kept >= most_corners) {
+      ++left_out_;
+      return;
     }
-    machine_.registers() = job.registers;
+    if (!joined) {
+      corners_ = kept;
+      paths_.push_back({{point}});
+    } else if (point != last_) {
+      picture::extend(paths_.back(), point);
+    }
+    last_ = point;
   }
 
-  void run_to_stop() {
-    while (true) {
-      const I8080Stop stop = run_slice();
-      if (stop == I8080Stop::unanswered) {
-        if (const auto call = ports_.take_call()) {
-          if (answer(*call)) return;
-          // Each call begins a new slice: a program that prints all the time never comes to the end of one.
-          if (!goes_on()) return end(I8080Stop::interrupted);
-          continue;
-        }
+  bool drawing_;
+  TextBlocks log_;
+  std::vector<picture::PenPath> paths_;
+  picture::PenPoint last_;
+  std::size_t corners_ = 0;  // of all paths but the last, which is counted when the next begins
+  std::uint64_t left_out_ = 0;
+};
+
+using Devices = machines::SkalaPorts<PlotterTaker>;
+
+struct StubCall {
+  std::uint8_t port;
+  std::uint8_t value;
+  core::TStateInstant at;
+};
+
+// The machine's devices, and before them the two ports of the CP/M stub and the watch of --strict.
+//
+// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; whoever
+// drives the machine looks at the registers there, and goes on. An OUT to 0 or 1 that turns out to be none of
+// the stub's is handed back to the devices.
+class RunPorts {
+ public:
+  static constexpr bool waits = Devices::waits;
+
+  RunPorts(Devices& devices, bool cpm, bool strict) : devices_(devices), cpm_(cpm), strict_(strict) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+    const std::uint64_t before = devices_.unanswered()[port].reads;
+    const std::uint8_t value = devices_.in(port, at);
+    if (strict_ && devices_.unanswered()[port].reads != before) unanswered_ = true;
+    return value;
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    if (cpm_ && port <= bdos_port) {
+      call_ = {port, value, at};
+      return;
+    }
+    pass_on({port, value, at});
+  }
+  [[nodiscard]] core::TStateInstant deadline() const { return devices_.deadline(); }
+  void advance(core::TStateInstant now) { devices_.advance(now); }
+  [[nodiscard]] bool interrupt() const { return devices_.interrupt(); }
+  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) { return devices_.acknowledge(now); }
+  [[nodiscard]] bool stopped() const { return call_.has_value() || unanswered_; }
+
+  // The OUT to a port of the stub that ended the run, once.
+  [[nodiscard]] std::optional<StubCall> take_call() { return std::exchange(call_, std::nullopt); }
+  // An OUT as if there were no stub.
+  void pass_on(const StubCall& call) {
+    const std::uint64_t before = devices_.unanswered()[call.port].writes;
+    devices_.out(call.port, call.value, call.at);
+    if (strict_ && devices_.unanswered()[call.port].writes != before) unanswered_ = true;
+  }
+  // A port did not answer and the run is strict.
+  [[nodiscard]] bool unanswered() const { return unanswered_; }
+
+ private:
+  Devices& devices_;
+  std::optional<StubCall> call_;
+  bool cpm_;
+  bool strict_;
+  bool unanswered_ = false;
+};
+
+// --- Trace and bus log ---
+
+// An observer that writes what has a taker, in blocks.
+class Recorder {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = false;
+
+  void take(std::string_view option, TextTaker taker) {
+    (option == "--trace" ? trace_ : bus_).take(std::move(taker));
+  }
+  void finish() {
+    trace_.finish();
+    bus_.finish();
+  }
+
+  // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT stands before an
+  // instruction that a device supplied, * before an opcode that Intel left undefined and that does the same
+  // as another.
+  void instruction(const machines::I8080InstructionRecord& record) {
+    if (!trace_.wanted()) return;
+    const Remembered& known = disassembled(record);
+    const auto to = std::back_inserter(trace_.text());
+    fmt::format_to(to, "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
+    for (std::size_t i = 0; i < record.bytes.size(); ++i) {
+      if (static_cast<int>(i) < known.length) {
+        fmt::format_to(to, "{:02X}", record.bytes[i]);
+      } else {
+        fmt::format_to(to, "  ");
       }
-      const bool slice_done = stop == I8080Stop::state_limit && machine_.now() < job_.limits.until;
-      if (!slice_done) return end(stop);
-      if (!goes_on()) return end(I8080Stop::interrupted);
     }
+    const i8080::State& s = record.after;
+    fmt::format_to(to, " {}{:<{}} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:04X} {:04X} {}\n",
+                   record.acknowledged ? "INT " : "", known.text, record.acknowledged ? 16 : 20, s.a, s.f,
+                   i8080::high(s.bc), i8080::low(s.bc), i8080::high(s.de), i8080::low(s.de),
+                   i8080::high(s.hl), i8080::low(s.hl), s.sp, s.pc, s.interrupts_on ? 1 : 0);
+    trace_.end_line();
   }
-
-  [[nodiscard]] I8080Report report() {
-    report_.registers = machine_.registers();
-    report_.end = machine_.now();
-    report_.instructions = machine_.instructions();
-    report_.memory.assign(machine_.memory().begin(), machine_.memory().end());
-    for (std::size_t port = 0; port < 256; ++port) {
-      const auto& [reads, writes] = devices_.unanswered()[port];
-      if (reads + writes != 0) report_.unanswered.push_back({static_cast<std::uint8_t>(port), reads, writes});
+  // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
+  void cycle(const machines::I8080Cycle& cycle) {
+    if (!bus_.wanted()) return;
+    const auto to = std::back_inserter(bus_.text());
+    fmt::format_to(to, "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status, cycle.address);
+    if (cycle.status == i8080::status::halt_cycle) {
+      fmt::format_to(to, "--\n");
+    } else {
+      fmt::format_to(to, "{:02X}\n", cycle.data);
     }
-    collect_devices(devices_, report_);
-    plotter_.finish(report_);
-    return std::move(report_);
+    bus_.end_line();
   }
 
  private:
-  static machines::SkalaConfiguration configuration_of(const I8080Job& job) {
-    machines::SkalaConfiguration configuration = job.machine;
-    if (job.parallel) configuration.parallel = *job.parallel;
-    if (job.serial) configuration.serial = *job.serial;
-    return configuration;
-  }
+  struct Remembered {
+    std::array<i8080::Byte, 3> bytes;
+    int length = 0;  // 0: nothing remembered
+    std::string text;
+  };
 
-  // In slices only if somebody wants to be asked in between; a slice's end changes nothing in the machine.
-  I8080Stop run_slice() {
-    machines::I8080Limits limits = job_.limits;
-    limits.instructions -= machine_.instructions();
-    if (job_.keep_running) limits.until = std::min(limits.until, machine_.now() + time_between_calls);
-    return stop_of(machine_.run(limits));
-  }
-
-  [[nodiscard]] bool goes_on() const {
-    return !job_.keep_running || job_.keep_running({machine_.instructions(), machine_.now()});
-  }
-
-  void end(I8080Stop stop) { report_.stop = stop; }
-
-  // True when that was the end of the run.
-  bool answer(const StubCall& call) {
-    const i8080::Address pc = machine_.registers().pc;
-    if (call.port == Ports::exit_port && (pc == behind_exit || pc == behind_returned_exit)) {
-      end(I8080Stop::exit);
-      return true;
+  // A loop meets the same bytes at the same places.
+  const Remembered& disassembled(const machines::I8080InstructionRecord& record) {
+    Remembered& known = remembered_[record.pc];
+    if (known.length == 0 || known.bytes != record.bytes) {
+      const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction(record.bytes);
+      known = {record.bytes, line.bytes, (line.duplicate ? "*" : "") + line.text};
     }
-    if (call.port == Ports::bdos_port && pc == behind_bdos) return call_bdos();
-    ports_.pass_on(call);
-    if (!ports_.unanswered()) return false;
-    end(I8080Stop::unanswered);
-    return true;
+    return known;
   }
 
-  bool call_bdos() {
+  TextBlocks trace_;
+  TextBlocks bus_;
+  std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
+};
+
+struct NoRecorder : machines::NoI8080Observer {
+  static void take(std::string_view, const TextTaker&) {}
+  static void finish() {}
+};
+
+// --- Texts ---
+
+// Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
+std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
+  constexpr std::int64_t second = 1'000'000'000;
+  const std::int64_t t_states = core::t_states_of(t);
+  return fmt::format("{}.{:09}", t_states / clock.hertz, t_states % clock.hertz * second / clock.hertz);
+}
+
+// Bytes as the characters of Latin-1, in UTF-8: JSON has no bytes.
+std::string as_utf8(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text.push_back(c);
+    } else {
+      text.push_back(static_cast<char>(0xC0U | byte >> 6));
+      text.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+    }
+  }
+  return text;
+}
+
+std::string times(std::uint64_t n, std::string_view what) {
+  return n == 1 ? fmt::format("once {}", what) : fmt::format("{} times {}", n, what);
+}
+
+// Registers B to L, numbers 2 to 7: halves of pairs.
+i8080::Address& pair_of(i8080::State& state, std::size_t number) {
+  return number < 4 ? state.bc : number < 6 ? state.de : state.hl;
+}
+
+// --- The machine ---
+
+// Lives on the heap: the raster boards are large.
+template <class Observer>
+class I8080Run final : public Machine {
+ public:
+  explicit I8080Run(I8080Setup setup)
+      : setup_(std::move(setup)),
+        plotter_(setup_.drawing),
+        devices_(setup_.machine, plotter_),
+        ports_(devices_, setup_.cpm, setup_.strict),
+        machine_(ports_, observer_) {}
+
+  [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
+    return machine_.peek(static_cast<i8080::Address>(address));
+  }
+  void put(std::uint32_t address, std::uint32_t word) override {
+    machine_.deposit(static_cast<i8080::Address>(address), static_cast<i8080::Byte>(word));
+    if (address < loaded_below_.size()) loaded_below_.set(address);
+  }
+
+  [[nodiscard]] std::uint32_t get(std::size_t number) const override {
+    i8080::State s = machine_.registers();
+    switch (number) {
+      case 0: return s.a;
+      case 1: return s.f;
+      case 8: return s.sp;
+      case 9: return s.pc;
+      case 10: return s.interrupts_on ? 1 : 0;
+      default: return number % 2 == 0 ? i8080::high(pair_of(s, number)) : i8080::low(pair_of(s, number));
+    }
+  }
+  // Bits of F that the machine does not have are passed over.
+  void set(std::size_t number, std::uint32_t value) override {
+    i8080::State& s = machine_.registers();
+    const auto byte = static_cast<i8080::Byte>(value);
+    switch (number) {
+      case 0: s.a = byte; break;
+      case 1: s.f = i8080::as_flags(byte); break;
+      case 8: s.sp = static_cast<i8080::Address>(value); break;
+      case 9: s.pc = static_cast<i8080::Address>(value); break;
+      case 10: s.interrupts_on = value != 0; break;
+      default: {
+        i8080::Address& pair = pair_of(s, number);
+        pair =
+            number % 2 == 0 ? i8080::joined(byte, i8080::low(pair)) : i8080::joined(i8080::high(pair), byte);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
+    return setup_.cpm ? image::com_origin : loaded.value_or(0);
+  }
+  void start(std::uint32_t address) override {
+    machine_.registers().pc = static_cast<i8080::Address>(address);
+  }
+  [[nodiscard]] Result<Done> ready() override {
+    if (!setup_.cpm) return Done{};
+    for (const auto& [address, byte] : cpm_stub) {
+      if (loaded_below_[address] && machine_.peek(address) != byte) {
+        return bad_input(fmt::format(
+            "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
+      }
+      machine_.deposit(address, byte);
+    }
+    return Done{};
+  }
+
+  void take(std::string_view option, TextTaker taker) override {
+    if (option == "--console") {
+      console_ = std::move(taker);
+    } else if (option == "--strokes") {
+      plotter_.take(std::move(taker));
+    } else {
+      observer_.take(option, std::move(taker));
+    }
+  }
+
+  // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
+  [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
+    const core::TStateInstant limit = core::at_t_state(limits.until);
+    const core::TStateInstant until =
+        asked ? std::min(limit, machine_.now() + time_between_questions) : limit;
+    switch (machine_.run({limits.instructions - machine_.instructions(), until})) {
+      case machines::I8080StopReason::halt: return Stop{"halt", {}};
+      case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
+      case machines::I8080StopReason::time_limit:
+        if (machine_.now() < limit) return std::nullopt;
+        return Stop{"state_limit", {}};
+      case machines::I8080StopReason::ports: {
+        const auto call = ports_.take_call();
+        return call ? answer(*call) : unanswered();
+      }
+      case machines::I8080StopReason::observer: break;
+    }
+    return Stop{"interrupted", {}};
+  }
+  void finish() override {
+    observer_.finish();
+    plotter_.finish();
+  }
+
+  [[nodiscard]] std::uint64_t instructions() const override { return machine_.instructions(); }
+  [[nodiscard]] core::Instant now() const override {
+    return setup_.machine.clock.to_nanoseconds(machine_.now());
+  }
+
+  [[nodiscard]] std::vector<ReportLine> lines() const override {
+    const core::ClockRate clock = setup_.machine.clock;
+    std::vector<ReportLine> lines{
+        {"T-states", fmt::format("{}", core::t_states_of(machine_.now()))},
+        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_.now(), clock), clock.hertz)},
+        {"instructions", fmt::format("{}", machine_.instructions())}};
+    devices_.each_device([&lines](auto row, const auto& device) {
+      std::string counts;
+      row.count(device, [&counts](std::string_view name, std::uint64_t count) {
+        if (count == 0) return;
+        std::string spoken(name);
+        std::replace(spoken.begin(), spoken.end(), '_', ' ');
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", spoken, count);
+      });
+      lines.push_back({std::string(row.name), counts.empty() ? "nothing" : counts});
+    });
+    return lines;
+  }
+  void add_times(base::Json& report) const override {
+    const core::ClockRate clock = setup_.machine.clock;
+    const std::int64_t t_states = core::t_states_of(machine_.now());
+    report["t_states"] = t_states;
+    report["clock_hz"] = clock.hertz;
+    // null where no 64 bits hold it
+    report["emulated_ns"] = now() == core::never ? base::Json() : base::Json(core::nanoseconds_of(now()));
+    report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock.hertz);
+  }
+  void add_details(base::Json& report) const override {
+    report["cpm"] = setup_.cpm;
+    if (bdos_caller_) {
+      report["bdos"] =
+          base::Json{{"function", bdos_function_}, {"caller", fmt::format("{:04X}", *bdos_caller_)}};
+    }
+    if (setup_.keep_console) report["console"] = as_utf8(kept_console_);
+    base::Json& devices = report["devices"] = base::Json::object();
+    devices_.each_device([&devices](auto row, const auto& device) {
+      base::Json& counts = devices[row.name];
+      row.count(device, [&counts](std::string_view name, std::uint64_t count) { counts[name] = count; });
+    });
+    base::Json& unanswered = report["unanswered"] = base::Json::array();
+    each_unanswered([&unanswered](std::size_t port, const machines::UnansweredPort& counts) {
+      unanswered.push_back(base::Json{
+          {"port", fmt::format("{:02X}", port)}, {"reads", counts.reads}, {"writes", counts.writes}});
+    });
+  }
+
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    std::vector<std::string> warnings;
+    devices_.each_device([&warnings](auto row, const auto& device) {
+      row.count(device, [&warnings, row](std::string_view name, std::uint64_t count) {
+        if (name == machines::not_kept && count != 0) {
+          warnings.push_back(
+              fmt::format("{}: the last {} bytes from the program were not kept", row.name, count));
+        }
+      });
+    });
+    each_unanswered([&warnings](std::size_t port, const machines::UnansweredPort& counts) {
+      const auto warn = [&](std::uint64_t count, std::string_view what) {
+        if (count != 0)
+          warnings.push_back(fmt::format("port {:02X}: nothing answers, {}", port, times(count, what)));
+      };
+      warn(counts.reads, "read as FF");
+      warn(counts.writes, "written in vain");
+    });
+    if (console_left_out_ != 0) {
+      warnings.push_back(
+          fmt::format("the report's \"console\" lacks the last {} bytes printed; --console FILE takes all",
+                      console_left_out_));
+    }
+    if (plotter_.left_out() != 0)
+      warnings.push_back(fmt::format("the drawing lacks the last {} marks of the pen", plotter_.left_out()));
+    return warnings;
+  }
+
+  // --png of the raster board, --svg of the plotter, --parallel-out and its like of the links.
+  [[nodiscard]] Bytes output(std::string_view option) const override {
+    Bytes bytes;
+    devices_.each_device([&](auto row, const auto& device) {
+      using Row = decltype(row);
+      if constexpr (Row::kind == DeviceKind::raster_board) {
+        if (option == "--png") bytes = png(device.raster());
+      } else if constexpr (Row::kind == DeviceKind::plotter) {
+        if (option == "--svg") bytes = svg(Row::micrometres_a_step);
+      } else {
+        if (option != fmt::format("--{}-out", Row::name)) return;
+        row.received(device, [&bytes](const devices::KeptBytes& received) {
+          bytes.insert(bytes.end(), received.bytes().begin(), received.bytes().end());
+        });
+      }
+    });
+    return bytes;
+  }
+
+ private:
+  // Nothing: the run goes on.
+  std::optional<Stop> answer(const StubCall& call) {
+    const i8080::Address pc = machine_.registers().pc;
+    if (call.port == exit_port && (pc == behind_exit || pc == behind_returned_exit)) return Stop{"exit", {}};
+    if (call.port == bdos_port && pc == behind_bdos) return call_bdos();
+    ports_.pass_on(call);
+    return ports_.unanswered() ? unanswered() : std::nullopt;
+  }
+  // The IN or OUT stands before PC.
+  std::optional<Stop> unanswered() const {
+    return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: nothing answers at that port",
+                                      static_cast<i8080::Address>(machine_.registers().pc - 2))};
+  }
+
+  std::optional<Stop> call_bdos() {
     i8080::State& registers = machine_.registers();
-    report_.bdos_function = i8080::low(registers.bc);
-    switch (report_.bdos_function) {
-      case 0: registers.pc = 0; return false;
-      case 2: print(std::string(1, static_cast<char>(i8080::low(registers.de)))); return false;
+    bdos_function_ = i8080::low(registers.bc);
+    switch (bdos_function_) {
+      case 0: registers.pc = 0; return std::nullopt;
+      case 2: print(std::string(1, static_cast<char>(i8080::low(registers.de)))); return std::nullopt;
       case 9:
         if (const auto text = string_at(registers.de)) {
           print(*text);
-          return false;
+          return std::nullopt;
         }
-        return fail(I8080Stop::endless_string);
-      default: return fail(I8080Stop::unknown_bdos);
+        bdos_caller_ = caller();
+        return Stop{
+            "endless_string",
+            fmt::format("PC {:04X}: stopped: found no $ in memory for BDOS function 9, expected one to end "
+                        "the text",
+                        *bdos_caller_)};
+      default:
+        bdos_caller_ = caller();
+        return Stop{"unknown_bdos",
+                    fmt::format("PC {:04X}: stopped: found a call of BDOS function {}, expected 0, 2 or 9",
+                                *bdos_caller_, bdos_function_)};
     }
-  }
-  bool fail(I8080Stop stop) {
-    report_.bdos_caller = caller();
-    end(stop);
-    return true;
   }
 
   void print(std::string_view text) {
-    if (job_.console) job_.console(text);
+    if (console_) console_(text);
+    if (!setup_.keep_console) return;
+    const std::string_view kept = text.substr(0, most_kept_of_console - kept_console_.size());
+    kept_console_ += kept;
+    console_left_out_ += text.size() - kept.size();
   }
 
   // Up to the $ behind it.
@@ -170,58 +538,54 @@ class Run {
     return called ? static_cast<i8080::Address>(from) : bdos;
   }
 
-  const I8080Job& job_;
-  PlotterTaker plotter_;
-  I8080Devices devices_;
-  Ports ports_;
-  machines::I8080Machine<Ports, Observer> machine_;
-  I8080Report report_;
-};
+  template <class Visit>
+  void each_unanswered(Visit visit) const {
+    for (std::size_t port = 0; port < 256; ++port) {
+      const machines::UnansweredPort& counts = devices_.unanswered()[port];
+      if (counts.reads + counts.writes != 0) visit(port, counts);
+    }
+  }
 
-template <class Observer>
-I8080Report run_with(const I8080Job& job, Observer& observer) {
-  const auto run = std::make_unique<Run<Observer>>(job, observer);
-  run->run_to_stop();
-  return run->report();
-}
+  [[nodiscard]] Bytes png(const core::Raster& raster) const {
+    const auto palette = setup_.grey ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+    return *picture::encode_png(
+        picture::raster_image(raster, palette, 1),
+        {{"Software", "sightline " SIGHTLINE_VERSION},
+         {"End of run", fmt::format("T-state {}", core::t_states_of(machine_.now()))}});
+  }
+  // The paper is as large as the drawing needs, from step (0, 0) on.
+  [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
+    picture::PlotterPaper paper{.micrometres_a_step = micrometres_a_step};
+    for (const picture::PenPath& path : plotter_.paths()) {
+      for (const picture::PenPoint corner : path.corners)
+        paper.steps = std::max({paper.steps, corner.x + 1, corner.y + 1});
+    }
+    const std::string drawing =
+        picture::pen_svg(plotter_.paths(), paper,
+                         fmt::format("8080: plotter at T-state {}", core::t_states_of(machine_.now())));
+    return {drawing.begin(), drawing.end()};
+  }
+
+  I8080Setup setup_;
+  Observer observer_;
+  PlotterTaker plotter_;
+  Devices devices_;
+  RunPorts ports_;
+  machines::I8080Machine<RunPorts, Observer> machine_;
+  std::bitset<0x100> loaded_below_;
+  TextTaker console_;
+  std::string kept_console_;
+  std::uint64_t console_left_out_ = 0;  // bytes
+  // The last BDOS function called, and where, if it ended the run; 0005 if that cannot be told.
+  std::uint8_t bdos_function_ = 0;
+  std::optional<i8080::Address> bdos_caller_;
+};
 
 }  // namespace
 
-std::string_view name_of(I8080Stop stop) {
-  switch (stop) {
-    case I8080Stop::halt: return "halt";
-    case I8080Stop::exit: return "exit";
-    case I8080Stop::instruction_limit: return "instruction_limit";
-    case I8080Stop::state_limit: return "state_limit";
-    case I8080Stop::unknown_bdos: return "unknown_bdos";
-    case I8080Stop::endless_string: return "endless_string";
-    case I8080Stop::unanswered: return "strict";
-    case I8080Stop::interrupted: break;
-  }
-  return "interrupted";
+std::unique_ptr<Machine> make_i8080(I8080Setup setup) {
+  if (setup.observed) return std::make_unique<I8080Run<Recorder>>(std::move(setup));
+  return std::make_unique<I8080Run<NoRecorder>>(std::move(setup));
 }
 
-I8080Report run_i8080(const I8080Job& job) {
-  if (!job.trace && !job.bus) {
-    machines::NoI8080Observer nobody;
-    return run_with(job, nobody);
-  }
-  I8080Recorder recorder(job);
-  I8080Report report = run_with(job, recorder);
-  recorder.finish();
-  return report;
-}
-
-std::string dump_text(const I8080Report& report) {
-  fmt::memory_buffer text;
-  append_registers(text, report.registers);
-  text.push_back('\n');
-  constexpr std::size_t bytes_a_line = 16;
-  for (std::size_t a = 0; a < report.memory.size(); ++a) {
-    const bool last_in_line = a % bytes_a_line == bytes_a_line - 1;
-    fmt::format_to(std::back_inserter(text), "{:02X}{}", report.memory[a], last_in_line ? '\n' : ' ');
-  }
-  return fmt::to_string(text);
-}
-
-}  // namespace sightline::harness
+}  // namespace sightline::guests::run

@@ -4,40 +4,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
+#include "host/picture/crisp_raster.hpp"
+#include "host/picture/phosphor.hpp"
+#include "host/picture/png.hpp"
+#include "host/picture/svg.hpp"
 #include "tools/disasm/disasm.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::run {
 
 namespace {
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
-constexpr std::uint64_t cycles_between_calls = std::uint64_t{1} << 22;
+constexpr std::uint64_t cycles_between_questions = std::uint64_t{1} << 22;
+// A program that has run into its data can meet thousands of codes.
+constexpr std::size_t most_warnings = 100;
+// The exposure that the photograph's parameters are set for.
+constexpr core::Duration shutter_time{200'000'000};
 
+// The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
 class Tracer {
  public:
   static constexpr bool instructions = true;
   static constexpr bool cycles = false;
   static constexpr bool stops = false;
 
-  explicit Tracer(const TextTaker& taker) : taker_(taker) {}
-
   void instruction(const machines::InstructionRecord& record) {
-    fmt::format_to(std::back_inserter(text_), "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
+    fmt::format_to(std::back_inserter(text_.text()), "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
                    core::nanoseconds_of(record.time), record.pc, record.word.value(),
                    instruction_text(record), record.after.ac.value(), record.after.link ? 1 : 0,
                    record.after.mq.value());
-    if (text_.size() >= block_size) finish();
+    text_.end_line();
   }
-  void finish() {
-    if (text_.size() != 0) taker_({text_.data(), text_.size()});
-    text_.clear();
-  }
+  void take(TextTaker taker) { text_.take(std::move(taker)); }
+  void finish() { text_.finish(); }
 
  private:
-  static constexpr std::size_t block_size = 65536;
-
   // A loop meets the same words at the same places.
   struct Remembered {
     core::Word18 word;
@@ -51,144 +55,270 @@ class Tracer {
     return known.text;
   }
 
-  const TextTaker& taker_;
-  fmt::memory_buffer text_;
+  TextBlocks text_;
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
 };
 
-Stop stop_of(machines::StopReason reason) {
+struct NoTracer : machines::NoObserver {
+  static void take(const TextTaker&) {}
+  static void finish() {}
+};
+
+// A run without a taker of strokes.
+struct NoScreen : core::NoStrokes {
+  explicit NoScreen(const Screen::Wishes&) {}
+  static void take_log(const TextTaker&) {}
+  static void finish() {}
+};
+
+std::string seconds_text(core::Instant t) {
+  constexpr std::int64_t second = 1'000'000'000;
+  const std::int64_t ns = core::nanoseconds_of(t);
+  return fmt::format("{}.{:09}", ns / second, ns % second);
+}
+
+std::string why_unanswered(std::uint32_t word) {
+  constexpr std::uint32_t iot = 0700000;
+  if ((word & iot) != iot) return "there is no EAE in this machine";
+  return fmt::format("no device {:02o} in this machine obeys it", (word >> 6) & 077U);
+}
+
+// The one before, in its bank: PC has gone on.
+pdp7::Address before(pdp7::Address pc) {
+  return (pc & pdp7::bank_mask) | ((pc - 1) & pdp7::in_bank_mask);
+}
+
+Stop stop_of(machines::StopReason reason, pdp7::Address pc) {
   switch (reason) {
-    case machines::StopReason::halt: return Stop::halt;
-    case machines::StopReason::instruction_limit: return Stop::instruction_limit;
-    case machines::StopReason::time_limit: return Stop::time_limit;
-    case machines::StopReason::xct_chain: return Stop::xct_chain;
-    case machines::StopReason::unanswered: return Stop::unanswered;
+    case machines::StopReason::halt: return {"halt", {}};
+    case machines::StopReason::instruction_limit: return {"instruction_limit", {}};
+    case machines::StopReason::time_limit: return {"time_limit", {}};
+    case machines::StopReason::xct_chain:
+      return {"xct_chain", fmt::format("PC {:05o}: stopped: a chain of more than {} XCT instructions",
+                                       before(pc), pdp7::longest_xct_chain)};
+    case machines::StopReason::unanswered:
+      return {"strict",
+              fmt::format("PC {:05o}: stopped by --strict: nothing obeys the instruction", before(pc))};
     case machines::StopReason::observer: break;
   }
-  return Stop::interrupted;
+  return {"interrupted", {}};
 }
 
-template <class Machine>
-void set_up(Machine& machine, const Pdp7Job& job) {
-  for (const auto& [address, word] : job.core) machine.deposit(address, word);
-  if (!job.reader_tape.empty()) machine.devices().reader.load(job.reader_tape);
-  for (const KeyPress& key : job.keys) machine.devices().keyboard.press(key.time, key.code);
-  machine.console().schedule(job.switch_script);
-  if (job.start) machine.start(*job.start);
-  const RegisterSettings& set = job.registers;
-  pdp7::State& state = machine.registers();
-  state.pc = set.pc.value_or(state.pc);
-  state.ac = set.ac.value_or(state.ac);
-  state.mq = set.mq.value_or(state.mq);
-  state.sc = set.sc.value_or(state.sc);
-  state.link = set.link.value_or(state.link);
-  state.interrupts_on = set.interrupts_on.value_or(state.interrupts_on);
-  machine.console().set(set.switches.value_or(core::Word18(0)));
-}
-
-// Moves the pen as far as the script has come, and says when it goes on. The display stands at the machine's
-// own time between runs, which is what its pen asks for.
-template <class Machine>
-core::Instant move_pen(Machine& machine, std::span<const PenMove>& script) {
-  while (!script.empty() && script.front().time <= machine.now()) {
-    machine.display()->point_light_pen(script.front().pen);
-    script = script.subspan(1);
-  }
-  return script.empty() ? core::never : script.front().time;
-}
-
-// In slices only if somebody wants to be asked in between or moves the light pen; a slice's end changes
-// nothing in the machine.
-template <class Machine>
-Stop run_to_stop(Machine& machine, const Pdp7Job& job) {
-  std::span<const PenMove> script;
-  if (machine.display() != nullptr) script = job.pen_script;
-  std::uint64_t left = job.limits.instructions;
-  while (true) {
-    const core::Instant until = std::min(job.limits.until, move_pen(machine, script));
-    const std::uint64_t now = job.keep_running ? std::min(left, cycles_between_calls) : left;
-    const std::uint64_t before = machine.counts().instructions;
-    const Stop stop = stop_of(machine.run({now, until}));
-    left -= machine.counts().instructions - before;
-    const bool slice_done = stop == Stop::instruction_limit && left != 0;
-    const bool pen_due = stop == Stop::time_limit && machine.now() < job.limits.until;
-    if (!slice_done && !pen_due) return stop;
-    if (job.keep_running && !job.keep_running({machine.counts().instructions, machine.now()}))
-      return Stop::interrupted;
-  }
+Bytes bytes_of(std::string_view text) {
+  return {text.begin(), text.end()};
 }
 
 template <class Sink, class Observer>
-Pdp7Report run_with(const Pdp7Job& job, Sink& sink, Observer& observer) {
-  machines::Pdp7<Sink, Observer> machine(job.machine, sink, observer);
-  set_up(machine, job);
-  Pdp7Report report;
-  report.stop = run_to_stop(machine, job);
-  report.registers = machine.registers();
-  report.switches = machine.console().switches(machine.now());
-  report.end = machine.now();
-  report.counts = machine.counts();
-  if (const auto* display = machine.display()) {
-    report.display_words = display->counters().words;
-    report.passes_started = display->counters().passes_started;
-    report.passes = display->counters().passes_stopped;
+class Pdp7Machine final : public Machine {
+ public:
+  explicit Pdp7Machine(Pdp7Setup setup)
+      : setup_(std::move(setup)),
+        sink_(setup_.screen.value_or(Screen::Wishes{})),
+        machine_(setup_.machine, sink_, observer_),
+        switches_(setup_.switches) {
+    if (!setup_.reader_tape.empty()) machine_.devices().reader.load(setup_.reader_tape);
+    for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
+    machine_.console().schedule(setup_.switch_script);
+    machine_.console().set(setup_.switches);
+    if (machine_.display() != nullptr) pen_script_ = setup_.pen_script;
   }
-  report.unanswered = machine.unanswered();
-  const auto words = machine.core().first(job.machine.configuration.core_words);
-  report.core.assign(words.begin(), words.end());
-  report.punched = machine.devices().punch.tape();
-  report.printed = machine.devices().printer.printed();
-  report.reader_out_of_tape = machine.devices().reader.out_of_tape();
-  return report;
-}
 
-template <class Sink>
-Pdp7Report run_observed(const Pdp7Job& job, Sink& sink) {
-  if (!job.trace) {
-    machines::NoObserver nobody;
-    return run_with(job, sink, nobody);
+  [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
+    return machine_.core()[address].value();
   }
-  Tracer tracer(job.trace);
-  Pdp7Report report = run_with(job, sink, tracer);
-  tracer.finish();
-  return report;
-}
+  void put(std::uint32_t address, std::uint32_t word) override {
+    machine_.deposit(address, core::Word18(word));
+  }
+
+  [[nodiscard]] std::uint32_t get(std::size_t number) const override {
+    const pdp7::State& r = machine_.registers();
+    switch (number) {
+      case 0: return r.pc;
+      case 1: return r.ac.value();
+      case 2: return r.link ? 1 : 0;
+      case 3: return r.mq.value();
+      case 4: return r.sc.value();
+      case 5: return switches_.value();
+      default: return r.interrupts_on ? 1 : 0;
+    }
+  }
+  void set(std::size_t number, std::uint32_t value) override {
+    pdp7::State& r = machine_.registers();
+    switch (number) {
+      case 0: r.pc = value; break;
+      case 1: r.ac = core::Word18(value); break;
+      case 2: r.link = value != 0; break;
+      case 3: r.mq = core::Word18(value); break;
+      case 4: r.sc = core::Word<6>(value); break;
+      case 5:
+        switches_ = core::Word18(value);
+        machine_.console().set(switches_);
+        break;
+      default: r.interrupts_on = value != 0; break;
+    }
+  }
+  void start(std::uint32_t address) override { machine_.start(address); }
+
+  void take(std::string_view option, TextTaker taker) override {
+    if (option == "--trace") {
+      observer_.take(std::move(taker));
+    } else {
+      sink_.take_log(std::move(taker));
+    }
+  }
+
+  // A slice ends where the engine is to be asked or the light pen moves.
+  [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
+    const std::uint64_t left = limits.instructions - machine_.counts().instructions;
+    const core::Instant limit = core::at_nanoseconds(limits.until);
+    const auto reason =
+        machine_.run({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
+    switches_ = machine_.console().switches(machine_.now());
+    const bool slice_done = reason == machines::StopReason::instruction_limit &&
+                            machine_.counts().instructions < limits.instructions;
+    const bool pen_due = reason == machines::StopReason::time_limit && machine_.now() < limit;
+    if (slice_done || pen_due) return std::nullopt;
+    return stop_of(reason, machine_.registers().pc);
+  }
+  void finish() override {
+    observer_.finish();
+    sink_.finish();
+  }
+
+  [[nodiscard]] std::uint64_t instructions() const override { return machine_.counts().instructions; }
+  [[nodiscard]] core::Instant now() const override { return machine_.now(); }
+
+  [[nodiscard]] std::vector<ReportLine> lines() const override {
+    const machines::Counts counts = machine_.counts();
+    std::vector<ReportLine> lines{
+        {"emulated time", seconds_text(now()) + " s"},
+        {"instructions", fmt::format("{}", counts.instructions)},
+        {"machine cycles",
+         fmt::format("{}, {} of them stolen", counts.machine_cycles, counts.stolen_cycles)}};
+    if (const auto* display = machine_.display()) {
+      lines.push_back(
+          {"display", fmt::format("{} words, {} passes complete of {} started", display->counters().words,
+                                  display->counters().passes_stopped, display->counters().passes_started)});
+    }
+    return lines;
+  }
+  void add_times(base::Json& report) const override {
+    const machines::Counts counts = machine_.counts();
+    const auto* display = machine_.display();
+    report["machine_cycles"] = counts.machine_cycles;
+    report["emulated_ns"] = core::nanoseconds_of(now());
+    report["emulated_seconds"] = static_cast<double>(core::nanoseconds_of(now())) / 1e9;
+    report["stolen_cycles"] = counts.stolen_cycles;
+    report["display_words"] = display != nullptr ? display->counters().words : 0;
+    report["passes"] = display != nullptr ? display->counters().passes_stopped : 0;
+    report["passes_started"] = display != nullptr ? display->counters().passes_started : 0;
+  }
+  void add_details(base::Json& report) const override {
+    const machines::Configuration& machine = setup_.machine.configuration;
+    report["machine"] = base::Json{{"core_words", machine.core_words},
+                                   {"eae", machine.model.eae},
+                                   {"extend_mode", machine.core_words > 8192},
+                                   {"display", setup_.machine.display.has_value()}};
+    base::Json& timing = report["timing"] = base::Json::object();
+    for (const auto& [name, value] : setup_.timing) timing[name] = value;
+    report["reader_out_of_tape"] = machine_.devices().reader.out_of_tape();
+    base::Json& unanswered = report["unanswered"] = base::Json::array();
+    for (const machines::Unanswered& entry : machine_.unanswered()) {
+      unanswered.push_back(base::Json{{"word", fmt::format("{:06o}", entry.word)},
+                                      {"count", entry.count},
+                                      {"first_pc", fmt::format("{:05o}", entry.first_pc)}});
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    std::vector<std::string> warnings;
+    for (const machines::Unanswered& entry : machine_.unanswered()) {
+      if (warnings.size() == most_warnings) {
+        warnings.push_back(
+            fmt::format("and {} more such codes", machine_.unanswered().size() - most_warnings));
+        break;
+      }
+      warnings.push_back(fmt::format("PC {:05o}: {:06o} does nothing, {} ({})", entry.first_pc, entry.word,
+                                     why_unanswered(entry.word),
+                                     entry.count == 1 ? "once" : fmt::format("{} times", entry.count)));
+    }
+    if (machine_.devices().reader.out_of_tape())
+      warnings.emplace_back("the program waits for the paper-tape reader, which has no more tape");
+    if constexpr (Sink::consumes) {
+      if (setup_.screen->picture && !sink_.has_complete_pass())
+        warnings.push_back("the picture shows " + shown(sink_.picture_strokes().size()));
+    }
+    return warnings;
+  }
+
+  [[nodiscard]] Bytes output(std::string_view option) const override {
+    if (option == "--punch") return machine_.devices().punch.tape();
+    if (option == "--teletype") {
+      Bytes codes = machine_.devices().printer.printed();
+      for (std::uint8_t& code : codes) code &= 0177U;
+      return codes;
+    }
+    if constexpr (Sink::consumes) {
+      if (option == "--phosphor") return photograph();
+      const auto strokes = sink_.picture_strokes();
+      if (option == "--svg")
+        return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
+      const std::string made_at = fmt::format("{} ns of emulated time", core::nanoseconds_of(now()));
+      return *picture::encode_png(picture::crisp_raster(strokes),
+                                  {{"Software", "sightline " SIGHTLINE_VERSION},
+                                   {"Shown", shown(strokes.size())},
+                                   {"End of run", made_at}});
+    }
+    return {};
+  }
+
+ private:
+  // Moves the pen as far as the script has come, and says when it goes on. The display stands at the
+  // machine's own time between runs, which is what its pen asks for.
+  core::Instant move_pen() {
+    while (!pen_script_.empty() && pen_script_.front().time <= machine_.now()) {
+      machine_.display()->point_light_pen(pen_script_.front().pen);
+      pen_script_ = pen_script_.subspan(1);
+    }
+    return pen_script_.empty() ? core::never : pen_script_.front().time;
+  }
+
+  // What a picture of so many strokes shows.
+  [[nodiscard]] std::string shown(std::size_t strokes) const {
+    if (sink_.has_complete_pass()) return "the last complete pass";
+    return strokes == 0 ? "nothing, no point was lit"
+                        : fmt::format("no complete pass; the {} newest points", strokes);
+  }
+  [[nodiscard]] Bytes photograph() const {
+    const core::Instant open = std::max(core::Instant{}, now() - shutter_time);
+    picture::PhosphorPhotograph photograph(open, now());
+    photograph.expose(sink_.newest_strokes());
+    return *picture::encode_png(
+        photograph.develop(),
+        {{"Software", "sightline " SIGHTLINE_VERSION},
+         {"Shutter", fmt::format("{} to {} ns of emulated time", core::nanoseconds_of(open),
+                                 core::nanoseconds_of(now()))}});
+  }
+
+  Pdp7Setup setup_;
+  Sink sink_;
+  Observer observer_;
+  machines::Pdp7<Sink, Observer> machine_;
+  core::Word18 switches_;  // as they stand
+  std::span<const PenMove> pen_script_;
+};
 
 }  // namespace
 
-std::string_view name_of(Stop stop) {
-  switch (stop) {
-    case Stop::halt: return "halt";
-    case Stop::instruction_limit: return "instruction_limit";
-    case Stop::time_limit: return "time_limit";
-    case Stop::xct_chain: return "xct_chain";
-    case Stop::unanswered: return "strict";
-    case Stop::interrupted: break;
+std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
+  const bool trace = setup.trace;
+  if (setup.screen) {
+    if (trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
+    return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
   }
-  return "interrupted";
+  if (trace) return std::make_unique<Pdp7Machine<NoScreen, Tracer>>(std::move(setup));
+  return std::make_unique<Pdp7Machine<NoScreen, NoTracer>>(std::move(setup));
 }
 
-Pdp7Report run_pdp7(const Pdp7Job& job) {
-  if (job.screen == nullptr) {
-    core::NoStrokes nobody;
-    return run_observed(job, nobody);
-  }
-  Pdp7Report report = run_observed(job, *job.screen);
-  job.screen->finish();
-  return report;
-}
-
-std::string dump_text(const Pdp7Report& report) {
-  const pdp7::State& r = report.registers;
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{:05o} {:06o} {:o} {:06o} {:02o}\n", r.pc, r.ac.value(),
-                 r.link ? 1 : 0, r.mq.value(), r.sc.value());
-  constexpr std::size_t words_a_line = 8;
-  for (std::size_t a = 0; a < report.core.size(); ++a) {
-    const bool last_in_line = a % words_a_line == words_a_line - 1 || a + 1 == report.core.size();
-    fmt::format_to(std::back_inserter(text), "{:06o}{}", report.core[a].value(), last_in_line ? '\n' : ' ');
-  }
-  return fmt::to_string(text);
-}
-
-}  // namespace sightline::harness
+}  // namespace sightline::guests::run

@@ -7,17 +7,16 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
+#include "host/guests/run/machine.hpp"
 #include "host/picture/stroke_log.hpp"
 #include "host/picture/stroke_sinks.hpp"
 
-namespace sightline::harness {
+namespace sightline::guests::run {
 
 class Screen {
  public:
@@ -26,12 +25,13 @@ class Screen {
   static constexpr std::size_t strokes_kept = std::size_t{1} << 21;
 
   struct Wishes {
-    bool picture = false;                       // for picture_strokes()
-    bool photograph = false;                    // for newest_strokes()
-    std::function<void(std::string_view)> log;  // every stroke, as host/picture/stroke_log writes it
+    bool picture = false;     // for picture_strokes()
+    bool photograph = false;  // for newest_strokes()
   };
 
-  explicit Screen(Wishes wishes) : wishes_(std::move(wishes)), newest_(strokes_kept) {}
+  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
+  // Takes every stroke, as host/picture/stroke_log writes it; before the first one.
+  void take_log(TextTaker taker) { log_.take(std::move(taker)); }
 
   void begin_pass(core::Instant t) {
     if (wishes_.picture) passes_.begin_pass(t);
@@ -39,16 +39,13 @@ class Screen {
   void stroke(const core::Stroke& stroke) {
     if (wishes_.picture) passes_.stroke(stroke);
     if (wishes_.photograph || (wishes_.picture && passes_.passes() == 0)) newest_.stroke(stroke);
-    if (wishes_.log) log(stroke);
+    if (log_.wanted()) log(stroke);
   }
   void end_pass(core::Instant t) {
     if (wishes_.picture) passes_.end_pass(t);
   }
   // Hands out what is left of the log.
-  void finish() {
-    if (!log_.empty()) wishes_.log(log_);
-    log_.clear();
-  }
+  void finish() { log_.finish(); }
 
   [[nodiscard]] bool has_complete_pass() const { return passes_.passes() != 0; }
   // Of the last complete pass; if there is none, the newest of the run.
@@ -58,17 +55,15 @@ class Screen {
   [[nodiscard]] std::vector<core::Stroke> newest_strokes() const { return newest_.strokes(); }
 
  private:
-  static constexpr std::size_t block_size = 65536;
-
   void log(const core::Stroke& stroke) {
-    picture::append_stroke_line(log_, stroke);
-    if (log_.size() >= block_size) finish();
+    picture::append_stroke_line(log_.text(), stroke);
+    log_.end_line();
   }
 
   Wishes wishes_;
   picture::PassRecorder passes_;
   picture::StrokeRecorder newest_;
-  std::string log_;
+  TextBlocks log_;
 };
 
-}  // namespace sightline::harness
+}  // namespace sightline::guests::run

@@ -13,7 +13,7 @@ using sightline::test::Ran;
 class JonesCommand : public sightline::test::CommandLine {
  protected:
   static json scene_of(const std::string& name) {
-    std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/scene/builtin/" + name + ".json");
+    std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/scene/read/builtin/" + name + ".json");
     return json::parse(stream);
   }
   json report(Arguments arguments) {

@@ -1,0 +1,35 @@
+// What `run`, `asm` and `disasm` share: a subcommand for each described machine
+// (host/guests/run/machine.hpp), whose options are data.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "host/app/command_line.hpp"
+#include "host/guests/run/engine.hpp"
+
+namespace sightline::app {
+
+// One subcommand of `parent`. `below`: what the help says below the options.
+void add_machine_command(const Command& parent, std::string_view name, std::string_view summary,
+                         std::span<const guests::run::Option> options, const std::string& below,
+                         std::function<ExitCode(const guests::run::Arguments&)> work);
+
+// The text help/NAME.txt.
+[[nodiscard]] std::string help_text(std::string_view name);
+
+[[nodiscard]] Failure failure(const guests::run::Refusal& refusal);
+// The value, or a Failure for what was refused.
+template <class T>
+[[nodiscard]] T accepted(guests::run::Result<T> result) {
+  if (!result) throw failure(result.error());
+  return std::move(*result);
+}
+
+// Reads a file whole; Failure io.
+[[nodiscard]] guests::run::Input read_named(const std::string& path);
+
+}  // namespace sightline::app

@@ -1,0 +1,335 @@
+// See engine.hpp and machine.hpp.
+#include "host/guests/run/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "host/base/number.hpp"
+
+namespace sightline::guests::run {
+
+namespace {
+
+const char* radix_name(int radix) {
+  return radix == 16 ? "hexadecimal" : radix == 8 ? "octal" : "decimal";
+}
+
+std::string in_radix(std::uint32_t value, int radix, unsigned width = 0) {
+  if (radix == 16) return fmt::format("{:0{}X}", value, width);
+  if (radix == 8) return fmt::format("{:0{}o}", value, width);
+  return fmt::format("{:0{}}", value, width);
+}
+
+// Without 0x before or H behind a hexadecimal number.
+std::string_view without_mark(std::string_view text, int radix) {
+  if (radix != 16) return text;
+  if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
+  if (text.ends_with('h') || text.ends_with('H')) text.remove_suffix(1);
+  return text;
+}
+
+std::string with_case(std::string_view text, int (*change)(int)) {
+  std::string changed(text);
+  for (char& c : changed) c = static_cast<char>(change(static_cast<unsigned char>(c)));
+  return changed;
+}
+
+std::string register_name(std::string_view setting) {
+  return with_case(setting.substr(0, setting.find('=')), &std::toupper);
+}
+
+std::string address_text(const MachineDescription& machine, std::uint32_t address) {
+  return digits(machine, address, machine.address_bits);
+}
+
+std::size_t program_counter(const MachineDescription& machine) {
+  const auto found = std::find_if(machine.registers.begin(), machine.registers.end(),
+                                  [](const Register& r) { return r.name == "PC"; });
+  return static_cast<std::size_t>(found - machine.registers.begin());
+}
+
+Result<Done> set_register(const MachineDescription& description, Machine& machine,
+                          const std::string& setting) {
+  const std::string name = register_name(setting);
+  const auto found = std::find_if(description.registers.begin(), description.registers.end(),
+                                  [&name](const Register& r) { return r.name == name; });
+  const std::size_t equals = setting.find('=');
+  if (found == description.registers.end() || equals == std::string::npos) {
+    std::string names;
+    for (const Register& each : description.registers) names += fmt::format(" {}", each.name);
+    return usage(fmt::format("--set: found \"{}\", expected REGISTER=VALUE with one of{}", setting, names));
+  }
+  const std::uint32_t most = found->in_core ? machine.words() - 1 : (1U << found->bits) - 1;
+  const auto value = number_argument("--set " + name, std::string_view(setting).substr(equals + 1),
+                                     description.radix, most, found->what);
+  if (!value) return value.error();
+  machine.set(static_cast<std::size_t>(found - description.registers.begin()), *value);
+  return Done{};
+}
+
+// Later files win where two have a word for the same address, and in the start address.
+Result<std::optional<std::uint32_t>> load(const MachineDescription& description, const Arguments& arguments,
+                                          const FileReader& read, Machine& machine) {
+  std::optional<std::uint32_t> start;
+  for (const std::string& text : arguments.list("--load")) {
+    const auto file = file_argument(description, "--load", text);
+    if (!file) return file.error();
+    const Input input = read(file->path);
+    const auto program = read_program(description, *file, input, {}, &arguments);
+    if (!program) return program.error();
+    const auto outside = [&](std::string_view what, std::uint32_t address) {
+      const std::string size =
+          description.memory_option.empty()
+              ? std::string()
+              : fmt::format(" ({} {})", description.memory_option, arguments.text(description.memory_option));
+      return bad_input(fmt::format("{}: error: found {} {}, expected one in {}, {}-{}{}", input.name, what,
+                                   address_text(description, address), description.memory_name,
+                                   address_text(description, 0),
+                                   address_text(description, machine.words() - 1), size));
+    };
+    for (const auto& [address, word] : program->words) {
+      if (address >= machine.words()) return outside("a word for address", address);
+      machine.put(address, word);
+    }
+    if (!program->start) continue;
+    if (*program->start >= machine.words()) return outside("the start address", *program->start);
+    start = program->start;
+  }
+  return start;
+}
+
+// --start, else --set PC, else what was loaded says where.
+Result<Done> start(const MachineDescription& description, const Arguments& arguments,
+                   std::optional<std::uint32_t> loaded, Machine& machine) {
+  const std::vector<std::string>& settings = arguments.list("--set");
+  const bool sets_pc = std::any_of(settings.begin(), settings.end(),
+                                   [](const std::string& setting) { return register_name(setting) == "PC"; });
+  if (arguments.given("--start")) {
+    if (sets_pc && description.one_start) return usage("--set PC: found --start too, expected one of them");
+    const auto address = number_argument("--start", arguments.text("--start"), description.radix,
+                                         machine.words() - 1, description.an_address);
+    if (!address) return address.error();
+    machine.start(*address);
+  } else if (!sets_pc) {
+    machine.start(machine.start_address(loaded));
+  }
+  for (const std::string& setting : settings) {
+    if (const auto done = set_register(description, machine, setting); !done) return done;
+  }
+  return Done{};
+}
+
+Result<Limits> limits_of(const MachineDescription& description, const Arguments& arguments) {
+  Limits limits;
+  if (arguments.given("--max-instructions")) {
+    const auto count = count_argument("--max-instructions", arguments.text("--max-instructions"));
+    if (!count) return count.error();
+    limits.instructions = *count;
+  }
+  if (arguments.given(description.time_limit)) {
+    const auto until = description.parse_time(description.time_limit, arguments.text(description.time_limit));
+    if (!until) return until.error();
+    limits.until = *until;
+  }
+  return limits;
+}
+
+Result<Done> check_needs(const MachineDescription& description, const Arguments& arguments) {
+  if (arguments.list("--load").empty()) {
+    return usage(fmt::format("run {}: needs --load FILE: without a program there is nothing to run",
+                             description.name));
+  }
+  for (const Option& option : description.options) {
+    if (option.needs.empty() || !arguments.given(option.key())) continue;
+    const std::string_view needs = option.needs;
+    const std::string_view name = needs.substr(0, needs.find(' '));
+    const bool there =
+        name == needs ? arguments.given(name) : arguments.text(name) == needs.substr(name.size() + 1);
+    if (!there) return usage(fmt::format("{}: needs {}", option.key(), option.needs));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Arguments::Arguments(std::span<const Option> options) {
+  for (const Option& option : options) values_[std::string(option.key())].text = option.initial;
+}
+
+Arguments::Value& Arguments::value(std::string_view key) {
+  return values_.try_emplace(std::string(key)).first->second;
+}
+
+const Arguments::Value& Arguments::find(std::string_view key) const {
+  static const Value none;
+  const auto found = values_.find(key);
+  return found == values_.end() ? none : found->second;
+}
+
+bool Arguments::given(std::string_view key) const {
+  const Value& value = find(key);
+  return value.flag || !value.text.empty() || !value.list.empty();
+}
+
+Result<std::uint32_t> number_argument(std::string_view option, std::string_view text, int radix,
+                                      std::uint32_t most, std::string_view what) {
+  const auto value = base::unsigned_number(without_mark(text, radix), radix);
+  if (value && *value <= most) return static_cast<std::uint32_t>(*value);
+  return usage(fmt::format("{}: found \"{}\", expected {}, {}, 0 to {}", option, text, what,
+                           radix_name(radix), in_radix(most, radix)));
+}
+
+Result<std::uint64_t> count_argument(std::string_view option, std::string_view text) {
+  if (const auto value = base::unsigned_number(text)) return *value;
+  return usage(fmt::format("{}: found \"{}\", expected a whole decimal number", option, text));
+}
+
+Result<FileArgument> file_argument(const MachineDescription& machine, std::string_view option,
+                                   const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  if (at == std::string::npos) return FileArgument{text, std::nullopt};
+  // In octal an 8 or 9 is a wrong digit, not a part of the name.
+  const std::string_view allowed = machine.radix == 16 ? "0123456789abcdefABCDEF" : "0123456789";
+  const std::string_view tail = without_mark(std::string_view(text).substr(at + 1), machine.radix);
+  if (tail.empty() || tail.find_first_not_of(allowed) != std::string_view::npos)
+    return FileArgument{text, std::nullopt};
+  const std::uint32_t most = (1U << machine.address_bits) - 1;
+  const auto address = number_argument(option, tail, machine.radix, most, "an address after @");
+  if (!address) {
+    if (machine.radix != 16) return address.error();
+    return usage(fmt::format("{}: found {}, expected an address after @, 0 to {:X}", option, tail, most));
+  }
+  return FileArgument{text.substr(0, at), *address};
+}
+
+std::vector<std::string_view> format_names(const MachineDescription& machine) {
+  std::vector<std::string_view> names;
+  for (const Format& format : machine.formats) names.push_back(format.name);
+  return names;
+}
+
+bool has_endings(const MachineDescription& machine) {
+  return std::any_of(machine.formats.begin(), machine.formats.end(),
+                     [](const Format& format) { return !format.ending.empty(); });
+}
+
+const Format* format_by_name(const MachineDescription& machine, std::string_view path) {
+  for (const Format& format : machine.formats) {
+    if (!format.ending.empty() &&
+        (path.ends_with(format.ending) || path.ends_with(with_case(format.ending, &std::toupper))))
+      return &format;
+  }
+  return nullptr;
+}
+
+Result<Program> read_program(const MachineDescription& machine, const FileArgument& file, const Input& input,
+                             std::string_view format, const Arguments* arguments) {
+  const std::vector<Format>& formats = machine.formats;
+  const auto named = [&formats](std::string_view name) {
+    return std::find_if(formats.begin(), formats.end(),
+                        [name](const Format& each) { return each.name == name; });
+  };
+  const Format* found = nullptr;
+  if (!format.empty()) {
+    found = &*named(format);
+  } else {
+    found = format_by_name(machine, file.path);
+    for (auto each = formats.begin(); found == nullptr && each != formats.end(); ++each) {
+      if (each->recognise(input.bytes)) found = &*each;
+    }
+    if (found == nullptr) found = &formats.back();
+    if (arguments != nullptr && machine.instead_of != nullptr)
+      found = &*named(machine.instead_of(*arguments, found->name, file.address.has_value()));
+  }
+  return found->read(input.bytes, input.name, file.address);
+}
+
+Result<Prepared> prepare(const MachineDescription& description, const Arguments& arguments,
+                         const FileReader& read) {
+  if (const auto done = check_needs(description, arguments); !done) return done.error();
+  auto machine = description.make(arguments, read);
+  if (!machine) return machine.error();
+  const auto limits = limits_of(description, arguments);
+  if (!limits) return limits.error();
+  const auto loaded = load(description, arguments, read, **machine);
+  if (!loaded) return loaded.error();
+  if (const auto done = (*machine)->ready(); !done) return done.error();
+  if (const auto done = start(description, arguments, *loaded, **machine); !done) return done.error();
+  return Prepared{std::move(*machine), *limits};
+}
+
+Stop run_to_stop(Machine& machine, const Limits& limits, const KeepRunning& keep_running) {
+  std::optional<Stop> stop;
+  while (!stop) {
+    stop = machine.run(limits, static_cast<bool>(keep_running));
+    if (!stop && keep_running && !keep_running({machine.instructions(), machine.now()}))
+      stop = Stop{interrupted, {}};
+  }
+  machine.finish();
+  return *stop;
+}
+
+std::string digits(const MachineDescription& machine, std::uint32_t value, unsigned bits) {
+  const unsigned bits_a_digit = machine.radix == 16 ? 4 : 3;
+  return in_radix(value, machine.radix, (bits + bits_a_digit - 1) / bits_a_digit);
+}
+
+std::string dump_text(const MachineDescription& description, const Machine& machine) {
+  std::string registers;
+  for (std::size_t n = 0; n < description.registers.size(); ++n) {
+    const Register& each = description.registers[n];
+    if (each.in_dump)
+      registers += (registers.empty() ? "" : " ") + digits(description, machine.get(n), each.bits);
+  }
+  fmt::memory_buffer text;
+  const auto to = std::back_inserter(text);
+  fmt::format_to(to, "{}\n", registers);
+  for (std::uint32_t a = 0; a < machine.words(); ++a) {
+    const bool last_in_line = (a + 1) % description.words_a_line == 0 || a + 1 == machine.words();
+    fmt::format_to(to, "{}{}", digits(description, machine.word(a), description.word_bits),
+                   last_in_line ? '\n' : ' ');
+  }
+  return fmt::to_string(text);
+}
+
+std::string table_report(const MachineDescription& description, const Machine& machine, const Stop& stop) {
+  std::string reason(stop.name);
+  std::replace(reason.begin(), reason.end(), '_', ' ');
+  const std::size_t pc = program_counter(description);
+  std::string text =
+      fmt::format("{:<15} {}, PC {}\n", "stopped by", reason, address_text(description, machine.get(pc)));
+  for (const ReportLine& line : machine.lines()) text += fmt::format("{:<15} {}\n", line.label, line.text);
+  std::string registers;
+  for (std::size_t n = 0; n < description.registers.size(); ++n) {
+    const Register& each = description.registers[n];
+    if (n == pc) continue;
+    registers += fmt::format("{}{} {}", registers.empty() ? "" : "  ", each.name,
+                             digits(description, machine.get(n), each.bits));
+  }
+  return text + fmt::format("{:<15} {}\n", "registers", registers);
+}
+
+base::Json json_report(const MachineDescription& description, const Machine& machine, const Stop& stop) {
+  base::Json report{{"schema", fmt::format("sightline/run-{}/1", description.name)},
+                    {"stop_reason", stop.name},
+                    {"pc", address_text(description, machine.get(program_counter(description)))},
+                    {"instructions", machine.instructions()}};
+  machine.add_times(report);
+  base::Json& registers = report["registers"] = base::Json::object();
+  for (std::size_t n = 0; n < description.registers.size(); ++n) {
+    const Register& each = description.registers[n];
+    base::Json& value = registers[with_case(each.name, &std::tolower)];
+    if (each.bits == 1) {
+      value = machine.get(n);
+    } else {
+      value = digits(description, machine.get(n), each.bits);
+    }
+  }
+  machine.add_details(report);
+  return report;
+}
+
+}  // namespace sightline::guests::run

@@ -1,0 +1,353 @@
+// The 8080 as a MachineDescription: its options and what their texts mean, its program files, its assembler
+// and disassembler. What the options of devices are follows from the rows of machines::SkalaRows.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emulators/devices/calcomp565.hpp"
+#include "host/base/number.hpp"
+#include "host/guests/run/i8080.hpp"
+#include "tools/asm/i8080.hpp"
+#include "tools/disasm/i8080.hpp"
+#include "tools/image/binary.hpp"
+#include "tools/image/intel_hex.hpp"
+
+namespace sightline::guests::run {
+
+namespace {
+
+using machines::DeviceKind;
+using machines::SkalaConfiguration;
+using machines::SkalaRows;
+
+constexpr std::uint64_t slowest_clock = 1'000;
+constexpr std::uint64_t fastest_clock = 1'000'000'000;  // core::ClockRate's bound
+
+// --- Devices ---
+
+// The values of the option that attaches a device of this kind.
+template <DeviceKind kind>
+std::vector<std::string_view> choices() {
+  std::vector<std::string_view> choices;
+  SkalaRows::each([&choices](auto row) {
+    if constexpr (decltype(row)::kind == kind) choices.push_back(row.choice);
+  });
+  return choices;
+}
+
+// visit(row, line) for every interrupt line of a device.
+template <class Visit>
+void each_line(Visit visit) {
+  SkalaRows::each([&visit](auto row) {
+    for (const auto& line : decltype(row)::lines) visit(row, line);
+  });
+}
+
+// "ef9365, calcomp, parallel"
+std::string line_names(std::string_view separator, std::string_view last_separator) {
+  std::size_t left = 0;
+  each_line([&left](auto, const auto&) { ++left; });
+  std::string names;
+  each_line([&](auto, const auto& line) {
+    --left;
+    names += fmt::format("{}{}", names.empty() ? "" : left == 0 ? last_separator : separator, line.name);
+  });
+  return names;
+}
+
+bool is_attached(const SkalaConfiguration& machine, auto row) {
+  if constexpr (decltype(row)::kind == DeviceKind::link) {
+    return (machine.*decltype(row)::bytes).has_value();
+  } else {
+    return machine.*decltype(row)::attached;
+  }
+}
+
+void attach(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
+  SkalaRows::each([&](auto row) {
+    using Row = decltype(row);
+    if constexpr (Row::kind == DeviceKind::link) {
+      const std::string option = fmt::format("--{}", Row::name);
+      if (!arguments.given(option)) return;
+      const Bytes& sent = setup.sent[Row::name] = read(arguments.text(option)).bytes;
+      setup.machine.*Row::bytes = sent;
+    } else {
+      const char* const option = Row::kind == DeviceKind::raster_board ? "--board" : "--plotter";
+      setup.machine.*Row::attached = arguments.text(option) == Row::choice;
+    }
+  });
+}
+
+// "DEVICE=N": the request of that line is wired to RST N.
+Result<Done> wire_interrupt(SkalaConfiguration& machine, const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string_view name = std::string_view(text).substr(0, equals);
+  const auto restart =
+      base::whole_number<std::uint8_t>(std::string_view(text).substr(std::min(equals + 1, text.size())));
+  bool known = false;
+  bool there = false;
+  if (restart && *restart <= 7) {
+    each_line([&](auto row, const auto& line) {
+      if (line.name != name) return;
+      known = true;
+      there = is_attached(machine, row);
+      machine.*line.restart = restart;
+    });
+  }
+  if (!known) {
+    return usage(fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of {}",
+                             text, line_names(" ", " ")));
+  }
+  if (!there) return usage(fmt::format("--interrupt: found \"{}\", expected a device that is there", name));
+  return Done{};
+}
+
+// "X,Y", decimal steps, Y on the carriage of the CalComp.
+Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::string& text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view whole = text;
+  const auto x = base::whole_number<std::uint16_t>(whole.substr(0, comma));
+  const auto y = base::whole_number<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())));
+  constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
+  if (x && y && *y <= highest) return devices::PlotterPlace{*x, *y};
+  return usage(
+      fmt::format("{}: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}", option, text, highest));
+}
+
+// --- A machine from its options ---
+
+Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
+  I8080Setup setup;
+  const std::string& clock = arguments.text("--clock");
+  const auto hertz = count_argument("--clock", clock);
+  if (!hertz) return hertz.error();
+  if (*hertz < slowest_clock || *hertz > fastest_clock)
+    return usage(fmt::format("--clock: found {}, expected {} to {} Hz", clock, slowest_clock, fastest_clock));
+  setup.machine.clock.hertz = static_cast<std::int64_t>(*hertz);
+  if (arguments.given("--plotter-start")) {
+    const auto place = plotter_place("--plotter-start", arguments.text("--plotter-start"));
+    if (!place) return place.error();
+    setup.machine.calcomp565_start = *place;
+  }
+  attach(arguments, read, setup);
+  for (const std::string& text : arguments.list("--interrupt")) {
+    if (const auto done = wire_interrupt(setup.machine, text); !done) return done.error();
+  }
+  setup.cpm = arguments.given("--cpm");
+  setup.strict = arguments.given("--strict");
+  setup.observed = arguments.given("--trace") || arguments.given("--bus");
+  setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console");
+  setup.drawing = arguments.given("--svg");
+  setup.grey = arguments.given("--grey");
+  return make_i8080(std::move(setup));
+}
+
+Result<std::int64_t> parse_time(std::string_view option, std::string_view text) {
+  constexpr std::uint64_t longest = std::uint64_t{1} << 62;
+  const auto count = count_argument(option, text);
+  if (!count) return count.error();
+  return static_cast<std::int64_t>(std::min(*count, longest));
+}
+
+// --- Programs ---
+
+image::ByteImage byte_image(const Program& program) {
+  image::ByteImage image;
+  for (const auto& [address, byte] : program.words)
+    image.put(static_cast<std::uint16_t>(address), static_cast<std::uint8_t>(byte));
+  if (program.start) image.start = static_cast<std::uint16_t>(*program.start);
+  return image;
+}
+
+Program program_of(const image::ByteImage& image) {
+  Program program;
+  program.start = image.start;
+  if (image.empty()) return program;
+  for (std::uint32_t address = image.lowest(); address <= image.highest(); ++address) {
+    const auto a = static_cast<std::uint16_t>(address);
+    if (image.used(a)) program.words.emplace_back(address, image[a]);
+  }
+  return program;
+}
+
+Result<Program> program_of(const base::Result<image::ByteImage>& image) {
+  if (!image) return bad_input(image.error().message(base::MessageStyle::compiler));
+  return program_of(image.value());
+}
+
+Result<Bytes> bytes_of(const base::Result<std::vector<std::uint8_t>>& bytes) {
+  if (!bytes) return bad_input(bytes.error().message(base::MessageStyle::compiler));
+  return bytes.value();
+}
+
+// A lone colon may as well be an 8080's LDA.
+bool begins_with_hex_record(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t shortest = 11;  // `:`, then length, address, type and checksum of no bytes at all
+  static constexpr std::string_view hexadecimal_digits = "0123456789abcdefABCDEF";
+  return bytes.size() >= shortest && bytes.front() == ':' &&
+         std::all_of(bytes.begin() + 1, bytes.begin() + shortest, [](std::uint8_t byte) {
+           return hexadecimal_digits.find(static_cast<char>(byte)) != std::string_view::npos;
+         });
+}
+
+using View = std::span<const std::uint8_t>;
+using Address = std::optional<std::uint32_t>;
+
+Refusal address_refused(const std::string& file, std::string_view why) {
+  return usage(fmt::format("{}: found an address, expected none: {}", file, why));
+}
+
+Result<Program> read_com(View bytes, const std::string& file, Address address) {
+  if (address && *address != image::com_origin) return address_refused(file, "a .com file goes to 0100");
+  return program_of(image::read_com(bytes, file));
+}
+Result<Program> read_bin(View bytes, const std::string& file, Address address) {
+  return program_of(image::read_binary(bytes, file, static_cast<std::uint16_t>(address.value_or(0))));
+}
+Result<Program> read_hex(View bytes, const std::string& file, Address address) {
+  if (address) return address_refused(file, "Intel HEX has its own");
+  return program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file));
+}
+
+// Raw bytes without a place are a program for CP/M.
+std::string_view instead_of(const Arguments& arguments, std::string_view format, bool address) {
+  return arguments.given("--cpm") && format == "bin" && !address ? "com" : format;
+}
+
+Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
+                           const TextReader& include) {
+  assembler::I8080Options options;
+  auto defines = read_defines(arguments, assembler::parse_i8080_define);
+  if (!defines) return defines.error();
+  options.defines = std::move(*defines);
+  options.listing = arguments.given("--listing");
+  options.include = include;
+  const auto assembly = assembler::assemble_i8080(sources, options);
+  return Assembled{assembly.diagnostics, program_of(assembly.image), assembly.symbols.size(),
+                   assembler::write_listing(assembly.listing),
+                   assembler::write_i8080_symbols(assembly.symbols)};
+}
+
+// --- The description ---
+
+using enum OptionKind;
+
+std::vector<Option> run_options() {
+  std::vector<Option> options{
+      {files, "--load", "FILE[@ADDRESS]", "Programs and data, in order; @ADDRESS in hexadecimal"},
+      {text, "--start", "ADDRESS", "Begin at this address"},
+      {flag, "--cpm", {}, "Run a CP/M .COM program"},
+      {.name = "--clock", .argument = "HZ", .help = "The processor's clock", .initial = "3000000"},
+      {list, "--set", "REGISTER=VALUE",
+       "Set A, F, B, C, D, E, H, L, SP, PC or INTE before the run, in hexadecimal"},
+      {text, "--max-instructions", "N", "Stop after this many instructions"},
+      {text, "--max-states", "N", "Stop at the first instruction at or after this T-state"},
+      {flag, "--strict", {}, "Stop at a port that nothing answers (exit code 3)"},
+      {text, "--board", "BOARD", "Attach a raster board", choices<DeviceKind::raster_board>()},
+      {text, "--plotter", "PLOTTER", "Attach a plotter", choices<DeviceKind::plotter>()},
+      {.name = "--plotter-start",
+       .argument = "X,Y",
+       .help = "Where the CalComp's pen stands first, in steps",
+       .shown_initial = "0,0",
+       .needs = "--plotter calcomp"}};
+  const std::vector<Option> rest{
+      {list, "--interrupt", "DEVICE=N", fmt::format("Wire {} to RST N", line_names(", ", " or "))},
+      {output, "--dump", "FILE", "Registers and all of memory after the run"},
+      {stream, "--trace", "FILE", "Every instruction"},
+      {stream, "--bus", "FILE", "Every machine cycle"},
+      {.kind = stream,
+       .name = "--console",
+       .argument = "FILE",
+       .help = "What the CP/M program prints",
+       .needs = "--cpm",
+       .stdout_with = "--cpm",
+       .content = "what the program prints"},
+      {.kind = output,
+       .name = "--png",
+       .argument = "FILE",
+       .help = "What the raster board shows, 256x256 in eight colours",
+       .needs = "--board"},
+      {.kind = flag, .name = "--grey", .help = "The PNG in eight levels of grey instead", .needs = "--png"},
+      {.kind = stream,
+       .name = "--strokes",
+       .argument = "FILE",
+       .help = "Every step of the plotter's lowered pen",
+       .needs = "--plotter"},
+      {.kind = output,
+       .name = "--svg",
+       .argument = "FILE",
+       .help = "What the plotter drew, in millimetres",
+       .needs = "--plotter"}};
+  std::vector<Option> received;
+  SkalaRows::each([&](auto row) {
+    using Row = decltype(row);
+    if constexpr (Row::kind == DeviceKind::link) {
+      const std::string option = fmt::format("--{}", Row::name);
+      options.push_back({text, option, "FILE",
+                         fmt::format("Attach the {}; the host computer sends these bytes", Row::chip)});
+      received.push_back({.kind = output,
+                          .name = option + "-out",
+                          .argument = "FILE",
+                          .help = std::string(Row::received_by_host),
+                          .needs = option});
+    }
+  });
+  options.insert(options.end(), rest.begin(), rest.end());
+  options.insert(options.end(), received.begin(), received.end());
+  options.push_back({flag, "--json", {}, "The report as one JSON document"});
+  return options;
+}
+
+MachineDescription described() {
+  MachineDescription i8080;
+  i8080.name = "i8080";
+  i8080.help = "Run a program on the 8080";
+  i8080.radix = 16;
+  i8080.address_bits = 16;
+  i8080.word_bits = 8;
+  i8080.words_a_line = 16;
+  i8080.one_start = true;
+  i8080.report_beside_output = true;
+  for (const char* name : {"A", "F", "B", "C", "D", "E", "H", "L"})
+    i8080.registers.push_back({name, 8, "a value"});
+  i8080.registers.push_back({"SP", 16, "a value"});
+  i8080.registers.push_back({"PC", 16, "a value"});
+  i8080.registers.push_back({"INTE", 1, "a value"});
+  i8080.options = run_options();
+  i8080.formats = {{"com", ".com", [](View) { return false; }, read_com,
+                    [](const Program& program, const std::string& file) {
+                      return bytes_of(image::write_com(byte_image(program), file));
+                    }},
+                   {"bin", ".bin", [](View bytes) { return !begins_with_hex_record(bytes); }, read_bin,
+                    [](const Program& program, const std::string& file) {
+                      return bytes_of(image::write_binary(byte_image(program), file));
+                    }},
+                   {"hex", ".hex", begins_with_hex_record, read_hex,
+                    [](const Program& program, const std::string&) -> Result<Bytes> {
+                      const std::string text = image::write_intel_hex(byte_image(program));
+                      return Bytes(text.begin(), text.end());
+                    }}};
+  i8080.instead_of = instead_of;
+  i8080.time_limit = "--max-states";
+  i8080.parse_time = parse_time;
+  i8080.make = make;
+  i8080.assembler = {"Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)",
+                     "as in a source (10, 0AH, 0x0A)",
+                     "Write address, bytes and source, line by line, and the symbols",
+                     {},
+                     "hex",
+                     assemble};
+  i8080.disassemblers = {
+      {"i8080", "8080 instructions", "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input",
+       [](const Program& program) { return disassembler::disassemble_i8080(byte_image(program)); }}};
+  return i8080;
+}
+
+}  // namespace
+
+const MachineDescription& i8080() {
+  static const MachineDescription description = described();
+  return description;
+}
+
+}  // namespace sightline::guests::run

@@ -1,0 +1,311 @@
+// A machine as data: what `sightline run`, `asm` and `disasm` need to know of it. A new machine is its
+// processor (emulators/), an assembler and a disassembler (tools/), a Machine and a MachineDescription
+// (here), and one row in machines(). CONTRIBUTING.md walks through it.
+//
+// The engine (engine.hpp) does what is the same for all: options, loading, registers, running, dump and
+// report. Speed is the machine's own affair: the engine calls it once a slice of many instructions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/time.hpp"
+#include "host/base/file.hpp"
+#include "host/base/json.hpp"
+#include "host/base/result.hpp"
+#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/source.hpp"
+
+namespace sightline::guests::run {
+
+using base::Bytes;
+
+// Why a run cannot begin: an option is wrong, or the content of a file is.
+struct Refusal {
+  enum class Kind : std::uint8_t { usage, bad_input };
+  Kind kind = Kind::usage;
+  std::string message;
+};
+[[nodiscard]] inline Refusal usage(std::string message) {
+  return {Refusal::Kind::usage, std::move(message)};
+}
+[[nodiscard]] inline Refusal bad_input(std::string message) {
+  return {Refusal::Kind::bad_input, std::move(message)};
+}
+template <class T>
+using Result = base::Result<T, Refusal>;
+using base::Done;
+
+// --- Options ---
+
+enum class OptionKind : std::uint8_t {
+  text,
+  flag,
+  list,       // may be given several times
+  files,      // the same, and several after one name
+  stream,     // a file that is written while the machine runs
+  output,     // a file that is written after the run
+  position,   // an argument without a name, required
+  positions,  // one or more of them
+};
+
+struct Option {
+  OptionKind kind = OptionKind::text;
+  std::string name = {};  // "--memory", "-o,--output"; its values are found under the last of the names
+  std::string_view argument = {};  // what stands for it in the help: "FILE"
+  std::string help = {};
+  std::vector<std::string_view> choices = {};  // empty: any text
+  bool any_case = false;                       // of the choices
+  std::string_view initial = {};               // the value if none is given
+  std::string_view shown_initial = {};         // what the help says instead
+  std::string needs = {};          // "--board", "--plotter calcomp": an option that must be given too
+  std::string_view excludes = {};  // an earlier option that may not be given too
+  // Of a stream that was not named: with this option it goes to standard output, but not with --json.
+  std::string_view stdout_with = {};
+  std::string_view content = {};  // of that stream, in messages: "what the program prints"
+
+  [[nodiscard]] std::string_view key() const { return std::string_view(name).substr(name.rfind(',') + 1); }
+};
+
+// The values of options, under their names.
+class Arguments {
+ public:
+  struct Value {
+    std::string text;  // empty: not given
+    std::vector<std::string> list;
+    bool flag = false;
+  };
+
+  // Every option has its initial value.
+  explicit Arguments(std::span<const Option> options);
+
+  // Of an option that there is; references stay valid.
+  [[nodiscard]] Value& value(std::string_view key);
+  [[nodiscard]] const std::string& text(std::string_view key) const { return find(key).text; }
+  [[nodiscard]] const std::vector<std::string>& list(std::string_view key) const { return find(key).list; }
+  [[nodiscard]] bool given(std::string_view key) const;
+
+ private:
+  // Nothing for an option that there is not: a machine need not have all of the engine's.
+  [[nodiscard]] const Value& find(std::string_view key) const;
+
+  std::map<std::string, Value, std::less<>> values_;
+};
+
+// A whole number in the radix, up to `most`; else "OPTION: found TEXT, expected WHAT, octal, 0 to MOST". In
+// hexadecimal 0x before and H behind are allowed.
+[[nodiscard]] Result<std::uint32_t> number_argument(std::string_view option, std::string_view text, int radix,
+                                                    std::uint32_t most, std::string_view what);
+[[nodiscard]] Result<std::uint64_t> count_argument(std::string_view option, std::string_view text);
+
+// --- Programs ---
+
+// What a file leaves in memory: words at addresses, in ascending order.
+struct Program {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
+  std::optional<std::uint32_t> start;
+};
+
+// A form of a program in a file.
+struct Format {
+  std::string_view name;    // "hex", for --format
+  std::string_view ending;  // ".hex" decides before the content does; empty: only the content
+  bool (*recognise)(std::span<const std::uint8_t> bytes);
+  // `address`: what stands behind @.
+  Result<Program> (*read)(std::span<const std::uint8_t> bytes, const std::string& file,
+                          std::optional<std::uint32_t> address);
+  Result<Bytes> (*write)(const Program& program, const std::string& file);
+  bool tells_address = false;  // after writing one, the user is told where to load it
+};
+
+struct Assembled {
+  std::vector<assembler::Diagnostic> diagnostics;
+  Program program;
+  std::size_t symbols = 0;
+  std::string listing;
+  std::string symbol_table;
+};
+
+// The text of a file, or nothing if it cannot be read.
+using TextReader = std::function<std::optional<std::string>(const std::string& path)>;
+
+struct Assembler {
+  std::string_view help;          // of its subcommand
+  std::string_view define_value;  // in the help of -D: "in octal"
+  std::string_view listing_help;
+  std::vector<Option> options;  // beside SOURCE, -D, -o, --format, --listing and --symbols
+  std::string_view format;      // of an output whose name does not tell
+  Result<Assembled> (*assemble)(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
+                                const TextReader& include) = nullptr;
+};
+
+// Each -D NAME=VALUE, by the assembler's reader of one.
+template <class Define>
+[[nodiscard]] Result<std::vector<Define>> read_defines(const Arguments& arguments,
+                                                       base::Result<Define> (*parse)(std::string_view)) {
+  std::vector<Define> defines;
+  for (const std::string& text : arguments.list("-D")) {
+    auto define = parse(text);
+    if (!define) return usage("-D " + text + ": " + define.error().message());
+    defines.push_back(std::move(*define));
+  }
+  return defines;
+}
+
+struct Disassembler {
+  std::string_view name;  // of its subcommand
+  std::string_view help;
+  std::string_view file_help;
+  std::string (*disassemble)(const Program& program);
+};
+
+// --- A run ---
+
+struct Register {
+  std::string_view name;  // "PC" is the program counter
+  unsigned bits = 0;
+  std::string_view what;  // in messages: "a word"
+  bool in_core = false;   // holds an address: not larger than the memory is
+  bool in_dump = true;
+};
+
+struct Limits {
+  std::uint64_t instructions = std::numeric_limits<std::uint64_t>::max();
+  std::int64_t until = std::numeric_limits<std::int64_t>::max();  // in the machine's unit of time
+};
+
+// Why a run has ended.
+struct Stop {
+  std::string_view name;  // "instruction_limit", for reports
+  std::string complaint;  // not empty: the program has failed
+};
+
+// A file read for a run.
+struct Input {
+  std::string name;  // for messages
+  Bytes bytes;
+};
+// Reads a file, or standard input for "-". It may throw; what it throws is not caught here.
+using FileReader = std::function<Input(const std::string& path)>;
+
+// Takes text as the machine writes it, in blocks of whole lines or at once.
+using TextTaker = std::function<void(std::string_view)>;
+
+// Text on its way to a taker.
+class TextBlocks {
+ public:
+  void take(TextTaker taker) { taker_ = std::move(taker); }
+  [[nodiscard]] bool wanted() const { return static_cast<bool>(taker_); }
+  // Where the next line goes.
+  [[nodiscard]] std::string& text() { return text_; }
+  void end_line() {
+    if (text_.size() >= 65536) finish();
+  }
+  void finish() {
+    if (!text_.empty()) taker_(text_);
+    text_.clear();
+  }
+
+ private:
+  TextTaker taker_;
+  std::string text_;
+};
+
+struct ReportLine {
+  std::string label;
+  std::string text;
+};
+
+// A machine put together for one run. Nothing here is called while an instruction is obeyed.
+class Machine {
+ public:
+  virtual ~Machine() = default;
+
+  // Memory, without time.
+  [[nodiscard]] virtual std::uint32_t words() const = 0;
+  [[nodiscard]] virtual std::uint32_t word(std::uint32_t address) const = 0;
+  virtual void put(std::uint32_t address, std::uint32_t word) = 0;
+
+  // Registers, numbered as in the description.
+  [[nodiscard]] virtual std::uint32_t get(std::size_t number) const = 0;
+  virtual void set(std::size_t number, std::uint32_t value) = 0;
+
+  // Where a run begins; `loaded`: the start address of what was loaded.
+  [[nodiscard]] virtual std::uint32_t start_address(std::optional<std::uint32_t> loaded) const {
+    return loaded.value_or(0);
+  }
+  virtual void start(std::uint32_t address) = 0;
+  // All is loaded: a last look at memory.
+  [[nodiscard]] virtual Result<Done> ready() { return Done{}; }
+
+  // The text of a stream option goes to `taker`, which outlives the run.
+  virtual void take(std::string_view option, TextTaker taker) = 0;
+
+  // Runs on until it stops. If `asked`, nothing comes back after some ten milliseconds of the host's time:
+  // the engine asks whether to go on. Such a slice changes nothing in the machine.
+  [[nodiscard]] virtual std::optional<Stop> run(const Limits& limits, bool asked) = 0;
+  // After the last slice: hands out what is left of the streams.
+  virtual void finish() {}
+
+  [[nodiscard]] virtual std::uint64_t instructions() const = 0;
+  [[nodiscard]] virtual core::Instant now() const = 0;
+
+  // The report: rows of its table, and members of its JSON document before and after the registers.
+  [[nodiscard]] virtual std::vector<ReportLine> lines() const = 0;
+  virtual void add_times(base::Json& report) const = 0;
+  virtual void add_details(base::Json&) const {}
+  [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+  // What an output option asks for; not asked for --dump.
+  [[nodiscard]] virtual Bytes output(std::string_view) const { return {}; }
+};
+
+struct MachineDescription {
+  std::string_view name;  // "pdp7", of the subcommands
+  std::string_view help;  // of `sightline run NAME`
+  std::string more_help;  // at the end of what `sightline run NAME --help` explains
+  int radix = 8;          // of addresses, words and registers: 8 or 16
+  unsigned address_bits = 0;
+  unsigned word_bits = 0;
+  std::size_t words_a_line = 8;             // of a dump
+  std::string_view memory_name = "memory";  // in messages
+  std::string_view an_address = "an address";
+  std::string_view memory_option = {};  // sets the size of memory
+  // With --set PC and --start: an error. Else START is pressed at --start, and PC set then.
+  bool one_start = false;
+  // The table of the report goes to standard error when standard output is taken; else it is left out.
+  bool report_beside_output = false;
+
+  std::vector<Register> registers;  // in the order of dump and report
+  // Of `sightline run NAME`, in the order of its help. The engine reads --load, --start, --set,
+  // --max-instructions, --dump and --json; all others are the machine's.
+  std::vector<Option> options;
+  // The last one is asked to read what none recognises: it says what is wrong.
+  std::vector<Format> formats;
+  // The format to take for one found by content or ending; nullptr: the one that was found.
+  std::string_view (*instead_of)(const Arguments& arguments, std::string_view format, bool address) = nullptr;
+
+  // The option that limits time, and what its text means in the machine's unit.
+  std::string_view time_limit = {};
+  Result<std::int64_t> (*parse_time)(std::string_view option, std::string_view text) = nullptr;
+  Result<std::unique_ptr<Machine>> (*make)(const Arguments& arguments, const FileReader& read) = nullptr;
+
+  Assembler assembler = {};
+  std::vector<Disassembler> disassemblers = {};
+};
+
+[[nodiscard]] const MachineDescription& pdp7();
+[[nodiscard]] const MachineDescription& i8080();
+
+// All machines, in the order of the help.
+[[nodiscard]] std::span<const MachineDescription* const> machines();
+
+}  // namespace sightline::guests::run

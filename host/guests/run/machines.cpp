@@ -1,0 +1,13 @@
+// The machines of the command, a row each.
+#include <array>
+
+#include "host/guests/run/machine.hpp"
+
+namespace sightline::guests::run {
+
+std::span<const MachineDescription* const> machines() {
+  static const std::array<const MachineDescription*, 2> table{&pdp7(), &i8080()};
+  return table;
+}
+
+}  // namespace sightline::guests::run
