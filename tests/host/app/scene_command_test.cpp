@@ -13,7 +13,7 @@ using sightline::test::Ran;
 class SceneCommand : public sightline::test::CommandLine {
  protected:
   static json house() {
-    std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/scene/builtin/house.json");
+    std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/scene/read/builtin/house.json");
     return json::parse(stream);
   }
 };

@@ -26,7 +26,7 @@ TEST(Builtin, NamesTheFiveScenesAndNoOther) {
 
 TEST(Builtin, EmbeddedTextIsTheFile) {
   for (const std::string_view name : builtin_scene_names()) {
-    std::ifstream file(std::string(SIGHTLINE_SOURCE_DIR "/host/scene/builtin/") + std::string(name) + ".json",
+    std::ifstream file(std::string(SIGHTLINE_SOURCE_DIR "/host/scene/read/builtin/") + std::string(name) + ".json",
                        std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     EXPECT_EQ(builtin_scene_text(name), text);
