@@ -56,7 +56,7 @@ Json::Owned<T>& Json::Owned<T>::operator=(const Owned& other) {
 // A document may be nested as deep as a file is long: what is inside it is destroyed one after the other, not
 // by recursion.
 template <class T>
-Json::Owned<T>::~Owned() {
+void Json::Owned<T>::empty() {
   if constexpr (!std::is_same_v<T, std::string>) {
     if (!value_) return;
     Array pending;

@@ -105,11 +105,12 @@ class Json {
     Owned(Owned&&) noexcept = default;
     Owned& operator=(const Owned& other);
     Owned& operator=(Owned&&) noexcept = default;
-    ~Owned();
+    ~Owned() { empty(); }
     [[nodiscard]] bool has_value() const { return value_ != nullptr; }
     [[nodiscard]] T& operator*() const { return *value_; }
 
    private:
+    void empty();
     std::unique_ptr<T> value_;
   };
 
