@@ -166,28 +166,6 @@ Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOr
   return run;
 }
 
-Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(const Context& context,
-                                                                    const guests::skala::Program& program,
-                                                                    bool compare_plain) {
-  std::vector<std::pair<SkalaOrder, SkalaRun>> runs;
-  for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    context.progress(fmt::format("{} on the 8080", function.name));
-    for (const guests::skala::PictureKind picture :
-         {guests::skala::PictureKind::lines, guests::skala::PictureKind::surface,
-          guests::skala::PictureKind::contours}) {
-      SkalaOrder order;
-      order.function = function.name;
-      order.picture = picture;
-      if (picture == guests::skala::PictureKind::contours) order.size = {33, 33};
-      order.compare_plain = compare_plain && picture == guests::skala::PictureKind::lines;
-      auto run = run_skala(program, order);
-      if (!run) return std::move(run.error());
-      runs.emplace_back(std::move(order), std::move(*run));
-    }
-  }
-  return runs;
-}
-
 std::string_view name_of(guests::skala::PictureKind picture) {
   switch (picture) {
     case guests::skala::PictureKind::lines: return "lines";

@@ -77,11 +77,6 @@ struct SkalaRun {
 // Errors as for Jones.
 [[nodiscard]] Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOrder& order);
 
-// The eight functions as lines, surfaces and contours, as `sightline demo` draws them; lines also without the
-// test if asked.
-[[nodiscard]] Outcome<std::vector<std::pair<SkalaOrder, SkalaRun>>> run_all_skala(
-    const Context& context, const guests::skala::Program& program, bool compare_plain);
-
 [[nodiscard]] double seconds(core::TStates time);
 
 [[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);  // "lines", "surface", "contours"

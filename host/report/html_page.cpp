@@ -11,7 +11,7 @@
 #include "host/report/html_style.hpp"
 #include "host/report/table_text.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -94,7 +94,13 @@ class Page {
     html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
   }
 
-  void add(const Paragraph& paragraph) { html_ += "<p>" + html_escaped(paragraph.text) + "</p>\n"; }
+  void add(const Paragraph& paragraph) { add(paragraph.text, ""); }
+  // And what does not hold in this run.
+  void add(const Said& said, std::string_view look) {
+    if (!said.text.empty() || said.failed.empty()) html_ += fmt::format("<p{}>{}</p>\n", look, html_escaped(said.text));
+    for (const std::string& failed : said.failed)
+      html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", html_escaped(failed));
+  }
   void add(const Heading& heading) { html_ += "<h3>" + html_escaped(heading.text) + "</h3>\n"; }
 
   void add(const Table& table) {
@@ -115,7 +121,7 @@ class Page {
       html_ += "</tr>\n";
     }
     html_ += "</tbody>\n</table>\n</div>\n";
-    for (const std::string& note : table.notes) html_ += "<p class=\"note\">" + html_escaped(note) + "</p>\n";
+    for (const Said& note : table.notes) add(note, " class=\"note\"");
     html_ += fmt::format(
         "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
         id);
@@ -144,10 +150,13 @@ class Page {
 
   void add(const Figure& figure) {
     html_ += fmt::format(
-        "<figure id=\"{}\"><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}</figcaption></figure>\n",
+        "<figure id=\"{}\"><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}",
         html_escaped(figure.id), figure.pixelated ? " class=\"pixelated\"" : "",
         html_escaped(data_uri(figure.media_type, figure.bytes)), html_escaped(figure.alternative),
-        html_escaped(figure.title), html_escaped(figure.caption));
+        html_escaped(figure.title), html_escaped(figure.caption.text));
+    for (const std::string& failed : figure.caption.failed)
+      html_ += fmt::format("<br><span class=\"bad\">Not in this run: {}</span>", html_escaped(failed));
+    html_ += "</figcaption></figure>\n";
   }
 
   void add(const Gallery& gallery) {
@@ -214,4 +223,4 @@ std::string data_uri(std::string_view media_type, const base::Bytes& bytes) {
   return uri;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "host/base/file.hpp"
-#include "host/report/report.hpp"
+#include "host/report/document.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 [[nodiscard]] std::string html_page(const Report& report);
 
@@ -20,4 +20,4 @@ namespace sightline::harness::report {
 // "data:TYPE;base64,...".
 [[nodiscard]] std::string data_uri(std::string_view media_type, const base::Bytes& bytes);
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

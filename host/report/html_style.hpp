@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 inline constexpr std::string_view page_style = R"(
 :root { color-scheme: light dark; --ground: #fdfdfb; --ink: #1d1f21; --quiet: #5c6166; --rule: #d6d6cf;
@@ -53,4 +53,4 @@ footer { margin-top: 4rem; color: var(--quiet); font-size: .86rem; border-top: 1
   thead { display: table-header-group; } .wide { overflow: visible; } table { font-size: 7.5pt; } .files { display: none; } }
 )";
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

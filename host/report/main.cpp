@@ -9,6 +9,7 @@
 
 #include "host/app/command_line.hpp"
 #include "host/report/plot.hpp"
+#include "host/report/report.hpp"
 #include "host/report/write_report.hpp"
 
 namespace {

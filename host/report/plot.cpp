@@ -17,7 +17,7 @@
 
 #include "host/base/file.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -241,4 +241,4 @@ std::optional<ReportError> gnuplot_missing() {
   return std::nullopt;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

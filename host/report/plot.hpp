@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "host/report/report.hpp"
+#include "host/report/document.hpp"
+#include "host/report/experiment.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 struct Axis {
   std::string title;
@@ -39,7 +40,7 @@ struct Curve {
 struct Plot {
   std::string id;  // these five as in the Figure made of it
   std::string title;
-  std::string caption;
+  Said caption;
   std::string alternative;
   bool host_time = false;
   Axis x;
@@ -58,4 +59,4 @@ struct Plot {
 // Nothing, if gnuplot can be run: ask before long measurements.
 [[nodiscard]] std::optional<ReportError> gnuplot_missing();
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

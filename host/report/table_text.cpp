@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "host/base/json.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -41,16 +42,14 @@ std::string csv_field(const Cell& cell) {
                     cell);
 }
 
-// nlohmann writes a number that is not finite as null.
 Json json_value(const Cell& cell) {
-  return std::visit(
-      Choice{[](std::monostate) { return Json(nullptr); }, [](const std::string& text) { return Json(text); },
-             [](std::int64_t count) { return Json(count); },
-             [](const Real& real) { return Json(real.value); },
-             [](const Verdict& verdict) {
-               return Json{{"good", verdict.good}, {"text", verdict.text}};
-             }},
-      cell);
+  return std::visit(Choice{[](std::monostate) { return Json(); }, [](const std::string& text) { return Json(text); },
+                           [](std::int64_t count) { return Json(count); },
+                           [](const Real& real) { return Json(real.value); },
+                           [](const Verdict& verdict) {
+                             return Json{{"good", verdict.good}, {"text", verdict.text}};
+                           }},
+                    cell);
 }
 
 // 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
@@ -68,6 +67,13 @@ std::string shown_number(const Real& real) {
   if (std::isinf(real.value)) return real.value > 0 ? "infinite" : "-infinite";
   return real.places == Real::as_needed ? fmt::format("{:.4g}", real.value)
                                         : grouped(fmt::format("{:.{}f}", real.value, real.places));
+}
+
+// What is left out is said behind the rest.
+std::string with_failures(const Said& said) {
+  std::string text = said.text;
+  for (const std::string& failed : said.failed) text += (text.empty() ? "Not in this run: " : " Not in this run: ") + failed;
+  return text;
 }
 
 }  // namespace
@@ -103,7 +109,8 @@ std::string json_text(const Table& table) {
       values[table.columns[i].key] = json_value(row[i]);
     document["rows"].push_back(std::move(values));
   }
-  document["notes"] = table.notes;
+  document["notes"] = Json::array();
+  for (const Said& note : table.notes) document["notes"].push_back(with_failures(note));
   return document.dump(2) + "\n";
 }
 
@@ -116,4 +123,16 @@ std::string shown_text(const Cell& cell) {
                     cell);
 }
 
-}  // namespace sightline::harness::report
+Cell cell_of(const Value& value, int places) {
+  return std::visit(Choice{[](std::monostate) { return Cell(); }, [](const std::string& text) { return Cell(text); },
+                           [places](std::int64_t count) {
+                             return places == Real::as_needed ? Cell(count)
+                                                              : Cell(Real{static_cast<double>(count), places});
+                           },
+                           [places](double number) { return Cell(Real{number, places}); },
+                           [](const Verdict& verdict) { return Cell(verdict); },
+                           [](const Picture&) -> Cell { throw std::invalid_argument("a picture in a table"); }},
+                    value.kind());
+}
+
+}  // namespace sightline::report

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "host/report/report.hpp"
+#include "host/report/document.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 // RFC 4180: a line of the columns' keys, then the rows, lines ended by CR LF; fields that hold a comma, a
 // quotation mark or a line end are quoted. Real numbers in the shortest form that reads back as the same
@@ -20,4 +20,8 @@ namespace sightline::harness::report {
 // A cell as people read it, in the page: plain text.
 [[nodiscard]] std::string shown_text(const Cell& cell);
 
-}  // namespace sightline::harness::report
+// A value as a cell: numbers, and counts if places are asked for, with so many places. Throws
+// std::invalid_argument for a picture.
+[[nodiscard]] Cell cell_of(const Value& value, int places = Real::as_needed);
+
+}  // namespace sightline::report

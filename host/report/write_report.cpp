@@ -14,7 +14,7 @@
 #include "host/report/html_page.hpp"
 #include "host/report/table_text.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -181,4 +181,4 @@ Outcome<std::vector<std::string>> write_report(const Report& report, const std::
   return paths;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

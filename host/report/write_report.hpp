@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/report/report.hpp"
+#include "host/report/document.hpp"
+#include "host/report/experiment.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 // Makes the directory and tables/ in it if they are not there and tries to write into both: what cannot be
 // written is known before anything is measured. On an error, directories made here are gone again.
@@ -20,4 +21,4 @@ namespace sightline::harness::report {
 [[nodiscard]] Outcome<std::vector<std::string>> write_report(const Report& report,
                                                              const std::string& directory);
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

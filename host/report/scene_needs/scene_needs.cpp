@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "emulators/core/time.hpp"
-#include "host/guests/skala/commands.hpp"
 #include "host/report/guest_runs.hpp"
+#include "host/report/make_report.hpp"
 #include "host/report/scene_needs/unseen_building.hpp"
 
 namespace sightline::harness::report {
@@ -83,63 +83,6 @@ Table work_table(const std::vector<std::pair<JonesOrder, JonesRun>>& runs) {
   return table;
 }
 
-Table memory_table(const guests::skala::Program& program) {
-  constexpr std::int64_t page = 256;
-  Table table;
-  table.id = "skala-memory";
-  table.title = "Skala: memory of the 8080";
-  table.columns = {{"what", "What", "", false},
-                   {"lines_bytes", "For lines", "bytes", false},
-                   {"surface_bytes", "For surfaces", "bytes", false},
-                   {"contours_bytes", "For contours", "bytes", false}};
-  const auto row = [&table](const char* what, std::int64_t lines, std::int64_t surface,
-                            std::int64_t contours) {
-    table.rows.push_back({std::string(what), lines, surface, contours});
-  };
-  const auto image = count(program.memory.size());
-  row("state and command table (page 0)", page, page, page);
-  row("program", image - page, image - page, image - page);
-  row("masks: top and bottom of what is hidden", 2 * page, 2 * page, 2 * page);
-  row("the slice before: rows and levels", 0, 2 * page, 0);
-  row("folds, for silhouettes", 0, 0, 2 * page);
-  row("pages written but never read, and the stack", 3 * page, 3 * page, 3 * page);
-  row("buffer of commands", guests::skala::buffer_bytes, guests::skala::buffer_bytes,
-      guests::skala::buffer_bytes);
-  row("there were", 65536, 65536, 65536);
-  table.notes = {
-      "One program draws all three kinds of picture. The paper does not say what its memory held."};
-  return table;
-}
-
-Table dots_table(const std::vector<std::pair<SkalaOrder, SkalaRun>>& runs) {
-  Table table;
-  table.id = "skala-work";
-  table.title = "Skala: what a picture takes";
-  table.columns = {{"function", "Function", "", false},
-                   {"picture", "Picture", "", false},
-                   {"command_bytes", "Commands", "bytes", false},
-                   {"blocks", "Blocks", "", false},
-                   {"instructions", "Instructions", "", false},
-                   {"drawing_t_states", "Drawing", "T-states", false},
-                   {"walked", "Points walked", "", false},
-                   {"dots", "Dots written", "", false},
-                   {"dots_busy_t_states", "Board busy with them", "T-states", false},
-                   {"dots_busy_percent", "Busy", "% of drawing", false}};
-  for (const auto& [order, run] : runs) {
-    const auto drawing = static_cast<double>(run.guest.drawing.count());
-    table.rows.push_back({order.function, std::string(name_of(order.picture)), count(run.stream_bytes),
-                          count(run.guest.blocks), count(run.guest.instructions),
-                          count(run.guest.drawing.count()), count(run.twin.points_walked),
-                          count(run.twin.points_plotted), count(run.dots_busy.count()),
-                          Real{100 * static_cast<double>(run.dots_busy.count()) / drawing, 1}});
-  }
-  table.notes = {
-      "The board is done with a dot long before the processor has the next: it never waits for one. Clearing "
-      "the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions "
-      "include the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."};
-  return table;
-}
-
 }  // namespace
 
 Outcome<Section> scene_needs(const Context& context) {
@@ -150,16 +93,14 @@ Outcome<Section> scene_needs(const Context& context) {
   auto jones_runs = run_all_jones(context, false);
   if (!jones_runs) return std::move(jones_runs.error());
   const auto& jones = *jones_runs;
-  const guests::skala::Program program = guests::skala::assemble_program();
-  const auto skala_runs = run_all_skala(context, program, false);
-  if (!skala_runs) return skala_runs.error();
+  auto skala = make_chapter("skala-needs", context);
+  if (!skala) return std::move(skala.error());
   auto unseen = unseen_building(context);
   if (!unseen) return std::move(unseen.error());
   section.blocks.emplace_back(core_table(jones));
   section.blocks.emplace_back(work_table(jones));
   for (Block& block : *unseen) section.blocks.push_back(std::move(block));
-  section.blocks.emplace_back(memory_table(program));
-  section.blocks.emplace_back(dots_table(*skala_runs));
+  for (Block& block : *skala) section.blocks.push_back(std::move(block));
   return section;
 }
 

@@ -182,7 +182,7 @@ Plot numbers_plot(const Scenes& scenes, const Measure& measure, bool word_length
           : "The same search in fixed point with 0 to 8 fraction bits, in floating point, and in the native "
             "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below "
             "what can be measured, and stands there too.";
-  plot.caption += " Times are medians of interleaved repetitions, of this computer.";
+  plot.caption.text += " Times are medians of interleaved repetitions, of this computer.";
   plot.alternative =
       "Log-log plot, one curve a scene: time hardly changes with precision; floating point is not slower "
       "than fixed point, and the exact program is the fastest.";

@@ -60,8 +60,8 @@ Plot plot_of(const SkalaMeasured& measured, const Knob& knob, const Measure& mea
   plot.id = fmt::format("skala-{}-{}-{}", knob.key, measure.key, host_time ? "host" : "emulated");
   plot.title = fmt::format("Skala{}: {}: {}", host_time ? " in C++" : " on the 8080", knob.title,
                            symbol_of(measure.title));
-  plot.caption = knob.caption;
-  plot.caption += host_time ? " Times are medians of interleaved repetitions, of this computer."
+  plot.caption = std::string(knob.caption);
+  plot.caption.text += host_time ? " Times are medians of interleaved repetitions, of this computer."
                             : " Drawing on the EF9365 board, 8080 at 3 MHz.";
   plot.alternative = fmt::format(
       "Log-log plot of the time of a drawing against its error, {}, one curve a "

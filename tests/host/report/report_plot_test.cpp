@@ -8,7 +8,7 @@
 
 #include "host/report/plot.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 namespace {
 
 Plot sample_plot() {
@@ -119,4 +119,4 @@ TEST(ReportPlot, AMissingGnuplotIsSaid) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

@@ -1,0 +1,10 @@
+// What experiments.cpp lists, an experiment a line; the file of an experiment says what its records are.
+#pragma once
+
+#include "host/report/experiment.hpp"
+
+namespace sightline::report {
+
+[[nodiscard]] Records skala_pictures(const Context& context);
+
+}  // namespace sightline::report
