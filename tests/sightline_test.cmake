@@ -34,10 +34,16 @@ function(sightline_test_program program label sources)
     target_compile_definitions(${program} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
     add_dependencies(${program} ${ARG_RUNS})
   endif()
-  # With checks in every line a program takes long to begin: once for all of its tests.
-  if(ARG_AS_ONE OR SIGHTLINE_SANITIZE)
+  if(ARG_AS_ONE)
     add_test(NAME ${program} COMMAND ${program})
     set_tests_properties(${program} PROPERTIES LABELS ${label} TIMEOUT 900)
+  elseif(SIGHTLINE_SANITIZE)
+    # With checks in every line a program takes long to begin: four runs share its tests.
+    foreach(shard RANGE 3)
+      add_test(NAME ${program}.${shard} COMMAND ${program})
+      set_tests_properties(${program}.${shard} PROPERTIES LABELS ${label} TIMEOUT 900
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
+    endforeach()
   else()
     gtest_discover_tests(${program} PROPERTIES LABELS ${label} TIMEOUT 900 DISCOVERY_TIMEOUT 60)
   endif()
