@@ -71,10 +71,10 @@ TEST(WillisTiming, PicturesShowWhatIsWrong) {
   ASSERT_EQ(figures.size(), 3U);
   const auto inside = [](const Figure& figure) {
     constexpr std::string_view before = "points wrong: ";
-    return std::stol(figure.caption.substr(figure.caption.find(before) + before.size()));
+    return std::stol(figure.caption.text.substr(figure.caption.text.find(before) + before.size()));
   };
-  EXPECT_GT(inside(figures.front()), 0) << figures.front().caption;
-  EXPECT_EQ(inside(figures.back()), 0) << figures.back().caption;
+  EXPECT_GT(inside(figures.front()), 0) << figures.front().caption.text;
+  EXPECT_EQ(inside(figures.back()), 0) << figures.back().caption.text;
 }
 
 // Between the first cut and the last the error may rise, too: a cut makes pairs that were none before.
