@@ -4,6 +4,9 @@
 // differences fit 17 bits, products of two fit 34, and a volume fits 51: int32 holds a coordinate, int64
 // everything made of three. Axis 0, 1, 2 is x (right), y (up), z (away from the viewer), in the paper i, j,
 // k.
+//
+// Laws: a contains b iff it contains both corners of b; a overlaps b iff b overlaps a, and iff the box of the larger
+// low and the smaller high coordinates has a volume; what is empty overlaps nothing; the six faces of a box bound it.
 #pragma once
 
 #include <array>

@@ -1,10 +1,12 @@
-// Which of many boxes meet something: a binary tree over them, each node with the box around what is below it.
+// Which of many boxes meet something: a binary tree over them, each node with the box around what is below
+// it.
+//
+// Law: what is visited is what a test of every box one by one finds, each once.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -15,9 +17,9 @@ namespace sightline::geometry {
 class BoxTree {
  public:
   // Keeps a copy. Time n log n.
-  explicit BoxTree(std::span<const Box> boxes)
-      : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()) {
-    std::iota(order_.begin(), order_.end(), 0U);
+  explicit BoxTree(std::span<const Box> boxes) : boxes_(boxes.begin(), boxes.end()) {
+    order_.reserve(boxes_.size());
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i) order_.push_back(i);
     around_.resize(boxes_.size());
     build(0, order_.size(), 0);
   }

@@ -1,7 +1,9 @@
 // A set of closed intervals with rational ends on a line, as left over when open intervals are taken away.
 //
 // Laws: intervals are in ascending order, do not touch, and have a positive length: what is left as a single
-// point is dropped, because a point draws nothing. Two sets of the same points are therefore equal by ==.
+// point is dropped, because a point draws nothing. Two sets of the same points are therefore equal by ==. An
+// operation done twice is done once; operations of one kind may change places; intersect(low, high) subtracts
+// what is below low and what is above high.
 #pragma once
 
 #include <vector>

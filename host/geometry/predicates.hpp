@@ -5,13 +5,24 @@
 // differences below 2^60: all in int64. determinant(Vector...) takes three such cross products (normals) and
 // stays below 2^120: Int128. Nothing rounds and there is no tolerance: zero means exactly on.
 //
-// Laws: swapping two arguments of cross, turn, orientation or determinant changes the sign and nothing else;
-// a rotation of the arguments changes nothing; turn, orientation and cross do not change when all points are
-// moved by the same vector; plane_through(a, b, c) is 0 at a, b and c; locate_in_ring does not depend on
-// where a ring starts or which way it goes.
+// Laws (tests/host/geometry/predicates_test.cpp holds them at random and at the limits):
+//   alternating   swapping two arguments of cross, turn, orientation, normal_of or determinant changes the
+//   sign and
+//                 nothing else; turn and orientation of points two of which are equal are 0
+//   moved         what takes points does not change, an offset apart, when all are moved by the same vector
+//   additive      turn(a, b, c) = turn(p, a, b) + turn(p, b, c) + turn(p, c, a) for every p, and so does
+//   orientation
+//                 of the four faces of a tetrahedron
+//   planes        plane_through(a, b, c) is 0 at a, b and c, and orientation(a, b, c, d) at d
+//   flattened     turn(flattened a, b, c along an axis) is that component of normal_of(a, b, c)
+//   segments      on_segment and segments_meet do not depend on the order of a segment's ends or of the
+//   segments;
+//                 segments_meet(a, b, p, p) is on_segment(a, b, p)
+//   rings         doubled_area and locate_in_ring do not depend on where a ring starts; reversed, the area
+//   changes its
+//                 sign and the place stays. A point is on the ring iff it is on one of its sides.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -123,8 +134,10 @@ struct Plane {
 
 // p is on the closed segment a, b (which may be a point).
 [[nodiscard]] constexpr bool on_segment(const Point2& a, const Point2& b, const Point2& p) {
-  return turn(a, b, p) == 0 && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
-         std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+  const auto between = [](std::int32_t m, std::int32_t n, std::int32_t c) {
+    return m < n ? m <= c && c <= n : n <= c && c <= m;
+  };
+  return turn(a, b, p) == 0 && between(a[0], b[0], p[0]) && between(a[1], b[1], p[1]);
 }
 
 // The closed segments have a point in common.

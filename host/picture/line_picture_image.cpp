@@ -20,12 +20,6 @@ using geometry::sign;
 using geometry::vector_of;
 using Vector = geometry::Vector3;
 
-Int128 common_divisor(Int128 a, Int128 b) {
-  if (a < 0) a = -a;
-  while (b != 0) a = std::exchange(b, a % b);
-  return a;
-}
-
 // The value at parameter s of what is a at s = 0 and b at s = 1, times the denominator of s.
 Int128 along(std::int64_t a, std::int64_t b, const Rational& s) {
   return Int128{a} * (s.denominator() - s.numerator()) + Int128{b} * s.numerator();
@@ -33,7 +27,7 @@ Int128 along(std::int64_t a, std::int64_t b, const Rational& s) {
 
 ImageRatio reduced(Int128 numerator, Int128 denominator) {
   if (denominator == 0) return {sign(numerator), 0};
-  const Int128 divisor = common_divisor(numerator, denominator);
+  const Int128 divisor = geometry::common_divisor(numerator, denominator);
   return {numerator / divisor, denominator / divisor};
 }
 

@@ -1,5 +1,6 @@
 #include "host/scene/check/cell_scene.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>

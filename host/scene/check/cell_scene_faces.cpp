@@ -3,6 +3,7 @@
 // could make huge.
 #include "host/scene/check/cell_scene_faces.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -68,5 +68,55 @@ TEST(IntervalSet, AgreesWithUnitStepsUnderRandomOperations) {
   }
 }
 
+class RandomSets {
+ public:
+  Rational end() {
+    return {static_cast<std::int64_t>(random_() % 41) - 20, static_cast<std::int64_t>(random_() % 6) + 1};
+  }
+  IntervalSet set() {
+    IntervalSet result;
+    for (std::size_t i = random_() % 5; i-- > 0;) result.unite(end(), end());
+    return result;
+  }
+
+ private:
+  std::mt19937 random_{1985};
+};
+
+TEST(IntervalSet, KeepsTheLawsOfTheHeader) {
+  RandomSets sets;
+  const Rational least(-100);
+  const Rational most(100);
+  for (int i = 0; i < 2000; ++i) {
+    const IntervalSet start = sets.set();
+    const Rational a = sets.end(), b = sets.end(), c = sets.end(), d = sets.end();
+    const auto after = [&start](auto... operations) {
+      IntervalSet set = start;
+      (operations(set), ...);
+      return set;
+    };
+    const auto subtract = [](const Rational& low, const Rational& high) {
+      return [low, high](IntervalSet& set) { set.subtract(low, high); };
+    };
+    const auto unite = [](const Rational& low, const Rational& high) {
+      return [low, high](IntervalSet& set) { set.unite(low, high); };
+    };
+    const auto intersect = [](const Rational& low, const Rational& high) {
+      return [low, high](IntervalSet& set) { set.intersect(low, high); };
+    };
+    EXPECT_EQ(after(subtract(a, b), subtract(a, b)), after(subtract(a, b)));
+    EXPECT_EQ(after(unite(a, b), unite(a, b)), after(unite(a, b)));
+    EXPECT_EQ(after(intersect(a, b), intersect(a, b)), after(intersect(a, b)));
+    EXPECT_EQ(after(subtract(a, b), subtract(c, d)), after(subtract(c, d), subtract(a, b)));
+    EXPECT_EQ(after(unite(a, b), unite(c, d)), after(unite(c, d), unite(a, b)));
+    EXPECT_EQ(after(intersect(a, b), intersect(c, d)), after(intersect(c, d), intersect(a, b)));
+    if (a < b) {
+      EXPECT_EQ(after(intersect(a, b)), after(subtract(least, a), subtract(b, most)));
+      EXPECT_EQ(after(unite(a, b), intersect(a, b)), IntervalSet(a, b));
+    }
+    EXPECT_EQ(after(unite(a, b), subtract(a, b)), after(subtract(a, b)));
+  }
+}
+
 }  // namespace
 }  // namespace sightline::geometry

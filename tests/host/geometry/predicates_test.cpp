@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -107,6 +108,118 @@ TEST(Predicates, SegmentsMeetAlsoInAPointOrOnALine) {
   EXPECT_FALSE(segments_meet({0, 0}, {2, 0}, {0, 1}, {2, 1}));
   EXPECT_FALSE(segments_meet({0, 0}, {2, 0}, {3, 0}, {3, 5}));
   EXPECT_TRUE(segments_meet({1, 1}, {1, 1}, {0, 0}, {2, 2}));
+}
+
+Point3 moved(const Point3& p, const Point3& by) {
+  return {p[0] + by[0], p[1] + by[1], p[2] + by[2]};
+}
+Point2 flat(const Point3& p) {
+  return {p[0], p[1]};
+}
+
+TEST(Predicates, NothingChangesWhereAllPointsAreMoved) {
+  for (const std::int32_t reach : {2, 1000, most / 2}) {
+    RandomPoints points(reach);
+    for (int i = 0; i < 500; ++i) {
+      const Point3 a = points.next(), b = points.next(), c = points.next(), d = points.next();
+      const Point3 by = points.next();
+      const Point3 a1 = moved(a, by), b1 = moved(b, by), c1 = moved(c, by), d1 = moved(d, by);
+      EXPECT_EQ(normal_of(a1, b1, c1), normal_of(a, b, c));
+      EXPECT_EQ(orientation(a1, b1, c1, d1), orientation(a, b, c, d));
+      EXPECT_EQ(turn(flat(a1), flat(b1), flat(c1)), turn(flat(a), flat(b), flat(c)));
+      EXPECT_EQ(segments_meet(flat(a1), flat(b1), flat(c1), flat(d1)),
+                segments_meet(flat(a), flat(b), flat(c), flat(d)));
+      EXPECT_EQ(plane_through(a1, b1, c1).at(d1), plane_through(a, b, c).at(d));
+    }
+  }
+}
+
+TEST(Predicates, AreasAndVolumesAdd) {
+  for (const std::int32_t reach : {2, 1000, most}) {
+    RandomPoints points(reach);
+    for (int i = 0; i < 500; ++i) {
+      const Point3 a = points.next(), b = points.next(), c = points.next(), d = points.next(),
+                   p = points.next();
+      EXPECT_EQ(turn(flat(a), flat(b), flat(c)), turn(flat(p), flat(a), flat(b)) +
+                                                     turn(flat(p), flat(b), flat(c)) +
+                                                     turn(flat(p), flat(c), flat(a)));
+      EXPECT_EQ(orientation(a, b, c, d), orientation(p, b, c, d) + orientation(a, p, c, d) +
+                                             orientation(a, b, p, d) + orientation(a, b, c, p));
+      EXPECT_EQ(turn(flat(a), flat(b), flat(b)), 0);
+      EXPECT_EQ(orientation(a, b, c, b), 0);
+    }
+  }
+}
+
+// All pairs of segments between the points of a small lattice. Two convex sets are apart iff their shadows on
+// some line are; for segments a line along or across one that joins two of the four ends will do.
+TEST(Predicates, SegmentsMeetInWhateverOrder) {
+  std::vector<Point2> lattice;
+  for (std::int32_t x = 0; x < 4; ++x) {
+    for (std::int32_t y = 0; y < 3; ++y) lattice.push_back({x, y});
+  }
+  for (const Point2& a : lattice) {
+    for (const Point2& b : lattice) {
+      for (const Point2& p : lattice) {
+        EXPECT_EQ(on_segment(a, b, p), on_segment(b, a, p));
+        EXPECT_EQ(segments_meet(a, b, p, p), on_segment(a, b, p));
+        for (const Point2& q : lattice) {
+          const bool meet = segments_meet(a, b, p, q);
+          ASSERT_EQ(segments_meet(b, a, p, q), meet);
+          ASSERT_EQ(segments_meet(a, b, q, p), meet);
+          ASSERT_EQ(segments_meet(p, q, a, b), meet);
+          bool apart = false;
+          const Point2 ends[] = {a, b, p, q};
+          for (const Point2& m : ends) {
+            for (const Point2& n : ends) {
+              for (const Point2& way : {Point2{n[0] - m[0], n[1] - m[1]}, Point2{n[1] - m[1], m[0] - n[0]}}) {
+                const auto at = [&](const Point2& s) { return way[0] * s[1] - way[1] * s[0]; };
+                apart = apart || std::max(at(a), at(b)) < std::min(at(p), at(q)) ||
+                        std::max(at(p), at(q)) < std::min(at(a), at(b));
+              }
+            }
+          }
+          ASSERT_EQ(meet, !apart) << a[0] << a[1] << ' ' << b[0] << b[1] << ' ' << p[0] << p[1] << ' ' << q[0]
+                                  << q[1];
+        }
+      }
+    }
+  }
+}
+
+// Stars around the origin do not cross themselves; their place is known by the angle between two corners.
+TEST(Predicates, PlacesInAStarDoNotDependOnItsStart) {
+  constexpr std::array<Point2, 8> ways{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  std::mt19937 random(11);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Point2> ring;
+    for (const Point2& way : ways) {
+      const auto far = static_cast<std::int32_t>(random() % 6) + 1;
+      ring.push_back({way[0] * far, way[1] * far});
+    }
+    std::vector<Point2> reversed(ring.rbegin(), ring.rend());
+    std::vector<Point2> later(ring);
+    std::rotate(later.begin(), later.begin() + 1 + static_cast<std::ptrdiff_t>(random() % 7), later.end());
+    EXPECT_EQ(doubled_area(later), doubled_area(ring));
+    EXPECT_EQ(doubled_area(reversed), -doubled_area(ring));
+    for (std::int32_t x = -7; x <= 7; ++x) {
+      for (std::int32_t y = -7; y <= 7; ++y) {
+        const Point2 p{x, y};
+        int expected =
+            -1;  // inside iff in the triangle of the origin and two corners, but for its outer side
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Point2& a = ring[i];
+          const Point2& b = ring[(i + 1) % ring.size()];
+          if (on_segment(a, b, p)) expected = 0;
+          if (turn({0, 0}, a, p) >= 0 && turn({0, 0}, b, p) <= 0 && turn(a, b, p) > 0) expected = 1;
+        }
+        ASSERT_EQ(locate_in_ring(ring, p), expected) << x << ' ' << y;
+        ASSERT_EQ(locate_in_ring(reversed, p), expected);
+        ASSERT_EQ(locate_in_ring(later, p), expected);
+      }
+    }
+  }
 }
 
 // Midpoints of all unit squares against a count of crossings along x, for a ring with a bay.

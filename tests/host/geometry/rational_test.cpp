@@ -1,8 +1,10 @@
 // The laws stated in host/geometry/rational.hpp.
 #include "host/geometry/rational.hpp"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -39,6 +41,29 @@ TEST(Rational, MediantLiesStrictlyBetween) {
     if (b < a) std::swap(a, b);
     EXPECT_LT(a, mediant(a, b));
     EXPECT_LT(mediant(a, b), b);
+  }
+}
+
+TEST(Rational, IsOrderedAsFractionsOfGmp) {
+  std::mt19937_64 random(7);
+  const auto part = [&] {
+    const auto value = static_cast<std::int64_t>(random() >> (1 + random() % 63));
+    return random() % 8 == 0 ? std::numeric_limits<std::int64_t>::max() : value;
+  };
+  const auto draw = [&] {
+    return Rational(random() % 2 == 0 ? part() : -part(), std::max<std::int64_t>(part(), 1));
+  };
+  const auto to_gmp = [](const Rational& r) {
+    return mpq_class(mpz_class(r.numerator()), mpz_class(r.denominator()));
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Rational a = draw();
+    const Rational b = i % 3 == 0 ? Rational(a.numerator(), a.denominator()) : draw();
+    const int expected = sign(cmp(to_gmp(a), to_gmp(b)));
+    EXPECT_EQ(a < b, expected < 0);
+    EXPECT_EQ(a == b, expected == 0);
+    EXPECT_EQ(a > b, expected > 0);
+    EXPECT_EQ(gcd(mpz_class(a.numerator()), mpz_class(a.denominator())), 1);
   }
 }
 

@@ -2,6 +2,7 @@
 // other ways to say the same opening, and what cannot be looked at.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "host/algorithms/exact/visible_edges.hpp"

@@ -2,6 +2,7 @@
 // one opening or are stopped by a face, lines are where edges touch cells.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <random>
