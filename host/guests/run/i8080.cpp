@@ -71,8 +71,7 @@ class PlotterTaker {
 
  private:
   void log(const core::Stroke& stroke) {
-    picture::append_stroke_line(log_.text(), stroke);
-    log_.end_line();
+    log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
   void draw(picture::PenPoint point) {
     const bool joined =
@@ -179,7 +178,7 @@ class Recorder {
   void instruction(const machines::I8080InstructionRecord& record) {
     if (!trace_.wanted()) return;
     const Remembered& known = disassembled(record);
-    const auto to = std::back_inserter(trace_.text());
+    const auto to = std::back_inserter(line_);
     fmt::format_to(to, "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
     for (std::size_t i = 0; i < record.bytes.size(); ++i) {
       if (static_cast<int>(i) < known.length) {
@@ -193,19 +192,19 @@ class Recorder {
                    record.acknowledged ? "INT " : "", known.text, record.acknowledged ? 16 : 20, s.a, s.f,
                    i8080::high(s.bc), i8080::low(s.bc), i8080::high(s.de), i8080::low(s.de),
                    i8080::high(s.hl), i8080::low(s.hl), s.sp, s.pc, s.interrupts_on ? 1 : 0);
-    trace_.end_line();
+    write_line(trace_);
   }
   // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
   void cycle(const machines::I8080Cycle& cycle) {
     if (!bus_.wanted()) return;
-    const auto to = std::back_inserter(bus_.text());
+    const auto to = std::back_inserter(line_);
     fmt::format_to(to, "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status, cycle.address);
     if (cycle.status == i8080::status::halt_cycle) {
       fmt::format_to(to, "--\n");
     } else {
       fmt::format_to(to, "{:02X}\n", cycle.data);
     }
-    bus_.end_line();
+    write_line(bus_);
   }
 
  private:
@@ -225,6 +224,12 @@ class Recorder {
     return known;
   }
 
+  void write_line(TextBlocks& to) {
+    to.write([this](std::string& text) { text.append(line_.data(), line_.size()); });
+    line_.clear();
+  }
+
+  fmt::memory_buffer line_;
   TextBlocks trace_;
   TextBlocks bus_;
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);

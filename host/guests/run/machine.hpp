@@ -205,9 +205,10 @@ class TextBlocks {
  public:
   void take(TextTaker taker) { taker_ = std::move(taker); }
   [[nodiscard]] bool wanted() const { return static_cast<bool>(taker_); }
-  // Where the next line goes.
-  [[nodiscard]] std::string& text() { return text_; }
-  void end_line() {
+  // `append` writes whole lines at the end of a std::string.
+  template <class Append>
+  void write(Append append) {
+    append(text_);
     if (text_.size() >= 65536) finish();
   }
   void finish() {

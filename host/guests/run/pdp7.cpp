@@ -32,11 +32,12 @@ class Tracer {
   static constexpr bool stops = false;
 
   void instruction(const machines::InstructionRecord& record) {
-    fmt::format_to(std::back_inserter(text_.text()), "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
+    fmt::format_to(std::back_inserter(line_), "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
                    core::nanoseconds_of(record.time), record.pc, record.word.value(),
                    instruction_text(record), record.after.ac.value(), record.after.link ? 1 : 0,
                    record.after.mq.value());
-    text_.end_line();
+    text_.write([this](std::string& text) { text.append(line_.data(), line_.size()); });
+    line_.clear();
   }
   void take(TextTaker taker) { text_.take(std::move(taker)); }
   void finish() { text_.finish(); }
@@ -55,6 +56,7 @@ class Tracer {
     return known.text;
   }
 
+  fmt::memory_buffer line_;
   TextBlocks text_;
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
 };

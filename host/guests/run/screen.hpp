@@ -56,8 +56,7 @@ class Screen {
 
  private:
   void log(const core::Stroke& stroke) {
-    picture::append_stroke_line(log_.text(), stroke);
-    log_.end_line();
+    log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
 
   Wishes wishes_;
