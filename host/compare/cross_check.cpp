@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "host/compare/cross_check_compare.hpp"
-#include "host/compare/cross_check_faces.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -38,7 +37,7 @@ const auto* find_in(const Table& table, std::string_view name) {
 // The views of one participant that are not listed as not applicable.
 class Drawing {
  public:
-  Drawing(const CommonScene& scene, const Participant& who, const AgreementTables& tables)
+  Drawing(const CommonScene& scene, const Participant& who, const CrossCheckTables& tables)
       : scene_(scene), who_(who), tables_(tables), pictures_(scene.views.size()) {
     bool any = false;
     for (std::size_t v = 0; v < pictures_.size(); ++v) {
@@ -50,7 +49,7 @@ class Drawing {
     if (any && who.faces) draw_faces();
   }
 
-  [[nodiscard]] std::vector<AgreementPicture> take() { return std::move(pictures_); }
+  [[nodiscard]] std::vector<CrossCheckPicture> take() { return std::move(pictures_); }
 
  private:
   template <class Draw>
@@ -59,7 +58,8 @@ class Drawing {
       if (pictures_[v].not_applicable.empty()) draw(scene_.views[v], pictures_[v]);
   }
   void fail(const std::string& problem) {
-    for_each_view([&problem](const AgreementView&, AgreementPicture& picture) { picture.problem = problem; });
+    for_each_view(
+        [&problem](const CrossCheckView&, CrossCheckPicture& picture) { picture.problem = problem; });
   }
 
   void draw_lines() {
@@ -69,7 +69,7 @@ class Drawing {
     auto made = algorithm->prepare(scene_.scene);
     if (!made) return fail(made.error().message());
     const auto& prepared = *made;
-    for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+    for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
       picture.same_by_image = algorithm->same_by_image;
       if (auto reason = algorithm->why_not_seen(scene_.scene, view.camera)) {
         picture.problem = std::move(*reason);
@@ -86,7 +86,7 @@ class Drawing {
 
   void draw_faces() {
     if (who_.name == "oracle" || who_.name == "skala") {
-      for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+      for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
         picture.faces = who_.name == "oracle" ? nearest_faces(scene_, view) : skala_faces(scene_, view);
       });
       return;
@@ -101,7 +101,7 @@ class Drawing {
     if (!prepared.not_solved.empty())
       return fail(
           fmt::format("not solved, {} pairs: {}", prepared.not_solved.size(), prepared.not_solved[0]));
-    for_each_view([&](const AgreementView& view, AgreementPicture& picture) {
+    for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
       auto seen = prepared.view(view.camera, view.window());
       if (!seen) {
         picture.problem = seen.error().message();
@@ -113,18 +113,18 @@ class Drawing {
 
   const CommonScene& scene_;
   const Participant& who_;
-  const AgreementTables& tables_;
-  std::vector<AgreementPicture> pictures_;
+  const CrossCheckTables& tables_;
+  std::vector<CrossCheckPicture> pictures_;
 };
 
 // Everything that two participants can be compared by, of one view.
-std::vector<ViewVerdict> verdicts(const CommonScene& scene, const AgreementView& view, const Participant& a,
-                                  const AgreementPicture& of_a, const Participant& b,
-                                  const AgreementPicture& of_b) {
-  const auto lines = [](const Participant& who, const AgreementPicture& picture) {
+std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView& view, const Participant& a,
+                                  const CrossCheckPicture& of_a, const Participant& b,
+                                  const CrossCheckPicture& of_b) {
+  const auto lines = [](const Participant& who, const CrossCheckPicture& picture) {
     return NamedLines{who.name, &*picture.lines, picture.same_by_image};
   };
-  const auto faces = [](const Participant& who, const AgreementPicture& picture) {
+  const auto faces = [](const Participant& who, const CrossCheckPicture& picture) {
     return NamedFaces{who.name, &*picture.faces};
   };
   std::vector<ViewVerdict> all;
@@ -136,14 +136,14 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const AgreementView&
   return all;
 }
 
-bool is_complete(const Participant& who, const AgreementPicture& picture) {
+bool is_complete(const Participant& who, const CrossCheckPicture& picture) {
   return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || picture.faces);
 }
 
-AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
-                           const std::vector<AgreementPicture>& of_a, const Participant& b,
-                           const std::vector<AgreementPicture>& of_b) {
-  AgreementCell cell{a.name, b.name, AgreementState::not_applicable, 0, {}, {}};
+CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
+                            const std::vector<CrossCheckPicture>& of_a, const Participant& b,
+                            const std::vector<CrossCheckPicture>& of_b) {
+  CrossCheckCell cell{a.name, b.name, CrossCheckState::not_applicable, 0, {}, {}};
   const auto add = [&cell](std::size_t view, const std::string& text) {
     cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
   };
@@ -153,25 +153,25 @@ AgreementCell compare_pair(const CommonScene& scene, const Participant& a,
     if (!is_complete(a, of_a[v]) || !is_complete(b, of_b[v])) {
       const bool first = !is_complete(a, of_a[v]);
       const std::string& problem = (first ? of_a : of_b)[v].problem;
-      cell.state = AgreementState::not_run;
+      cell.state = CrossCheckState::not_run;
       cell.text = fmt::format("view {}: {}: {}", v + 1, first ? a.name : b.name, problem);
       return cell;
     }
     for (const ViewVerdict& verdict : verdicts(scene, scene.views[v], a, of_a[v], b, of_b[v])) {
       if (std::find(ways.begin(), ways.end(), verdict.how) == ways.end()) ways.push_back(verdict.how);
       if (!verdict.agrees) {
-        cell.state = AgreementState::differs;
+        cell.state = CrossCheckState::differs;
         cell.text = fmt::format("view {}: {}", v + 1, verdict.text);
         return cell;
       }
       add(v, verdict.text);
     }
-    cell.state = AgreementState::agrees;
+    cell.state = CrossCheckState::agrees;
     ++cell.views;
   }
   if (std::find(ways.begin(), ways.end(), "image") != ways.end()) std::erase(ways, "pieces");
   cell.how = fmt::format("{}", fmt::join(ways, ", "));
-  if (cell.state != AgreementState::not_applicable) return cell;
+  if (cell.state != CrossCheckState::not_applicable) return cell;
   const auto& [who, pictures] = of_a[0].not_applicable.empty() ? std::pair{&b, &of_b} : std::pair{&a, &of_a};
   cell.text = fmt::format("{} {}", who->name, pictures->front().not_applicable);
   return cell;
@@ -201,7 +201,7 @@ std::size_t listed_cells(const CommonScene& scene) {
   for (const Participant& a : all_participants) {
     for (const Participant& b : all_participants) {
       if (&a >= &b) continue;
-      cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const AgreementView& view) {
+      cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const CrossCheckView& view) {
         return !listed_reason(a.name, scene.name, view.camera.perspective) &&
                !listed_reason(b.name, scene.name, view.camera.perspective);
       });
@@ -210,15 +210,15 @@ std::size_t listed_cells(const CommonScene& scene) {
   return cells;
 }
 
-bool SceneAgreement::agrees() const {
-  return std::all_of(cells.begin(), cells.end(), [](const AgreementCell& cell) {
-    return cell.state == AgreementState::agrees || cell.state == AgreementState::not_applicable;
+bool SceneCrossCheck::agrees() const {
+  return std::all_of(cells.begin(), cells.end(), [](const CrossCheckCell& cell) {
+    return cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::not_applicable;
   });
 }
 
-SceneAgreement agreement_on(const CommonScene& scene, const AgreementTables& tables,
+SceneCrossCheck cross_check(const CommonScene& scene, const CrossCheckTables& tables,
                             const std::function<void(std::string_view)>& progress) {
-  SceneAgreement agreement;
+  SceneCrossCheck agreement;
   for (const Participant& who : all_participants) {
     progress(fmt::format("{} ({}): {}", scene.name, scene.title, who.name));
     agreement.pictures.push_back(Drawing(scene, who, tables).take());

@@ -1,4 +1,4 @@
-// All algorithms held against each other on the common scenes: one cell for each pair and scene.
+// All algorithms compared with each other on the common scenes: one cell for each pair and scene.
 //
 // Who takes part, with what kind of picture, and what does not apply, with its reason, are listed here as
 // constants. Everything else is run, and a cell that is listed to run but cannot is a failure: an algorithm
@@ -45,13 +45,13 @@ struct NotApplicable {
                                                             bool perspective);
 
 // Where the algorithms are looked for.
-struct AgreementTables {
+struct CrossCheckTables {
   std::span<const harness::LineAlgorithm> lines = harness::line_algorithms();
   std::span<const harness::FaceAlgorithm> faces = harness::face_algorithms();
 };
 
 // What one participant made of one view.
-struct AgreementPicture {
+struct CrossCheckPicture {
   std::optional<picture::LinePicture> lines;
   bool same_by_image = false;
   std::optional<picture::PixelGrid> faces;  // number + 1, 0 for none
@@ -59,28 +59,28 @@ struct AgreementPicture {
   std::string problem;                      // why something listed is not there
 };
 
-enum class AgreementState { agrees, differs, not_run, not_applicable };
+enum class CrossCheckState { agrees, differs, not_run, not_applicable };
 
-struct AgreementCell {
+struct CrossCheckCell {
   std::string_view first;
   std::string_view second;
-  AgreementState state = AgreementState::not_applicable;
+  CrossCheckState state = CrossCheckState::not_applicable;
   std::size_t views = 0;  // compared
   std::string how;        // as ViewVerdict has it, each once; no "pieces" where it took "image"
   std::string text;       // what was found; of a failure the view and the first difference
 };
 
-struct SceneAgreement {
-  std::vector<AgreementCell> cells;  // by participants, all pairs
+struct SceneCrossCheck {
+  std::vector<CrossCheckCell> cells;  // by participants, all pairs
   // By participant, then view.
-  std::vector<std::vector<AgreementPicture>> pictures;
+  std::vector<std::vector<CrossCheckPicture>> pictures;
 
   // Nothing differs and nothing listed is missing.
   [[nodiscard]] bool agrees() const;
 };
 
-[[nodiscard]] SceneAgreement agreement_on(
-    const CommonScene& scene, const AgreementTables& tables = {},
+[[nodiscard]] SceneCrossCheck cross_check(
+    const CommonScene& scene, const CrossCheckTables& tables = {},
     const std::function<void(std::string_view)>& progress = [](std::string_view) {});
 
 // How many cells are listed to run on a scene.

@@ -1,4 +1,4 @@
-// Two pictures of one view held against each other: lines piece by piece or as images, faces pixel by pixel,
+// Two pictures of one view compared: lines piece by piece or as images, faces pixel by pixel,
 // and lines against faces: where the face changes there is a line, and where a line is by itself the face
 // changes.
 //
@@ -33,14 +33,25 @@ struct NamedFaces {
   const picture::PixelGrid* faces = nullptr;  // number + 1, 0 for none
 };
 
-[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedLines& b);
 // Away from all edges they are equal.
-[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedFaces& a, const NamedFaces& b);
 // Within one pixel. A line is by itself where no other one is within two pixels: between two lines nearer to
 // each other there may be no pixel.
-[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const AgreementView& view,
+[[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedFaces& b);
+
+// What is seen at every pixel of a view of a common scene: by exact sight lines, and by Skala's surfaces.
+
+// The face met first by the sight line of every pixel (oracle/sight_oracle.hpp), its number over all bodies
+// + 1; 0 for none.
+[[nodiscard]] picture::PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view);
+
+// The facets of native Skala's surface picture, painted far to near: number of the triangle of the scene + 1,
+// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. Of a scene
+// with heights (precondition). Nothing if a facet is no cell of the scene.
+[[nodiscard]] picture::PixelGrid skala_faces(const CommonScene& scene, const CrossCheckView& view);
 
 }  // namespace sightline::compare

@@ -1,15 +1,21 @@
 // See cross_check_scenes.hpp.
 #include "host/compare/cross_check_scenes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/heights/function.hpp"
 #include "host/scene/model/poly_builder.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline::compare {
+
 namespace {
 
 using scene::PolyCamera;
@@ -138,8 +144,8 @@ PolyScene holes() {
 }
 
 // The scene's own camera, which is in perspective and has vectors of one length, over a right angle.
-AgreementView own_view(const PolyScene& scene) {
-  AgreementView view;
+CrossCheckView own_view(const PolyScene& scene) {
+  CrossCheckView view;
   view.camera = scene.camera;
   view.unit = view.size;
   return view;
@@ -211,6 +217,159 @@ CommonScene common_scene(std::string_view name) {
   if (name == "C9") return prism_town();
   if (name == "H1") return height_scene(name, "sin(r)/r, 32 x 32", "sinc", 3, 4);
   return height_scene(name, "terrain with cliffs, 32 x 32", "terrain", 4, 3);
+}
+
+// Functions of two variables among the common scenes.
+//
+// With X, Z odd from -31 to 31, D = 7 X + 24 Z and a height k of -3720 .. 3720, a point's place on the screen
+// is 40 (24 X - 7 Z) and c k + 8 s D, its depth 8 c D - s k, s and c the sine and cosine of the elevation in
+// fifths: 31000 times Skala's projection of x = X / 31, z = Z / 31, h = k / 3720, in whole numbers.
+
+namespace {
+
+constexpr std::size_t side = 32;
+constexpr double highest = 3720;
+
+double degrees(double sine) {
+  return std::asin(sine) * 180 / std::numbers::pi;
+}
+
+// Heights to whole numbers between -highest and highest.
+void quantise(scene::HeightGrid& grid) {
+  const scene::Interval range = scene::finite_range(grid.heights);
+  for (double& h : grid.heights) {
+    const double part = (h - range.low) / (range.high - range.low);
+    h = std::floor(highest * (2 * part - 1) + 0.5);
+  }
+  grid.range = {-highest, highest};
+}
+
+}  // namespace
+
+CommonScene height_scene(std::string_view name, std::string_view title, std::string_view function,
+                         std::int32_t sine, std::int32_t cosine) {
+  scene::HeightGrid grid = sample(*scene::height_function(function), {side, side});
+  quantise(grid);
+  CommonScene common{name, title, {}, {}, false, {}, {}};
+  scene::PolyScene& scene = common.scene;
+  scene.name = function;
+  const auto odd = [](std::size_t i) { return 2 * static_cast<std::int32_t>(i) - 31; };
+  for (std::size_t j = 0; j < side; ++j) {
+    for (std::size_t i = 0; i < side; ++i) {
+      const std::int32_t d = 7 * odd(i) + 24 * odd(j);
+      const auto k = static_cast<std::int32_t>(grid.height(i, j));
+      scene.vertices.push_back(
+          {40 * (24 * odd(i) - 7 * odd(j)), cosine * k + 8 * sine * d, 8 * cosine * d - sine * k});
+    }
+  }
+  scene::PolyBody body{"surface", true, {}};
+  for (std::size_t j = 0; j + 1 < side; ++j) {
+    for (std::size_t i = 0; i + 1 < side; ++i) {
+      // Divided between the corners at the sides, as Skala's cells are: one triangle is before the other.
+      const auto near = static_cast<scene::VertexIndex>(j * side + i);
+      const scene::VertexIndex beside = near + 1;
+      const scene::VertexIndex behind = near + side;
+      body.faces.push_back({{near, beside, behind}, {}});
+      body.faces.push_back({{beside, behind + 1, behind}, {}});
+    }
+  }
+  scene.bodies.push_back(std::move(body));
+  common.views = {parallel_view(scene, 0, 1, 1, 512)};
+  scene.camera = common.views[0].camera;
+  common.heights = std::move(grid);
+  common.height_view.subject = algorithms::skala::Subject::surface;
+  common.height_view.rotation = -degrees(7.0 / 25);
+  common.height_view.elevation = degrees(sine / 5.0);
+  return common;
+}
+
+// Windows and places of pixels.
+
+namespace {
+
+using scene::PolyPoint;
+using scene::PolyScene;
+
+std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
+  return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
+}
+
+}  // namespace
+
+harness::FaceWindow CrossCheckView::window() const {
+  const double half = size / 2.0;
+  const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
+  return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
+}
+
+// A point in lengths of right, up and forward from the eye.
+std::array<double, 3> CrossCheckView::in_camera(const PolyPoint& point) const {
+  const auto d = geometry::difference(point, camera.eye);
+  const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
+  std::array<double, 3> coordinates{};
+  for (std::size_t a = 0; const PolyPoint& axis : {camera.right, camera.up, camera.forward})
+    coordinates[a++] = static_cast<double>(geometry::dot(geometry::vector_of(axis), d)) / length;
+  return coordinates;
+}
+
+picture::PixelPoint CrossCheckView::project(const std::array<double, 3>& p) const {
+  const double scale = window().scale / (camera.perspective ? p[2] : 1);
+  const double middle = size / 2.0 - 0.5;
+  return {middle + scale * p[0], middle + scale * p[1]};
+}
+
+bool CrossCheckView::has_place(const PolyPoint& point) const {
+  return !camera.perspective || in_camera(point)[2] >= nearest;
+}
+
+picture::PixelPoint CrossCheckView::place(const PolyPoint& point) const {
+  return project(in_camera(point));
+}
+
+std::optional<picture::PixelSegment> CrossCheckView::place(const PolyPoint& from, const PolyPoint& to,
+                                                           const picture::LinePart& piece) const {
+  const auto a = in_camera(from);
+  const auto b = in_camera(to);
+  auto [low, high] = piece;
+  if (camera.perspective) {
+    if (std::max(a[2], b[2]) < nearest) return std::nullopt;
+    const double at_nearest = (nearest - a[2]) / (b[2] - a[2]);
+    if (a[2] < nearest) low = std::max(low, at_nearest);
+    if (b[2] < nearest) high = std::min(high, at_nearest);
+    if (low >= high) return std::nullopt;
+  }
+  const auto at = [&](double s) {
+    return project({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])});
+  };
+  return picture::PixelSegment{at(low), at(high)};
+}
+
+CrossCheckView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_t q, std::int32_t h,
+                             int size) {
+  CrossCheckView view;
+  view.size = size;
+  view.camera = {false, {}, {p, 0, q}, {q, 0, -p}, {0, h, 0}};
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  std::array<std::int64_t, 3> low{most, most, most};
+  std::array<std::int64_t, 3> high{-most, -most, -most};
+  const std::array<PolyPoint, 3> axes{view.camera.right, view.camera.up, view.camera.forward};
+  for (const PolyPoint& v : scene.vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], dot(axes[a], v));
+      high[a] = std::max(high[a], dot(axes[a], v));
+    }
+  }
+  // Before everything in the middle of it, in lengths of the vectors.
+  const std::int64_t square = std::int64_t{h} * h;
+  const std::array<std::int64_t, 3> eye{(low[0] + high[0]) / 2 / square, (low[1] + high[1]) / 2 / square,
+                                        low[2] / square - 2};
+  for (std::size_t a = 0; a < 3; ++a)
+    view.camera.eye[a] =
+        static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] + eye[2] * axes[2][a]);
+  const std::int64_t extent = std::max(high[0] - low[0], high[1] - low[1]) / square;
+  constexpr std::int64_t border = 4;  // pixels, on both sides
+  view.unit = static_cast<std::int32_t>(extent / (2 * (size - 2 * border)) + 1);
+  return view;
 }
 
 }  // namespace sightline::compare

@@ -1,4 +1,4 @@
-// The scenes on which all algorithms are held against each other, each with its views.
+// The scenes on which all algorithms are compared with each other, each with its views.
 //
 // A view is a camera of which the middles of the pixels have whole sight lines, so that the nearest face of
 // every pixel is known exactly: its three vectors are of one length, and a direction without perspective has
@@ -25,7 +25,7 @@
 
 namespace sightline::compare {
 
-struct AgreementView : algorithms::oracle::SquareImage {
+struct CrossCheckView : algorithms::oracle::SquareImage {
   [[nodiscard]] harness::FaceWindow window() const;
   // Before the eye by more than nothing worth mentioning: it has a place.
   [[nodiscard]] bool has_place(const scene::PolyPoint& point) const;
@@ -47,7 +47,7 @@ struct CommonScene {
   std::string_view name;   // "C1"
   std::string_view title;  // what it shows, in few words
   scene::PolyScene scene;
-  std::vector<AgreementView> views;
+  std::vector<CrossCheckView> views;
   bool plan = false;  // walls seen level, of which roofs and floors cannot be seen
   // The function whose surface the scene is, two triangles for each cell, and the same view of it.
   std::optional<scene::HeightGrid> heights;
@@ -63,7 +63,7 @@ struct CommonScene {
 [[nodiscard]] CommonScene height_scene(std::string_view name, std::string_view title,
                                        std::string_view function, std::int32_t sine, std::int32_t cosine);
 // From (p, q) with p p + q q = h h, the whole scene in the picture.
-[[nodiscard]] AgreementView parallel_view(const scene::PolyScene& scene, std::int32_t p, std::int32_t q,
-                                          std::int32_t h, int size = 256);
+[[nodiscard]] CrossCheckView parallel_view(const scene::PolyScene& scene, std::int32_t p, std::int32_t q,
+                                           std::int32_t h, int size = 256);
 
 }  // namespace sightline::compare

@@ -9,7 +9,7 @@
 
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/base/result.hpp"
-#include "host/compare/projection.hpp"
+#include "host/compare/lines.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -131,7 +131,8 @@ base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& 
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
     return base::fail(fmt::format("{} faces are too many for the oracle of sight lines, which takes {}",
                                   faces, most_faces));
-  const harness::FaceWindow window = harness::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
+  const harness::FaceWindow window =
+      harness::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
     return base::fail("the image is too small beside the scene's depth for the oracle of sight lines");
   return FaceTruth(scene, camera, window);

@@ -30,7 +30,7 @@ struct ComparedFaces {
   [[nodiscard]] bool agrees() const { return not_solved > 0 || metrics.different_inside == 0; }
 };
 
-// What all algorithms of a view are held against.
+// What all algorithms of a view are compared with.
 class FaceTruth {
  public:
   // All of the scene before the eye on 256 by 256 points. An error says why there is no truth of the view.

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "host/algorithms/registry/heights.hpp"
-#include "host/compare/height_cells.hpp"
-#include "host/compare/height_lines.hpp"
+#include "host/compare/height_truth.hpp"
 #include "host/guests/skala/projection.hpp"
 
 namespace sightline::compare {

@@ -1,11 +1,10 @@
 // One view of a function of two variables by everything that can draw it, on the 256 by 256 points of
-// Skala's raster board, each held against the column oracle: Skala's program on its 8080, its native twin,
+// Skala's raster board, each compared with the column oracle: Skala's program on its 8080, its native twin,
 // and the native algorithm, whose vectors are put on the same points.
 //
 // A point counts as lit or not; colours and greys are not compared. The native algorithm's picture is
 // vectors: its lines and contours are also measured as such, against what is truly seen of the surface's own
-// lines (height_lines.hpp), and its surface by which cell is seen at each point
-// (height_cells.hpp).
+// lines, and its surface by which cell is seen at each point (height_truth.hpp).
 //
 // Left out: silhouettes of contour pictures, whose reach depends on more than depth; grids with undefined
 // heights and zoomed views, for which the oracle has no answer.

@@ -2,14 +2,20 @@
 #include "host/compare/lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <utility>
 
-#include "host/compare/projection.hpp"
+#include "host/geometry/predicates.hpp"
 #include "host/picture/line_metrics_parts.hpp"
+#include "host/picture/line_picture_image.hpp"
 
 namespace sightline::compare {
+
 namespace {
 
 using picture::DrawnPiece;
@@ -197,6 +203,210 @@ void CellReference::reach(const AxisLine& line, const PixelSegment& pixels) {
 LineId CellReference::number_of(const AxisLine& line) const {
   const auto known = numbers_.find(line);
   return known == numbers_.end() ? no_line : known->second;
+}
+
+// Pieces of Jones's program as pieces of the scene's lines: which line a vector word of core is on, and where
+// on the screen a piece lies. See lines.hpp.
+
+namespace {
+
+using picture::DrawnPiece;
+
+constexpr double screen_centre = 512;  // of the one window of a mono view
+
+// Two's complement of 18 bits.
+std::int32_t number_in(std::uint32_t word) {
+  return word & 0400000 ? static_cast<std::int32_t>(word) - (1 << 18) : static_cast<std::int32_t>(word);
+}
+
+class VectorWalk {
+ public:
+  explicit VectorWalk(const guests::jones::EncodedScene& scene) : scene_(scene) {}
+
+  // `at`: the address of X, which Y Z n and the vectors follow.
+  void walk(std::uint32_t at) {
+    geometry::Point pen{number(at), number(at + 1), number(at + 2)};
+    const std::int32_t vectors = number(at + 3);
+    for (std::int32_t i = 0; i < vectors; ++i) {
+      const std::uint32_t address = at + 4 + static_cast<std::uint32_t>(i);
+      const std::uint32_t word = scene_.words[address - scene_.base].value;
+      const std::size_t axis = (word >> 15 & 3U) - 1;
+      const auto [u, v] = geometry::other_axes(axis);
+      lines_[address] = AxisLine{axis, {pen[u], pen[v]}};
+      const auto magnitude = static_cast<std::int32_t>(word & 0077777);
+      pen[axis] += magnitude >= 1 << 14 ? magnitude - (1 << 15) : magnitude;
+    }
+  }
+  [[nodiscard]] std::map<std::uint32_t, AxisLine> take() && { return std::move(lines_); }
+
+ private:
+  [[nodiscard]] std::int32_t number(std::uint32_t address) const {
+    return number_in(scene_.words[address - scene_.base].value);
+  }
+
+  const guests::jones::EncodedScene& scene_;
+  std::map<std::uint32_t, AxisLine> lines_;
+};
+
+template <class ToPixel>
+std::vector<DrawnPiece> pieces_of(const guests::jones::View& view,
+                                  const std::map<std::uint32_t, AxisLine>& vectors,
+                                  const CellReference& reference, ToPixel&& pixel) {
+  std::vector<DrawnPiece> pieces;
+  for (const auto& piece : view.pieces) {
+    const picture::PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)},
+                                      {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
+    if (image.a.x == image.b.x && image.a.y == image.b.y) continue;
+    pieces.push_back({reference.number_of(vectors.at(piece.vector_address)), image});
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedScene& scene) {
+  VectorWalk walk(scene);
+  for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
+  for (const std::uint32_t opening : scene.opening_addresses) walk.walk(opening + 2);
+  return std::move(walk).take();
+}
+
+std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view,
+                                    const std::map<std::uint32_t, AxisLine>& vectors,
+                                    const CellReference& reference) {
+  return pieces_of(view, vectors, reference, [](std::int32_t half) { return 0.5 * half + screen_centre; });
+}
+
+std::vector<DrawnPiece> display_pieces(const guests::jones::View& view,
+                                       const std::map<std::uint32_t, AxisLine>& vectors,
+                                       const CellReference& reference) {
+  return pieces_of(view, vectors, reference,
+                   [](std::int32_t half) { return static_cast<double>((half + 1) >> 1) + screen_centre; });
+}
+
+namespace {
+
+SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
+  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
+  const auto along = [&](const scene::PolyPoint& axis) {
+    const geometry::Vector3 a = geometry::vector_of(axis);
+    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
+  };
+  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
+}
+
+}  // namespace
+
+SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera)
+    : from_(seen(from, camera)), to_(seen(to, camera)) {}
+
+SeenPoint SeenEdge::at(double s) const {
+  SeenPoint point{};
+  for (std::size_t a = 0; a < 3; ++a) point[a] = from_[a] * (1 - s) + to_[a] * s;
+  return point;
+}
+
+std::optional<picture::LinePart> SeenEdge::part_in(const ScreenFrame& frame) const {
+  picture::LinePart part{0, 1};
+  // Keeps where a quantity that is linear along the edge is not negative.
+  const auto keep = [&](double at_from, double at_to) {
+    if (at_from < 0 && at_to < 0) {
+      part = {1, 0};
+    } else if (at_from < 0) {
+      part.low = std::max(part.low, at_from / (at_from - at_to));
+    } else if (at_to < 0) {
+      part.high = std::min(part.high, at_from / (at_from - at_to));
+    }
+  };
+  if (frame.near > 0) keep(from_[2] - frame.near, to_[2] - frame.near);
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double centre = a == 0 ? frame.centre.x : frame.centre.y;
+    const auto above = [&](const SeenPoint& p) { return frame.scale * p[a] - (frame.low - centre) * p[2]; };
+    const auto below = [&](const SeenPoint& p) { return (frame.high - centre) * p[2] - frame.scale * p[a]; };
+    keep(above(from_), above(to_));
+    keep(below(from_), below(to_));
+  }
+  if (!(part.low < part.high)) return std::nullopt;
+  return part;
+}
+
+picture::PixelPoint SeenEdge::pixel_at(double s, const ScreenFrame& frame) const {
+  const SeenPoint point = at(s);
+  return {frame.scale * point[0] / point[2] + frame.centre.x,
+          frame.scale * point[1] / point[2] + frame.centre.y};
+}
+
+namespace {
+
+using picture::LineId;
+using picture::LinePart;
+using picture::LineParts;
+using picture::PixelSegment;
+using picture::ReferenceLine;
+
+// The line in the image that every edge lies on, counted from 0 in the order of the edges.
+std::vector<LineId> image_lines(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  std::vector<LineId> numbers;
+  std::map<std::array<std::int64_t, 4>, LineId> known;
+  LineId next = 0;
+  for (const picture::LineEdge& edge : picture::edges_of(scene)) {
+    const picture::LinePicture alone{{{edge, geometry::Rational(0), geometry::Rational(1)}}};
+    const auto image = picture::image_set(alone, scene, camera).segments;
+    // An edge whose image is a point is a line by itself, and never referred to.
+    if (image.empty())
+      numbers.push_back(next++);
+    else if (const auto [line, is_new] = known.try_emplace(image.front().line, next); is_new)
+      numbers.push_back(next++);
+    else
+      numbers.push_back(line->second);
+  }
+  return numbers;
+}
+
+// From the least to the greatest place of all of them, along the longest.
+PixelSegment common_image(const std::vector<const ReferenceLine*>& members) {
+  const ReferenceLine& longest =
+      **std::max_element(members.begin(), members.end(), [](const auto* a, const auto* b) {
+        return picture::length_of(a->image) < picture::length_of(b->image);
+      });
+  LinePart extent{0, 1};
+  for (const ReferenceLine* member : members) {
+    for (const picture::PixelPoint& end : {member->image.a, member->image.b}) {
+      const double place = picture::place_on(longest.image, end);
+      extent = {std::min(extent.low, place), std::max(extent.high, place)};
+    }
+  }
+  return {picture::point_at(longest.image, extent.low), picture::point_at(longest.image, extent.high)};
+}
+
+LineParts parts_on(const PixelSegment& image, const std::vector<const ReferenceLine*>& members,
+                   std::vector<LinePart> ReferenceLine::*which) {
+  LineParts parts;
+  for (const ReferenceLine* member : members)
+    for (const LinePart& part : member->*which)
+      parts.push_back({picture::place_on(image, picture::point_at(member->image, part.low)),
+                       picture::place_on(image, picture::point_at(member->image, part.high))});
+  return picture::united(std::move(parts));
+}
+
+}  // namespace
+
+ImageLines::ImageLines(const std::vector<ReferenceLine>& lines, const scene::PolyScene& scene,
+                       const scene::PolyCamera& camera)
+    : line_of_edge_(image_lines(scene, camera)) {
+  std::map<LineId, std::vector<const ReferenceLine*>> members;
+  for (const ReferenceLine& line : lines) members[line_of_edge_.at(line.id)].push_back(&line);
+  for (const auto& [number, together] : members) {
+    const PixelSegment image = common_image(together);
+    lines_.push_back({number, image, parts_on(image, together, &ReferenceLine::edges),
+                      parts_on(image, together, &ReferenceLine::visible)});
+  }
+}
+
+std::vector<picture::DrawnPiece> ImageLines::pieces(std::vector<picture::DrawnPiece> of_edges) const {
+  for (picture::DrawnPiece& piece : of_edges)
+    if (piece.line < line_of_edge_.size()) piece.line = line_of_edge_[piece.line];
+  return of_edges;
 }
 
 }  // namespace sightline::compare

@@ -87,4 +87,48 @@ class CellReference {
     const guests::jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
     const CellReference& reference);
 
+// Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
+// what is visible.
+
+// A point as the camera has it: right, up and forward in units of the scene; an orthographic image has 1 for
+// a depth.
+using SeenPoint = std::array<double, 3>;
+
+class SeenEdge {
+ public:
+  SeenEdge(const SeenPoint& from, const SeenPoint& to) : from_(from), to_(to) {}
+  SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera);
+
+  // The part in the frame, in the parameter along the edge in space; nothing if it has no length.
+  [[nodiscard]] std::optional<picture::LinePart> part_in(const ScreenFrame& frame) const;
+  [[nodiscard]] picture::PixelPoint pixel_at(double s, const ScreenFrame& frame) const;
+  [[nodiscard]] picture::PixelSegment pixels_of(const picture::LinePart& part,
+                                                const ScreenFrame& frame) const {
+    return {pixel_at(part.low, frame), pixel_at(part.high, frame)};
+  }
+
+ private:
+  [[nodiscard]] SeenPoint at(double s) const;
+
+  SeenPoint from_;
+  SeenPoint to_;
+};
+
+// Lines of a scene that lie on each other in the image taken as one: the reference for algorithms that draw
+// the nearest of them only (LineAlgorithm::same_by_image), whose pictures are right as sets of points.
+class ImageLines {
+ public:
+  // `lines` are those of reference_lines (lines.hpp) for this scene and camera.
+  ImageLines(const std::vector<picture::ReferenceLine>& lines, const scene::PolyScene& scene,
+             const scene::PolyCamera& camera);
+
+  [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
+  // Pieces of edges as pieces of these lines.
+  [[nodiscard]] std::vector<picture::DrawnPiece> pieces(std::vector<picture::DrawnPiece> of_edges) const;
+
+ private:
+  std::vector<picture::LineId> line_of_edge_;
+  std::vector<picture::ReferenceLine> lines_;
+};
+
 }  // namespace sightline::compare

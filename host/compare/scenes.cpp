@@ -11,9 +11,8 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
-#include "host/compare/image_lines.hpp"
-#include "host/guests/jones/guest.hpp"
-#include "host/guests/jones/program.hpp"
+#include "host/compare/lines.hpp"
+#include "host/guests/jones/session.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
@@ -34,7 +33,7 @@ ComparedPicture compared(std::string name, std::string what, const std::vector<R
           picture::line_difference(truth, drawn, least_stretch)};
 }
 
-// --- exact algorithms
+// exact algorithms
 
 ComparedPicture compared_by_image(const std::string& name, const std::vector<ReferenceLine>& lines,
                                   const std::vector<DrawnPiece>& pieces, const scene::PolyScene& scene,
@@ -100,28 +99,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
   }
 }
 
-// --- guest and twin
-
-std::vector<core::Word18> core_image(const guests::jones::Program& program) {
-  std::vector<core::Word18> image(guests::jones::core_words);
-  for (const auto& [address, word] : program.core) image.at(address) = word;
-  return image;
-}
-
-std::string difference_of(const guests::jones::GuestView& guest, const guests::jones::View& twin) {
-  if (guest.status != twin.status)
-    return fmt::format("status {}, the twin's {}", guests::jones::name(guest.status),
-                       guests::jones::name(twin.status));
-  const auto& a = guest.display_file;
-  const auto& b = twin.display_file;
-  const auto [here, there] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-  if (here == a.end() && there == b.end()) return "";
-  const auto word = [](auto at, const auto& words) {
-    return at == words.end() ? std::string("none") : fmt::format("{:06o}", at->value());
-  };
-  return fmt::format("word {} of the display file is {}, the twin's {}", here - a.begin(), word(here, a),
-                     word(there, b));
-}
+// guest and twin
 
 // Every point that is lit in one pass.
 std::vector<PixelSegment> lit_points(const std::vector<core::Stroke>& pass) {
@@ -157,9 +135,8 @@ std::optional<base::Error> compare_programs(const scene::CellScene& scene, const
   guests::jones::ProgramOptions of_program;
   of_program.eae = options.eae;
   of_program.tape.view = comparison.camera.eye;
-  const auto assembled = guests::jones::assemble_program(scene, of_program);
-  if (!assembled) return assembled.error();
-  const auto& program = *assembled;
+  const auto session = guests::jones::Session::of(scene, of_program);
+  if (!session) return session.error();
   const auto matter = oracle::Matter::of(scene);
   if (!matter) return base::Error{"", "", "is too large for the oracle"};
 
@@ -172,37 +149,30 @@ std::optional<base::Error> compare_programs(const scene::CellScene& scene, const
                                 oracle::visible_lines(*matter, real_lines, comparison.camera.eye, window),
                                 comparison.camera.eye, window);
 
-  progress("guest");
+  progress("guest and twin");
   guests::jones::GuestOptions of_guest;
-  of_guest.eae = options.eae;
   of_guest.scale = options.scale;
   of_guest.views = 1;
-  const guests::jones::GuestRun run = guests::jones::run_guest(program, of_guest);
-  if (run.timed_out || run.views.empty())
+  const guests::jones::CheckedRun run = session->run(of_guest);
+  if (run.guest.timed_out || run.guest.views.empty())
     return base::Error{"", "", "the program on the PDP-7 did not complete a view"};
-  const guests::jones::GuestView& guest = run.views.back();
+  const guests::jones::GuestView& guest = run.guest.views.back();
+  comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
 
-  progress("twin");
-  const auto image = core_image(program);
-  guests::jones::Parameters parameters = guests::jones::default_parameters(image, program.labels.scene);
-  parameters.scale = options.scale;
-  const guests::jones::View twin = guests::jones::run(image, program.labels.scene, parameters);
-  comparison.guest = {guest.status, guest.time, guest.display_file.size(), difference_of(guest, twin)};
-
-  const auto vectors = lines_of_vectors(program.scene);
+  const auto vectors = lines_of_vectors(session->program().scene);
   if (comparison.guest->difference.empty()) {
     auto row = compared("guest", "display vectors; distance of the points lit", reference.lines(),
-                        display_pieces(twin, vectors, reference));
+                        display_pieces(run.twin, vectors, reference));
     row.metrics.hausdorff =
-        picture::hausdorff_distance(seen_segments(reference.lines()), lit_points(run.pass));
+        picture::hausdorff_distance(seen_segments(reference.lines()), lit_points(run.guest.pass));
     comparison.pictures.push_back(std::move(row));
   } else {
     comparison.not_applicable.emplace_back(
         "guest",
         "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
   }
-  comparison.pictures.push_back(
-      compared("twin", "pieces in half points", reference.lines(), twin_pieces(twin, vectors, reference)));
+  comparison.pictures.push_back(compared("twin", "pieces in half points", reference.lines(),
+                                         twin_pieces(run.twin, vectors, reference)));
   return std::nullopt;
 }
 

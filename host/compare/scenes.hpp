@@ -1,4 +1,4 @@
-// One view of a scene by everything that can draw it, each held against the oracle: Jones's program on its
+// One view of a scene by everything that can draw it, each compared with the oracle: Jones's program on its
 // machine, its native twin, every line algorithm of the table, and every algorithm of faces by points.
 //
 // Guest and twin draw the lines of a cell scene (the outer box's too) on the screen of the Type 340; their
@@ -33,7 +33,7 @@ struct ComparedPicture {
 };
 
 // How the machine's run ended, beside its twin's.
-struct GuestAgreement {
+struct GuestCheck {
   guests::jones::Status status = guests::jones::Status::complete;
   core::Duration time{};
   std::size_t words = 0;   // of the display file
@@ -47,7 +47,7 @@ struct SceneComparison {
   std::vector<ComparedPicture> pictures;
   std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
-  std::optional<GuestAgreement> guest;                              // of cell scenes
+  std::optional<GuestCheck> guest;                                  // of cell scenes
 
   // The exact algorithms are exact, and the guest is its twin.
   [[nodiscard]] bool agrees() const;

@@ -3,16 +3,128 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "host/algorithms/oracle/drawn_error.hpp"
+#include "host/algorithms/oracle/matter.hpp"
+#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/sweep_views.hpp"
+#include "host/guests/jones/session.hpp"
 #include "host/picture/line_picture_image.hpp"
+#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
+
+namespace {
+
+namespace oracle = algorithms::oracle;
+
+// From half points about the middle of the screen to points.
+std::vector<oracle::ScreenSegment> in_points(const std::vector<guests::jones::Piece>& pieces) {
+  constexpr double centre = 512;
+  std::vector<oracle::ScreenSegment> segments;
+  segments.reserve(pieces.size());
+  for (const guests::jones::Piece& piece : pieces) {
+    segments.push_back({piece.line.a.x * 0.5 + centre, piece.line.a.y * 0.5 + centre,
+                        piece.line.b.x * 0.5 + centre, piece.line.b.y * 0.5 + centre});
+  }
+  return segments;
+}
+
+}  // namespace
+
+// One view of a scene of cells by Jones's program on the emulated PDP-7 and by its twin, compared with each
+// other word for word and with what is truly seen.
+struct GuestResult {
+  std::string_view status;
+  bool same_as_twin = false;  // status and display words
+  std::size_t display_words = 0;
+  std::uint64_t pieces = 0;
+  std::uint64_t visits = 0;
+  std::int64_t emulated_ns = 0;  // the paper's computing time
+  // Of the pieces, farther than one point from anything true, or drawn.
+  algorithms::oracle::DrawnError error;
+};
+
+class Sweep::Guest {
+ public:
+  // Nothing if the scene is beyond what the oracle can hold. It outlives this.
+  [[nodiscard]] static std::optional<Guest> of(const scene::CellScene& scene, bool eae);
+
+  // An error if the program cannot stand there, or the scene does not fit into core.
+  [[nodiscard]] base::Result<GuestResult> view(const geometry::Point& eye) const;
+
+ private:
+  Guest(const scene::CellScene& scene, bool eae, algorithms::oracle::Matter matter);
+  [[nodiscard]] GuestResult view(const guests::jones::Session& session, std::span<const core::Word18> core,
+                                 const geometry::Point& eye) const;
+
+  const scene::CellScene* scene_;
+  guests::jones::ProgramOptions options_;
+  // Nothing if the program cannot stand in the scene's own view: it is assembled for every view then.
+  std::optional<guests::jones::Session> session_;
+  algorithms::oracle::Matter matter_;
+  std::vector<algorithms::oracle::RealLine> lines_;
+};
+
+Sweep::Guest::Guest(const scene::CellScene& scene, bool eae, oracle::Matter matter)
+    : scene_(&scene), matter_(std::move(matter)), lines_(matter_.real_lines()) {
+  options_.eae = eae;
+  auto session = guests::jones::Session::of(scene, options_);
+  if (session) session_ = std::move(*session);
+}
+
+std::optional<Sweep::Guest> Sweep::Guest::of(const scene::CellScene& scene, bool eae) {
+  auto matter = oracle::Matter::of(scene);
+  if (!matter) return std::nullopt;
+  return Guest(scene, eae, std::move(*matter));
+}
+
+base::Result<GuestResult> Sweep::Guest::view(const geometry::Point& eye) const {
+  if (session_) {
+    const auto core = session_->core_at(eye);
+    if (!core) return core.error();
+    return view(*session_, *core, eye);
+  }
+  guests::jones::ProgramOptions options = options_;
+  options.tape.view = eye;
+  const auto session = guests::jones::Session::of(*scene_, options);
+  if (!session) return session.error();
+  return view(*session, session->program().core, eye);
+}
+
+GuestResult Sweep::Guest::view(const guests::jones::Session& session, std::span<const core::Word18> core,
+                               const geometry::Point& eye) const {
+  guests::jones::GuestOptions options;
+  options.views = 1;
+  options.display = false;
+  const guests::jones::CheckedRun run = session.run(core, options);
+  GuestResult result;
+  result.status = guests::jones::name(run.twin.status);
+  if (!run.guest.views.empty()) {
+    const guests::jones::GuestView& guest = run.guest.views.front();
+    result.status = guests::jones::name(guest.status);
+    result.same_as_twin = run.difference.empty();
+    result.display_words = guest.display_file.size();
+    result.pieces = guest.pieces;
+    result.visits = guest.visits;
+    result.emulated_ns = guest.time.count();
+  }
+  oracle::Window window;
+  window.near = guests::jones::near_z;
+  result.error =
+      oracle::drawn_error(oracle::on_screen(oracle::visible_lines(matter_, lines_, eye, window), eye, window),
+                          in_points(run.twin.pieces), 1.0);
+  return result;
+}
 
 namespace {
 
@@ -84,7 +196,7 @@ Json difference_of(const picture::LinePicture& exact, const picture::LinePicture
   return document;
 }
 
-Json json_of(const base::Result<SweepGuestView>& result) {
+Json json_of(const base::Result<GuestResult>& result) {
   if (!result) return {{"error", result.error().message()}};
   const auto& view = *result;
   return {{"status", view.status},
@@ -124,10 +236,10 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
     sweep.entries_.push_back({algorithm, std::move(*prepared)});
   }
   if (options.guest && cells != nullptr) {
-    auto guest = SweepGuest::of(*cells, options.eae);
+    auto guest = Guest::of(*cells, options.eae);
     if (!guest)
       return base::Error{source, "", "too many grid coordinates for the oracle the guest is held against"};
-    sweep.guest_ = std::make_shared<const SweepGuest>(std::move(*guest));
+    sweep.guest_ = std::make_shared<const Guest>(std::move(*guest));
   }
   return sweep;
 }

@@ -14,7 +14,6 @@
 
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
-#include "host/compare/sweep_guest.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -52,6 +51,7 @@ class Sweep {
   [[nodiscard]] static bool agrees(std::string_view line);
 
  private:
+  class Guest;
   struct Entry {
     const harness::LineAlgorithm* algorithm = nullptr;
     harness::PreparedScene prepared;
@@ -66,7 +66,7 @@ class Sweep {
   const scene::CellScene* cells_ = nullptr;
   SweepOptions options_;
   std::vector<Entry> entries_;  // `exact` first
-  std::shared_ptr<const SweepGuest> guest_;
+  std::shared_ptr<const Guest> guest_;
 };
 
 }  // namespace sightline::compare

@@ -24,8 +24,7 @@ std::string name_of(const JonesOrder& order) {
 }
 
 guests::jones::View twin_view(const guests::jones::Program& program, bool stereo) {
-  std::vector<core::Word18> words(guests::jones::core_words);
-  for (const auto& [address, word] : program.core) words[address] = word;
+  const std::vector<core::Word18>& words = program.core;
   guests::jones::Parameters parameters = guests::jones::default_parameters(words, program.labels.scene);
   parameters.stereo = stereo;
   return guests::jones::run(words, program.labels.scene, parameters);
@@ -180,8 +179,8 @@ double seconds(core::TStates time) {
 }
 
 Outcome<base::Bytes> raster_png(const SkalaRun& run, const SkalaOrder& order) {
-  const auto palette =
-      order.picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+  const auto palette = order.picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey
+                                                                            : picture::RasterPalette::colour;
   return png_of(picture::raster_image(run.guest.raster, palette, 1));
 }
 

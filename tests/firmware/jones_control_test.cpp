@@ -37,7 +37,7 @@ class JonesSwitches : public testing::Test {
     machines::Pdp7Options options;
     options.display.emplace();
     machines::Pdp7<> machine(options, screen, nobody);
-    for (const auto& [address, word] : program.core) machine.deposit(address, word);
+    deposit_core(machine, program.core);
     machine.console().schedule({{at(0.507), core::Word18(switches)}, {at(0.507 + held), core::Word18(0)}});
     machine.start(program.labels.start);
     machines::Limits limits;
@@ -47,7 +47,7 @@ class JonesSwitches : public testing::Test {
     return {{cell("ex"), cell("ey"), cell("ez")}, cell("scale"), cell("views")};
   }
   void SetUp() override {
-    const geometry::Box& box = program.scene.eye_limits;
+    const geometry::Box& box = program.scene.view.limits;
     home = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2};
     put_eye(program, home);
   }
@@ -85,7 +85,7 @@ TEST_F(JonesSwitches, ScaleStaysInItsRange) {
 }
 
 TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
-  const geometry::Box& box = program.scene.eye_limits;
+  const geometry::Box& box = program.scene.view.limits;
   EXPECT_EQ(after(left, 5.0).eye.x, box.low[0]);
   EXPECT_EQ(after(right, 5.0).eye.x, box.high[0]);
   EXPECT_EQ(after(down, 5.0).eye.y, box.low[1]);
@@ -178,7 +178,7 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
     options.configuration.model.eae = eae;
     options.display.emplace();
     machines::Pdp7<PassSizes, FileWatch> machine(options, screen, watch);
-    for (const auto& [address, word] : program.core) machine.deposit(address, word);
+    deposit_core(machine, program.core);
     machine.console().set(core::Word18(2));
     machine.start(program.labels.start);
     machines::Limits limits;
@@ -249,7 +249,7 @@ TEST_P(JonesStatus, DeeperThanTheNumberOfCells) {
 TEST_P(JonesStatus, BadDataElement) {
   Program program = with(scene::builtin_scene("house"));
   // The last vector of the initial cell: the lines before it are drawn.
-  const pdp7::Address count = program.scene.cell_addresses.at(program.scene.initial_cell) + 3;
+  const pdp7::Address count = program.scene.cell_addresses.at(program.scene.view.cell) + 3;
   constexpr std::uint32_t without_axis = 0477777;
   core::Word18& last = program.core[count + program.core[count].value()];
   last = last & core::Word18(without_axis);

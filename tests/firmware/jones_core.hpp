@@ -57,9 +57,7 @@ inline void put_eye(Program& program, const SpacePoint& eye) {
 
 // What the twin reads: the same core, with nothing where the tapes put nothing.
 inline std::vector<core::Word18> image_of(const Program& program) {
-  std::vector<core::Word18> words(core_words);
-  for (const auto& [address, word] : program.core) words.at(address) = word;
-  return words;
+  return program.core;
 }
 
 inline View twin_view(const Program& program, Parameters parameters = {}) {

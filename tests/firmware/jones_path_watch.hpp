@@ -96,7 +96,7 @@ inline DarkView dark_view(const Program& program, bool eae, const Parameters& pa
   options.configuration.model.eae = eae;
   core::NoStrokes nobody;
   machines::Pdp7<core::NoStrokes, PathWatch> machine(options, nobody, watch);
-  for (const auto& [address, word] : program.core) machine.deposit(address, word);
+  deposit_core(machine, program.core);
   machine.deposit(program.labels.scale, word_of(parameters.scale));
   machine.deposit(program.labels.clock, core::Word18(0700004));
   machine.console().set(core::Word18((parameters.stereo ? 1U : 0U) | (parameters.immediate ? 2U : 0U)));

@@ -58,7 +58,7 @@ TEST_P(JonesPictures, ShowWhatIsTrulySeen) {
   oracle::Window window;
   window.near = 1;
   Program program = assembled(scene, true);
-  const geometry::Box& limits = program.scene.eye_limits;
+  const geometry::Box& limits = program.scene.view.limits;
   Dice dice(340);
   double truth = 0, missing = 0, extra = 0;
   for (int i = 0; i < views; ++i) {

@@ -19,7 +19,7 @@ class RoutineMachine {
  public:
   explicit RoutineMachine(bool eae)
       : program_(assembled("house", eae)), eae_(eae), machine_(options(eae), sink_, nobody_) {
-    for (const auto& [address, word] : program_.core) machine_.deposit(address, word);
+    deposit_core(machine_, program_.core);
     call_ = at("filea");
     fault_ = at("fault");
     piece_ = at("piece") + 1;

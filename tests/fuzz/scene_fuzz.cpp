@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/guests/jones/tape.hpp"
+#include "host/guests/jones/encode.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/read/cell_scene.hpp"
 

@@ -8,6 +8,8 @@ namespace sightline::algorithms::oracle {
 namespace {
 
 constexpr double longest_step = 0.25;
+// Far above what rounding does to a distance between places of a picture.
+constexpr double rounding_allowed = 1e-6;
 
 double length_of(const ScreenSegment& s) {
   return std::hypot(s.x1 - s.x0, s.y1 - s.y0);
@@ -24,29 +26,60 @@ bool within(double x, double y, const ScreenSegment& s, double distance) {
   return off_x * off_x + off_y * off_y <= distance * distance;
 }
 
+// The midpoints of equal steps along a line.
+class Steps {
+ public:
+  explicit Steps(const ScreenSegment& line)
+      : line_(line),
+        count_(static_cast<std::size_t>(std::max(1.0, std::ceil(length_of(line) / longest_step)))) {}
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool within(std::size_t n, const ScreenSegment& other, double distance) const {
+    const double t = (static_cast<double>(n) + 0.5) / static_cast<double>(count_);
+    const double x = line_.x0 + t * (line_.x1 - line_.x0);
+    const double y = line_.y0 + t * (line_.y1 - line_.y0);
+    return oracle::within(x, y, other, distance);
+  }
+  // What is near a segment is convex: of step n, which is within the distance of `other`, and all steps up to
+  // the one that is returned, none is farther from it. Distances that rounding could change are not relied
+  // on.
+  [[nodiscard]] std::size_t last_within(std::size_t n, const ScreenSegment& other, double distance) const {
+    const double surely = distance - rounding_allowed;
+    if (surely <= 0 || !within(n, other, surely)) return n;
+    std::size_t low = n;
+    std::size_t high = count_;
+    for (std::size_t next = count_ - 1; high - low > 1; next = low + (high - low) / 2)
+      (next > low && within(next, other, surely) ? low : high) = next;
+    return low;
+  }
+
+ private:
+  ScreenSegment line_;
+  std::size_t count_;
+};
+
 // Length of `lines` farther than `distance` from all of `others`.
 double unmatched(const std::vector<ScreenSegment>& lines, const std::vector<ScreenSegment>& others,
                  double distance) {
   double total = 0;
   std::size_t last = 0;  // the one that was near the step before is likely near again
   for (const ScreenSegment& line : lines) {
-    const double length = length_of(line);
-    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length / longest_step)));
+    const Steps steps(line);
     std::size_t alone = 0;
-    for (std::size_t n = 0; n < steps; ++n) {
-      const double t = (static_cast<double>(n) + 0.5) / static_cast<double>(steps);
-      const double x = line.x0 + t * (line.x1 - line.x0);
-      const double y = line.y0 + t * (line.y1 - line.y0);
-      if (last < others.size() && within(x, y, others[last], distance)) continue;
-      const auto near = std::find_if(others.begin(), others.end(), [&](const ScreenSegment& other) {
-        return within(x, y, other, distance);
-      });
-      if (near == others.end())
-        ++alone;
-      else
+    for (std::size_t n = 0; n < steps.count(); ++n) {
+      if (last >= others.size() || !steps.within(n, others[last], distance)) {
+        const auto near = std::find_if(others.begin(), others.end(), [&](const ScreenSegment& other) {
+          return steps.within(n, other, distance);
+        });
+        if (near == others.end()) {
+          ++alone;
+          continue;
+        }
         last = static_cast<std::size_t>(near - others.begin());
+      }
+      n = steps.last_within(n, others[last], distance);
     }
-    total += length * static_cast<double>(alone) / static_cast<double>(steps);
+    total += length_of(line) * static_cast<double>(alone) / static_cast<double>(steps.count());
   }
   return total;
 }

@@ -9,10 +9,8 @@
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "host/algorithms/registry/view_chains.hpp"
 #include "host/algorithms/skala/draw.hpp"
-#include "host/guests/skala/guest.hpp"
-#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/session.hpp"
 #include "host/guests/skala/stream.hpp"
-#include "host/guests/skala/twin/twin.hpp"
 
 namespace sightline::registry {
 
@@ -54,12 +52,12 @@ std::optional<std::string> any_grid(const HeightGrid&, const HeightView&) {
 }
 
 HeightPicture draw_guest(const HeightGrid& grid, const HeightView& view) {
-  const auto stream = stream_of(grid, view);
-  const skala::GuestPicture guest = skala::run_guest(skala::assemble_program(), stream);
+  static const skala::Session session;
+  const skala::CheckedPicture run = session.run(stream_of(grid, view));
   HeightPicture picture;
-  picture.dots = lit_points(guest.raster);
-  picture.drawing_time = guest.drawing;
-  picture.fault = skala::difference_from_twin(guest, skala::run_twin(stream), skala::Device::ef9365);
+  picture.dots = lit_points(run.guest.raster);
+  picture.drawing_time = run.guest.drawing;
+  picture.fault = run.difference;
   return picture;
 }
 

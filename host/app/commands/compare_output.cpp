@@ -97,7 +97,7 @@ std::string exactness_text(const ComparedPicture& compared) {
   return *compared.identical ? "equal to the oracle's" : "NOT THE ORACLE'S";
 }
 
-std::string guest_text(const compare::GuestAgreement& guest) {
+std::string guest_text(const compare::GuestCheck& guest) {
   if (!guest.difference.empty()) return "guest and twin differ: " + guest.difference + "\n";
   return fmt::format("guest and twin: identical, {} display words, status {}; view 1 took {:.3f} s\n",
                      guest.words, jones::name(guest.status), seconds(guest.time));

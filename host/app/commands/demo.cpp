@@ -44,19 +44,20 @@ Row run_scene(const std::string& name, const scene::CellScene& scene, bool eae,
               const std::string& directory) {
   jones::ProgramOptions program_options;
   program_options.eae = eae;
-  const jones::Program program = assembled(scene, name, program_options);
+  const jones::Session session = session_of(scene, name, program_options);
   jones::GuestOptions options;
-  options.eae = eae;
   if (eae) options.photograph = photograph_time;  // the pictures are the same without
-  const jones::GuestRun run = jones::run_guest(program, options);
+  const jones::CheckedRun checked = session.run(options);
+  const jones::GuestRun& run = checked.guest;
   if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
+  require_twin(checked, name);
   if (eae) {
     write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);
   }
   return {name,
           eae,
-          program.scene.cell_addresses.size(),
-          program.words_used,
+          session.program().scene.cell_addresses.size(),
+          session.program().words_used,
           run.views.back(),
           refreshes_per_second(run)};
 }

@@ -53,18 +53,17 @@ struct JonesArguments {
 
 constexpr double flicker_limit = 30.0;
 
-jones::Program program_for(const scene::CellScene& scene, const JonesArguments& arguments) {
+jones::Session session_for(const scene::CellScene& scene, const JonesArguments& arguments) {
   jones::ProgramOptions options;
   options.eae = !arguments.no_eae;
   options.fraction_bits = arguments.fraction;
   options.truncate = arguments.truncate;
   if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
-  return assembled(scene, arguments.scene, options);
+  return session_of(scene, arguments.scene, options);
 }
 
 jones::GuestOptions guest_options(const JonesArguments& arguments) {
   jones::GuestOptions options;
-  options.eae = !arguments.no_eae;
   options.scale = arguments.scale;
   options.stereo = arguments.stereo;
   options.immediate = arguments.immediate;
@@ -86,7 +85,7 @@ Json document_of(const JonesArguments& arguments, const jones::Program& program,
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
-                {"eye", program.scene.eye},
+                {"eye", program.scene.view.eye},
                 {"cells", program.scene.cell_addresses.size()},
                 {"core_words_used", program.words_used},
                 {"refreshes_per_second", refreshes_per_second(run)},
@@ -111,7 +110,7 @@ Json document_of(const JonesArguments& arguments, const jones::Program& program,
 std::string summary_of(const JonesArguments& arguments, const jones::Program& program,
                        const jones::GuestRun& run) {
   const jones::GuestView& view = run.views.back();
-  const auto& eye = program.scene.eye;
+  const auto& eye = program.scene.view.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
                                  arguments.no_eae ? "without" : "with");
   for (std::size_t n = 0; n < run.views.size(); ++n)
@@ -134,13 +133,17 @@ std::string summary_of(const JonesArguments& arguments, const jones::Program& pr
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_scene(arguments.scene);
-  const jones::Program program = program_for(scene, arguments);
-  const jones::GuestRun result = jones::run_guest(program, guest_options(arguments));
+  const jones::Session session = session_for(scene, arguments);
+  const jones::Program& program = session.program();
+  const jones::CheckedRun checked = session.run(guest_options(arguments));
+  const jones::GuestRun& result = checked.guest;
   if (result.timed_out || result.views.empty()) {
     complain(fmt::format("{}: the program did not complete a view in {:.0f} emulated seconds",
                          arguments.scene, seconds(result.emulated)));
     return ExitCode::guest_failed;
   }
+  // A script of the switches moves the eye between views, where the twin cannot follow.
+  if (arguments.switches.empty()) require_twin(checked, arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, !arguments.no_eae), result);
   if (arguments.json) {

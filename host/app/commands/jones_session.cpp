@@ -1,5 +1,7 @@
 #include "host/app/commands/jones_session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -10,14 +12,22 @@
 
 namespace sightline::app {
 
-guests::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
+guests::jones::Session session_of(const scene::CellScene& scene, const std::string& source,
                                   const guests::jones::ProgramOptions& options) {
-  auto program = guests::jones::assemble_program(scene, options);
-  if (!program) {
-    program.error().file = source;
-    throw Failure(ExitCode::bad_input, program.error().message());
+  auto session = guests::jones::Session::of(scene, options);
+  if (!session) {
+    session.error().file = source;
+    throw Failure(ExitCode::bad_input, session.error().message());
   }
-  return std::move(*program);
+  return std::move(*session);
+}
+
+void require_twin(const guests::jones::CheckedRun& run, const std::string& source) {
+  if (run.difference.empty()) return;
+  throw Failure(ExitCode::differs,
+                fmt::format("{}: internal error: the view on the PDP-7 is not the one its native twin "
+                            "computes: {}",
+                            source, run.difference));
 }
 
 std::string title_of(const std::string& scene_name, bool eae) {

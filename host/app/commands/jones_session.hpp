@@ -1,20 +1,22 @@
-// What `sightline jones` and `sightline demo` share: the program assembled for a scene, what is said of a
-// run, and the files it leaves - one complete pass of the display as a crisp raster and as a drawing, and a
+// What `sightline jones` and `sightline demo` share: the session of a scene, what is said of a run, and the
+// files it leaves - one complete pass of the display as a crisp raster and as a drawing, and a
 // photograph of the screen.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "host/guests/jones/guest.hpp"
-#include "host/guests/jones/program.hpp"
+#include "host/guests/jones/session.hpp"
 
 namespace sightline::app {
 
 // `source` names the scene in errors. Failure bad_input: the eye is nowhere, or the scene does not fit into
 // core.
-[[nodiscard]] guests::jones::Program assembled(const scene::CellScene& scene, const std::string& source,
-                                               const guests::jones::ProgramOptions& options);
+[[nodiscard]] guests::jones::Session session_of(const scene::CellScene& scene, const std::string& source,
+                                                const guests::jones::ProgramOptions& options);
+
+// Failure differs: the last view is not its twin's, which is a defect of this program.
+void require_twin(const guests::jones::CheckedRun& run, const std::string& source);
 
 // "house, Jones 1971 on the PDP-7 with EAE": the title of its pictures.
 [[nodiscard]] std::string title_of(const std::string& scene_name, bool eae);

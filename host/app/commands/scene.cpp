@@ -11,7 +11,7 @@
 #include "host/app/scene_argument.hpp"
 #include "host/app/scene_source.hpp"
 #include "host/base/json.hpp"
-#include "host/guests/jones/tape.hpp"
+#include "host/guests/jones/encode.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {

@@ -60,8 +60,8 @@ void describe_cells(const SceneText& file, bool json) {
                 {"cell_lines", lines},
                 {"outer", box_json(scene.outer)},
                 {"default_view", scene.default_view},
-                {"initial_cell", core.initial_cell},
-                {"eye_limits", box_json(core.eye_limits)},
+                {"initial_cell", core.view.cell},
+                {"eye_limits", box_json(core.view.limits)},
                 {"words", core.words.size()},
                 {"cell_words", core.cell_words},
                 {"opening_words", core.opening_words}});
@@ -73,8 +73,8 @@ void describe_cells(const SceneText& file, bool json) {
   write_stdout(fmt::format("matter         {} solids, {} walls\n", scene.solids.size(), scene.walls.size()));
   write_stdout(fmt::format("outer box      {}\n", box_text(scene.outer.low, scene.outer.high)));
   write_stdout(
-      fmt::format("default view   {}, in cell {}\n", point_text(scene.default_view), core.initial_cell));
-  write_stdout(fmt::format("eye may move   {}\n", box_text(core.eye_limits.low, core.eye_limits.high)));
+      fmt::format("default view   {}, in cell {}\n", point_text(scene.default_view), core.view.cell));
+  write_stdout(fmt::format("eye may move   {}\n", box_text(core.view.limits.low, core.view.limits.high)));
   write_stdout(fmt::format("words of core  {} of {} (cells {}, openings {}, header {})\n", core.words.size(),
                            guests::jones::core_words, core.cell_words, core.opening_words,
                            guests::jones::scene_header_words));

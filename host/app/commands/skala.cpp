@@ -46,7 +46,7 @@ std::string footer() {
 
 struct SkalaArguments {
   SkalaSource source;
-  SkalaOrder order;
+  SkalaRequest order;
   std::string device = "raster";
   std::string link = "parallel";
   std::string palette;  // empty: the usual one
@@ -66,7 +66,7 @@ guests::skala::Device device_named(const std::string& name) {
 }
 
 ExitCode run_skala(SkalaArguments arguments) {
-  SkalaOrder& order = arguments.order;
+  SkalaRequest& order = arguments.order;
   require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
   SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.picture));
@@ -77,7 +77,7 @@ ExitCode run_skala(SkalaArguments arguments) {
   order.view.family = family_of(arguments.slices);
   order.view.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = guests::skala::Link::serial;
-  const SkalaOutcome outcome = run_skala_order(guests::skala::assemble_program(), order);
+  const SkalaOutcome outcome = run_skala_request(guests::skala::Session(), order);
   SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;

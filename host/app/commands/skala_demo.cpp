@@ -14,10 +14,10 @@ using guests::skala::PictureKind;
 
 constexpr std::string_view plotted_function = "rogers";
 
-SkalaOutcome drawn(const guests::skala::Program& program, const scene::HeightFunction& function,
+SkalaOutcome drawn(const guests::skala::Session& session, const scene::HeightFunction& function,
                    guests::skala::PictureKind picture, guests::skala::Device device,
                    const std::string& directory, std::string_view suffix) {
-  SkalaOrder order;
+  SkalaRequest order;
   order.name = function.name;
   order.grid =
       scene::sample(function, picture == guests::skala::PictureKind::contours ? scene::GridSize{33, 33}
@@ -27,7 +27,7 @@ SkalaOutcome drawn(const guests::skala::Program& program, const scene::HeightFun
   order.view.rotation = 30;
   order.measure_visibility =
       picture == guests::skala::PictureKind::lines && device == guests::skala::Device::ef9365;
-  const SkalaOutcome outcome = run_skala_order(program, order);
+  const SkalaOutcome outcome = run_skala_request(session, order);
   write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
                        order, outcome);
   return outcome;
@@ -48,18 +48,18 @@ Json json_of(const SkalaOutcome& outcome) {
 }  // namespace
 
 SkalaDemo run_skala_demo(const std::string& directory) {
-  const guests::skala::Program program = guests::skala::assemble_program();
+  const guests::skala::Session session;
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const auto raster = [&](guests::skala::PictureKind picture, std::string_view suffix) {
-      return drawn(program, function, picture, guests::skala::Device::ef9365, directory, suffix);
+      return drawn(session, function, picture, guests::skala::Device::ef9365, directory, suffix);
     };
     demo.rows.push_back({std::string(function.name), raster(guests::skala::PictureKind::lines, "lines"),
                          raster(guests::skala::PictureKind::surface, "surface"),
                          raster(guests::skala::PictureKind::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(program, *scene::height_function(plotted_function), guests::skala::PictureKind::lines,
+  demo.plot = drawn(session, *scene::height_function(plotted_function), guests::skala::PictureKind::lines,
                     guests::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }
@@ -79,8 +79,7 @@ std::string skala_demo_table(const SkalaDemo& demo) {
       "paper: about 2 s, about 15 % for the visibility.\n";
   const guests::skala::PlotterWork& work = demo.plot.plotter;
   text += fmt::format("{} on the CalComp 565: {:.0f} s, {} steps, {} pen lifts.\n", demo.plotted,
-                      core::in_seconds(work.time),
-                      work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
+                      core::in_seconds(work.time), work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
   return text;
 }
 

@@ -23,12 +23,12 @@ std::string_view link_name(guests::skala::Link link) {
 }
 
 // The paper gives both figures for lines on a raster display, 60 slices of 33 points.
-bool in_the_paper(const SkalaOrder& order) {
+bool in_the_paper(const SkalaRequest& order) {
   return order.view.picture == guests::skala::PictureKind::lines && is_raster(order.view.device) &&
          order.view.visibility && order.grid.slices() == 60 && order.grid.points() == 33;
 }
 
-std::string plotter_lines(const SkalaOrder& order, const SkalaOutcome& outcome) {
+std::string plotter_lines(const SkalaRequest& order, const SkalaOutcome& outcome) {
   if (is_raster(order.view.device)) return {};
   const guests::skala::PlotterWork& work = outcome.plotter;
   return fmt::format(
@@ -51,7 +51,7 @@ std::string port_lines(const SkalaOutcome& outcome) {
   return text;
 }
 
-Json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
+Json machine_of(const SkalaRequest& order, const SkalaOutcome& outcome) {
   Json machine{{"device", std::string(name_of(order.view.device))},
                {"link", std::string(link_name(order.link))},
                {"clock_hz", order.clock.hertz}};
@@ -64,7 +64,7 @@ Json machine_of(const SkalaOrder& order, const SkalaOutcome& outcome) {
 
 }  // namespace
 
-std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
+std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome,
                           const std::vector<std::string>& pictures) {
   const guests::skala::GuestPicture& picture = outcome.picture;
   std::string text = fmt::format(
@@ -93,7 +93,7 @@ std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
   return text;
 }
 
-std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
+std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcome,
                            const std::vector<std::string>& pictures) {
   const guests::skala::GuestPicture& picture = outcome.picture;
   Json document{{"schema", "sightline/skala/1"},

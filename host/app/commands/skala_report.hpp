@@ -9,9 +9,9 @@
 namespace sightline::app {
 
 // Both end in a newline; `pictures` are the files written.
-[[nodiscard]] std::string skala_summary(const SkalaOrder& order, const SkalaOutcome& outcome,
+[[nodiscard]] std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome,
                                         const std::vector<std::string>& pictures);
-[[nodiscard]] std::string skala_document(const SkalaOrder& order, const SkalaOutcome& outcome,
+[[nodiscard]] std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcome,
                                          const std::vector<std::string>& pictures);
 
 }  // namespace sightline::app

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "host/app/outputs.hpp"
-#include "host/guests/skala/pen_paths.hpp"
+#include "host/guests/skala/session.hpp"
 #include "host/guests/skala/stream.hpp"
-#include "host/guests/skala/twin/twin.hpp"
 #include "host/picture/hpgl.hpp"
 #include "host/picture/pen_drawing.hpp"
 
@@ -21,29 +20,22 @@ namespace {
 using guests::skala::Device;
 using guests::skala::GuestPicture;
 
-guests::skala::Equipment only(guests::skala::Device device) {
-  guests::skala::Equipment equipment;
-  equipment.present = {};
-  equipment.present[static_cast<std::size_t>(device)] = true;
-  return equipment;
-}
-
 struct Drawn {
   guests::skala::GuestPicture picture;
   std::size_t bytes = 0;
   std::uint64_t points_walked = 0;
 };
 
-[[noreturn]] void fail(const SkalaOrder& order, ExitCode code, const std::string& what) {
+[[noreturn]] void fail(const SkalaRequest& order, ExitCode code, const std::string& what) {
   throw Failure(code, fmt::format("{}: {}", order.name, what));
 }
 
 // Why a program may fail for want of the clock it is made for; nothing at that clock.
-std::string_view clock_hint(const SkalaOrder& order) {
+std::string_view clock_hint(const SkalaRequest& order) {
   return order.clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
 }
 
-void check(const SkalaOrder& order, const guests::skala::GuestPicture& picture) {
+void check(const SkalaRequest& order, const guests::skala::GuestPicture& picture) {
   if (!picture.ended) {
     fail(order, ExitCode::guest_failed,
          fmt::format("the program did not end within {:.0f} emulated seconds",
@@ -63,7 +55,7 @@ void check(const SkalaOrder& order, const guests::skala::GuestPicture& picture) 
   }
 }
 
-Drawn drawn(const guests::skala::Program& program, const SkalaOrder& order, bool visibility) {
+Drawn drawn(const guests::skala::Session& session, const SkalaRequest& order, bool visibility) {
   guests::skala::View view = order.view;
   view.visibility = visibility;
   const auto stream = guests::skala::stream_of(order.grid, view);
@@ -71,16 +63,13 @@ Drawn drawn(const guests::skala::Program& program, const SkalaOrder& order, bool
   options.device = view.device;
   options.link = order.link;
   options.clock = order.clock;
-  Drawn result{guests::skala::run_guest(program, stream, options), stream.size(), 0};
-  check(order, result.picture);
-  const guests::skala::TwinPicture twin = guests::skala::run_twin(stream, only(view.device));
-  const std::string difference = guests::skala::difference_from_twin(result.picture, twin, view.device);
-  if (!difference.empty()) {
+  guests::skala::CheckedPicture run = session.run(stream, options);
+  check(order, run.guest);
+  if (!run.difference.empty()) {
     fail(order, ExitCode::differs,
-         "internal error: the 8080's picture is not the one its native twin makes; " + difference);
+         "internal error: the 8080's picture is not the one its native twin makes; " + run.difference);
   }
-  result.points_walked = twin.counts.points_walked;
-  return result;
+  return {std::move(run.guest), stream.size(), run.twin.counts.points_walked};
 }
 
 // Files BASE.ENDING of which all appear or, if one cannot be written, none: opened together, and put in their
@@ -107,7 +96,7 @@ class PictureSet {
   std::vector<Output> outputs_;
 };
 
-std::string skala_title(const SkalaOrder& order) {
+std::string skala_title(const SkalaRequest& order) {
   return fmt::format("{}, {}, Skala 1985 on the 8080, {}", order.name, name_of(order.view.picture),
                      name_of(order.view.device));
 }
@@ -134,8 +123,8 @@ picture::RasterPalette usual_palette(guests::skala::PictureKind picture) {
                                                         : picture::RasterPalette::colour;
 }
 
-SkalaOutcome run_skala_order(const guests::skala::Program& program, const SkalaOrder& order) {
-  Drawn asked = drawn(program, order, order.view.visibility);
+SkalaOutcome run_skala_request(const guests::skala::Session& session, const SkalaRequest& order) {
+  Drawn asked = drawn(session, order, order.view.visibility);
   SkalaOutcome outcome;
   outcome.bytes = asked.bytes;
   outcome.points_walked = asked.points_walked;
@@ -143,14 +132,14 @@ SkalaOutcome run_skala_order(const guests::skala::Program& program, const SkalaO
   outcome.plotter = guests::skala::plotter_work(asked.picture.moves);
   outcome.picture = std::move(asked.picture);
   if (order.view.visibility && order.measure_visibility) {
-    const auto plain = static_cast<double>(drawn(program, order, false).picture.drawing.count());
+    const auto plain = static_cast<double>(drawn(session, order, false).picture.drawing.count());
     const auto with = static_cast<double>(outcome.picture.drawing.count());
     if (plain > 0) outcome.visibility_cost = 100 * (with - plain) / plain;
   }
   return outcome;
 }
 
-std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
+std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaRequest& order,
                                               const SkalaOutcome& outcome) {
   make_directory(files.directory);
   const std::string base = (std::filesystem::path(files.directory) / files.stem).string();

@@ -7,15 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/skala/guest.hpp"
-#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/session.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::app {
 
-struct SkalaOrder {
+struct SkalaRequest {
   std::string name;  // of the function, as messages and titles show it
   scene::HeightGrid grid;
   guests::skala::View view;
@@ -38,7 +37,8 @@ struct SkalaOutcome {
 // Runs the program, and where asked once more without the visibility test. Failure guest_failed: it did not
 // end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
 // twin's, which is a defect of this program.
-[[nodiscard]] SkalaOutcome run_skala_order(const guests::skala::Program& program, const SkalaOrder& order);
+[[nodiscard]] SkalaOutcome run_skala_request(const guests::skala::Session& session,
+                                             const SkalaRequest& order);
 
 [[nodiscard]] double seconds_at(core::ClockRate clock, core::TStates time);
 
@@ -59,7 +59,7 @@ struct SkalaFiles {
 
 // DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths.
 // Failure io.
-std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaOrder& order,
+std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaRequest& order,
                                               const SkalaOutcome& outcome);
 
 }  // namespace sightline::app

@@ -39,10 +39,8 @@ class Encoder {
     }
   }
 
-  EncodedScene encode(std::size_t initial_cell, const Point& eye, const Box& limits) {
-    result_.initial_cell = initial_cell;
-    result_.eye = eye;
-    result_.eye_limits = limits;
+  EncodedScene encode(const Viewpoint& view) {
+    result_.view = view;
     header();
     for (std::size_t c = 0; c < scene_.cells.size(); ++c) cell(c);
     result_.cell_words = result_.words.size() - scene_header_words;
@@ -63,12 +61,12 @@ class Encoder {
 
   void header() {
     tag_ = "scene";
-    reference(0, false, result_.initial_cell, 0, "initial cell");
+    reference(0, false, result_.view.cell, 0, "initial cell");
     number(static_cast<std::int32_t>(scene_.cells.size()), "number of cells");
-    for (std::size_t a = 0; a < 3; ++a) number(result_.eye[a], "eye " + scene::axis_name(a));
+    for (std::size_t a = 0; a < 3; ++a) number(result_.view.eye[a], "eye " + scene::axis_name(a));
     for (std::size_t a = 0; a < 3; ++a) {
-      number(result_.eye_limits.low[a], "eye: lowest " + scene::axis_name(a));
-      number(result_.eye_limits.high[a], "eye: highest " + scene::axis_name(a));
+      number(result_.view.limits.low[a], "eye: lowest " + scene::axis_name(a));
+      number(result_.view.limits.high[a], "eye: highest " + scene::axis_name(a));
     }
   }
 
@@ -213,34 +211,71 @@ std::optional<base::Error> too_large(const scene::CellScene& scene, std::uint32_
 Box limits_in(const Box& cell) {
   Box limits;
   for (std::size_t a = 0; a < 3; ++a) {
-    limits.low[a] = cell.low[a] + near_plane;
-    limits.high[a] = cell.high[a] - near_plane;
+    limits.low[a] = cell.low[a] + near_z;
+    limits.high[a] = cell.high[a] - near_z;
   }
   return limits;
 }
 
+constexpr std::size_t expression_column = 8;
+constexpr std::size_t comment_column = 28;
+
+std::string line_of(const EncodedWord& word) {
+  std::string line = word.tag.empty() ? "" : word.tag + ",";
+  line.resize(std::max(expression_column, line.size() + 1), ' ');
+  line += word.expression;
+  line.resize(std::max(comment_column, line.size() + 1), ' ');
+  return line + "/ " + word.comment + "\n";
+}
+
 }  // namespace
 
-base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options, std::uint32_t base) {
+base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const Point& eye) {
+  const auto cell = scene::locate(scene, eye);
+  if (!cell) return cell.error();
+  const Box limits = limits_in(scene.cells[*cell].box);
+  if (limits.contains(eye)) return Viewpoint{eye, *cell, limits};
+  return base::Error{"", "point " + scene::text_of(eye),
+                     "is too close to the faces of cell " + std::to_string(*cell) + ": expected " +
+                         scene::text_of(0, limits.span(0)) + ", " + scene::text_of(1, limits.span(1)) + ", " +
+                         scene::text_of(2, limits.span(2))};
+}
+
+base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options,
+                                  std::uint32_t base) {
   if (const auto error = too_large(scene, base)) return *error;
-  const Point eye = options.view.value_or(scene.default_view);
-  const auto location = scene::locate(scene, eye);
-  if (!location) return location.error();
-  const std::size_t initial_cell = *location;
-  const Box limits = limits_in(scene.cells[initial_cell].box);
-  if (!limits.contains(eye)) {
-    return base::Error{"", "point " + scene::text_of(eye),
-                       "is too close to the faces of cell " + std::to_string(initial_cell) + ": expected " +
-                           scene::text_of(0, limits.span(0)) + ", " + scene::text_of(1, limits.span(1)) + ", " +
-                           scene::text_of(2, limits.span(2))};
-  }
-  EncodedScene result = Encoder(scene, base).encode(initial_cell, eye, limits);
+  const auto view = viewpoint(scene, options.view.value_or(scene.default_view));
+  if (!view) return view.error();
+  EncodedScene result = Encoder(scene, base).encode(*view);
   if (base + result.words.size() > core_words) {
     return base::Error{"", "",
-                       "needs " + std::to_string(result.words.size()) + " words from address " + scene::octal(base) +
-                           "; core ends at " + scene::octal(core_words - 1)};
+                       "needs " + std::to_string(result.words.size()) + " words from address " +
+                           scene::octal(base) + "; core ends at " + scene::octal(core_words - 1)};
   }
   return result;
+}
+
+std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& scene, const Viewpoint& view) {
+  std::array<std::uint32_t, scene_header_words> words{
+      scene.cell_addresses[view.cell], static_cast<std::uint32_t>(scene.cell_addresses.size())};
+  for (std::size_t a = 0; a < 3; ++a) {
+    words[2 + a] = twos_complement(view.eye[a]);
+    words[5 + 2 * a] = twos_complement(view.limits.low[a]);
+    words[6 + 2 * a] = twos_complement(view.limits.high[a]);
+  }
+  return words;
+}
+
+base::Result<std::string> write_tape(const scene::CellScene& scene, const TapeOptions& options) {
+  const auto encoded = encode(scene, options);
+  if (!encoded) return encoded.error();
+  const auto& result = *encoded;
+  std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +
+                     std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
+                     " openings in " + std::to_string(result.opening_words) + ", header " +
+                     std::to_string(scene_header_words) + "\n";
+  for (const EncodedWord& word : result.words) text += line_of(word);
+  return text;
 }
 
 }  // namespace sightline::guests::jones

@@ -31,7 +31,15 @@
 namespace sightline::guests::jones {
 
 inline constexpr std::size_t scene_header_words = 11;
-inline constexpr std::int32_t near_plane = 1;  // the eye keeps this far from its cell's faces
+
+// Where the eye stands: its cell, and the box in which it may move, ends included, near_z inside the cell.
+struct Viewpoint {
+  geometry::Point eye{};
+  std::size_t cell = 0;
+  geometry::Box limits;
+};
+// Error: the eye is in no cell or not within the limits of its own (it would see through the near plane).
+[[nodiscard]] base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const geometry::Point& eye);
 
 struct TapeOptions {
   // The eye, and with it the initial cell; the scene's default view if not given.
@@ -51,16 +59,24 @@ struct EncodedScene {
   std::vector<EncodedWord> words;                // words[n] is at address base + n
   std::vector<std::uint32_t> cell_addresses;     // by cell number
   std::vector<std::uint32_t> opening_addresses;  // by opening number: its word 0
-  std::size_t initial_cell = 0;
-  geometry::Point eye{};
-  geometry::Box eye_limits;       // ends included
+  Viewpoint view;
   std::size_t cell_words = 0;     // words in all cell-elements
   std::size_t opening_words = 0;  // words in all opening-elements
 };
 
-// Precondition: check_scene(scene) found nothing. Errors: the eye is in no cell or not within the limits of
-// its own (it would see through the near plane), the scene does not fit between base and the end of core.
-[[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options = {},
-                                                std::uint32_t base = 0);
+// Precondition: check_scene(scene) found nothing. Errors: of viewpoint(); the scene does not fit between base
+// and the end of core.
+[[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene,
+                                                const TapeOptions& options = {}, std::uint32_t base = 0);
+
+// The words of the header for another viewpoint: the only words of a scene that depend on it.
+[[nodiscard]] std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& scene,
+                                                                         const Viewpoint& view);
+
+// The symbolic source tape of a scene, which is assembled after the program and loaded into core with it:
+// encode(scene, options) one word a line, numbers in octal, decimal in the comments; tags scene, c0.., o0...
+// The first line is a comment with the scene's name and counts. Errors are those of encode.
+[[nodiscard]] base::Result<std::string> write_tape(const scene::CellScene& scene,
+                                                   const TapeOptions& options = {});
 
 }  // namespace sightline::guests::jones

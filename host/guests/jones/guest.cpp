@@ -2,20 +2,205 @@
 
 #include <algorithm>
 
+#include "emulators/machines/observer.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "host/guests/jones/watch.hpp"
+#include "emulators/pdp7/bus.hpp"
 
 namespace sightline::guests::jones {
 
 namespace {
+
+// A machine observer that counts fetches at the program's labels, marks the cells whose words the processor
+// reads, and stops the run when a view is published.
+class Watch {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  // `immediate`: a view ends when it is counted, not when its file is first shown.
+  Watch(const Program& program, bool immediate);
+
+  void instruction(const machines::InstructionRecord& record);
+  void cycle(const pdp7::Cycle& cycle);
+  // True once after each published view, and whenever `until` says so.
+  bool stop();
+
+  struct View {
+    core::Instant begun;
+    core::Instant ended;
+    std::uint64_t instructions = 0;
+    std::uint64_t stolen_cycles = 0;
+    std::uint64_t visits = 0;
+    std::uint64_t openings = 0;
+    std::uint64_t lines = 0;
+    std::uint64_t pieces = 0;
+    std::uint64_t distinct_cells = 0;
+  };
+  // The view that ended last.
+  [[nodiscard]] const View& view() const { return view_; }
+  // Ends the run at the next boundary.
+  void request_stop() { stop_ = true; }
+
+ private:
+  void begin(core::Instant time);
+  void end(core::Instant time);
+
+  Labels labels_;
+  bool immediate_;
+  bool in_view_ = false;
+  bool stop_ = false;
+  View current_;
+  View view_;
+  std::vector<std::int32_t> cell_of_;  // by core address: the cell whose element stands there, or -1
+  std::vector<bool> seen_;             // by cell
+};
+
+// A sink that keeps the passes of one display file and asks for a stop when it has what it waits for.
+class PassWatch {
+ public:
+  static constexpr bool consumes = true;
+
+  // Wait for a pass that begins at or after `from`: a stop is asked for when it is complete, and again when
+  // the next pass begins.
+  void wait_from(core::Instant from, Watch& watch);
+  // Keep every stroke from now on, for a photograph.
+  void keep_strokes() { keeping_ = true; }
+
+  void begin_pass(core::Instant t);
+  void stroke(const core::Stroke& stroke);
+  void end_pass(core::Instant t);
+
+  [[nodiscard]] bool complete() const { return ended_; }
+  [[nodiscard]] bool repeated() const { return next_begun_.has_value(); }
+  [[nodiscard]] const std::vector<core::Stroke>& pass() const { return pass_; }
+  // From its beginning to that of the next pass; 0 while that has not begun.
+  [[nodiscard]] core::Duration period() const;
+  [[nodiscard]] const std::vector<core::Stroke>& kept() const { return kept_; }
+
+ private:
+  Watch* watch_ = nullptr;
+  core::Instant from_ = core::never;
+  std::optional<core::Instant> begun_;  // of the pass waited for
+  bool ended_ = false;
+  std::optional<core::Instant> next_begun_;
+  bool keeping_ = false;
+  std::vector<core::Stroke> pass_;
+  std::vector<core::Stroke> kept_;
+};
+
+Watch::Watch(const Program& program, bool immediate)
+    : labels_(program.labels),
+      immediate_(immediate),
+      cell_of_(core_words, -1),
+      seen_(program.scene.cell_addresses.size(), false) {
+  // Cell-elements stand one after the other; the first opening-element ends the last of them.
+  const auto& cells = program.scene.cell_addresses;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const std::uint32_t end = cell + 1 < cells.size()
+                                  ? cells[cell + 1]
+                                  : cells.front() + static_cast<std::uint32_t>(program.scene.cell_words);
+    for (std::uint32_t address = cells[cell]; address < end; ++address)
+      cell_of_[address] = static_cast<std::int32_t>(cell);
+  }
+}
+
+void Watch::begin(core::Instant time) {
+  in_view_ = true;
+  current_ = View{};
+  current_.begun = time;
+  seen_.assign(seen_.size(), false);
+}
+
+void Watch::end(core::Instant time) {
+  if (!in_view_) return;
+  in_view_ = false;
+  current_.ended = time;
+  for (const bool seen : seen_) current_.distinct_cells += seen ? 1 : 0;
+  view_ = current_;
+  stop_ = true;
+}
+
+void Watch::instruction(const machines::InstructionRecord& record) {
+  ++current_.instructions;
+  const pdp7::Address pc = record.pc;
+  if (pc == labels_.search) begin(record.time);
+  if (pc == labels_.visit) ++current_.visits;
+  if (pc == labels_.opening) ++current_.openings;
+  if (pc == labels_.line) ++current_.lines;
+  if (pc == labels_.piece) ++current_.pieces;
+}
+
+void Watch::cycle(const pdp7::Cycle& cycle) {
+  switch (cycle.verb) {
+    case pdp7::Verb::read:
+      if (const std::int32_t cell = cell_of_[cycle.address & pdp7::in_bank_mask]; cell >= 0)
+        seen_[static_cast<std::size_t>(cell)] = true;
+      break;
+    case pdp7::Verb::write:
+      if (!immediate_ && cycle.address == labels_.file) end(cycle.time + cycle.length);
+      break;
+    case pdp7::Verb::modify:
+      if (immediate_ && cycle.address == labels_.views) end(cycle.time + cycle.length);
+      break;
+    case pdp7::Verb::break_read:
+    case pdp7::Verb::break_write:
+    case pdp7::Verb::break_modify: ++current_.stolen_cycles; break;
+    case pdp7::Verb::iot:
+    case pdp7::Verb::idle: break;
+  }
+}
+
+bool Watch::stop() {
+  const bool stopping = stop_;
+  stop_ = false;
+  return stopping;
+}
+
+void PassWatch::wait_from(core::Instant from, Watch& watch) {
+  watch_ = &watch;
+  from_ = from;
+  begun_.reset();
+  ended_ = false;
+  next_begun_.reset();
+  pass_.clear();
+}
+
+void PassWatch::begin_pass(core::Instant t) {
+  if (watch_ == nullptr || t < from_) return;
+  if (!ended_) {
+    begun_ = t;
+    pass_.clear();
+    return;
+  }
+  if (next_begun_) return;
+  next_begun_ = t;
+  watch_->request_stop();
+}
+
+void PassWatch::stroke(const core::Stroke& stroke) {
+  if (begun_ && !ended_) pass_.push_back(stroke);
+  if (keeping_) kept_.push_back(stroke);
+}
+
+void PassWatch::end_pass(core::Instant) {
+  if (!begun_ || ended_) return;
+  ended_ = true;
+  watch_->request_stop();
+}
+
+core::Duration PassWatch::period() const {
+  return next_begun_ && begun_ ? *next_begun_ - *begun_ : core::Duration(0);
+}
 
 constexpr std::uint32_t stop_word = 0003000;
 // Far longer than the interrupt handler takes to start the display again.
 constexpr core::Duration longest_pause = core::milliseconds(10);
 
 template <class Machine>
-void load(Machine& machine, const Program& program, const GuestOptions& options) {
-  for (const auto& [address, word] : program.core) machine.deposit(address, word);
+void load(Machine& machine, const Program& program, std::span<const core::Word18> core,
+          const GuestOptions& options) {
+  deposit_core(machine, core);
   if (options.scale)
     machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
   if (!options.clock) machine.deposit(program.labels.clock, core::Word18(clock_off));
@@ -62,10 +247,14 @@ machines::Pdp7Options machine_for(const GuestOptions& options) {
 }  // namespace
 
 GuestRun run_guest(const Program& program, const GuestOptions& options) {
+  return run_guest(program, program.core, options);
+}
+
+GuestRun run_guest(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
   Watch watch(program, options.immediate);
   PassWatch passes;
   machines::Pdp7<PassWatch, Watch> machine(machine_for(options), passes, watch);
-  load(machine, program, options);
+  load(machine, program, core, options);
   machines::Limits limits;
   limits.until = core::Instant(options.time_limit);
 

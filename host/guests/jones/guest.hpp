@@ -8,7 +8,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
@@ -61,5 +61,8 @@ struct GuestRun {
 };
 
 [[nodiscard]] GuestRun run_guest(const Program& program, const GuestOptions& options);
+// With other words in core than the program's own, as after a change of the eye.
+[[nodiscard]] GuestRun run_guest(const Program& program, std::span<const core::Word18> core,
+                                 const GuestOptions& options);
 
 }  // namespace sightline::guests::jones

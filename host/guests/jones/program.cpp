@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "host/base/result.hpp"
-#include "host/guests/jones/tape.hpp"
 #include "tools/asm/pdp7.hpp"
 
 namespace sightline::guests::jones {
@@ -64,21 +63,22 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Prog
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) throw std::logic_error("the program does not assemble:\n" + all_diagnostics(assembly));
 
-  Program program;
-  program.labels = labels_of(assembly);
-  for (const auto& [address, word] : assembly.image.words) program.core.emplace(address, word);
-  for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value.value());
   const std::uint32_t tables = words_of(assembly, "recs");
-  const std::uint32_t end = program.core.rbegin()->first + 1;
+  const std::uint32_t end = assembly.image.words.rbegin()->first + 1;
   if (end > tables) {
     return base::Error{
         "", "",
         fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
   }
+  Program program;
+  program.labels = labels_of(assembly);
+  program.core.resize(core_words);
+  for (const auto& [address, word] : assembly.image.words) program.core[address] = word;
+  for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value.value());
   auto encoded = encode(scene, options.tape, program.labels.scene);
   if (!encoded) return encoded.error();
   program.scene = std::move(*encoded);
-  const auto image_words = static_cast<std::uint32_t>(program.core.size());
+  const auto image_words = static_cast<std::uint32_t>(assembly.image.words.size());
   program.program_words = image_words - static_cast<std::uint32_t>(program.scene.words.size());
   program.words_used = image_words + (core_words - tables);
   return program;

@@ -47,7 +47,7 @@ struct Labels {
 inline constexpr std::uint32_t clock_off = 0700004;  // CLOF
 
 struct Program {
-  std::map<pdp7::Address, core::Word18> core;
+  std::vector<core::Word18> core;  // by address, core_words of them; 0 where the tapes put nothing
   std::map<std::string, std::uint32_t, std::less<>> symbols;  // all tags, for tests of single routines
   Labels labels;
   EncodedScene scene;               // based at labels.scene: which words belong to which cell
@@ -55,6 +55,12 @@ struct Program {
   std::uint32_t words_used =
       0;  // all that the run needs of core: the above, scene, records, stack, two files
 };
+
+// Core of a machine, word by word.
+template <class Machine>
+void deposit_core(Machine& machine, std::span<const core::Word18> core) {
+  for (pdp7::Address address = 0; address < core.size(); ++address) machine.deposit(address, core[address]);
+}
 
 struct ProgramOptions {
   bool eae = true;

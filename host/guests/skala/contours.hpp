@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/guests/skala/projection.hpp"
-#include "host/guests/skala/stream_cells.hpp"
+#include "host/guests/skala/stream_chain.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 

@@ -1,16 +1,186 @@
 #include "host/guests/skala/guest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
-#include <type_traits>
 
 #include "emulators/machines/i8080_machine.hpp"
-#include "host/guests/skala/guest_ports.hpp"
+#include "emulators/machines/skala_ports.hpp"
 
 namespace sightline::guests::skala {
 
 namespace {
+
+// --- what the devices say
+
+void add(GuestPicture& picture, std::string_view what, std::uint64_t count) {
+  if (count > 0) picture.faults.push_back({what, count});
+}
+
+// What of a device's counts is an error, and the dots no monitor shows.
+void report_faults(const devices::Ef9365& board, GuestPicture& picture) {
+  const devices::Ef9365Counts counts = board.counts();
+  add(picture, "commands to the busy EF9365", counts.commands_while_busy);
+  add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
+  add(picture, "things asked of the EF9365 that it cannot do", counts.unanswered);
+  add(picture, "dots outside the EF9365's planes", counts.dots_outside);
+}
+
+void report_faults(const devices::Alt256& board, GuestPicture& picture) {
+  add(picture, "bytes written to the ALT-256 before it was ready", board.counts().writes_lost);
+  picture.dots_not_shown = board.counts().dots_invisible;
+}
+
+void report_faults(const devices::CalComp565Counts& counts, GuestPicture& picture) {
+  add(picture, "commands to the busy CalComp", counts.commands_while_busy);
+  add(picture, "steps off the CalComp's carriage", counts.off_carriage);
+  add(picture, "codes the CalComp does not know", counts.unknown_codes);
+  add(picture, "marks beside the CalComp's paper", counts.off_paper);
+}
+
+void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture) {
+  add(picture, "steps the Minigraf's motors missed: too soon after the last", counts.missed_fast);
+  add(picture, "steps the Minigraf's motors missed: phase changed by more than one", counts.missed_jump);
+  add(picture, "steps before the Minigraf's pen had touched", counts.steps_early);
+  add(picture, "steps off the Minigraf's field", counts.off_field);
+}
+
+// --- the ports
+
+// The ports of a Skala run: those of the machine, stopping it where the link says that a block of commands
+// has come or the next one is asked for, and on a plotter noting every movement.
+//
+// A raster board's ports pay one comparison an IN for this and nothing an OUT.
+template <class Sink>
+class LinkPorts : public machines::SkalaPorts<Sink> {
+ public:
+  using Base = machines::SkalaPorts<Sink>;
+  using Base::Base;
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+    const std::uint8_t value = Base::in(port, at);
+    if (port >= first_link_port) note(port);
+    return value;
+  }
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+  // Nothing is wired to INT, so no device need be brought up to date but when the program touches it.
+  void advance(core::TStateInstant) {}
+  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
+  [[nodiscard]] static constexpr bool interrupt() { return false; }
+
+  // Bytes counted from the first one of all.
+  void stop_after_bytes(std::size_t count) {
+    stop_at_ = count;
+    at_link_ = false;
+    stopped_ = taken_ >= stop_at_;
+  }
+  void stop_at_link() {
+    never_stop();
+    at_link_ = true;
+  }
+  void never_stop() {
+    stop_at_ = std::numeric_limits<std::size_t>::max();
+    at_link_ = false;
+    stopped_ = false;
+  }
+
+  void report(GuestPicture& picture) {
+    if (const auto* board = this->ef9365()) {
+      picture.raster = board->raster();
+      report_faults(*board, picture);
+    }
+    if (const auto* board = this->alt256()) {
+      picture.raster = board->raster();
+      report_faults(*board, picture);
+    }
+    if (const auto* plotter = this->calcomp565()) report_faults(plotter->counts(), picture);
+    if (const auto* plotter = this->minigraf0507()) report_faults(plotter->counts(), picture);
+    for (std::size_t port = 0; port < 256; ++port) {
+      const machines::UnansweredPort& counts = this->unanswered()[port];
+      if (counts.reads + counts.writes > 0)
+        picture.unanswered.push_back({static_cast<std::uint8_t>(port), counts.reads, counts.writes});
+    }
+  }
+
+ private:
+  static constexpr std::uint8_t first_link_port = 0xE4;
+  static constexpr std::uint8_t parallel_data = 0xE4;
+  static constexpr std::uint8_t serial_data = 0xEC;
+
+  void note(std::uint8_t port) {
+    if (port == parallel_data || port == serial_data) ++taken_;
+    if (at_link_ || taken_ >= stop_at_) stopped_ = true;
+  }
+
+  std::size_t taken_ = 0;
+  std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
+  bool at_link_ = false;
+  bool stopped_ = false;
+};
+
+// A Ports owns its sink, which the devices hold by reference from construction on.
+class RasterPorts : private core::NoStrokes, public LinkPorts<core::NoStrokes> {
+ public:
+  explicit RasterPorts(const machines::SkalaConfiguration& configuration)
+      : LinkPorts(configuration, static_cast<core::NoStrokes&>(*this)) {}
+
+  static void keep_strokes(bool) {}  // a board makes none
+};
+
+struct PortStrokes {
+  static constexpr bool consumes = true;
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke& stroke) {
+    if (keep) marks.push_back(stroke);
+  }
+  void end_pass(core::Instant) {}
+  bool keep = false;
+  std::vector<core::Stroke> marks;
+};
+
+class PlotterPorts : private PortStrokes, public LinkPorts<PortStrokes> {
+ public:
+  explicit PlotterPorts(const machines::SkalaConfiguration& configuration)
+      : LinkPorts(configuration, static_cast<PortStrokes&>(*this)) {}
+
+  void keep_strokes(bool kept) { keep = kept; }
+
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    LinkPorts::out(port, value, at);
+    if (calcomp565() != nullptr) note_movement(calcomp565()->place(), calcomp565()->pen_is_down());
+    if (minigraf0507() != nullptr) note_movement(minigraf0507()->place(), minigraf0507()->pen_is_down());
+  }
+
+  void report(GuestPicture& picture) {
+    LinkPorts::report(picture);
+    picture.moves = std::move(moves_);
+    picture.strokes = std::move(marks);
+  }
+
+ private:
+  // What the output changed: a plotter is asked where it is, not what it was told.
+  void note_movement(devices::PlotterPlace place, bool pen_down) {
+    if (place != place_) add(PlotterAction::step, place, pen_down_);
+    if (pen_down != pen_down_)
+      add(pen_down ? PlotterAction::pen_down : PlotterAction::pen_up, place, pen_down);
+    place_ = place;
+    pen_down_ = pen_down;
+  }
+  void add(PlotterAction action, devices::PlotterPlace place, bool pen_down) {
+    moves_.push_back(
+        {action, static_cast<std::uint8_t>(place.x), static_cast<std::uint8_t>(place.y), pen_down});
+  }
+
+  devices::PlotterPlace place_{};
+  bool pen_down_ = false;
+  std::vector<PlotterMove> moves_;
+};
+
+// --- the run
 
 // The way from the last byte's IN to DRAWIT is a few dozen instructions.
 constexpr int longest_way_to_drawing = 200;
@@ -141,12 +311,102 @@ class GuestMachine {
   machines::I8080Limits limits_;
 };
 
+// --- guest and twin
+
+constexpr int raster_width = core::Raster::width;
+
+// Calls action(x, y) for every place until it returns true.
+template <class Action>
+void for_places(Action action) {
+  for (int y = 0; y < raster_width; ++y)
+    for (int x = 0; x < raster_width; ++x)
+      if (action(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y))) return;
+}
+
+std::string difference(const core::Raster& guest, const core::Raster& twin) {
+  std::string text;
+  if (guest == twin) return text;
+  for_places([&](std::uint8_t x, std::uint8_t y) {
+    if (guest.at(x, y) == twin.at(x, y)) return false;
+    text = fmt::format("dot ({}, {}): the program {}, its twin {}", x, y, guest.at(x, y), twin.at(x, y));
+    return true;
+  });
+  return text;
+}
+
+std::string described(std::span<const PlotterMove> moves, std::size_t number) {
+  if (number >= moves.size()) return "nothing more";
+  constexpr std::array<std::string_view, 3> names{"a step to", "pen up at", "pen down at"};
+  const PlotterMove& move = moves[number];
+  return fmt::format("{} ({}, {})", names[static_cast<std::size_t>(move.action)], move.x, move.y);
+}
+
+std::string difference(std::span<const PlotterMove> guest, std::span<const PlotterMove> twin) {
+  const auto [in_guest, in_twin] = std::mismatch(guest.begin(), guest.end(), twin.begin(), twin.end());
+  if (in_guest == guest.end() && in_twin == twin.end()) return {};
+  const auto number = static_cast<std::size_t>(in_guest - guest.begin());
+  return fmt::format("movement {} of the plotter: the program {}, its twin {}", number + 1,
+                     described(guest, number), described(twin, number));
+}
+
+// Of a surface's slices a plotter's program keeps nothing.
+std::string difference(const Columns& guest, const Columns& twin, bool slices) {
+  for (std::size_t x = 0; x < guest.mask_top.size(); ++x) {
+    const auto said = [x](std::string_view mask, int in_guest, int in_twin) {
+      return fmt::format("{} of column {}: the program {}, its twin {}", mask, x, in_guest, in_twin);
+    };
+    if (guest.mask_top[x] != twin.mask_top[x]) return said("mask top", guest.mask_top[x], twin.mask_top[x]);
+    if (guest.mask_bottom[x] != twin.mask_bottom[x])
+      return said("mask bottom", guest.mask_bottom[x], twin.mask_bottom[x]);
+    if (!slices) continue;
+    if (guest.previous_level[x] != twin.previous_level[x])
+      return said("level of the previous slice", guest.previous_level[x], twin.previous_level[x]);
+    if (guest.previous_level[x] != 0 && guest.previous_y[x] != twin.previous_y[x])
+      return said("row of the previous slice", guest.previous_y[x], twin.previous_y[x]);
+  }
+  return {};
+}
+
 }  // namespace
 
 GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
                        const GuestOptions& options) {
   if (is_raster(options.device)) return GuestMachine<RasterPorts>(program, stream, options).picture();
   return GuestMachine<PlotterPorts>(program, stream, options).picture();
+}
+
+std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin, Device device) {
+  if (guest.status != twin.status)
+    return fmt::format("status: the program \"{}\", its twin \"{}\"", text_of(guest.status),
+                       text_of(twin.status));
+  std::string text;
+  if (is_raster(device)) text = difference(guest.raster, twin.raster(device));
+  if (text.empty()) text = difference(guest.moves, twin.moves);
+  if (text.empty()) text = difference(guest.columns, twin.columns, is_raster(device));
+  return text;
+}
+
+std::uint64_t points_lit(const GuestPicture& guest) {
+  core::Raster marked = guest.raster;
+  for (const PlotterMove& move : guest.moves)
+    if (move.pen_down) marked.set(move.x, move.y, 1);
+  const auto points = marked.points();
+  return points.size() -
+         static_cast<std::uint64_t>(std::count(points.begin(), points.end(), std::uint8_t{0}));
+}
+
+PlotterWork plotter_work(std::span<const PlotterMove> moves) {
+  PlotterWork work;
+  for (const PlotterMove& move : moves) {
+    if (move.action == PlotterAction::step) {
+      ++(move.pen_down ? work.steps_pen_down : work.steps_pen_up);
+      work.time += devices::calcomp565::step;
+    } else {
+      work.pen_lifts += move.action == PlotterAction::pen_up ? 1 : 0;
+      work.time += devices::calcomp565::pen;
+    }
+  }
+  return work;
 }
 
 }  // namespace sightline::guests::skala

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "host/guests/skala/contours.hpp"
-#include "host/guests/skala/stream_cells.hpp"
+#include "host/guests/skala/stream_chain.hpp"
 #include "host/guests/skala/stream_writer.hpp"
 
 namespace sightline::guests::skala {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/guests/skala/order.hpp"
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"

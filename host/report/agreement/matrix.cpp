@@ -26,22 +26,22 @@ std::string key_of(std::string_view scene) {
   return key;
 }
 
-std::string pair_name(const compare::AgreementCell& cell) {
+std::string pair_name(const compare::CrossCheckCell& cell) {
   return fmt::format("{} and {}", cell.first, cell.second);
 }
 
-Cell verdict_of(const compare::AgreementCell& cell) {
+Cell verdict_of(const compare::CrossCheckCell& cell) {
   switch (cell.state) {
-    case compare::AgreementState::agrees: return Verdict{true, cell.how};
-    case compare::AgreementState::differs: return Verdict{false, "differs"};
-    case compare::AgreementState::not_run: return Verdict{false, "not run"};
-    case compare::AgreementState::not_applicable: return std::string("n/a");
+    case compare::CrossCheckState::agrees: return Verdict{true, cell.how};
+    case compare::CrossCheckState::differs: return Verdict{false, "differs"};
+    case compare::CrossCheckState::not_run: return Verdict{false, "not run"};
+    case compare::CrossCheckState::not_applicable: return std::string("n/a");
   }
   return {};
 }
 
-bool failed(const compare::AgreementCell& cell) {
-  return cell.state == compare::AgreementState::differs || cell.state == compare::AgreementState::not_run;
+bool failed(const compare::CrossCheckCell& cell) {
+  return cell.state == compare::CrossCheckState::differs || cell.state == compare::CrossCheckState::not_run;
 }
 
 Table scenes_table(std::span<const AgreedScene> scenes) {
@@ -59,10 +59,10 @@ Table scenes_table(std::span<const AgreedScene> scenes) {
                    {"result", "Result", "", false}};
   for (const auto& [scene, agreement] : scenes) {
     std::size_t perspective = 0;
-    for (const compare::AgreementView& view : scene.views) perspective += view.camera.perspective ? 1 : 0;
+    for (const compare::CrossCheckView& view : scene.views) perspective += view.camera.perspective ? 1 : 0;
     std::size_t run = 0;
-    for (const compare::AgreementCell& cell : agreement.cells)
-      run += cell.state == compare::AgreementState::agrees || cell.state == compare::AgreementState::differs
+    for (const compare::CrossCheckCell& cell : agreement.cells)
+      run += cell.state == compare::CrossCheckState::agrees || cell.state == compare::CrossCheckState::differs
                  ? 1
                  : 0;
     const std::size_t listed = compare::listed_cells(scene);
@@ -131,7 +131,7 @@ Table agreement_failures(std::span<const AgreedScene> scenes) {
   table.columns = {
       {"scene", "Scene", "", false}, {"pair", "Pair", "", false}, {"first", "First difference", "", false}};
   for (const AgreedScene& agreed : scenes)
-    for (const compare::AgreementCell& cell : agreed.agreement.cells)
+    for (const compare::CrossCheckCell& cell : agreed.agreement.cells)
       if (failed(cell)) table.rows.push_back({std::string(agreed.scene.name), pair_name(cell), cell.text});
   return table;
 }
@@ -140,7 +140,7 @@ Outcome<Section> all_against_each_other(const Context& context) {
   std::vector<AgreedScene> scenes;
   for (const std::string_view name : compare::common_scene_names()) {
     scenes.push_back({compare::common_scene(name), {}});
-    scenes.back().agreement = compare::agreement_on(scenes.back().scene, {}, context.progress);
+    scenes.back().agreement = compare::cross_check(scenes.back().scene, {}, context.progress);
   }
   Section section{"agreement", "All five against each other", {}};
   section.blocks.emplace_back(

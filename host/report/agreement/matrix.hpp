@@ -16,7 +16,7 @@ namespace sightline::harness::report {
 // The matrix of some scenes: how each pair agrees on each, or that it does not.
 struct AgreedScene {
   compare::CommonScene scene;
-  compare::SceneAgreement agreement;
+  compare::SceneCrossCheck agreement;
 };
 [[nodiscard]] Table agreement_matrix(std::span<const AgreedScene> scenes);
 // Every cell that failed, with its first difference.

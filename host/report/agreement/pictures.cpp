@@ -23,7 +23,7 @@ namespace {
 constexpr int side = 200;  // pixels of one picture
 constexpr int gap = 8;
 
-picture::Image lines_image(const compare::CommonScene& scene, const compare::AgreementView& view,
+picture::Image lines_image(const compare::CommonScene& scene, const compare::CrossCheckView& view,
                            const picture::LinePicture& lines) {
   const FaceWindow window = view.window();
   const double half = window.width / 2.0 / window.scale;
@@ -61,11 +61,12 @@ picture::Image side_by_side(const std::vector<picture::Image>& images) {
 
 }  // namespace
 
-Outcome<Figure> agreement_strip(const compare::CommonScene& scene, const compare::SceneAgreement& agreement) {
+Outcome<Figure> agreement_strip(const compare::CommonScene& scene,
+                                const compare::SceneCrossCheck& agreement) {
   std::vector<picture::Image> images;
   std::string names;
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
-    const compare::AgreementPicture& picture = agreement.pictures[who].front();
+    const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
     const auto add = [&](picture::Image image, std::string_view what) {
       images.push_back(std::move(image));
       names += fmt::format("{}{}{}", names.empty() ? "" : ", ", compare::participants()[who].name, what);

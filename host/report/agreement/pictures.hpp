@@ -8,6 +8,6 @@ namespace sightline::harness::report {
 
 // Of the first view; lines as lines, faces as areas. The caption names them from the left.
 [[nodiscard]] Outcome<Figure> agreement_strip(const compare::CommonScene& scene,
-                                              const compare::SceneAgreement& agreement);
+                                              const compare::SceneCrossCheck& agreement);
 
 }  // namespace sightline::harness::report

@@ -10,7 +10,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/guests/jones/guest.hpp"
-#include "host/guests/jones/precision.hpp"
+#include "host/guests/jones/precision/precision.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/report/hard_cases/corridor.hpp"
@@ -98,7 +98,8 @@ Trial in_arithmetic(const Precision& precision) {
     const auto made = guests::jones::scene_in_core(scene, scene.default_view);
     if (!made) return made.error().message();
     const auto& core = made->core;
-    const auto view = guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
+    const auto view =
+        guests::jones::run_precisely(core, 0, guests::jones::default_parameters(core, 0), precision);
     return fault(view.status, view.counts.distinct_cells, scene);
   };
 }

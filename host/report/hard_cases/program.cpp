@@ -60,8 +60,7 @@ std::optional<Truth> truth_of(const JonesHardCase& hard, const scene::CellScene&
 }
 
 guests::jones::View twin_view(const guests::jones::Program& program, std::int32_t scale) {
-  std::vector<core::Word18> words(guests::jones::core_words);
-  for (const auto& [address, word] : program.core) words.at(address) = word;
+  const std::vector<core::Word18>& words = program.core;
   guests::jones::Parameters parameters = guests::jones::default_parameters(words, program.labels.scene);
   parameters.scale = scale;
   return guests::jones::run(words, program.labels.scene, parameters);

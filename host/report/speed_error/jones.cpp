@@ -9,7 +9,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
-#include "host/guests/jones/precision_guest.hpp"
+#include "host/guests/jones/precision/guest_pieces.hpp"
 #include "host/report/speed_error/clock.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -42,8 +42,7 @@ Outcome<GuestView> run_guest(const SceneViews& views, std::size_t view, const gu
   const auto assembled = guests::jones::assemble_program(views.scene(), options);
   if (!assembled) return ReportError{ErrorKind::bad_input, views.name() + ": " + assembled.error().message()};
   const auto& program = *assembled;
-  std::vector<core::Word18> words(guests::jones::core_words);
-  for (const auto& [address, word] : program.core) words.at(address) = word;
+  const std::vector<core::Word18>& words = program.core;
   GuestView run{guests::jones::run_for_pieces(program, eae),
                 guests::jones::lines_by_address(program.scene, words)};
   if (run.pieces.status != guests::jones::Status::complete)
@@ -193,8 +192,8 @@ Outcome<JonesMeasured> measure_scene(const SceneViews& views, const Context& con
   context.progress(fmt::format("{} on the PDP-7 in every arithmetic", views.name()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
-      auto build =
-          measure_build(views, {guests::jones::NumberKind::fixed_point, guests::jones::machine_word_bits, f, truncate});
+      auto build = measure_build(
+          views, {guests::jones::NumberKind::fixed_point, guests::jones::machine_word_bits, f, truncate});
       if (!build) return std::move(build.error());
       measured.machine.push_back(std::move(*build));
     }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/jones/precision.hpp"
+#include "host/guests/jones/precision/precision.hpp"
 #include "host/report/report.hpp"
 #include "host/report/speed_error/views.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "host/guests/jones/precision_table.hpp"
+#include "host/guests/jones/precision/study.hpp"
 #include "host/report/report.hpp"
 
 namespace sightline::harness::report {

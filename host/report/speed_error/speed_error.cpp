@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "host/guests/jones/precision_table.hpp"
+#include "host/guests/jones/precision/study.hpp"
 #include "host/report/plot.hpp"
 #include "host/report/speed_error/jones.hpp"
 #include "host/report/speed_error/jones_blocks.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "host/compare/lines.hpp"
-#include "host/guests/jones/precision.hpp"
-#include "host/guests/jones/views.hpp"
+#include "host/guests/jones/precision/precision.hpp"
+#include "host/guests/jones/precision/study.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/report/report.hpp"
 #include "host/scene/model/cell_scene.hpp"

@@ -18,26 +18,26 @@ inline std::size_t pair_count() {
   return participants().size() * (participants().size() - 1) / 2;
 }
 
-// A scene's number in common_scene_names, and a pair's in SceneAgreement::cells.
+// A scene's number in common_scene_names, and a pair's in SceneCrossCheck::cells.
 class AgreementOn : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {
  protected:
   // Of a scene once, for all of its pairs.
-  static const SceneAgreement& agreement_of(std::size_t scene) {
-    static std::map<std::size_t, SceneAgreement> known;
+  static const SceneCrossCheck& agreement_of(std::size_t scene) {
+    static std::map<std::size_t, SceneCrossCheck> known;
     const auto found = known.find(scene);
     if (found != known.end()) return found->second;
-    return known.emplace(scene, agreement_on(common_scene(common_scene_names()[scene]))).first->second;
+    return known.emplace(scene, cross_check(common_scene(common_scene_names()[scene]))).first->second;
   }
 
   static void expect_agreement(std::size_t scene_number, std::size_t pair) {
-    const AgreementCell& cell = agreement_of(scene_number).cells[pair];
+    const CrossCheckCell& cell = agreement_of(scene_number).cells[pair];
     const CommonScene scene = common_scene(common_scene_names()[scene_number]);
     std::size_t listed_views = 0;
-    for (const AgreementView& view : scene.views) {
+    for (const CrossCheckView& view : scene.views) {
       listed_views += !listed_reason(cell.first, scene.name, view.camera.perspective) &&
                       !listed_reason(cell.second, scene.name, view.camera.perspective);
     }
-    EXPECT_EQ(cell.state, listed_views > 0 ? AgreementState::agrees : AgreementState::not_applicable)
+    EXPECT_EQ(cell.state, listed_views > 0 ? CrossCheckState::agrees : CrossCheckState::not_applicable)
         << cell.first << " and " << cell.second << ", " << scene.name << ", " << cell.text;
     EXPECT_EQ(cell.views, listed_views) << cell.text;
     EXPECT_FALSE(cell.text.empty());

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/compare/cross_check_faces.hpp"
+#include "host/compare/cross_check_compare.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "tests/host/compare/cross_check_suite.hpp"
@@ -30,7 +30,7 @@ TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
     const CommonScene scene = common_scene(name);
     EXPECT_EQ(scene.name, name);
     EXPECT_TRUE(check_poly_scene(scene.scene).empty()) << name;
-    for (const AgreementView& view : scene.views) {
+    for (const CrossCheckView& view : scene.views) {
       EXPECT_FALSE(eye_error(scene.scene, view.camera)) << name;
       for (const scene::PolyPoint& p : scene.scene.vertices) {
         if (view.camera.perspective) continue;
@@ -45,7 +45,7 @@ TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
 // The sight line of a pixel goes through its middle, and the window says the same.
 TEST(CommonScenes, SightLinesArePixels) {
   for (const std::string_view name : {"C1", "C5", "C9"}) {
-    for (const AgreementView& view : common_scene(name).views) {
+    for (const CrossCheckView& view : common_scene(name).views) {
       for (const auto& [column, row] : {std::pair{0, 0}, {17, 200}, {255, 255}, {128, 3}}) {
         const auto [from, along] = view.sight(column, row);
         scene::PolyPoint p = from;
@@ -89,33 +89,33 @@ std::vector<harness::LineAlgorithm> tables_with(std::string_view name,
 }
 
 // Exactly the cells of `name` that are listed to run are in that state.
-void expect_only(const SceneAgreement& agreement, std::string_view name, AgreementState state) {
+void expect_only(const SceneCrossCheck& agreement, std::string_view name, CrossCheckState state) {
   EXPECT_FALSE(agreement.agrees());
-  for (const AgreementCell& cell : agreement.cells) {
-    if (cell.state == AgreementState::not_applicable) continue;
+  for (const CrossCheckCell& cell : agreement.cells) {
+    if (cell.state == CrossCheckState::not_applicable) continue;
     const bool concerned = cell.first == name || cell.second == name;
-    EXPECT_EQ(cell.state, concerned ? state : AgreementState::agrees)
+    EXPECT_EQ(cell.state, concerned ? state : CrossCheckState::agrees)
         << cell.first << " and " << cell.second << ": " << cell.text;
   }
 }
 
 TEST(AgreementFails, WhenAnAlgorithmIsMissing) {
   const auto lines = tables_with("plantinga", [](harness::LineAlgorithm& a) { a.name = "other"; });
-  expect_only(agreement_on(common_scene("C5"), {lines, harness::face_algorithms()}), "plantinga",
-              AgreementState::not_run);
+  expect_only(cross_check(common_scene("C5"), {lines, harness::face_algorithms()}), "plantinga",
+              CrossCheckState::not_run);
   std::vector<harness::FaceAlgorithm> faces(harness::face_algorithms().begin(),
                                             harness::face_algorithms().end());
   std::erase_if(faces, [](const harness::FaceAlgorithm& a) { return a.name == "willis"; });
-  expect_only(agreement_on(common_scene("C5"), {harness::line_algorithms(), faces}), "willis",
-              AgreementState::not_run);
+  expect_only(cross_check(common_scene("C5"), {harness::line_algorithms(), faces}), "willis",
+              CrossCheckState::not_run);
 }
 
 TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
   const auto lines = tables_with("jones", [](harness::LineAlgorithm& a) {
     a.why_not = [](const scene::PolyScene&) { return std::optional<std::string>("not today"); };
   });
-  const auto agreement = agreement_on(common_scene("C5"), {lines, harness::face_algorithms()});
-  expect_only(agreement, "jones", AgreementState::not_run);
+  const auto agreement = cross_check(common_scene("C5"), {lines, harness::face_algorithms()});
+  expect_only(agreement, "jones", CrossCheckState::not_run);
   EXPECT_EQ(agreement.cells[1].text, "view 1: jones: not today");
 }
 
@@ -135,11 +135,11 @@ TEST(AgreementFails, WhenAPieceIsShorter) {
     };
   });
   const CommonScene scene = common_scene("C5");
-  const auto agreement = agreement_on(scene, {lines, harness::face_algorithms()});
+  const auto agreement = cross_check(scene, {lines, harness::face_algorithms()});
   EXPECT_FALSE(agreement.agrees());
-  const AgreementCell& cell = agreement.cells[3];
+  const CrossCheckCell& cell = agreement.cells[3];
   EXPECT_EQ(cell.second, "montani-re");
-  EXPECT_EQ(cell.state, AgreementState::differs);
+  EXPECT_EQ(cell.state, CrossCheckState::differs);
   const picture::LinePiece& piece = agreement.pictures[0][1].lines->pieces[7];
   const std::string edge =
       "edge " + std::to_string(piece.edge.from) + "-" + std::to_string(piece.edge.to) + ":";
@@ -155,7 +155,8 @@ TEST(AgreementFails, WhenAFaceIsAnother) {
     algorithm.prepare = [](const scene::PolyScene& scene, const harness::FaceOptions& options) {
       auto made = harness::find_face_algorithm("willis")->prepare(scene, options);
       auto& prepared = *made;
-      prepared.view = [view = prepared.view](const scene::PolyCamera& camera, const harness::FaceWindow& window) {
+      prepared.view = [view = prepared.view](const scene::PolyCamera& camera,
+                                             const harness::FaceWindow& window) {
         auto seen = view(camera, window);
         picture::PixelGrid& grid = seen->faces;
         for (int row = 100; row < 103; ++row)
@@ -165,8 +166,8 @@ TEST(AgreementFails, WhenAFaceIsAnother) {
       return made;
     };
   }
-  const auto agreement = agreement_on(common_scene("C8"), {harness::line_algorithms(), faces});
-  expect_only(agreement, "willis", AgreementState::differs);
+  const auto agreement = cross_check(common_scene("C8"), {harness::line_algorithms(), faces});
+  expect_only(agreement, "willis", CrossCheckState::differs);
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 #include <string>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/compare/height_cells.hpp"
-#include "host/compare/height_lines.hpp"
+#include "host/compare/height_truth.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/heights/function.hpp"
 

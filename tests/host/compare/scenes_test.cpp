@@ -14,7 +14,7 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/heights.hpp"
-#include "host/compare/projection.hpp"
+#include "host/compare/lines.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/function.hpp"

@@ -14,12 +14,12 @@ std::vector<AgreedScene> two_scenes() {
   std::vector<AgreedScene> scenes;
   for (const char* name : {"C5", "C8"}) {
     const compare::CommonScene scene = compare::common_scene(name);
-    scenes.push_back({scene, compare::agreement_on(scene)});
+    scenes.push_back({scene, compare::cross_check(scene)});
   }
-  compare::AgreementCell& differs = scenes[1].agreement.cells[0];
-  differs.state = compare::AgreementState::differs;
+  compare::CrossCheckCell& differs = scenes[1].agreement.cells[0];
+  differs.state = compare::CrossCheckState::differs;
   differs.text = "view 2: edge 1-2: here and there";
-  scenes[1].agreement.cells[1].state = compare::AgreementState::not_run;
+  scenes[1].agreement.cells[1].state = compare::CrossCheckState::not_run;
   return scenes;
 }
 
@@ -50,7 +50,7 @@ TEST(AgreementMatrix, FailuresAreNamed) {
 
 TEST(AgreementMatrix, TheStripShowsEveryPictureThereIs) {
   const compare::CommonScene scene = compare::common_scene("C5");
-  const auto strip = agreement_strip(scene, compare::agreement_on(scene));
+  const auto strip = agreement_strip(scene, compare::cross_check(scene));
   ASSERT_TRUE(strip);
   EXPECT_EQ(strip->caption,
             "From the left: exact, oracle, oracle (faces), jones, montani-re, montani-re (faces), willis, "

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/jones/precision_table.hpp"
+#include "host/guests/jones/precision/study.hpp"
 #include "host/report/speed_error/clock.hpp"
 #include "host/report/speed_error/jones.hpp"
 #include "host/report/speed_error/jones_blocks.hpp"
@@ -90,7 +90,8 @@ TEST(SpeedErrorPictures, DotsOnAnyRasterLieWhereTheLineIs) {
 class SpeedErrorJones : public testing::Test {
  protected:
   static void SetUpTestSuite() { house = *SceneViews::of(guests::jones::six_views[0]); }
-  static guests::jones::Precision fixed(int f, bool truncate = false, int bits = guests::jones::machine_word_bits) {
+  static guests::jones::Precision fixed(int f, bool truncate = false,
+                                        int bits = guests::jones::machine_word_bits) {
     return {guests::jones::NumberKind::fixed_point, bits, f, truncate};
   }
   static inline SceneViews house;

@@ -1,11 +1,15 @@
-// The data elements of Jones's program as they lie in core: vectors, chains, addresses.
-// Source: Jones (1971) Fig. 6; firmware/pdp7/jones/SPECIFICATION.md sections 2 and 7.
+// What Jones's program reads and writes in core: the data elements of a scene with the outline of an opening,
+// and the display file. Source: Jones (1971) Fig. 6; firmware/pdp7/jones/SPECIFICATION.md sections 2, 4, 5
+// and 7.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "emulators/core/word.hpp"
+#include "host/guests/jones/twin/arithmetic.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
 namespace sightline::guests::jones {
@@ -62,5 +66,55 @@ struct Chain {
 [[nodiscard]] inline Axis axis_of(const Vector& vector) {
   return Axis{static_cast<std::uint8_t>(vector.axis_code)};
 }
+
+// The outline of an opening drawn back into the visible bound, corner by corner.
+//
+// Cutting its sides one by one, as lines are cut, would lose the corners of the bound: an opening all around
+// the bound has no side inside it. Moving each corner to the nearest place of the bound keeps exactly what of
+// the opening lies inside; what folds onto the bound lies outside every window. Source:
+// firmware/pdp7/jones/SPECIFICATION.md section 4.
+class RingBound {
+ public:
+  // plane: the axis normal to the opening; plane_coordinate: of the opening on it, relative to the eye;
+  // largest: of a word.
+  RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor,
+            std::int32_t largest = largest_word);
+
+  // rho: a corner of the ring, moved into the bound.
+  [[nodiscard]] SpacePoint into_bound(SpacePoint corner) const;
+  // Where a vector along k, between its ends' moved places, leaves the side of the bound; nothing if it does
+  // not.
+  [[nodiscard]] std::optional<SpacePoint> bend(const SpaceSegment& vector) const;
+
+ private:
+  Axis plane_;
+  std::int32_t bound_factor_;
+  std::int32_t largest_;
+  std::int32_t nearest_;  // least z at which the plane is inside the bound
+};
+
+// The display file of Jones's program: Type 340 words for line pieces.
+// Source: firmware/pdp7/jones/SPECIFICATION.md section 5; word formats, Type 340 manual.
+class DisplayFile {
+ public:
+  enum class Outcome : std::uint8_t { drawn, no_length, full };
+
+  // capacity in words, the stop included; joining: pieces that continue each other share their set-up words.
+  // truncate: a long line is divided into vectors by quotients that are cut off, not rounded.
+  DisplayFile(std::size_t capacity, bool joining, bool truncate = false);
+  // A line from a to b, points of the screen.
+  [[nodiscard]] Outcome add(ScreenPoint a, ScreenPoint b, Operations& operations);
+  // Adds the stop; the file takes nothing more.
+  [[nodiscard]] std::vector<core::Word18> finish() &&;
+
+ private:
+  void add_vectors(std::int32_t dx, std::int32_t dy, std::int32_t count, Operations& operations);
+
+  std::size_t capacity_;
+  bool joining_;
+  ShortWords number_;
+  std::vector<core::Word18> words_;
+  std::optional<ScreenPoint> beam_;  // end of the last piece, in points of the screen
+};
 
 }  // namespace sightline::guests::jones

@@ -8,10 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "host/guests/jones/twin/display_file.hpp"
 #include "host/guests/jones/twin/elements.hpp"
 #include "host/guests/jones/twin/mask.hpp"
-#include "host/guests/jones/twin/ring.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 
 namespace sightline::guests::jones {

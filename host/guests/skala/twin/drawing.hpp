@@ -1,19 +1,50 @@
 // What the Skala program's twin does with each command once it is drawn. Source:
-// firmware/i8080/skala/SPECIFICATION.md sections 2 to 8. Lines and contours are in drawing.cpp,
-// the shaded surface in surface.cpp.
+// firmware/i8080/skala/SPECIFICATION.md sections 2 to 8.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "host/guests/skala/twin/line.hpp"
 #include "host/guests/skala/twin/masks.hpp"
-#include "host/guests/skala/twin/plotter.hpp"
-#include "host/guests/skala/twin/receipt.hpp"
 #include "host/guests/skala/twin/twin.hpp"
 
 namespace sightline::guests::skala {
+
+// The pen of the Skala program on a plotter: visible points, fed one by one, become steps and pen movements;
+// runs of one point are dropped and the pen is lifted only to travel. Source:
+// firmware/i8080/skala/SPECIFICATION.md section 8.
+class PlotterPen {
+ public:
+  // Movements are appended to `moves` and counted in `counts`; both must outlive the pen.
+  PlotterPen(std::vector<PlotterMove>& moves, TwinCounts& counts) : moves_(moves), counts_(counts) {}
+
+  // The next visible point. Within a run it is a neighbour of the one before.
+  void visible(Point point);
+  // A hidden point, a movement to another place, or the end of the picture.
+  void end_run() { run_points_ = 0; }
+  void lift();
+  // The step before was visible and belongs to the run a visible point would continue.
+  [[nodiscard]] bool in_run() const { return run_points_ != 0; }
+
+ private:
+  void put_down_at(Point point);
+  void step_towards(Point point);
+
+  std::vector<PlotterMove>& moves_;
+  TwinCounts& counts_;
+  Point at_;  // where the pen really is
+  bool down_ = false;
+  int run_points_ = 0;  // of the present run, not counted beyond two
+  Point remembered_;    // its first point
+};
+
+struct ReceivedCommand {
+  Command command;
+  std::size_t last_byte;  // its place in the stream
+  std::span<const std::uint8_t> arguments;
+};
 
 class TwinDrawing {
  public:

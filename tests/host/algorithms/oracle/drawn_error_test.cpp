@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
 namespace sightline::algorithms::oracle {
 namespace {
 
@@ -51,6 +56,56 @@ TEST(DrawnError, APointHasNoLengthButCanBeNear) {
   const std::vector<ScreenSegment> point{{50, 50, 50, 50}};
   EXPECT_EQ(drawn_error(point, {}, 1).missing, 0);
   EXPECT_NEAR(drawn_error({{40, 50, 60, 50}}, point, 5).missing, 10, 0.5);
+}
+
+// Stretches are found by halving. Every step for itself, as the header defines the measure, gives the same
+// bits.
+TEST(DrawnError, OfStretchesIsThatOfTheirSteps) {
+  const auto near = [](double x, double y, const ScreenSegment& s, double distance) {
+    const double dx = s.x1 - s.x0;
+    const double dy = s.y1 - s.y0;
+    const double squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? std::clamp(((x - s.x0) * dx + (y - s.y0) * dy) / squared, 0.0, 1.0) : 0.0;
+    const double off_x = x - (s.x0 + t * dx);
+    const double off_y = y - (s.y0 + t * dy);
+    return off_x * off_x + off_y * off_y <= distance * distance;
+  };
+  const auto alone = [&](const std::vector<ScreenSegment>& lines, const std::vector<ScreenSegment>& others) {
+    double total = 0;
+    for (const ScreenSegment& s : lines) {
+      const double length = std::hypot(s.x1 - s.x0, s.y1 - s.y0);
+      const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length / 0.25)));
+      std::size_t count = 0;
+      for (std::size_t n = 0; n < steps; ++n) {
+        const double t = (static_cast<double>(n) + 0.5) / static_cast<double>(steps);
+        const double x = s.x0 + t * (s.x1 - s.x0);
+        const double y = s.y0 + t * (s.y1 - s.y0);
+        count += std::none_of(others.begin(), others.end(),
+                              [&](const ScreenSegment& other) { return near(x, y, other, 1.0); });
+      }
+      total += length * static_cast<double>(count) / static_cast<double>(steps);
+    }
+    return total;
+  };
+  std::mt19937 engine(1971);
+  // Half points, so that lines often run at exactly the distance from each other.
+  const auto place = [&] { return static_cast<double>(engine() % 80) / 2; };
+  const auto drawing = [&] {
+    std::vector<ScreenSegment> lines;
+    for (int i = 0; i < 12; ++i) {
+      const double x = place();
+      const double y = place();
+      lines.push_back({x, y, i % 3 == 0 ? x : place(), i % 3 == 1 ? y : place()});
+    }
+    return lines;
+  };
+  for (int i = 0; i < 300; ++i) {
+    const auto truth = drawing();
+    const auto drawn = drawing();
+    const DrawnError error = drawn_error(truth, drawn, 1.0);
+    ASSERT_EQ(error.missing, alone(truth, drawn));
+    ASSERT_EQ(error.extra, alone(drawn, truth));
+  }
 }
 
 }  // namespace

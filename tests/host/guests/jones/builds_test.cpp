@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "host/guests/jones/precision_guest.hpp"
+#include "host/guests/jones/precision/guest_pieces.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -54,7 +54,7 @@ class JonesBuilds : public testing::TestWithParam<std::tuple<std::string, bool, 
 TEST_P(JonesBuilds, GuestAndTwinAgree) {
   Program program = assembled(build());
   ASSERT_FALSE(program.core.empty());
-  const geometry::Box& limits = program.scene.eye_limits;
+  const geometry::Box& limits = program.scene.view.limits;
   Dice dice(1971);
   for (int i = 0; i < views; ++i) {
     Parameters parameters = twin_parameters(build());

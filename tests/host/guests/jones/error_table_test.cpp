@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "host/guests/jones/precision_table.hpp"
+#include "host/guests/jones/precision/study.hpp"
 
 namespace sightline::guests::jones {
 namespace {

@@ -105,7 +105,7 @@ TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
     options.display.emplace();
     machines::Pdp7<core::NoStrokes, PathWatch> machine(options, nobody, watch);
     machine.randomise_core(1971 + fill);
-    for (const auto& [address, word] : program.core) machine.deposit(address, word);
+    deposit_core(machine, program.core);
     machine.start(program.labels.start);
     for (int view = 0; view < 2; ++view) {
       machines::Limits limits;

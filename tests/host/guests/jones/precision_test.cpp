@@ -4,9 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "host/guests/jones/precision_table.hpp"
+#include "host/guests/jones/precision/study.hpp"
 #include "host/guests/jones/twin/search.hpp"
-#include "host/guests/jones/views.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
 namespace sightline::guests::jones {

@@ -80,7 +80,7 @@ TEST_P(JonesQuality, AtMostOnePerCentIsWrongByMoreThanAPoint) {
   const auto lines = matter->real_lines();
   const auto home = guests::jones::encode(scene, {}, TestCore::header);
   ASSERT_TRUE(home);
-  const geometry::Box& home_box = home->eye_limits;
+  const geometry::Box& home_box = home->view.limits;
   oracle::Window window;
   window.near = 1;
   Dice dice(1971);

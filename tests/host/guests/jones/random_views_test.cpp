@@ -24,7 +24,7 @@ constexpr std::int32_t room_before_far_side = 8;
 // Strictly inside the initial cell, and not close to its far side.
 SpacePoint random_eye(const geometry::Box& limits, Dice& dice) {
   return {dice(limits.low[0], limits.high[0]), dice(limits.low[1], limits.high[1]),
-          dice(limits.low[2], limits.high[2] + near_plane - room_before_far_side)};
+          dice(limits.low[2], limits.high[2] + near_z - room_before_far_side)};
 }
 
 Parameters random_parameters(Dice& dice) {
@@ -83,7 +83,7 @@ TEST_P(JonesRandomViews, GuestAndTwinAgree) {
   std::uint64_t most_visits = 0;
   for (int i = 0; i < views; ++i) {
     Parameters parameters = random_parameters(dice);
-    parameters.eye = random_eye(program.scene.eye_limits, dice);
+    parameters.eye = random_eye(program.scene.view.limits, dice);
     put_eye(program, parameters.eye);
     SCOPED_TRACE(scene() + (eae() ? " with EAE " : " without EAE ") + described(parameters));
     const View expected = twin_view(program, parameters);

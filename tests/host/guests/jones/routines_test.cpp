@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "host/guests/jones/twin/display_file.hpp"
+#include "host/guests/jones/twin/elements.hpp"
 #include "tests/firmware/jones_routine.hpp"
 #include "tests/support/dice.hpp"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "host/guests/skala/pen_paths.hpp"
+#include "host/guests/skala/session.hpp"
 #include "tests/host/guests/skala/guest_support.hpp"
 #include "tests/host/guests/skala/twin/support.hpp"
 

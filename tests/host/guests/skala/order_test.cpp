@@ -1,10 +1,9 @@
 // The order rule by what it is for: what is drawn later never lies nearer in the same vertical of the screen.
-#include "host/guests/skala/order.hpp"
-
 #include <algorithm>
 #include <array>
 
-#include "host/guests/skala/stream_cells.hpp"
+#include "host/guests/skala/projection.hpp"
+#include "host/guests/skala/stream_chain.hpp"
 #include "tests/host/guests/skala/stream_support.hpp"
 
 namespace sightline::guests::skala {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/guests/skala/contours.hpp"
-#include "host/guests/skala/pen_paths.hpp"
+#include "host/guests/skala/session.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
 #include "tests/host/guests/skala/guest_support.hpp"

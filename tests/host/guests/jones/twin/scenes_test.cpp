@@ -23,7 +23,7 @@ class JonesTwinScenes : public testing::TestWithParam<const char*> {
     const auto encoded = guests::jones::encode(*loaded, {}, TestCore::header);
     ASSERT_TRUE(encoded);
     const auto& image = *encoded;
-    limits_ = image.eye_limits;
+    limits_ = image.view.limits;
     for (std::size_t i = 0; i < image.words.size(); ++i) {
       words_.at(image.base + i) = core::Word18(image.words[i].value);
     }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "host/guests/skala/twin/line.hpp"
+#include "host/guests/skala/twin/masks.hpp"
 #include "tests/host/guests/skala/chain_stream.hpp"
 #include "tests/host/guests/skala/family.hpp"
 #include "tests/support/effort.hpp"

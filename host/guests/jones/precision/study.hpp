@@ -1,25 +1,82 @@
-// What arithmetic costs Jones's program in truth: the error of every scene's six views (views.hpp)
-// against exact visibility, for the builds of the program on the emulated PDP-7 and for arithmetic of any
-// other kind.
+// What arithmetic costs Jones's program in truth: the error of every scene's six views against exact
+// visibility, for the builds of the program on the emulated PDP-7 and for arithmetic of any other kind.
 //
 // Two measures of one run: its pieces as they left the clip, with their fraction of a point, which is what
 // fraction bits buy; and the same pieces between the whole points of the display, which is what one saw.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/base/result.hpp"
-#include "host/guests/jones/line_error.hpp"
-#include "host/guests/jones/precision.hpp"
+#include "host/geometry/box.hpp"
+#include "host/guests/jones/precision/precision.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::guests::jones {
+
+// How much of a scene's lines a drawing shows wrongly, line by line: the symmetric difference of drawn and
+// visible length. Unlike an error of point sets (oracle/drawn_error.hpp) it counts a piece of a hidden line
+// as wrong even where it falls on another line that is visible.
+//
+// All pieces on one straight line of space are taken together, so that pieces drawn twice and pieces that
+// continue each other count once. A piece is measured along the true image of its line, its ends projected on
+// it at right angles. Lengths are points of the screen.
+
+// A line of the scene as drawn.
+struct DrawnLine {
+  SceneLine line;
+  algorithms::oracle::ScreenSegment piece;  // points of the screen
+};
+
+// A stretch that is drawn and not visible (extra), or visible and not drawn.
+struct WrongStretch {
+  SceneLine line;  // on the straight line where it lies: all that was drawn or visible there, from end to end
+  bool extra = false;
+  double length = 0;
+  algorithms::oracle::ScreenSegment where;  // on the true image of the line
+};
+
+struct LineError {
+  double visible = 0;  // true visible length
+  double missing = 0;
+  double extra = 0;
+  double longest = 0;               // wrong stretch
+  std::vector<WrongStretch> wrong;  // longer than asked for, by line
+  [[nodiscard]] double share() const { return visible > 0 ? (missing + extra) / visible : 0; }
+};
+
+// truth: exactly what is seen from the eye in this window (mono, centre of the window as in `window`).
+// named_from: wrong stretches longer than this are listed.
+[[nodiscard]] LineError line_error(const std::vector<algorithms::oracle::VisibleLine>& truth,
+                                   const std::vector<DrawnLine>& drawn, const geometry::Point& eye,
+                                   const algorithms::oracle::Window& window, double named_from);
+
+// The six views a scene from which Jones's program is measured: the scene's own view, and five near it.
+//
+// The five are those of the prototype that first measured the errors of 18-bit arithmetic: x and y up to 30
+// units from the scene's own eye, drawn at random once and written down here; z unchanged. The scale is 512.
+
+struct SixViews {
+  std::string_view scene;  // a built-in scene
+  std::array<geometry::Point, 6> eyes;
+};
+
+inline constexpr std::array<SixViews, 4> six_views{{
+    {"house",
+     {{{480, 160, 20}, {470, 190, 20}, {475, 171, 20}, {454, 182, 20}, {456, 153, 20}, {453, 188, 20}}}},
+    {"roberts", {{{30, 150, 40}, {13, 122, 40}, {27, 146, 40}, {15, 125, 40}, {27, 123, 40}, {36, 127, 40}}}},
+    {"street4", {{{37, 160, 20}, {21, 170, 20}, {44, 190, 20}, {43, 167, 20}, {10, 144, 20}, {42, 184, 20}}}},
+    {"corridor8",
+     {{{140, 150, 30}, {128, 146, 30}, {144, 127, 30}, {129, 155, 30}, {153, 131, 30}, {147, 156, 30}}}},
+}};
 
 inline constexpr double named_from_points = 20;  // a wrong piece longer than this is named
 

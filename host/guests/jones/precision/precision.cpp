@@ -1,4 +1,4 @@
-#include "host/guests/jones/precision.hpp"
+#include "host/guests/jones/precision/precision.hpp"
 
 #include <fmt/format.h>
 

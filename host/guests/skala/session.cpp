@@ -1,6 +1,16 @@
-#include "host/guests/skala/pen_paths.hpp"
+#include "host/guests/skala/session.hpp"
+
+#include <utility>
 
 namespace sightline::guests::skala {
+
+CheckedPicture Session::run(std::span<const std::uint8_t> stream, const GuestOptions& options) const {
+  Equipment equipment{{}};
+  equipment.present[static_cast<std::size_t>(options.device)] = true;
+  CheckedPicture picture{run_guest(program_, stream, options), run_twin(stream, equipment), {}};
+  picture.difference = difference_from_twin(picture.guest, picture.twin, options.device);
+  return picture;
+}
 
 std::vector<picture::PenPath> pen_paths(std::span<const PlotterMove> moves) {
   std::vector<picture::PenPath> paths;

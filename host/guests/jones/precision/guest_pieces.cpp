@@ -1,4 +1,4 @@
-#include "host/guests/jones/precision_guest.hpp"
+#include "host/guests/jones/precision/guest_pieces.hpp"
 
 #include <array>
 #include <utility>
@@ -84,7 +84,7 @@ GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale)
   options.configuration.model.eae = eae;
   core::NoStrokes nobody;
   machines::Pdp7<core::NoStrokes, PieceWatch> machine(options, nobody, watch);
-  for (const auto& [address, word] : program.core) machine.deposit(address, word);
+  deposit_core(machine, program.core);
   machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(scale)));
   machine.deposit(program.labels.clock, core::Word18(clock_off));
   machine.start(program.labels.start);

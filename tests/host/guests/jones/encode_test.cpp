@@ -1,6 +1,6 @@
 // Words and source tapes of scenes: sizes, formats read back by a decoder of the test's own, and the tapes on
 // file.
-#include "host/guests/jones/tape.hpp"
+#include "host/guests/jones/encode.hpp"
 
 #include <gtest/gtest.h>
 
@@ -136,7 +136,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
   const std::vector<std::uint32_t> expected{01013, 3, 480, 160, 20, 1, 599, 1, 249, 1, 399};
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(result.words[n].value, expected[n]) << n;
   const EncodedScene kitchen = encoded(scene::builtin_scene("house"), {Point{100, 100, 500}}, 01000);
-  EXPECT_EQ(kitchen.initial_cell, 1U);
+  EXPECT_EQ(kitchen.view.cell, 1U);
   EXPECT_EQ(kitchen.words[0].value, kitchen.cell_addresses[1]);
   EXPECT_EQ(kitchen.words[9].value, 401U);
   EXPECT_EQ(kitchen.words[10].value, 749U);
