@@ -1,7 +1,7 @@
 // What all subcommands of `sightline` share: exit codes, how they fail, how they read and write.
 //
-// Data goes to standard output, talk to standard error. A subcommand returns by setting its exit code, or
-// throws a Failure, which main prints. Outputs appear whole or not at all: they are opened before the work,
+// Data goes to standard output, talk to standard error. A subcommand returns its exit code, or throws a
+// Failure, which main prints. Outputs appear whole or not at all: they are opened before the work,
 // so that a path that cannot be written is known at once, and put in their places after it.
 #pragma once
 
@@ -11,14 +11,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
-
-namespace CLI {
-class App;
-}
+#include "host/base/result.hpp"
 
 namespace sightline::app {
 
@@ -45,6 +42,15 @@ class Failure : public std::runtime_error {
  private:
   ExitCode code_;
 };
+
+// The value, or a Failure with the error. `name` is what the user calls the thing that has the error.
+template <class Value>
+[[nodiscard]] Value value_of(base::Result<Value> result, const std::string& name,
+                             ExitCode code = ExitCode::bad_input) {
+  if (result) return std::move(*result);
+  result.error().file = name;
+  throw Failure(code, result.error().message());
+}
 
 // One line on standard error, "sightline: text".
 void complain(std::string_view text);

@@ -2,10 +2,13 @@
 #include "host/app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +16,9 @@
 #include "host/app/help_formatter.hpp"
 
 namespace sightline::app {
+
+// host/app/help, embedded.
+[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> help_files();
 
 namespace {
 
@@ -87,6 +93,23 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
 }
 
 }  // namespace
+
+HelpPage help_page(std::string_view name,
+                   std::initializer_list<std::pair<std::string_view, std::string>> values) {
+  const std::string file = std::string(name) + ".txt";
+  for (const auto& [path, contents] : help_files()) {
+    if (path != file) continue;
+    std::string text(contents);
+    for (const auto& [key, value] : values) {
+      const std::string place = "{" + std::string(key) + "}";
+      for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += value.size())
+        text.replace(at, place.size(), value);
+    }
+    const std::size_t summary = text.find('\n');
+    return {text.substr(0, summary), text.substr(std::min(summary + 2, text.size()))};
+  }
+  throw std::logic_error("no help text " + file);
+}
 
 Option Option::required() const {
   option_->required();
@@ -174,6 +197,16 @@ Command Command::add_command(const std::string& name, const std::string& summary
   return {*app_->add_subcommand(name, summary), *exit_code_};
 }
 
+Command Command::add_command(const std::string& name, const HelpPage& help) const {
+  const Command command = add_command(name, help.summary);
+  command.footer(help.text);
+  return command;
+}
+
+void Command::also_called(const std::string& name) const {
+  app_->alias(name);
+}
+
 template <class Value>
 Option Command::option(const std::string& names, Value& variable, std::string_view help) const {
   return Option(app_->add_option(names, variable, std::string(help)));
@@ -214,18 +247,17 @@ bool Command::is_given(const std::string& option) const {
   return app_->count(option) > 0;
 }
 
-int run_command_line(int argc, char** argv, const std::string& footer,
+int run_command_line(int argc, char** argv, const HelpPage& help,
                      const std::function<void(const Command&)>& add_commands) {
   // A file that grows beyond what the shell allows is an error of writing like others, not the end.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
   try {
-    CLI::App app("Sightline: hidden-line programs of 1971-1990 on the machines they were written for",
-                 "sightline");
+    CLI::App app(help.summary, "sightline");
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
     app.formatter(help_formatter());
     add_commands(Command(app, exit_code));
-    app.footer(footer);
+    app.footer(help.text);
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);
   } catch (const Failure& failure) {

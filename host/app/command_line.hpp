@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/app/command.hpp"
@@ -20,6 +22,17 @@ class Option;
 }  // namespace CLI
 
 namespace sightline::app {
+
+// What --help says of a command: the file host/app/help/NAME.txt. Its first line is the summary; the text
+// below an empty line follows the options. A line is a paragraph, broken to the width of the terminal; what
+// is indented is an example, or a term and what it means.
+struct HelpPage {
+  std::string summary;
+  std::string text;
+};
+// `values` replace {KEY}.
+[[nodiscard]] HelpPage help_page(std::string_view name,
+                                 std::initializer_list<std::pair<std::string_view, std::string>> values = {});
 
 // A flag, an option with a value, or a positional argument. Each function returns the option itself.
 class Option {
@@ -64,6 +77,9 @@ class Command {
 
   // One of its commands must then be given.
   Command add_command(const std::string& name, const std::string& summary) const;
+  Command add_command(const std::string& name, const HelpPage& help) const;
+  // Another name that is accepted, but not listed.
+  void also_called(const std::string& name) const;
 
   // `names`: "-o,--output", or "SCENE" of a positional argument. Value: string, int, unsigned, int64, uint64
   // or double, an optional of a number, or a vector of strings or ints.
@@ -83,18 +99,14 @@ class Command {
   // Whether the command line has this option, "--size".
   [[nodiscard]] bool is_given(const std::string& option) const;
 
-  // For commands that still use the library.
-  [[nodiscard]] CLI::App& library() const { return *app_; }
-  [[nodiscard]] ExitCode& exit_code() const { return *exit_code_; }
-
  private:
   CLI::App* app_;
   ExitCode* exit_code_;
 };
 
 // Reads the command line, runs the command it names, prints help, version and what the command fails with.
-// `add_commands` adds the commands to the program. `footer` ends the help of the program.
-[[nodiscard]] int run_command_line(int argc, char** argv, const std::string& footer,
+// `help` is that of the program; `add_commands` adds its commands.
+[[nodiscard]] int run_command_line(int argc, char** argv, const HelpPage& help,
                                    const std::function<void(const Command&)>& add_commands);
 
 }  // namespace sightline::app

@@ -1,12 +1,18 @@
 // See help_formatter.hpp.
 #include "host/app/help_formatter.hpp"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "host/base/number.hpp"
 
 namespace sightline::app {
 
@@ -21,7 +27,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
     if (text.empty()) return result;
     const std::string_view word = text.substr(0, text.find_first_of(" \n"));
     text.remove_prefix(word.size());
-    if (!first_word && column + 1 + word.size() > help_width) {
+    if (!first_word && column + 1 + word.size() > help_width()) {
       result += '\n' + std::string(indent, ' ');
       column = indent;
       first_word = true;
@@ -50,7 +56,7 @@ std::string two_columns(std::string first, std::string_view second, std::size_t 
 
 std::string indented_line(std::string_view line) {
   const std::size_t indent = line.find_first_not_of(' ');
-  if (line.size() <= help_width) return std::string(line) + '\n';
+  if (line.size() <= help_width()) return std::string(line) + '\n';
   const std::size_t gap = line.find("  ", indent);
   const std::size_t text = gap == std::string_view::npos ? indent : line.find_first_not_of(' ', gap);
   return std::string(line.substr(0, text)) + wrapped(line.substr(text), text, text) + '\n';
@@ -58,23 +64,11 @@ std::string indented_line(std::string_view line) {
 
 std::string laid_out(std::string_view text) {
   std::string result;
-  std::string paragraph;
-  const auto end_paragraph = [&] {
-    if (!paragraph.empty()) result += wrapped(paragraph, 0, 0) + '\n';
-    paragraph.clear();
-  };
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
-    if (line.empty() || line.starts_with(' ')) {
-      end_paragraph();
-      result += line.empty() ? "\n" : indented_line(line);
-      continue;
-    }
-    paragraph += std::string(line) + ' ';
-    if (line.ends_with('.') || line.ends_with(':')) end_paragraph();
+    result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
   }
-  end_paragraph();
   return result;
 }
 
@@ -152,6 +146,28 @@ class HelpFormatter : public CLI::Formatter {
 };
 
 }  // namespace
+
+namespace {
+
+std::size_t terminal_width() {
+  constexpr std::size_t least = 40;
+  constexpr std::size_t most = 100;
+  const char* const columns = std::getenv("COLUMNS");
+  if (columns != nullptr)
+    if (const auto width = base::whole_number<std::size_t>(columns); width && *width > 0)
+      return std::clamp(*width, least, most);
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    return std::clamp<std::size_t>(size.ws_col, least, most);
+  return most;
+}
+
+}  // namespace
+
+std::size_t help_width() {
+  static const std::size_t width = terminal_width();
+  return width;
+}
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() {
   return std::make_shared<HelpFormatter>();

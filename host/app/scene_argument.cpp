@@ -1,19 +1,13 @@
-// See scene_argument.hpp.
 #include "host/app/scene_argument.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <utility>
 
-#include "host/app/command.hpp"
 #include "host/base/number.hpp"
-#include "host/scene/generate/scene.hpp"
 #include "host/scene/read/builtin.hpp"
-#include "host/scene/read/cell_complex_file.hpp"
-#include "host/scene/read/cell_scene.hpp"
-#include "host/scene/read/poly_file.hpp"
-#include "host/scene/read/poly_json.hpp"
 
 namespace sightline::app {
 
@@ -22,47 +16,70 @@ namespace {
 constexpr const char* cells_expected =
     "expected a scene of cells, which Jones's program can be given; `sightline draw jones` takes all scenes";
 
-bool is_generated_name(std::string_view name) {
-  for (const std::string_view family : scene::generator_names())
-    if (name.starts_with(family) && name.substr(family.size()).starts_with("-")) return true;
-  return false;
-}
-
-// By the file's name, or JSON of another kind.
-bool is_no_cell_scene(const std::string& text, const std::string& file) {
-  return scene::poly_format_of(file).value_or(scene::PolyFormat::json) != scene::PolyFormat::json ||
-         scene::is_poly_json(text) || scene::is_cell_complex(text);
-}
-
 }  // namespace
 
-void require_scene_exists(const std::string& name_or_file) {
-  std::error_code unknown;
-  if (scene::builtin_scene_text(name_or_file) || std::filesystem::exists(name_or_file, unknown)) return;
-  std::string names;
-  for (const std::string_view name : scene::builtin_scene_names()) names += fmt::format(" {}", name);
-  throw Failure(ExitCode::io, fmt::format("{}: no such file, and no built-in scene of that name; there are{}",
-                                          name_or_file, names));
-}
-
-scene::CellScene load_scene(const std::string& name_or_file) {
-  std::error_code unknown;
-  if (is_generated_name(name_or_file) && !std::filesystem::exists(name_or_file, unknown)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found the name of a generated scene, {}", name_or_file, cells_expected));
+scene::SceneFile find_scene(const std::string& argument) {
+  if (auto named = scene::named_scene(argument)) {
+    if (!*named) throw Failure(ExitCode::usage, named->error().message());
+    return std::move(**named);
   }
-  require_scene_exists(name_or_file);
-  if (const auto builtin = scene::builtin_scene_text(name_or_file)) return load_scene(*builtin, name_or_file);
-  const std::string text = read_input_text(name_or_file);
-  if (is_no_cell_scene(text, name_or_file))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", name_or_file, cells_expected));
-  return load_scene(text, name_or_file);
+  std::error_code unknown;
+  if (argument != "-" && !std::filesystem::exists(argument, unknown)) {
+    std::string names;
+    for (const std::string_view name : scene::builtin_scene_names()) names += fmt::format(" {}", name);
+    throw Failure(
+        ExitCode::io,
+        fmt::format("{}: no such file, and no built-in scene of that name; there are{}", argument, names));
+  }
+  return {.name = shown_name(argument), .text = read_input_text(argument)};
 }
 
-scene::CellScene load_scene(std::string_view text, const std::string& name_or_file) {
-  auto read = scene::read_possible_cell_scene(text, name_or_file);
-  if (!read) throw Failure(ExitCode::bad_input, read.error().message());
-  return std::move(*read);
+scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOptions& options) {
+  auto loaded = scene::load_scene(std::move(file), options);
+  if (!loaded) throw Failure(ExitCode::bad_input, loaded.error().message());
+  return std::move(*loaded);
+}
+
+scene::LoadedScene load_scene(const std::string& argument) {
+  scene::LoadedScene loaded = load_found(find_scene(argument));
+  tell(loaded.report);
+  loaded.name = argument;
+  return loaded;
+}
+
+scene::CellScene load_cells(const std::string& argument) {
+  scene::SceneFile file = find_scene(argument);
+  if (file.generated) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: found the name of a generated scene, {}", argument, cells_expected));
+  }
+  if (scene_kind_of(file) != scene::SceneKind::cells)
+    throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", file.name, cells_expected));
+  return *load_found(std::move(file)).cells;
+}
+
+void add_eae_options(const Command& command, bool& no_eae) {
+  const Option with =
+      command.flag("--eae", "The PDP-7 with the Type 177 extended arithmetic element, the default");
+  command.flag("--no-eae", no_eae, "The PDP-7 without it, where 64xxxx does nothing").excludes(with);
+}
+
+void tell(const scene::PolyImportReport& report) {
+  if (report.quantised && report.largest_shift > 0) {
+    warn(
+        fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));
+  } else if (report.quantised) {
+    warn(fmt::format("coordinates are counted in steps of {}", report.step));
+  }
+  if (report.split_faces > 0) {
+    warn(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
+                     report.split_faces, report.largest_deviation));
+  }
+  if (report.merged_vertices > 0) warn(fmt::format("{} equal vertices merged", report.merged_vertices));
+  if (report.dropped_vertices > 0) warn(fmt::format("{} unused vertices left out", report.dropped_vertices));
+  if (report.dropped_faces > 0) warn(fmt::format("{} faces without area left out", report.dropped_faces));
+  if (report.turned_bodies > 0)
+    warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
 }
 
 geometry::Point point_argument(std::string_view option, std::string_view text) {

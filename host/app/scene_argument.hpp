@@ -1,24 +1,45 @@
-// The SCENE argument and the eye's option, the same in every subcommand that has them.
+// The SCENE argument, the same in every command that has one: built in, generated, a file of any kind, or
+// standard input.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "host/app/command_line.hpp"
 #include "host/geometry/box.hpp"
 #include "host/scene/model/cell_scene.hpp"
+#include "host/scene/read/load.hpp"
 
 namespace sightline::app {
 
-inline constexpr std::string_view scene_argument_help =
+inline constexpr std::string_view scene_help =
+    "A built-in scene (see `sightline scene list`), a JSON, OFF or OBJ file (- for standard input), or "
+    "FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
+    "--help`)";
+// Of commands that run Jones's program.
+inline constexpr std::string_view cells_help =
     "A built-in scene (see `sightline scene list`) or a JSON file of a scene of cells";
 
-// Throws Failure io if SCENE is neither a built-in name nor a file.
-void require_scene_exists(const std::string& name_or_file);
+// Its text, or the generated scene. Failure io: no such scene or file, or it cannot be read; usage: a
+// generated scene of an impossible size.
+[[nodiscard]] scene::SceneFile find_scene(const std::string& argument);
 
-// Read and checked. Failure io, or bad_input naming the first thing that is wrong.
-[[nodiscard]] scene::CellScene load_scene(const std::string& name_or_file);
-// The same from its text. Failure bad_input.
-[[nodiscard]] scene::CellScene load_scene(std::string_view text, const std::string& name_or_file);
+// Read and checked. Failure bad_input: the first thing that is wrong.
+[[nodiscard]] scene::LoadedScene load_found(scene::SceneFile file,
+                                            const scene::PolyImportOptions& options = {});
+
+// Found, read and checked; named as the argument is. What was changed while reading is said on standard
+// error. Failure as find_scene, or bad_input: the first thing that is wrong.
+[[nodiscard]] scene::LoadedScene load_scene(const std::string& argument);
+// The same; anything but a scene of cells is a Failure usage or bad_input.
+[[nodiscard]] scene::CellScene load_cells(const std::string& argument);
+
+// --eae and --no-eae, of commands that run Jones's program: whether the PDP-7 has the Type 177 extended
+// arithmetic element. The first is the default.
+void add_eae_options(const Command& command, bool& no_eae);
+
+// What was done to the scene while it was read, as warnings.
+void tell(const scene::PolyImportReport& report);
 
 // "X,Y,Z", decimal integers below 2^15 in magnitude. Failure usage.
 [[nodiscard]] geometry::Point point_argument(std::string_view option, std::string_view text);

@@ -19,15 +19,6 @@ using sightline::app::Command;
 using sightline::app::ExitCode;
 using sightline::app::Failure;
 
-constexpr const char* report_examples =
-    "Examples:\n"
-    "  sightline report\n"
-    "      measure everything: report/index.html to read, report/tables/ for other programs\n"
-    "  sightline report --part 1 -o timing\n"
-    "      only the times beside those of the papers\n"
-    "  sightline report --no-host-times\n"
-    "      without the times of this computer: the same bytes in every run\n";
-
 struct ReportArguments {
   std::string directory = "report";
   std::string cache;
@@ -124,8 +115,7 @@ ExitCode run_report(const ReportArguments& arguments) {
 }
 
 void add_report_command(const Command& app) {
-  const Command command = app.add_command(
-      "report", "Measure the old programs and all algorithms beside the papers: one page, with tables");
+  const Command command = app.add_command("report", sightline::app::help_page("report"));
   const auto arguments = std::make_shared<ReportArguments>();
   command.option("-o,--output", arguments->directory, "Folder for the report").default_value().value("DIR");
   std::string parts;
@@ -142,12 +132,12 @@ void add_report_command(const Command& app) {
   command.flag("--no-host-times", arguments->no_host_times,
                "Leave out times of this computer: the same bytes in every run");
   command.flag("-q,--quiet", arguments->quiet, "No progress, no talk");
-  command.footer(report_examples);
   command.run([arguments] { return run_report(*arguments); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return sightline::app::run_command_line(argc, argv, "", add_report_command);
+  return sightline::app::run_command_line(argc, argv, {sightline::app::help_page("sightline").summary, ""},
+                                          add_report_command);
 }

@@ -153,12 +153,12 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine) {
 }  // namespace
 
 void add_asm_command(const Command& program) {
-  const Command command = program.add_command("asm", "Assemble source for the PDP-7 or the 8080");
-  command.footer(help_text("asm"));
+  const Command command = program.add_command("asm", help_page("asm"));
   for (const MachineDescription* machine : guests::run::machines()) {
     if (machine->assembler.assemble == nullptr) continue;
-    add_machine_command(command, machine->name, machine->assembler.help, options_of(*machine),
-                        help_text("asm_" + std::string(machine->name)),
+    const HelpPage help = help_page("asm_" + std::string(machine->name),
+                                    {{"summary", std::string(machine->assembler.help)}});
+    add_machine_command(command, machine->name, help, options_of(*machine),
                         [machine](const Arguments& arguments) { return assemble(*machine, arguments); });
   }
 }

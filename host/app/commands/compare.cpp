@@ -1,9 +1,7 @@
+// `sightline compare`: the old programs and the native methods compared with oracles, on one view.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,12 +11,11 @@
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/compare_output.hpp"
-#include "host/app/commands/draw_camera.hpp"
+#include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
-#include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/app/scene_source.hpp"
 #include "host/base/json.hpp"
+#include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -29,42 +26,6 @@ namespace {
 
 using base::Json;
 using guests::skala::PictureKind;
-
-constexpr const char* compare_examples =
-    "Examples:\n"
-    "  sightline compare\n"
-    "      every built-in scene and function: how wrong the old programs are, and that the new ones are not\n"
-    "  sightline compare roberts street4 --view 120,90,60 --scale 700 -o pictures\n"
-    "      Jones's program on the PDP-7, its twin and the native algorithms from one place\n"
-    "  sightline compare sinc heights.csv --rotate 120 --elevate 45\n"
-    "      Skala's program on the 8080, its twin and the native algorithm\n"
-    "  sightline compare --function \"sin(x)*cos(z)\" --picture contours --levels 12\n"
-    "      contours of a function of your own: by points, and the native ones by lines\n"
-    "  sightline compare part.off boxes-100 --json\n"
-    "      polyhedra: the exact algorithms by lines, faces by points\n"
-    "  sightline compare boxes-30 --orthographic 3,0,4\n"
-    "      in parallel projection, Plantinga's turns among them\n\n"
-    "SCENE is a built-in scene, a JSON, OFF or OBJ file, a generated scene such as boxes-100, a function by "
-    "name, or a "
-    "grid file. --function and the options after it, up to --levels, are those of `sightline skala`. Every "
-    "picture is held against an oracle that shares no visibility code with anything. The guest is the old "
-    "program "
-    "on its emulated machine, its twin the same computation written again for this computer, bit for bit; "
-    "native are the methods of the papers and exact ones of today, written for this computer.\n\n"
-    "Of every picture:\n"
-    "  missing, extra     length of lines that are seen but not drawn, and drawn but not seen, along the "
-    "true "
-    "lines\n"
-    "  miss >1, extra >1  the part of it that is farther than a pixel from anything drawn, or seen\n"
-    "  H, 99.9 %          the farthest any point of one picture is from the other; all but a thousandth are "
-    "nearer\n"
-    "  wrong points       of random points of all lines, those drawn though hidden or not drawn though seen\n"
-    "  pieces             pieces of lines that have no counterpart with the same ends\n"
-    "Overlays are NAME-compare-PICTURE.png and .svg: grey where both agree, orange what is missing, blue "
-    "what is extra;\n"
-    "stretches of up to a pixel are left out of them. The exit code is 1 if an exact algorithm does not give "
-    "the\n"
-    "oracle's picture, or a guest not its twin's: defects of this program. Old programs may be wrong.\n";
 
 struct CompareArguments {
   std::vector<std::string> scenes;
@@ -79,33 +40,6 @@ struct CompareArguments {
   std::optional<int> levels;
   std::string directory = "out";
   bool json = false;
-};
-
-// What is being done, on a terminal only; gone when it is over.
-class CompareProgressLine {
- public:
-  CompareProgressLine() {
-    const char* const kind = std::getenv("TERM");
-    terminal_ = isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
-  }
-  ~CompareProgressLine() { clear(); }
-  CompareProgressLine(const CompareProgressLine&) = delete;
-  CompareProgressLine& operator=(const CompareProgressLine&) = delete;
-
-  void show(std::size_t number, std::size_t count, std::string_view name, std::string_view step) {
-    if (!terminal_) return;
-    fmt::print(stderr, "\r\033[K{} of {}: {}, {}", number, count, name, step);
-    static_cast<void>(std::fflush(stderr));
-    shown_ = true;
-  }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-    shown_ = false;
-  }
-
- private:
-  bool terminal_ = false;
-  bool shown_ = false;
 };
 
 std::vector<std::string> every_builtin() {
@@ -169,8 +103,8 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
                             const compare::CompareProgress& progress) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
-  const SceneSource source = load_scene_source(name);
-  const auto compared = [&] {
+  const scene::LoadedScene source = load_scene(name);
+  const auto compare_it = [&] {
     if (source.cells) {
       refuse(!arguments.orthographic.empty(), "--orthographic", name,
              "polyhedra; Jones's program looks along +z in perspective");
@@ -186,13 +120,8 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     camera.eye = arguments.view;
     camera.orthographic = arguments.orthographic;
     return compare::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
-  }();
-  if (!compared) {
-    base::Error named = compared.error();
-    named.file = name;
-    throw Failure(ExitCode::bad_input, named.message());
-  }
-  auto comparison = *compared;
+  };
+  compare::SceneComparison comparison = value_of(compare_it(), name);
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
   return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
           write_overlays(arguments.directory, comparison)};
@@ -219,13 +148,15 @@ ExitCode run_compare(CompareArguments arguments) {
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
   Json document{{"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", Json::array()}};
   bool agrees = true;
-  CompareProgressLine line;
   const std::size_t count = names.size() + (expression ? 1 : 0);
   for (std::size_t n = 0; n < count; ++n) {
     const std::string& name = n < names.size() ? names[n] : arguments.function.expression;
-    const auto progress = [&](std::string_view step) { line.show(n + 1, count, name, step); };
-    ComparedScene compared = compare_next(arguments, names, n, progress);
-    line.clear();
+    ComparedScene compared = [&] {
+      base::ProgressLine line;
+      return compare_next(arguments, names, n, [&](std::string_view step) {
+        line.show(fmt::format("{} of {}: {}, {}", n + 1, count, name, step));
+      });
+    }();
     agrees = agrees && compared.agrees;
     if (arguments.json) {
       compared.json["overlays"] = compared.overlays;
@@ -273,13 +204,10 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
 }  // namespace
 
 void add_compare_command(const Command& program) {
-  const Command command = program.add_command(
-      "compare",
-      "Hold the old programs (guest and twin) and the native methods against the oracle, on one view");
+  const Command command = program.add_command("compare", help_page("compare"));
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->function_view.rotation = 30;
   add_compare_options(command, *arguments);
-  command.footer(compare_examples);
   command.run([arguments] { return run_compare(*arguments); });
 }
 

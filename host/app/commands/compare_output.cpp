@@ -6,11 +6,15 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/outputs.hpp"
+#include "host/base/json.hpp"
+#include "host/base/text_table.hpp"
 #include "host/picture/overlay.hpp"
 
 namespace sightline::app {
@@ -18,6 +22,8 @@ namespace sightline::app {
 namespace {
 
 namespace jones = guests::jones;
+using base::Json;
+using base::TextTable;
 using compare::ComparedPicture;
 using compare::ComparedRaster;
 using compare::HeightComparison;
@@ -48,48 +54,49 @@ std::string view_text(const SceneComparison& comparison) {
                             : "along " + point_text(camera.forward) + ", orthographic";
 }
 
-std::string lines_heading() {
-  return fmt::format("  {:<13}{:<22}{:<22}{:>9}{:>9}{:>9}{:>9}  {:<28}{:>6}\n", "", "missing px", "extra px",
-                     "miss >1", "extra >1", "H px", "99.9 %", "wrong points, 95 % interval", "pieces");
+TextTable lines_table() {
+  TextTable table({-15, -22, -22, 9, 9, 9, 9, -30, 6, 0});
+  table.row({"", "missing px", "extra px", "miss >1", "extra >1", "H px", "99.9 %",
+             "  wrong points, 95 % interval", "pieces"});
+  return table;
 }
 
-std::string lines_row(std::string_view name, const LineMetrics& m, std::string_view exactness) {
+void add_lines(TextTable& table, const std::string& name, const LineMetrics& m,
+               const std::string& exactness) {
   const picture::Rate& rate = m.wrong_visibility;
-  std::string text = fmt::format(
-      "  {:<13}{:<22}{:<22}{:>9.2f}{:>9.2f}{:>9}{:>9}  {:<28}{:>6}  {}", name, pixels_and_share(m, m.missing),
-      pixels_and_share(m, m.extra), m.missing_far, m.extra_far, distance_text(m.hausdorff.greatest),
-      distance_text(m.hausdorff.usual),
-      fmt::format("{:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
-      m.pieces_different, exactness);
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text + '\n';
+  table.row({"  " + name, pixels_and_share(m, m.missing), pixels_and_share(m, m.extra),
+             fmt::format("{:.2f}", m.missing_far), fmt::format("{:.2f}", m.extra_far),
+             distance_text(m.hausdorff.greatest), distance_text(m.hausdorff.usual),
+             fmt::format("  {:.3f} % ({:.3f} to {:.3f})", 100 * rate.rate, 100 * rate.low, 100 * rate.high),
+             std::to_string(m.pieces_different), "  " + exactness});
 }
 
-std::string points_heading() {
-  return fmt::format("  {:<13}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "", "different", "at edges",
-                     "elsewhere", "missing", "extra", "miss >1", "extra >1");
+TextTable points_table() {
+  TextTable table({-15, 14, 12, 12, 10, 10, 10, 10});
+  table.row({"", "different", "at edges", "elsewhere", "missing", "extra", "miss >1", "extra >1"});
+  return table;
 }
 
-std::string points_row(std::string_view name, const PixelMetrics& m) {
-  return fmt::format("  {:<13}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}\n", name,
-                     fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()), m.different_on_boundary,
-                     m.different_inside, m.missing, m.extra, m.missing_far, m.extra_far);
+void add_points(TextTable& table, const std::string& name, const PixelMetrics& m) {
+  table.row({"  " + name, fmt::format("{} ({:.3f} %)", m.different(), 100 * m.mismatch()),
+             std::to_string(m.different_on_boundary), std::to_string(m.different_inside),
+             std::to_string(m.missing), std::to_string(m.extra), std::to_string(m.missing_far),
+             std::to_string(m.extra_far)});
 }
 
 std::string faces_text(const SceneComparison& comparison) {
   if (comparison.faces.empty()) return "";
   const PixelMetrics& any = comparison.faces.front().metrics;
-  std::string text =
-      fmt::format("faces, by points: {}, {} of them at edges\n", any.pixels, any.boundary_pixels) +
-      points_heading();
+  TextTable table = points_table();
   for (const compare::ComparedFaces& compared : comparison.faces) {
-    text += points_row(compared.name, compared.metrics);
+    add_points(table, compared.name, compared.metrics);
     if (compared.not_solved > 0)
-      text += fmt::format("{}: {} pairs of faces it says itself it cannot separate\n", compared.name,
-                          compared.not_solved);
-    if (!compared.agrees()) text += compared.name + ": NOT THE ORACLE'S\n";
+      table.line(fmt::format("{}: {} pairs of faces it says itself it cannot separate", compared.name,
+                             compared.not_solved));
+    if (!compared.agrees()) table.line(compared.name + ": NOT THE ORACLE'S");
   }
-  return text;
+  return fmt::format("faces, by points: {}, {} of them at edges\n", any.pixels, any.boundary_pixels) +
+         table.text();
 }
 
 std::string exactness_text(const ComparedPicture& compared) {
@@ -137,16 +144,67 @@ std::string overlay_base(const std::string& directory, const std::string& scene,
   return (std::filesystem::path(directory) / (file_stem(scene) + "-compare-" + file_stem(name))).string();
 }
 
+// --- JSON
+
+Json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
+  Json list = Json::array();
+  for (const auto& [name, reason] : reasons) list.push_back({{"name", name}, {"reason", reason}});
+  return list;
+}
+
+Json metrics_json(const LineMetrics& m) {
+  return {{"true_length", m.true_length},
+          {"drawn_length", m.drawn_length},
+          {"missing", m.missing},
+          {"extra", m.extra},
+          {"missing_share", m.share(m.missing)},
+          {"extra_share", m.share(m.extra)},
+          {"missing_far", m.missing_far},
+          {"extra_far", m.extra_far},
+          {"hausdorff", m.hausdorff.greatest},
+          {"hausdorff_99_9", m.hausdorff.usual},
+          {"wrong_visibility",
+           {{"points", m.wrong_visibility.points},
+            {"wrong", m.wrong_visibility.wrong},
+            {"rate", m.wrong_visibility.rate},
+            {"low", m.wrong_visibility.low},
+            {"high", m.wrong_visibility.high}}},
+          {"pieces_different", m.pieces_different}};
+}
+
+Json line_json(const ComparedPicture& compared) {
+  Json row{{"name", compared.name}, {"measured", compared.what}};
+  if (compared.identical) row["equal_to_oracle"] = *compared.identical;
+  row.update(metrics_json(compared.metrics));
+  return row;
+}
+
+Json points_json(const std::string& name, const PixelMetrics& m) {
+  return {{"name", name},
+          {"pixels", m.pixels},
+          {"boundary_pixels", m.boundary_pixels},
+          {"different_on_boundary", m.different_on_boundary},
+          {"different_inside", m.different_inside},
+          {"mismatch", m.mismatch()},
+          {"boundary_mismatch", m.boundary_mismatch()},
+          {"interior_mismatch", m.interior_mismatch()},
+          {"lit", m.lit},
+          {"missing", m.missing},
+          {"extra", m.extra},
+          {"missing_far", m.missing_far},
+          {"extra_far", m.extra_far}};
+}
+
 }  // namespace
 
 std::string compare_table(const SceneComparison& comparison) {
   std::string text = fmt::format("{} {}", comparison.scene, view_text(comparison));
   if (!comparison.pictures.empty())
     text += fmt::format(", {:.1f} px of lines are seen", comparison.pictures.front().metrics.true_length);
-  text += "\n" + lines_heading();
+  TextTable table = lines_table();
   for (const ComparedPicture& compared : comparison.pictures)
-    text += lines_row(compared.name, compared.metrics, exactness_text(compared));
-  text += faces_text(comparison);
+    add_lines(table, compared.name, compared.metrics, exactness_text(compared));
+  text += "\n" + table.text() + faces_text(comparison);
   if (comparison.guest) text += guest_text(*comparison.guest);
   return text + reasons_text(comparison.not_applicable);
 }
@@ -161,13 +219,15 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
     text += fmt::format(", {} of {} points are lit, {} at edges", any.lit, any.pixels, any.boundary_pixels);
   }
   if (view.picture == guests::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
-  text += "\n" + points_heading();
+  TextTable table = points_table();
   for (const ComparedRaster& compared : comparison.rasters)
-    text += points_row(compared.name, compared.metrics);
+    add_points(table, compared.name, compared.metrics);
+  text += "\n" + table.text();
   if (comparison.vectors) {
-    const LineMetrics& m = comparison.vectors->metrics;
-    text += fmt::format("as lines, of which {:.1f} px are seen\n", m.true_length) + lines_heading() +
-            lines_row(comparison.vectors->name, m, "");
+    TextTable lines = lines_table();
+    add_lines(lines, comparison.vectors->name, comparison.vectors->metrics, "");
+    text += fmt::format("as lines, of which {:.1f} px are seen\n", comparison.vectors->metrics.true_length) +
+            lines.text();
   }
   text += comparison.agrees()
               ? fmt::format("guest and twin: identical in every dot and mask; drawn in {:.3f} s\n",
@@ -175,6 +235,52 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
                                 static_cast<double>(core::ClockRate{}.hertz))
               : "guest and twin differ: " + comparison.guest_difference + "\n";
   return text;
+}
+
+Json compare_json(const SceneComparison& comparison) {
+  Json document{{"scene", comparison.scene},
+                {"perspective", comparison.camera.perspective},
+                {"eye", comparison.camera.eye},
+                {"forward", comparison.camera.forward},
+                {"pixels_a_unit", comparison.frame.scale},
+                {"agrees", comparison.agrees()},
+                {"pictures", Json::array()}};
+  for (const ComparedPicture& compared : comparison.pictures)
+    document["pictures"].push_back(line_json(compared));
+  document["faces"] = Json::array();
+  for (const compare::ComparedFaces& compared : comparison.faces) {
+    Json row = points_json(compared.name, compared.metrics);
+    row["not_separated"] = compared.not_solved;
+    document["faces"].push_back(std::move(row));
+  }
+  if (comparison.guest) {
+    document["guest"] = {{"identical_to_twin", comparison.guest->difference.empty()},
+                         {"difference", comparison.guest->difference},
+                         {"status", jones::name(comparison.guest->status)},
+                         {"display_words", comparison.guest->words},
+                         {"emulated_ns", comparison.guest->time.count()}};
+  }
+  document["not_compared"] = reasons_json(comparison.not_applicable);
+  return document;
+}
+
+Json compare_json(const std::string& name, const HeightComparison& comparison) {
+  Json document{{"function", name},
+                {"picture", picture_name(comparison.view.picture)},
+                {"rotation", comparison.view.rotation},
+                {"elevation", comparison.view.elevation},
+                {"agrees", comparison.agrees()},
+                {"pictures", Json::array()}};
+  for (const ComparedRaster& compared : comparison.rasters)
+    document["pictures"].push_back(points_json(compared.name, compared.metrics));
+  if (comparison.vectors) {
+    document["vectors"] = {{"name", comparison.vectors->name}};
+    document["vectors"].update(metrics_json(comparison.vectors->metrics));
+  }
+  document["guest"] = {{"identical_to_twin", comparison.agrees()},
+                       {"difference", comparison.guest_difference},
+                       {"t_states", comparison.guest_time.count()}};
+  return document;
 }
 
 std::vector<std::string> write_overlays(const std::string& directory, const SceneComparison& comparison) {

@@ -17,15 +17,6 @@ namespace {
 namespace jones = guests::jones;
 using base::Json;
 
-constexpr const char* demo_examples =
-    "Examples:\n"
-    "  sightline demo\n"
-    "      Jones's program on the PDP-7, all scenes with and without the EAE, then Skala's on the 8080, "
-    "eight functions as lines, surfaces and contours; the pictures go to out/; then both held against "
-    "oracles\n"
-    "  sightline demo -o pictures --json\n"
-    "      the same, the tables as one JSON document\n";
-
 struct DemoArguments {
   std::string directory = "out";
   bool json = false;
@@ -96,7 +87,7 @@ Json document_of(const std::vector<Row>& rows, const std::string& directory) {
 ExitCode run_demo(const DemoArguments& arguments) {
   std::vector<Row> rows;
   for (const std::string_view name : scene::builtin_scene_names()) {
-    const scene::CellScene scene = load_scene(std::string(name));
+    const scene::CellScene scene = load_cells(std::string(name));
     for (const bool eae : {true, false})
       rows.push_back(run_scene(std::string(name), scene, eae, arguments.directory));
   }
@@ -135,12 +126,10 @@ ExitCode run_demo(const DemoArguments& arguments) {
 }  // namespace
 
 void add_demo_command(const Command& program) {
-  const Command command =
-      program.add_command("demo", "Run both machines on all their scenes and functions, and compare");
+  const Command command = program.add_command("demo", help_page("demo"));
   const auto arguments = std::make_shared<DemoArguments>();
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments->json, "One JSON document instead of the table");
-  command.footer(demo_examples);
   command.run([arguments] { return run_demo(*arguments); });
 }
 

@@ -81,7 +81,7 @@ bool DemoComparison::agrees() const {
 DemoComparison compare_for_demo() {
   DemoComparison comparison;
   for (const std::string_view name : scene::builtin_scene_names()) {
-    auto compared = compare::compare_cell_scene(load_scene(std::string(name)), {});
+    auto compared = compare::compare_cell_scene(load_cells(std::string(name)), {});
     if (!compared)
       throw Failure(ExitCode::guest_failed, fmt::format("{}: {}", name, compared.error().message()));
     comparison.scenes.push_back(std::move(*compared));

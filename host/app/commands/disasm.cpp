@@ -45,13 +45,12 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine,
 }  // namespace
 
 void add_disasm_command(const Command& program) {
-  const Command command =
-      program.add_command("disasm", "Disassemble a tape, a core image or an 8080 program");
-  command.footer(help_text("disasm"));
+  const Command command = program.add_command("disasm", help_page("disasm"));
   for (const MachineDescription* machine : guests::run::machines()) {
     for (const Disassembler& disassembler : machine->disassemblers) {
-      add_machine_command(command, disassembler.name, disassembler.help, options_of(*machine, disassembler),
-                          help_text("disasm_" + std::string(disassembler.name)),
+      const HelpPage help = help_page("disasm_" + std::string(disassembler.name),
+                                      {{"summary", std::string(disassembler.help)}});
+      add_machine_command(command, disassembler.name, help, options_of(*machine, disassembler),
                           [machine, &disassembler](const Arguments& arguments) {
                             return disassemble(*machine, disassembler, arguments);
                           });

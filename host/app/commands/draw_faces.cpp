@@ -1,5 +1,4 @@
-// See draw_faces.hpp.
-#include "host/app/commands/draw_faces.hpp"
+// `sightline draw METHOD SCENE` for methods that say which face is seen at each point.
 
 #include <fmt/format.h>
 
@@ -9,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "host/app/commands/draw_camera.hpp"
+#include "host/app/commands/draw.hpp"
 #include "host/app/commands/face_shades.hpp"
-#include "host/app/scene_source.hpp"
+#include "host/app/scene_argument.hpp"
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
@@ -36,34 +35,11 @@ struct DrawFacesArguments {
   bool json = false;
 };
 
-std::string draw_faces_footer(std::string_view algorithm) {
-  return fmt::format(
-      "Examples:\n"
-      "  sightline draw {0} town-100 -o town.png\n"
-      "      a generated town, filled\n"
-      "  sightline draw {0} boxes-30 --picture lines --pixels 1024x1024 -o boxes.png\n"
-      "      lines where one face ends and another begins\n"
-      "  sightline draw {0} town-35 --frames 125 -o flight.apng\n"
-      "      once around the scene in five seconds of 25 frames, for a browser\n\n"
-      "{1}Surfaces that could not be separated, and may be drawn in the wrong order, are named on standard "
-      "error.\n",
-      algorithm, camera_help);
-}
-
 std::pair<int, int> faces_size(const std::string& text) {
   if (const auto size = base::whole_numbers<int, 2>(text, 'x', 1, picture::png_size_limit))
     return {(*size)[0], (*size)[1]};
   throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
                                              text, picture::png_size_limit));
-}
-
-template <class Value>
-Value faces_checked(base::Result<Value> result, const SceneSource& source) {
-  if (!result) {
-    result.error().file = source.name;
-    throw Failure(ExitCode::bad_input, result.error().message());
-  }
-  return std::move(*result);
 }
 
 void name_not_solved(const harness::PreparedFaces& prepared) {
@@ -90,7 +66,7 @@ scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::Pol
   return scene::aimed_camera(frame, eye, direction);
 }
 
-base::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
+base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                 const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
                 const harness::FaceWindow& window) {
   const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
@@ -110,7 +86,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
                                 error ? error->message() + "; --eye says where the flight begins"
                                       : std::string("the eye leaves the coordinates there are")));
     }
-    const auto view = faces_checked(prepared.view(camera, window), source);
+    const auto view = value_of(prepared.view(camera, window), source.name);
     const auto added =
         writer.add(arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, shades));
     if (!added) throw Failure(ExitCode::io, added.error().message());
@@ -120,7 +96,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const SceneSource& source,
   return std::move(*bytes);
 }
 
-base::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource& source,
+base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                        const harness::FaceView& view) {
   const auto bytes = picture::encode_png(
       arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, face_shades(source.scene)),
@@ -130,7 +106,7 @@ base::Bytes draw_still(const DrawFacesArguments& arguments, const SceneSource& s
 }
 
 void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments,
-                         const SceneSource& source, const harness::PreparedFaces& prepared,
+                         const scene::LoadedScene& source, const harness::PreparedFaces& prepared,
                          const std::vector<harness::FaceCount>& counts) {
   using base::Json;
   const auto object = [](const std::vector<harness::FaceCount>& list) {
@@ -153,7 +129,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
         fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
   }
   const auto [width, height] = faces_size(arguments.pixels);
-  const SceneSource source = load_scene_source(arguments.scene);
+  const scene::LoadedScene source = load_scene(arguments.scene);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   if (arguments.field) {
     require_finite("--field", *arguments.field);
@@ -167,7 +143,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
   Output file(arguments.output);
   harness::FaceOptions options = arguments.options;
   options.vertical = frame_of(arguments.camera, source.scene).vertical;
-  const auto prepared = faces_checked(algorithm.prepare(source.scene, options), source);
+  const auto prepared = value_of(algorithm.prepare(source.scene, options), source.name);
   name_not_solved(prepared);
   constexpr double usual_field = 60;
   const auto extent = flight && !arguments.field ? std::optional(usual_field) : arguments.field;
@@ -176,7 +152,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
   if (flight) {
     file.write(std::span<const std::uint8_t>(fly(arguments, source, prepared, camera, window)));
   } else {
-    const auto view = faces_checked(prepared.view(camera, window), source);
+    const auto view = value_of(prepared.view(camera, window), source.name);
     counts = view.counts;
     file.write(std::span<const std::uint8_t>(draw_still(arguments, source, view)));
   }
@@ -189,7 +165,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
 
 void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawFacesArguments>();
-  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.option("SCENE", arguments->scene, scene_help).required();
   command
       .option("-o,--output", arguments->output, "The picture, .png, or a flight once around the scene, .apng")
       .required()
@@ -221,7 +197,6 @@ void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algori
   command.flag("--rule90", arguments->options.rule90,
                "The paper's rule that normals be within 90 degrees, which is wrong");
   command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
-  command.footer(draw_faces_footer(algorithm.name));
   command.run([arguments, &algorithm] { return run_draw_faces(algorithm, *arguments); });
 }
 

@@ -1,12 +1,11 @@
-#include "host/app/commands/draw_skala.hpp"
-
+// `sightline draw skala`: a surface over a grid with its hidden parts removed.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 
 #include "host/algorithms/skala/draw.hpp"
-#include "host/app/commands/draw_output.hpp"
+#include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/base/json.hpp"
@@ -17,25 +16,6 @@ namespace {
 
 using algorithms::skala::Family;
 using algorithms::skala::Subject;
-
-constexpr const char* draw_skala_examples =
-    "Examples:\n"
-    "  sightline draw skala sinc -o sinc.svg\n"
-    "      slices of a function by name, in layers for a drawing program\n"
-    "  sightline draw skala heights.csv --along both --rotate 120 -o net.plt\n"
-    "      the net of a grid file, for a plotter\n"
-    "  sightline draw skala --function \"sin(x)*cos(z)\" --picture contours --levels 12 -o map.png\n"
-    "      contours of a function of your own\n"
-    "  sightline draw skala peaks --points 512 --slices 512 --picture surface --pixels 2000x1500 -o p.png\n"
-    "      a shaded surface\n\n"
-    "GRID is a function by name (sinc rogers peaks franke saddle cosr step rosen flat spike gauss terrain) "
-    "or a "
-    "file: CSV or gnuplot's matrix, a line a slice, the first one in front, nan for a hole; or gnuplot's x y "
-    "z "
-    "blocks, the least y in front. --slices and --points say how finely\na function is sampled; a file has "
-    "its own size. The drawing is stretched to "
-    "the "
-    "paper.\n";
 
 struct DrawSkalaArguments {
   SkalaSource source;
@@ -126,7 +106,6 @@ void add_draw_skala(const Command& command) {
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
   command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
-  command.footer(draw_skala_examples);
   command.run([arguments] { return run_draw_skala(*arguments); });
 }
 

@@ -6,7 +6,6 @@
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/machine_command.hpp"
-#include "host/app/eae_option.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
@@ -17,24 +16,6 @@ namespace {
 
 namespace jones = guests::jones;
 using base::Json;
-
-constexpr const char* jones_examples =
-    "Examples:\n"
-    "  sightline jones roberts -o pictures\n"
-    "      the notched block as the PDP-7 with EAE computes it, with its pictures and its times\n"
-    "  sightline jones street4 --no-eae --at 120,90,60 --scale 700\n"
-    "      another view, without the extended arithmetic element\n\n"
-    "This is the old program itself, on scenes of cells. `sightline draw jones` draws any scene by its "
-    "method "
-    "with a program of today.\n\n"
-    "View 1 is computed while the display is still dark, view 2 while the first picture is being refreshed "
-    "and\n"
-    "steals cycles. --switches takes a script of lines `SECONDS OCTAL` for the AC switches: 400000 left, "
-    "200000\n"
-    "right, 100000 up, 040000 down, 020000 in, 010000 out, 004000 bigger, 002000 smaller, 2 lines at once,\n"
-    "1 stereo pair; they take effect between views. Seconds are emulated. A picture below 30 refreshes a "
-    "second\n"
-    "flickers. Pictures: SCENE.png (one pass, every point), SCENE-phosphor.png (the screen), SCENE.svg.\n";
 
 struct JonesArguments {
   std::string scene;
@@ -132,7 +113,7 @@ std::string summary_of(const JonesArguments& arguments, const jones::Program& pr
 }
 
 ExitCode run_jones(const JonesArguments& arguments) {
-  const scene::CellScene scene = load_scene(arguments.scene);
+  const scene::CellScene scene = load_cells(arguments.scene);
   const jones::Session session = session_for(scene, arguments);
   const jones::Program& program = session.program();
   const jones::CheckedRun checked = session.run(guest_options(arguments));
@@ -162,10 +143,9 @@ ExitCode run_jones(const JonesArguments& arguments) {
 }  // namespace
 
 void add_jones_command(const Command& program) {
-  const Command command =
-      program.add_command("jones", "Run Jones's hidden-line program (1971) on the emulated PDP-7");
+  const Command command = program.add_command("jones", help_page("jones"));
   const auto arguments = std::make_shared<JonesArguments>();
-  command.option("SCENE", arguments->scene, scene_argument_help).required();
+  command.option("SCENE", arguments->scene, cells_help).required();
   add_eae_options(command, arguments->no_eae);
   command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
       .default_value()
@@ -186,7 +166,6 @@ void add_jones_command(const Command& program) {
       .range(1, 1000);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments->json, "One JSON document instead of the summary");
-  command.footer(jones_examples);
   command.run([arguments] { return run_jones(*arguments); });
 }
 

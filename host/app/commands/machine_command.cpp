@@ -1,12 +1,9 @@
 // See machine_command.hpp.
 #include "host/app/commands/machine_command.hpp"
 
-#include <algorithm>
 #include <memory>
 
 namespace sightline::app {
-
-[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> help_files();
 
 namespace {
 
@@ -31,10 +28,10 @@ Option add(const Command& command, const guests::run::Option& option, Arguments:
 
 }  // namespace
 
-void add_machine_command(const Command& parent, std::string_view name, std::string_view summary,
-                         std::span<const guests::run::Option> options, const std::string& below,
+void add_machine_command(const Command& parent, std::string_view name, const HelpPage& help,
+                         std::span<const guests::run::Option> options,
                          std::function<ExitCode(const Arguments&)> work) {
-  const Command command = parent.add_command(std::string(name), std::string(summary));
+  const Command command = parent.add_command(std::string(name), help);
   const auto arguments = std::make_shared<Arguments>(options);
   for (const guests::run::Option& option : options) {
     const Option added = add(command, option, arguments->value(option.key()));
@@ -50,16 +47,7 @@ void add_machine_command(const Command& parent, std::string_view name, std::stri
     if (!option.excludes.empty())
       static_cast<void>(added.excludes(command.added(std::string(option.excludes))));
   }
-  command.footer(below);
   command.run([arguments, work = std::move(work)] { return work(*arguments); });
-}
-
-std::string help_text(std::string_view name) {
-  const auto files = help_files();
-  const std::string file = std::string(name) + ".txt";
-  const auto found =
-      std::find_if(files.begin(), files.end(), [&file](const auto& each) { return each.first == file; });
-  return found == files.end() ? std::string() : std::string(found->second);
 }
 
 Failure failure(const guests::run::Refusal& refusal) {

@@ -13,13 +13,10 @@
 
 namespace sightline::app {
 
-// One subcommand of `parent`. `below`: what the help says below the options.
-void add_machine_command(const Command& parent, std::string_view name, std::string_view summary,
-                         std::span<const guests::run::Option> options, const std::string& below,
+// One subcommand of `parent`.
+void add_machine_command(const Command& parent, std::string_view name, const HelpPage& help,
+                         std::span<const guests::run::Option> options,
                          std::function<ExitCode(const guests::run::Arguments&)> work);
-
-// The text help/NAME.txt.
-[[nodiscard]] std::string help_text(std::string_view name);
 
 [[nodiscard]] Failure failure(const guests::run::Refusal& refusal);
 // The value, or a Failure for what was refused.

@@ -8,8 +8,7 @@
 namespace sightline::app {
 
 void add_report_command(const Command& program) {
-  program.add_command("report",
-                      "Measure the old programs and all algorithms beside the papers: one page, with tables");
+  program.add_command("report", help_page("report").summary);
 }
 
 ExitCode run_report_program(char** argv) {

@@ -112,12 +112,12 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
 }  // namespace
 
 void add_run_command(const Command& program) {
-  const Command command =
-      program.add_command("run", "Run a program of your own on an emulated machine: PDP-7 or 8080");
-  command.footer(help_text("run"));
+  const Command command = program.add_command("run", help_page("run"));
   for (const MachineDescription* machine : guests::run::machines()) {
-    const std::string below = help_text("run_" + std::string(machine->name)) + machine->more_help;
-    add_machine_command(command, machine->name, machine->help, machine->options, below,
+    HelpPage help =
+        help_page("run_" + std::string(machine->name), {{"summary", std::string(machine->help)}});
+    help.text += machine->more_help;
+    add_machine_command(command, machine->name, help, machine->options,
                         [machine](const Arguments& arguments) { return run(*machine, arguments); });
   }
 }

@@ -1,183 +1,482 @@
+// `sightline scene`: what is known of a scene, and a scene in other forms.
+#include "host/scene/generate/scene.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/scene_check.hpp"
-#include "host/app/commands/scene_compartment.hpp"
-#include "host/app/commands/scene_generate.hpp"
-#include "host/app/commands/scene_info.hpp"
-#include "host/app/commands/scene_poly.hpp"
 #include "host/app/scene_argument.hpp"
-#include "host/app/scene_source.hpp"
 #include "host/base/json.hpp"
+#include "host/base/text_table.hpp"
 #include "host/guests/jones/encode.hpp"
+#include "host/scene/check/cell_complex.hpp"
+#include "host/scene/check/poly_shells.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_bounds.hpp"
 #include "host/scene/read/builtin.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/read/poly_file.hpp"
 
 namespace sightline::app {
 
 namespace {
 
 using base::Json;
+using base::TextTable;
 
-struct SceneArguments {
-  std::string scene;
-  std::string at;
-  std::string output = "-";
-  bool json = false;
-};
+// Openings through which the cells are entered from outside.
+std::size_t openings_outside(const scene::CellComplex& complex) {
+  return static_cast<std::size_t>(
+      std::count_if(complex.openings.begin(), complex.openings.end(), [](const auto& opening) {
+        return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
+      }));
+}
 
-// --- tape
+std::string_view method_name(scene::CompartmentMethod method) {
+  return method == scene::CompartmentMethod::bsp ? "bsp" : "grid";
+}
 
-constexpr const char* tape_examples =
-    "Examples:\n"
-    "  sightline scene tape house -o house.s\n"
-    "      the source tape that is assembled together with Jones's program\n"
-    "  sightline scene tape my-room.json --at 120,60,30 -o room.s\n"
-    "      a scene of your own, seen from another point; its cell becomes the initial one\n\n"
-    "--at takes decimal numbers; x points right, y up, z away from the viewer. A point inside a solid, "
-    "outside\n"
-    "everything, or too near the far side of its cell is an error.\n";
-
-void tape(const SceneArguments& arguments) {
-  guests::jones::TapeOptions options;
-  if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
-  const scene::CellScene scene = load_scene(arguments.scene);
-  auto text = guests::jones::write_tape(scene, options);
-  if (!text) {
-    text.error().file = arguments.scene;
-    throw Failure(ExitCode::bad_input, text.error().message());
+// As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
+void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
+  const auto format = scene::poly_format_of(path);
+  if (!format && path != "-") {
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
   }
-  Output output(arguments.output);
-  output.write(*text);
+  const std::string text = value_of(scene::write_poly(scene, format.value_or(scene::PolyFormat::json)), name);
+  Output output(path);
+  output.write(text);
   output.commit();
 }
 
+// --- tape
+
+struct TapeArguments {
+  std::string scene;
+  std::string at;
+  std::string output = "-";
+};
+
+ExitCode tape(const TapeArguments& arguments) {
+  guests::jones::TapeOptions options;
+  if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
+  const scene::CellScene scene = load_cells(arguments.scene);
+  const std::string text = value_of(guests::jones::write_tape(scene, options), arguments.scene);
+  Output output(arguments.output);
+  output.write(text);
+  output.commit();
+  return ExitCode::ok;
+}
+
 void add_tape(const Command& parent) {
-  const Command command = parent.add_command("tape", "Write a scene as a source tape of Jones's program");
-  const auto arguments = std::make_shared<SceneArguments>();
-  command.option("SCENE", arguments->scene, scene_argument_help).required();
+  const Command command = parent.add_command("tape", help_page("scene_tape"));
+  const auto arguments = std::make_shared<TapeArguments>();
+  command.option("SCENE", arguments->scene, cells_help).required();
   command.option("--at,--eye", arguments->at, "The eye").default_value("the scene's own view").value("X,Y,Z");
   command.option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
       .default_value()
       .value("FILE");
-  command.footer(tape_examples);
-  command.run([arguments] {
-    tape(*arguments);
-    return ExitCode::ok;
-  });
+  command.run([arguments] { return tape(*arguments); });
 }
 
 // --- check
 
-constexpr const char* check_examples =
-    "Examples:\n"
-    "  sightline scene check my-room.json\n"
-    "      every error on a line: file, cell, opening or solid, and what is wrong with it\n"
-    "  sightline scene check --json my-room.json\n"
-    "      the same as one JSON document, for a program\n\n"
-    "Checked, exactly: cells and solids overlap nowhere and fill the outer box; every opening is shared by "
-    "its two\n"
-    "cells and its outline closes; every point of every face is opaque or in one opening; lines lie on their "
-    "cell; the\n"
-    "default view is in a cell. Of polyhedra: faces are planar and simple, holes inside them, solids closed "
-    "and facing\n"
-    "outwards, no vertex twice or for nothing, the camera's eye in free space. Of cells cut by `sightline "
-    "scene\n"
-    "compartment`: the polyhedra, and that cells and openings are a possible cutting of the space between "
-    "them.\n"
-    "A scene with errors ends with exit code 4.\n";
+struct ShowArguments {
+  std::string scene;
+  bool json = false;
+};
 
-ExitCode check(const SceneArguments& arguments) {
-  const SceneText file = read_scene_text(arguments.scene);
-  const auto [errors, changes] = check_scene_text(file);
-  if (arguments.json) {
-    Json document{{"schema", "sightline/scene-check/1"}, {"scene", file.name}, {"possible", errors.empty()}};
-    document["errors"] = Json::array();
-    for (const auto& error : errors)
-      document["errors"].push_back({{"place", error.place}, {"cause", error.found}});
-    print_json(document);
-  } else {
-    for (const auto& error : errors) complain(error.message());
-    tell(changes);
-    if (errors.empty()) write_stdout(file.name + ": a possible scene\n");
+ExitCode check(const ShowArguments& arguments) {
+  scene::SceneReading reading = scene::read_scene(find_scene(arguments.scene));
+  const std::string& name = reading.loaded.name;
+  // Where the eye is, is known only among bodies that are in order.
+  if (reading.errors.empty() && reading.loaded.kind != scene::SceneKind::cells) {
+    if (auto error = scene::eye_error(reading.loaded.scene, reading.loaded.scene.camera)) {
+      error->file = name;
+      reading.errors.push_back(std::move(*error));
+    }
   }
-  return errors.empty() ? ExitCode::ok : ExitCode::bad_input;
-}
-
-void add_check(const Command& parent) {
-  const Command command = parent.add_command("check", "Say everything that is wrong with a scene");
-  const auto arguments = std::make_shared<SceneArguments>();
-  command.option("SCENE", arguments->scene, scene_source_help).required();
-  command.flag("--json", arguments->json, "One JSON document instead of lines");
-  command.footer(check_examples);
-  command.run([arguments] { return check(*arguments); });
+  const bool possible = reading.errors.empty();
+  if (arguments.json) {
+    Json errors = Json::array();
+    for (const base::Error& error : reading.errors)
+      errors.push_back({{"place", error.place}, {"cause", error.found}});
+    print_json({{"schema", "sightline/scene-check/1"},
+                {"scene", name},
+                {"possible", possible},
+                {"errors", std::move(errors)}});
+  } else {
+    for (const base::Error& error : reading.errors) complain(error.message());
+    tell(reading.loaded.report);
+    if (possible) write_stdout(name + ": a possible scene\n");
+  }
+  return possible ? ExitCode::ok : ExitCode::bad_input;
 }
 
 // --- info
 
-constexpr const char* info_examples =
-    "Examples:\n"
-    "  sightline scene info street4\n"
-    "      how many cells, openings and lines, and how much of core they take\n"
-    "  sightline scene info --json street4\n"
-    "      the same as one JSON document\n"
-    "  sightline scene info part.cells.json\n"
-    "      of cells cut by `sightline scene compartment`, and of the polyhedra they were made of\n";
+constexpr const char* info_schema = "sightline/scene-info/1";
 
-void add_info(const Command& parent) {
-  const Command command = parent.add_command("info", "Describe a scene");
-  const auto arguments = std::make_shared<SceneArguments>();
-  command.option("SCENE", arguments->scene, scene_source_help).required();
+std::string point_text(const geometry::Point& p) {
+  return fmt::format("{},{},{}", p[0], p[1], p[2]);
+}
+
+std::string box_text(const geometry::Point& low, const geometry::Point& high) {
+  return fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2]);
+}
+
+Json box_json(const geometry::Box& box) {
+  return Json::array({box.low, box.high});
+}
+
+TextTable facts_table() {
+  return TextTable({-15, 0});
+}
+
+void describe_cells(const scene::CellScene& scene, const std::string& name, bool json) {
+  const guests::jones::EncodedScene core = value_of(guests::jones::encode(scene), name);
+  std::size_t lines = 0;
+  for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
+  if (json) {
+    print_json({{"schema", info_schema},
+                {"name", scene.name},
+                {"cells", scene.cells.size()},
+                {"openings", scene.openings.size()},
+                {"solids", scene.solids.size()},
+                {"walls", scene.walls.size()},
+                {"cell_lines", lines},
+                {"outer", box_json(scene.outer)},
+                {"default_view", scene.default_view},
+                {"initial_cell", core.view.cell},
+                {"eye_limits", box_json(core.view.limits)},
+                {"words", core.words.size()},
+                {"cell_words", core.cell_words},
+                {"opening_words", core.opening_words}});
+    return;
+  }
+  TextTable facts = facts_table();
+  facts.row({"name", scene.name});
+  facts.row({"cells", fmt::format("{}, with {} lines", scene.cells.size(), lines)});
+  facts.row({"openings", fmt::format("{}", scene.openings.size())});
+  facts.row({"matter", fmt::format("{} solids, {} walls", scene.solids.size(), scene.walls.size())});
+  facts.row({"outer box", box_text(scene.outer.low, scene.outer.high)});
+  facts.row(
+      {"default view", fmt::format("{}, in cell {}", point_text(scene.default_view), core.view.cell)});
+  facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
+  facts.row({"words of core", fmt::format("{} of {} (cells {}, openings {}, header {})", core.words.size(),
+                                          guests::jones::core_words, core.cell_words, core.opening_words,
+                                          guests::jones::scene_header_words)});
+  write_stdout(facts.text());
+}
+
+struct PolyCounts {
+  explicit PolyCounts(const scene::PolyScene& scene) {
+    for (const scene::PolyBody& body : scene.bodies) {
+      sheets += body.sheet ? 1U : 0U;
+      for (const scene::PolyFace& face : body.faces) holes += face.holes.size();
+      const auto sides = scene::face_edges(body);
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        edges += i == 0 || !sides[i].same_edge(sides[i - 1]) ? 1U : 0U;
+    }
+  }
+
+  std::size_t edges = 0;
+  std::size_t holes = 0;
+  std::size_t sheets = 0;
+};
+
+Json polyhedra_json(const scene::PolyScene& scene) {
+  const PolyCounts counts(scene);
+  const scene::PolyBounds bounds = scene::bounds_of(scene);
+  return {{"schema", info_schema},
+          {"name", scene.name},
+          {"vertices", scene.vertices.size()},
+          {"edges", counts.edges},
+          {"faces", scene::face_count(scene)},
+          {"holes", counts.holes},
+          {"bodies", scene.bodies.size()},
+          {"sheets", counts.sheets},
+          {"bounds", Json::array({bounds.low, bounds.high})},
+          {"step", scene.step},
+          {"origin", scene.origin}};
+}
+
+void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
+  const PolyCounts counts(scene);
+  const scene::PolyBounds bounds = scene::bounds_of(scene);
+  if (!scene.name.empty()) facts.row({"name", scene.name});
+  facts.row({"vertices", fmt::format("{}", scene.vertices.size())});
+  facts.row({"edges", fmt::format("{}", counts.edges)});
+  facts.row({"faces", fmt::format("{}, with {} holes", scene::face_count(scene), counts.holes)});
+  facts.row(
+      {"bodies", fmt::format("{} solids, {} sheets", scene.bodies.size() - counts.sheets, counts.sheets)});
+  facts.row({"bounds", box_text(bounds.low, bounds.high)});
+  facts.row({"step", fmt::format("{}", scene.step)});
+  facts.row({"camera", fmt::format("{} at {}", scene.camera.perspective ? "perspective" : "orthographic",
+                                   point_text(scene.camera.eye))});
+}
+
+void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
+  const scene::PolyImportReport& report = loaded.report;
+  if (json) {
+    Json document = polyhedra_json(loaded.scene);
+    document.update({{"quantised", report.quantised},
+                     {"largest_shift", report.largest_shift},
+                     {"split_faces", report.split_faces},
+                     {"largest_deviation", report.largest_deviation}});
+    return print_json(document);
+  }
+  tell(report);
+  TextTable facts = facts_table();
+  list_polyhedra(loaded.scene, facts);
+  write_stdout(facts.text());
+}
+
+void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
+  const scene::CellComplex& complex = loaded.compartments->complex;
+  const std::string_view method = method_name(loaded.compartments->method);
+  const std::size_t outside = openings_outside(complex);
+  if (json) {
+    Json document = polyhedra_json(loaded.scene);
+    document.update({{"method", method},
+                     {"cells", complex.cells.size()},
+                     {"openings", complex.openings.size()},
+                     {"openings_outside", outside},
+                     {"cell_lines", complex.lines.size()},
+                     {"planes", complex.planes.size()},
+                     {"outer", box_json(complex.outer)}});
+    return print_json(document);
+  }
+  TextTable facts = facts_table();
+  list_polyhedra(loaded.scene, facts);
+  facts.row(
+      {"cells", fmt::format("{}, with {} lines; by {}", complex.cells.size(), complex.lines.size(), method)});
+  facts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
+  facts.row({"planes", fmt::format("{}", complex.planes.size())});
+  facts.row({"outer box", box_text(complex.outer.low, complex.outer.high)});
+  write_stdout(facts.text());
+}
+
+ExitCode info(const ShowArguments& arguments) {
+  const scene::LoadedScene loaded = load_found(find_scene(arguments.scene));
+  switch (loaded.kind) {
+    case scene::SceneKind::cells: describe_cells(*loaded.cells, loaded.name, arguments.json); break;
+    case scene::SceneKind::polyhedra: describe_polyhedra(loaded, arguments.json); break;
+    case scene::SceneKind::cell_complex: describe_decomposition(loaded, arguments.json); break;
+  }
+  return ExitCode::ok;
+}
+
+void add_show(const Command& parent, const char* name, ExitCode (*show)(const ShowArguments&)) {
+  const Command command = parent.add_command(name, help_page(std::string("scene_") + name));
+  const auto arguments = std::make_shared<ShowArguments>();
+  command.option("SCENE", arguments->scene, scene_help).required();
   command.flag("--json", arguments->json, "One JSON document instead of lines");
-  command.footer(info_examples);
-  command.run([arguments] {
-    describe_scene_text(read_scene_text(arguments->scene), arguments->json);
-    return ExitCode::ok;
-  });
+  command.run([arguments, show] { return show(*arguments); });
 }
 
 // --- list
 
-constexpr const char* list_examples =
-    "Examples:\n"
-    "  sightline scene list\n"
-    "  for s in $(sightline scene list); do sightline scene info $s; done\n";
+ExitCode list(bool json) {
+  const auto names = scene::builtin_scene_names();
+  if (json) {
+    print_json({{"schema", "sightline/scene-list/1"}, {"scenes", names}});
+  } else {
+    for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
+  }
+  return ExitCode::ok;
+}
 
 void add_list(const Command& parent) {
-  const Command command = parent.add_command("list", "The names of the built-in scenes");
-  const auto arguments = std::make_shared<SceneArguments>();
-  command.flag("--json", arguments->json, "One JSON document instead of lines");
-  command.footer(list_examples);
-  command.run([arguments] {
-    const auto names = scene::builtin_scene_names();
-    if (arguments->json) {
-      const Json document{{"schema", "sightline/scene-list/1"}, {"scenes", names}};
-      print_json(document);
-    } else {
-      for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
-    }
-    return ExitCode::ok;
-  });
+  const Command command = parent.add_command("list", help_page("scene_list"));
+  const auto json = std::make_shared<bool>(false);
+  command.flag("--json", *json, "One JSON document instead of lines");
+  command.run([json] { return list(*json); });
+}
+
+// --- convert
+
+struct ConvertArguments {
+  std::string scene;
+  std::string output = "-";
+  bool mend = false;
+};
+
+ExitCode convert(const ConvertArguments& arguments) {
+  scene::SceneFile file = find_scene(arguments.scene);
+  if (arguments.mend && !scene::can_be_mended(file))
+    throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
+  const scene::LoadedScene loaded = load_found(std::move(file), {.mend = arguments.mend});
+  tell(loaded.report);
+  write_scene(loaded.scene, loaded.name, arguments.output);
+  return ExitCode::ok;
+}
+
+void add_convert(const Command& parent) {
+  const Command command = parent.add_command("convert", help_page("scene_convert"));
+  const auto arguments = std::make_shared<ConvertArguments>();
+  command.option("SCENE", arguments->scene, scene_help).required();
+  command.flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
+  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+      .default_value()
+      .value("FILE");
+  command.run([arguments] { return convert(*arguments); });
+}
+
+// --- generate
+
+struct GenerateArguments {
+  std::string family;
+  std::size_t size = 1;
+  std::uint64_t seed = 1;
+  std::string output = "-";
+};
+
+// What SIZE counts; host/scene/generate/scene.hpp says what the families look like.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> family_sizes{{
+    {"boxes", "SIZE boxes anywhere that touch nowhere"},
+    {"edgeon", "SIZE such boxes, looked at from the plane of a face"},
+    {"touch", "SIZE x SIZE x SIZE cubes that share faces"},
+    {"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
+    {"town", "SIZE buildings on the ground"},
+    {"triangles", "SIZE triangles"},
+    {"bricks", "SIZE small boxes that may touch, fewer where there is no room"},
+    {"rooms", "SIZE x SIZE rooms with doors and hatches"},
+    {"big_rooms", "SIZE x SIZE such rooms, all lengths divided by 5"},
+    {"corridors", "SIZE rooms one behind the other"},
+    {"prisms", "SIZE turned houses of one height"},
+}};
+
+std::string families_help() {
+  std::string text;
+  for (const std::string_view name : scene::generator_names()) {
+    const auto* const row = std::find_if(family_sizes.begin(), family_sizes.end(),
+                                         [name](const auto& family) { return family.first == name; });
+    text +=
+        fmt::format("{}  {:<9}  {}, at most {}", text.empty() ? "" : "\n", name,
+                    row == family_sizes.end() ? "SIZE" : row->second, scene::largest_generated_size(name));
+  }
+  return text;
+}
+
+ExitCode generate(const GenerateArguments& arguments) {
+  const auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
+  if (!scene) throw Failure(ExitCode::usage, scene.error().message());
+  write_scene(*scene, arguments.family, arguments.output);
+  return ExitCode::ok;
+}
+
+void add_generate(const Command& parent) {
+  const Command command =
+      parent.add_command("generate", help_page("scene_generate", {{"families", families_help()}}));
+  const auto arguments = std::make_shared<GenerateArguments>();
+  command.option("FAMILY", arguments->family, "One of those below").required();
+  command.option("SIZE", arguments->size, "How many of what: see below")
+      .required()
+      .check(why_no_whole_number);
+  command.option("--seed", arguments->seed, "Another seed, another scene")
+      .check(why_no_whole_number)
+      .default_value()
+      .value("N");
+  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+      .default_value()
+      .value("FILE");
+  command.run([arguments] { return generate(*arguments); });
+}
+
+// --- decompose
+
+struct DecomposeArguments {
+  std::string scene;
+  std::string method = "auto";
+  std::string output;
+  bool json = false;
+};
+
+scene::CompartmentMethod method_named(std::string_view name) {
+  if (name == "bsp") return scene::CompartmentMethod::bsp;
+  return name == "grid" ? scene::CompartmentMethod::grid : scene::CompartmentMethod::automatic;
+}
+
+void write_counts(const DecomposeArguments& arguments, const scene::Compartments& result) {
+  const scene::CellComplex& complex = result.complex;
+  const std::size_t outside = openings_outside(complex);
+  if (arguments.json) {
+    return print_json({{"schema", "sightline/scene-compartment/1"},
+                       {"scene", arguments.scene},
+                       {"method", method_name(result.method)},
+                       {"cells", complex.cells.size()},
+                       {"openings", complex.openings.size()},
+                       {"openings_outside", outside},
+                       {"lines", complex.lines.size()},
+                       {"edges", complex.edges.size()},
+                       {"planes", complex.planes.size()}});
+  }
+  TextTable counts({-10, 0});
+  counts.row({"method", method_name(result.method)});
+  counts.row({"cells", fmt::format("{}", complex.cells.size())});
+  counts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
+  counts.row({"lines", fmt::format("{}, parts of {} edges", complex.lines.size(), complex.edges.size())});
+  counts.row({"planes", fmt::format("{}", complex.planes.size())});
+  write_stdout(counts.text());
+}
+
+// The file it writes is that of host/scene/read/cell_complex_file.hpp.
+ExitCode decompose(const DecomposeArguments& arguments) {
+  std::unique_ptr<Output> output;
+  if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
+  const scene::LoadedScene source = load_scene(arguments.scene);
+  const scene::Compartments result =
+      value_of(scene::compartments_of(source.scene, method_named(arguments.method)), arguments.scene);
+  const auto errors = scene::check_complex(result.complex, source.scene);
+  for (const base::Error& error : errors) complain(error.message());
+  if (!errors.empty()) return ExitCode::differs;
+  if (output) {
+    scene::write_cell_complex(source.scene, result, [&](std::string_view text) { output->write(text); });
+    output->commit();
+  }
+  if (!output || !output->is_stdout()) write_counts(arguments, result);
+  return ExitCode::ok;
+}
+
+void add_decompose(const Command& parent) {
+  const Command command = parent.add_command("decompose", help_page("scene_decompose"));
+  command.also_called("compartment");
+  const auto arguments = std::make_shared<DecomposeArguments>();
+  command.option("SCENE", arguments->scene, scene_help).required();
+  command.option("--method", arguments->method, "How space is cut")
+      .one_of({"auto", "grid", "bsp"})
+      .default_value()
+      .value("METHOD");
+  command
+      .option("-o,--output", arguments->output,
+              "Where the cells go as JSON; - is standard output, without the counts")
+      .value("FILE");
+  command.flag("--json", arguments->json, "The counts as one JSON document");
+  command.run([arguments] { return decompose(*arguments); });
 }
 
 }  // namespace
 
 void add_scene_command(const Command& program) {
-  const Command command = program.add_command(
-      "scene", "Scenes: list, check, describe, convert, generate, cut into cells, write as a tape");
-  command.footer(
-      "Examples:\n"
-      "  sightline scene info house\n"
-      "  sightline scene tape house -o house.s\n"
-      "  sightline scene check part.off\n");
+  const Command command = program.add_command("scene", help_page("scene"));
   add_tape(command);
-  add_check(command);
-  add_info(command);
+  add_show(command, "check", &check);
+  add_show(command, "info", &info);
   add_list(command);
-  add_scene_convert(command);
-  add_scene_generate(command);
-  add_scene_compartment_command(command);
+  add_convert(command);
+  add_generate(command);
+  add_decompose(command);
 }
 
 }  // namespace sightline::app

@@ -19,29 +19,8 @@ using guests::skala::Link;
 using guests::skala::PictureKind;
 using picture::RasterPalette;
 
-constexpr const char* skala_examples =
-    "Examples:\n"
-    "  sightline skala lines sinc -o pictures\n"
-    "      the paper's figure: 60 slices of 33 points, rotated and seen from above, in a second; the paper: "
-    "about two\n"
-    "  sightline skala lines peaks --both --elevate 45\n"
-    "      slices along x and along z, cell by cell\n"
-    "  sightline skala surface --function \"sin(sqrt(x*x+z*z))\" --domain -9:9\n"
-    "      a shaded surface of a function of your own, in eight greys\n"
-    "  sightline skala contours heights.csv --levels 12 --net\n"
-    "      contours of a grid file, with the net of its cells\n"
-    "  sightline skala lines rogers --device calcomp -o plot\n"
-    "      step by step on a drum plotter: rogers.png, .svg and .hpgl\n\n";
-
-std::string footer() {
-  return fmt::format(
-      "{}FUNCTION is a name ({})\nor a file: CSV, gnuplot's matrix (the first line in front) or its x y z "
-      "blocks (the "
-      "least y in\nfront). Every picture is compared with a native twin of the program before it is written. "
-      "Seconds are\nthose of the emulated 8080. `sightline draw skala` draws by the same method with a "
-      "program "
-      "of today.\n",
-      skala_examples, scene::height_function_names());
+HelpPage skala_help() {
+  return help_page("skala", {{"functions", scene::height_function_names()}});
 }
 
 struct SkalaArguments {
@@ -138,7 +117,7 @@ void add_output_options(const Command& command, SkalaArguments& arguments) {
 }
 
 void add_picture(const Command& parent, const char* name, const char* description, PictureKind picture) {
-  const Command command = parent.add_command(name, description);
+  const Command command = parent.add_command(name, HelpPage{description, skala_help().text});
   const auto arguments = std::make_shared<SkalaArguments>();
   arguments->order.view.picture = picture;
   arguments->order.view.rotation = 30;
@@ -146,20 +125,17 @@ void add_picture(const Command& parent, const char* name, const char* descriptio
   add_view_options(command, *arguments);
   add_machine_options(command, *arguments);
   add_output_options(command, *arguments);
-  command.footer(footer());
   command.run([arguments] { return run_skala(*arguments); });
 }
 
 }  // namespace
 
 void add_skala_command(const Command& program) {
-  const Command command = program.add_command(
-      "skala", "Run Skala's programs (1985) on the emulated 8080: functions of two variables");
+  const Command command = program.add_command("skala", skala_help());
   add_picture(command, "lines", "Slices of a surface with hidden lines removed", PictureKind::lines);
   add_picture(command, "surface", "A shaded surface with hidden parts removed", PictureKind::surface);
   add_picture(command, "contours", "Contour lines on a surface with hidden parts removed",
               PictureKind::contours);
-  command.footer(footer());
 }
 
 }  // namespace sightline::app

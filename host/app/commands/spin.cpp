@@ -14,7 +14,7 @@
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/scene_source.hpp"
+#include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -25,15 +25,6 @@ namespace {
 namespace native = algorithms::plantinga;
 
 constexpr double degree = std::numbers::pi / 180;
-
-constexpr const char* spin_examples =
-    "Examples:\n"
-    "  sightline spin part.off -o part.apng\n"
-    "      one turn, a frame every 3 degrees\n"
-    "  sightline spin part.obj --vertical z -o part.apng\n"
-    "      a file whose z points up\n"
-    "  sightline spin part.off --events part.events --step 1 -o part.apng\n"
-    "      the events of the turn are kept in a file, and read from it the next time\n";
 
 struct SpinOptions {
   std::string scene;
@@ -141,7 +132,7 @@ void spin(const SpinOptions& options) {
     throw Failure(ExitCode::usage,
                   fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
-  const SceneSource source = load_scene_source(options.scene);
+  const scene::LoadedScene source = load_scene(options.scene);
   const scene::PolyScene scene = stood_up(source.scene, options.vertical);
   if (const auto reason = native::why_not(scene)) {
     throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
@@ -180,11 +171,8 @@ void spin(const SpinOptions& options) {
 
 void add_spin_command(const Command& program) {
   const auto options = std::make_shared<SpinOptions>();
-  const Command command = program.add_command("spin",
-                                              "Turn a scene about its vertical axis without hidden lines, "
-                                              "as an animated PNG, after Plantinga, Seales and "
-                                              "Dyer (1990)");
-  command.option("SCENE", options->scene, scene_source_help).required();
+  const Command command = program.add_command("spin", help_page("spin"));
+  command.option("SCENE", options->scene, scene_help).required();
   command.option("-o,--output", options->out, "The animated PNG").required().value("FILE");
   command
       .option("--events", options->events,
@@ -207,7 +195,6 @@ void add_spin_command(const Command& program) {
       .default_value();
   command.option("--rate", options->rate, "Frames a second").range(1, 100).default_value();
   command.flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
-  command.footer(spin_examples);
   command.run([options] {
     require_finite("--step", options->step);
     require_finite("--tolerance", options->tolerance);

@@ -1,50 +1,33 @@
+// `sightline sweep`: algorithms compared with each other over many random views of a scene.
+#include "host/compare/sweep.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/sweep_file.hpp"
-#include "host/app/eae_option.hpp"
-#include "host/app/scene_source.hpp"
+#include "host/app/scene_argument.hpp"
 #include "host/base/number.hpp"
 #include "host/base/parallel.hpp"
 #include "host/base/progress.hpp"
-#include "host/compare/sweep.hpp"
 
 namespace sightline::app {
 
 namespace {
-
-constexpr const char* sweep_examples =
-    "Examples:\n"
-    "  sightline sweep boxes-30 --views 1000 -o boxes.jsonl\n"
-    "      a thousand random views; the same command again goes on where an interruption stopped it\n"
-    "  sightline sweep street4 --views 200 --guest\n"
-    "      Jones's program on the emulated PDP-7, too: against its twin word for word, and how wrong it is\n"
-    "  sightline sweep house --turn --views 500\n"
-    "      the native algorithms on a scene of cells, in all directions\n"
-    "  sightline sweep part.off --views 5000 --seed 7 --algorithm jones,oracle --shard 2/10 -o 2.jsonl\n"
-    "      the second tenth of five thousand views, for one machine of ten\n\n"
-    "One line of JSON a view, in order: the camera, and for each algorithm the pieces of edges it sees, "
-    "their "
-    "length\nin the image (null where they run out to infinity), whether it agrees with `exact` piece for "
-    "piece, "
-    "and what it did.\nView k depends on the scene, the seed and k alone. Shards are stretches of views: one "
-    "after the other they are the\nfile that one run would have made, byte for byte (but for --time).\n\n"
-    "On several machines with GNU parallel, which keeps the order:\n"
-    "  parallel -k sightline sweep part.off --views 5000 --jobs 1 --shard {}/10 ::: $(seq 10) > p.jsonl\n"
-    "  parallel -k --sshlogin one,two --transferfile part.off ...      the same on two machines\n"
-    "With Slurm, an array of ten jobs, then cat:\n"
-    "  sbatch --array=1-10 --wrap 'sightline sweep part.off --views 5000 \\\n"
-    "    --shard $SLURM_ARRAY_TASK_ID/10 -o part-$(printf %03d $SLURM_ARRAY_TASK_ID).jsonl'\n"
-    "  cat part-*.jsonl > part.jsonl\n"
-    "A job that was stopped is started again with the same command.\n";
 
 constexpr std::uint64_t most_views = 1'000'000'000;
 
@@ -80,7 +63,7 @@ compare::SweepShard shard_argument(const SweepArguments& arguments) {
 
 // Unless asked for: all that apply but the oracle, which is slow.
 std::vector<const harness::LineAlgorithm*> algorithms_of(const SweepArguments& arguments,
-                                                         const SceneSource& source) {
+                                                         const scene::LoadedScene& source) {
   std::vector<const harness::LineAlgorithm*> result;
   for (const std::string& name : arguments.algorithms) {
     const harness::LineAlgorithm* const algorithm = harness::find_line_algorithm(name);
@@ -98,7 +81,7 @@ std::vector<const harness::LineAlgorithm*> algorithms_of(const SweepArguments& a
   return result;
 }
 
-compare::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& source) {
+compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScene& source) {
   if (source.scene.vertices.empty())
     throw Failure(ExitCode::bad_input, fmt::format("{}: nothing in it can be seen", source.name));
   if (arguments.guest && !source.cells) {
@@ -123,6 +106,107 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const SceneSource& sour
   return std::move(*sweep);
 }
 
+// --- the output: a file of lines that grows while it is made and is continued after an interruption
+//
+// Not written beside its place and renamed, as other outputs are: every whole line counts. A last line
+// without its end, which an interruption may leave, is dropped.
+
+class SweepFile {
+ public:
+  // "-" is standard output. Failure io: it cannot be read or written, or is just being written by another.
+  explicit SweepFile(const std::string& path);
+  ~SweepFile();
+  SweepFile(const SweepFile&) = delete;
+  SweepFile& operator=(const SweepFile&) = delete;
+
+  // Passes every whole line, with its line feed, to `keep` until that says no; cuts the file off there if
+  // what follows is a line without end, or nothing. Returns how many were kept; -1 - that if a whole line was
+  // refused, and the file is as it was.
+  [[nodiscard]] std::int64_t keep_lines(const std::function<bool(std::string_view)>& keep);
+
+  // Failure io.
+  void append(std::string_view line);
+
+ private:
+  std::string path_;
+  int file_ = -1;
+  bool regular_ = false;
+};
+
+[[noreturn]] void fail_with_errno(const std::string& path, const char* doing = "cannot write") {
+  throw Failure(ExitCode::io, path + ": " + doing + ": " + std::strerror(errno));
+}
+
+SweepFile::SweepFile(const std::string& path) : path_(path) {
+  if (path == "-") {
+    path_ = "standard output";
+    file_ = STDOUT_FILENO;
+    return;
+  }
+  // A pipe is opened for writing only: reading and writing it would not fail when nobody reads.
+  struct stat about {};
+  const bool exists = stat(path.c_str(), &about) == 0;
+  regular_ = !exists || S_ISREG(about.st_mode);
+  file_ = open(path.c_str(), (regular_ ? O_RDWR | O_CREAT : O_WRONLY) | O_CLOEXEC, 0666);
+  if (file_ < 0) fail_with_errno(path);
+  if (regular_ && flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const int why = errno;
+    close(file_);
+    file_ = -1;
+    errno = why;
+    if (why == EWOULDBLOCK) throw Failure(ExitCode::io, path + ": is being written by another sweep");
+    fail_with_errno(path);
+  }
+}
+
+SweepFile::~SweepFile() {
+  if (file_ > STDERR_FILENO) close(file_);
+}
+
+std::int64_t SweepFile::keep_lines(const std::function<bool(std::string_view)>& keep) {
+  if (!regular_) return 0;
+  std::string held;
+  std::vector<char> block(std::size_t{1} << 16);
+  std::int64_t kept = 0;
+  off_t length = 0;
+  while (true) {
+    const ssize_t count = read(file_, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_with_errno(path_, "cannot read");
+    if (count == 0) break;
+    held.append(block.data(), static_cast<std::size_t>(count));
+    std::size_t from = 0;
+    for (std::size_t end = held.find('\n'); end != std::string::npos; end = held.find('\n', from)) {
+      if (!keep(std::string_view(held).substr(from, end + 1 - from))) return -1 - kept;
+      ++kept;
+      length += static_cast<off_t>(end + 1 - from);
+      from = end + 1;
+    }
+    held.erase(0, from);
+  }
+  if (ftruncate(file_, length) != 0 || lseek(file_, length, SEEK_SET) < 0) fail_with_errno(path_);
+  return kept;
+}
+
+void SweepFile::append(std::string_view line) {
+  const off_t start = regular_ ? lseek(file_, 0, SEEK_CUR) : 0;
+  while (!line.empty()) {
+    const ssize_t count = write(file_, line.data(), line.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int why = errno;
+      // A full disk leaves whole lines. What is left of this one if even that fails, the next sweep takes
+      // off.
+      if (regular_) static_cast<void>(ftruncate(file_, start) == 0);
+      errno = why;
+      fail_with_errno(path_);
+    }
+    line.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+// --- the sweep
+
 // How many views of the shard the file has already.
 std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const compare::Sweep& sweep,
                          const compare::SweepShard& shard, std::uint64_t& differing) {
@@ -144,7 +228,7 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
 
 ExitCode run_sweep(const SweepArguments& arguments) {
   const compare::SweepShard shard = shard_argument(arguments);
-  const SceneSource source = load_scene_source(arguments.scene);
+  const scene::LoadedScene source = load_scene(arguments.scene);
   const compare::Sweep sweep = sweep_of(arguments, source);
   SweepFile file(arguments.output);
   std::uint64_t differing = 0;
@@ -182,10 +266,9 @@ ExitCode run_sweep(const SweepArguments& arguments) {
 }  // namespace
 
 void add_sweep_command(const Command& program) {
-  const Command command =
-      program.add_command("sweep", "Hold algorithms against each other over many random views of a scene");
+  const Command command = program.add_command("sweep", help_page("sweep"));
   const auto arguments = std::make_shared<SweepArguments>();
-  command.option("SCENE", arguments->scene, scene_source_help).required();
+  command.option("SCENE", arguments->scene, scene_help).required();
   command.option("--views", arguments->views, "How many views there are in all")
       .required()
       .range(std::uint64_t{1}, most_views)
@@ -218,7 +301,6 @@ void add_sweep_command(const Command& program) {
               "Where the lines go; a file that is there already is gone on with; - is standard output")
       .default_value()
       .value("FILE");
-  command.footer(sweep_examples);
   command.run([arguments] { return run_sweep(*arguments); });
 }
 

@@ -1,0 +1,75 @@
+// The parts of `sightline draw`, and the options that its methods share: from where a scene is drawn, and
+// where the drawing goes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/algorithms/registry/faces.hpp"
+#include "host/app/command_line.hpp"
+#include "host/picture/vector_drawing.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::app {
+
+// `draw METHOD SCENE` for a method that says which face is seen at each point: filled faces, their outlines,
+// or a flight as an animated PNG. The method is one of the registry's, which does not end.
+void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm);
+// `draw skala`: a surface over a grid of heights.
+void add_draw_skala(const Command& command);
+
+// --- from where
+
+struct CameraArguments {
+  std::string eye;  // "X,Y,Z", as all of these; empty: not given
+  std::string look_at;
+  std::string orthographic;
+  std::string forward;
+  std::string right;
+  std::string up;
+  std::string vertical;
+};
+
+void add_camera_options(const Command& command, CameraArguments& arguments);
+
+// How the scene's coordinates are meant: as --vertical says, else as the scene's own camera does. Not as the
+// camera asked for: one that looks steeply down has the horizontal for its up.
+[[nodiscard]] scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene);
+
+// The scene's own camera changed as the options say; in free space, unless the camera is orthographic.
+// `source` names the scene in errors. Failure usage: options that contradict each other or are no vectors.
+// Failure bad_input: the eye is inside a solid or on a face, which are named.
+[[nodiscard]] scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,
+                                          const std::string& source);
+
+// --- where to
+
+enum class DrawingFormat { svg, png, hpgl };
+
+struct DrawOutput {
+  std::optional<Command> command;  // whose options these are
+  std::string file;
+  picture::Paper paper;          // SVG and HP-GL
+  std::string size = "200x200";  // of the paper, millimetres
+  std::string pixels = "1024x1024";
+  picture::ImageSize image;
+};
+
+// --output, --size, --margin, --pen, --pixels.
+void add_draw_output_options(const Command& command, DrawOutput& output);
+
+// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, in small or capital letters. Failure
+// usage, also of a size that the format does not have.
+[[nodiscard]] DrawingFormat settled(DrawOutput& output);
+
+// Failure usage if `option` was given: it means nothing without what `needed` names.
+void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
+
+// Into output.file, opened before the drawing was made. It is there whole or not at all. Failure io. A
+// drawing of nothing is warned about.
+void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
+                   const std::string& title, Output& file);
+
+}  // namespace sightline::app

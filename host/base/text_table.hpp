@@ -1,0 +1,33 @@
+// Plain text in columns, for people: a row is one line, its cells padded to the widths of their columns.
+//
+// A column has the same width in every table of a command, so that tables below each other line up and
+// scripts that cut columns keep working. A cell longer than its column moves the rest of its own row only.
+// Blanks at the end of a line are left out.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sightline::base {
+
+class TextTable {
+ public:
+  // Positive: that many characters, the text at the right. Negative: the text at the left. 0: as it is.
+  explicit TextTable(std::vector<int> widths) : widths_(std::move(widths)) {}
+
+  // At most as many cells as there are columns.
+  void row(std::initializer_list<std::string_view> cells);
+  // A line that is not in columns, without its end.
+  void line(std::string_view text);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::vector<int> widths_;
+  std::string text_;
+};
+
+}  // namespace sightline::base

@@ -1,0 +1,129 @@
+#include "host/scene/read/load.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "host/base/number.hpp"
+#include "host/scene/check/cell_scene.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/read/cell_scene.hpp"
+#include "host/scene/read/poly_file.hpp"
+#include "host/scene/read/poly_json.hpp"
+
+namespace sightline::scene {
+namespace {
+
+// "boxes-100" or "boxes-100-7", of a known family.
+std::optional<GeneratedSceneName> generated_name(std::string_view text) {
+  for (const std::string_view family : generator_names()) {
+    if (!text.starts_with(family) || !text.substr(family.size()).starts_with("-")) continue;
+    std::string_view rest = text.substr(family.size() + 1);
+    GeneratedSceneName name{family, 0, 1};
+    if (const std::size_t dash = rest.find('-'); dash != std::string_view::npos) {
+      const auto seed = base::unsigned_number(rest.substr(dash + 1));
+      if (!seed) return std::nullopt;
+      name.seed = *seed;
+      rest = rest.substr(0, dash);
+    }
+    if (const auto size = base::whole_number<std::size_t>(rest)) {
+      name.size = *size;
+      return name;
+    }
+  }
+  return std::nullopt;
+}
+
+void read_cells(const SceneFile& file, SceneReading& reading) {
+  auto cells = read_cell_scene(file.text, file.name);
+  if (!cells) {
+    reading.errors.push_back(std::move(cells.error()));
+    return;
+  }
+  reading.errors = check_scene(*cells);
+  if (reading.errors.empty()) reading.loaded.scene = poly_scene_of(*cells);
+  reading.loaded.cells = std::move(*cells);
+}
+
+void read_polyhedra(SceneFile& file, const PolyImportOptions& options, SceneReading& reading) {
+  if (file.generated) {
+    reading.loaded.scene = std::move(*file.generated);
+    reading.loaded.report.step = reading.loaded.scene.step;
+  } else {
+    auto import = read_poly(file.text, file.name, poly_format_of(file.name, file.text), options);
+    if (!import) {
+      reading.errors.push_back(std::move(import.error()));
+      return;
+    }
+    reading.loaded.scene = std::move(import->scene);
+    reading.loaded.report = import->report;
+  }
+  reading.errors = check_poly_scene(reading.loaded.scene);
+}
+
+void read_complex(const SceneFile& file, SceneReading& reading) {
+  auto complex = check_cell_complex(file.text, file.name);
+  if (!complex) {
+    reading.errors = std::move(complex.error());
+    return;
+  }
+  reading.loaded.scene = std::move(complex->scene);
+  reading.loaded.compartments = std::move(complex->compartments);
+}
+
+}  // namespace
+
+std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
+  std::error_code unknown;
+  if (const auto generated = generated_name(name); generated && !std::filesystem::exists(name, unknown)) {
+    auto scene = generate_scene(generated->family, generated->size, generated->seed);
+    if (!scene) return std::move(scene.error());
+    return SceneFile{.name = name, .generated = std::move(*scene)};
+  }
+  if (const auto text = builtin_scene_text(name))
+    return SceneFile{.name = name, .text = std::string(*text), .builtin = true};
+  return std::nullopt;
+}
+
+SceneKind scene_kind_of(const SceneFile& file) {
+  if (file.generated) return SceneKind::polyhedra;
+  if (file.builtin) return SceneKind::cells;
+  if (is_cell_complex(file.text)) return SceneKind::cell_complex;
+  const bool polyhedra = poly_format_of(file.name, file.text) != PolyFormat::json || is_poly_json(file.text);
+  return polyhedra ? SceneKind::polyhedra : SceneKind::cells;
+}
+
+bool can_be_mended(const SceneFile& file) {
+  return !file.builtin && !file.generated && poly_format_of(file.name, file.text) != PolyFormat::json;
+}
+
+SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
+  SceneReading reading;
+  reading.loaded.name = file.name;
+  reading.loaded.kind = scene_kind_of(file);
+  switch (reading.loaded.kind) {
+    case SceneKind::cells: read_cells(file, reading); break;
+    case SceneKind::polyhedra: read_polyhedra(file, options, reading); break;
+    case SceneKind::cell_complex: read_complex(file, reading); break;
+  }
+  for (base::Error& error : reading.errors) error.file = reading.loaded.name;
+  return reading;
+}
+
+base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options) {
+  // What a generator makes is in order: tests check every family.
+  if (file.generated) return LoadedScene{.name = file.name, .scene = std::move(*file.generated)};
+  SceneReading reading = read_scene(std::move(file), options);
+  if (reading.errors.empty()) return std::move(reading.loaded);
+  base::Error first = std::move(reading.errors.front());
+  // The errors of a cell decomposition follow from each other more often than not.
+  if (reading.errors.size() > 1 && reading.loaded.kind != SceneKind::cell_complex)
+    first.found += " (the first of " + std::to_string(reading.errors.size()) + " errors)";
+  return first;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,63 @@
+// A scene as a user names it, whatever it is: built in, generated, or the text of a file of any kind.
+//
+// Two steps. named_scene finds what a name stands for without reading a file; the text of a file or of
+// standard input comes from the caller, who knows how to fail. read_scene or load_scene then makes a scene of
+// it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/scene/cells/decompose.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/poly_import.hpp"
+
+namespace sightline::scene {
+
+// What a scene is read from: a text, or a generated scene, which has none.
+struct SceneFile {
+  std::string name;  // named in errors; its ending tells the format
+  std::string text = {};
+  bool builtin = false;
+  std::optional<PolyScene> generated = {};
+};
+
+// A built-in scene, or a generated one: FAMILY-SIZE or FAMILY-SIZE-SEED, such as boxes-100-7, if no file has
+// that name. Nothing if the name is neither. An error for a generated scene of an impossible size.
+[[nodiscard]] std::optional<base::Result<SceneFile>> named_scene(const std::string& name);
+
+enum class SceneKind {
+  cells,         // of the PDP-7 program; a text that is nothing else
+  polyhedra,     // OFF or OBJ by its name or beginning, JSON with bodies, or generated
+  cell_complex,  // a cell decomposition: JSON that names its schema
+};
+// By name and text alone: the text may have any error.
+[[nodiscard]] SceneKind scene_kind_of(const SceneFile& file);
+// OFF and OBJ have damage that can be mended; JSON, built-in and generated scenes are taken as they are.
+[[nodiscard]] bool can_be_mended(const SceneFile& file);
+
+struct LoadedScene {
+  std::string name;
+  SceneKind kind = SceneKind::polyhedra;
+  PolyScene scene;                           // of every kind
+  std::optional<CellScene> cells;            // of kind cells
+  std::optional<Compartments> compartments;  // of kind cell_complex
+  PolyImportReport report;                   // of kind polyhedra: what was changed while reading
+};
+
+// Read and checked. An error is the first of those that read_scene finds, and says how many there are.
+[[nodiscard]] base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options = {});
+
+struct SceneReading {
+  LoadedScene loaded;  // complete if there are no errors; else as far as it was read
+  std::vector<base::Error>
+      errors;  // all that a check names: see check_scene, check_poly_scene, check_complex
+};
+// The cameras of scenes are not checked: see eye_error.
+[[nodiscard]] SceneReading read_scene(SceneFile file, const PolyImportOptions& options = {});
+
+}  // namespace sightline::scene
