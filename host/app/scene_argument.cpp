@@ -42,7 +42,7 @@ scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOpti
 
 scene::LoadedScene load_scene(const std::string& argument) {
   scene::LoadedScene loaded = load_found(find_scene(argument));
-  tell(loaded.report);
+  warn_of_changes(loaded.report);
   loaded.name = argument;
   return loaded;
 }
@@ -53,9 +53,11 @@ scene::CellScene load_cells(const std::string& argument) {
     throw Failure(ExitCode::usage,
                   fmt::format("{}: found the name of a generated scene, {}", argument, cells_expected));
   }
-  if (scene_kind_of(file) != scene::SceneKind::cells)
-    throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", file.name, cells_expected));
-  return *load_found(std::move(file)).cells;
+  const std::string name = file.name;
+  scene::SceneReading reading = scene::read_scene(std::move(file));
+  if (reading.loaded.kind != scene::SceneKind::cells)
+    throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", name, cells_expected));
+  return *value_of(scene::scene_or_error(std::move(reading)), name).cells;
 }
 
 void add_eae_options(const Command& command, bool& no_eae) {
@@ -64,7 +66,7 @@ void add_eae_options(const Command& command, bool& no_eae) {
   command.flag("--no-eae", no_eae, "The PDP-7 without it, where 64xxxx does nothing").excludes(with);
 }
 
-void tell(const scene::PolyImportReport& report) {
+void warn_of_changes(const scene::PolyImportReport& report) {
   if (report.quantised && report.largest_shift > 0) {
     warn(
         fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));

@@ -39,7 +39,7 @@ inline constexpr std::string_view cells_help =
 void add_eae_options(const Command& command, bool& no_eae);
 
 // What was done to the scene while it was read, as warnings.
-void tell(const scene::PolyImportReport& report);
+void warn_of_changes(const scene::PolyImportReport& report);
 
 // "X,Y,Z", decimal integers below 2^15 in magnitude. Failure usage.
 [[nodiscard]] geometry::Point point_argument(std::string_view option, std::string_view text);

@@ -39,9 +39,9 @@ set(RULES
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES
   "png.h=host/picture"
-  "nlohmann/=host/base,host/scene"
+  "nlohmann/=host/base"
   "muParser=host/scene"
-  "CLI/=host/app,host/report/main.cpp"
+  "CLI/=host/app"
   "gtest/=tests"
   "benchmark/=tests")
 

@@ -72,7 +72,7 @@ std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prep
   const harness::FaceWindow window =
       harness::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
-  const auto bytes = picture::encode_png(shaded(seen.faces, face_shades(picture.source.scene)),
+  const auto bytes = picture::encode_png(shaded_image(seen.faces, face_shades(picture.source.scene)),
                                          {{"Title", picture.source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
@@ -201,7 +201,7 @@ void print_summary(const harness::LineAlgorithm& algorithm, const DrawLinesArgum
 }
 
 ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
-  const DrawingFormat format = settled(arguments.output);
+  const DrawingFormat format = read_draw_output(arguments.output);
   const scene::LoadedScene source = load_scene(arguments.scene);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments, camera);

@@ -62,7 +62,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output);
 
 // Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, in small or capital letters. Failure
 // usage, also of a size that the format does not have.
-[[nodiscard]] DrawingFormat settled(DrawOutput& output);
+[[nodiscard]] DrawingFormat read_draw_output(DrawOutput& output);
 
 // Failure usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);

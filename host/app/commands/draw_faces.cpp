@@ -88,7 +88,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
     }
     const auto view = value_of(prepared.view(camera, window), source.name);
     const auto added =
-        writer.add(arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, shades));
+        writer.add(arguments.picture == "lines" ? outline_image(view.faces) : shaded_image(view.faces, shades));
     if (!added) throw Failure(ExitCode::io, added.error().message());
   }
   auto bytes = writer.finish();
@@ -99,7 +99,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
 base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                        const harness::FaceView& view) {
   const auto bytes = picture::encode_png(
-      arguments.picture == "lines" ? outlined(view.faces) : shaded(view.faces, face_shades(source.scene)),
+      arguments.picture == "lines" ? outline_image(view.faces) : shaded_image(view.faces, face_shades(source.scene)),
       {{"Title", source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   return *bytes;

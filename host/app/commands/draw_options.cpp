@@ -198,7 +198,7 @@ void refuse_option(const DrawOutput& output, const std::string& option, std::str
     throw Failure(ExitCode::usage, fmt::format("{}: found without {}", option, needed));
 }
 
-DrawingFormat settled(DrawOutput& output) {
+DrawingFormat read_draw_output(DrawOutput& output) {
   const auto format = format_of(output.file);
   if (!format)
     throw Failure(ExitCode::usage,

@@ -64,7 +64,7 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
-  const DrawingFormat format = settled(arguments.output);
+  const DrawingFormat format = read_draw_output(arguments.output);
   if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
     throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
   if (view.subject != Subject::contours) {

@@ -47,7 +47,7 @@ std::vector<Shade> face_shades(const scene::PolyScene& scene) {
   return shades;
 }
 
-picture::Image shaded(const picture::PixelGrid& faces, const std::vector<Shade>& shades) {
+picture::Image shaded_image(const picture::PixelGrid& faces, const std::vector<Shade>& shades) {
   picture::Image image(faces.width, faces.height, 3);
   for (int row = 0; row < faces.height; ++row) {
     for (int column = 0; column < faces.width; ++column) {
@@ -61,7 +61,7 @@ picture::Image shaded(const picture::PixelGrid& faces, const std::vector<Shade>&
   return image;
 }
 
-picture::Image outlined(const picture::PixelGrid& faces) {
+picture::Image outline_image(const picture::PixelGrid& faces) {
   const picture::PixelGrid lines = algorithms::willis::outlines(faces);
   picture::Image image(faces.width, faces.height, 1);
   for (int row = 0; row < faces.height; ++row)

@@ -17,8 +17,8 @@ using Shade = std::array<std::uint8_t, 3>;  // red, green, blue
 [[nodiscard]] std::vector<Shade> face_shades(const scene::PolyScene& scene);
 
 // Of face numbers + 1; 0 is sky.
-[[nodiscard]] picture::Image shaded(const picture::PixelGrid& faces, const std::vector<Shade>& shades);
+[[nodiscard]] picture::Image shaded_image(const picture::PixelGrid& faces, const std::vector<Shade>& shades);
 // Black where the number changes, white elsewhere.
-[[nodiscard]] picture::Image outlined(const picture::PixelGrid& faces);
+[[nodiscard]] picture::Image outline_image(const picture::PixelGrid& faces);
 
 }  // namespace sightline::app

@@ -117,7 +117,7 @@ ExitCode check(const ShowArguments& arguments) {
                 {"errors", std::move(errors)}});
   } else {
     for (const base::Error& error : reading.errors) complain(error.message());
-    tell(reading.loaded.report);
+    warn_of_changes(reading.loaded.report);
     if (possible) write_stdout(name + ": a possible scene\n");
   }
   return possible ? ExitCode::ok : ExitCode::bad_input;
@@ -236,7 +236,7 @@ void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
                      {"largest_deviation", report.largest_deviation}});
     return print_json(document);
   }
-  tell(report);
+  warn_of_changes(report);
   TextTable facts = facts_table();
   list_polyhedra(loaded.scene, facts);
   write_stdout(facts.text());
@@ -317,7 +317,7 @@ ExitCode convert(const ConvertArguments& arguments) {
   if (arguments.mend && !scene::can_be_mended(file))
     throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
   const scene::LoadedScene loaded = load_found(std::move(file), {.mend = arguments.mend});
-  tell(loaded.report);
+  warn_of_changes(loaded.report);
   write_scene(loaded.scene, loaded.name, arguments.output);
   return ExitCode::ok;
 }

@@ -39,7 +39,7 @@ struct SpinOptions {
 };
 
 // Turned as a solid body is, so that the axis named points up: the turn is about y.
-scene::PolyScene stood_up(scene::PolyScene scene, std::string_view vertical) {
+scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical) {
   const auto turned = [vertical](const scene::PolyPoint& p) -> scene::PolyPoint {
     if (vertical == "x") return {-p[1], p[0], p[2]};
     if (vertical == "-x") return {p[1], -p[0], p[2]};
@@ -133,7 +133,7 @@ void spin(const SpinOptions& options) {
                   fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
   const scene::LoadedScene source = load_scene(options.scene);
-  const scene::PolyScene scene = stood_up(source.scene, options.vertical);
+  const scene::PolyScene scene = turn_upright(source.scene, options.vertical);
   if (const auto reason = native::why_not(scene)) {
     throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
   }

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/base/json.hpp"
 #include "host/base/number.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
@@ -11,9 +12,8 @@
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
-#include "host/scene/read/cell_scene.hpp"
+#include "host/scene/read/json_documents.hpp"
 #include "host/scene/read/poly_file.hpp"
-#include "host/scene/read/poly_json.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -38,8 +38,8 @@ std::optional<GeneratedSceneName> generated_name(std::string_view text) {
   return std::nullopt;
 }
 
-void read_cells(const SceneFile& file, SceneReading& reading) {
-  auto cells = read_cell_scene(file.text, file.name);
+void take_cells(base::Result<CellScene> cells, SceneReading& reading) {
+  reading.loaded.kind = SceneKind::cells;
   if (!cells) {
     reading.errors.push_back(std::move(cells.error()));
     return;
@@ -49,30 +49,46 @@ void read_cells(const SceneFile& file, SceneReading& reading) {
   reading.loaded.cells = std::move(*cells);
 }
 
-void read_polyhedra(SceneFile& file, const PolyImportOptions& options, SceneReading& reading) {
-  if (file.generated) {
-    reading.loaded.scene = std::move(*file.generated);
-    reading.loaded.report.step = reading.loaded.scene.step;
-  } else {
-    auto import = read_poly(file.text, file.name, poly_format_of(file.name, file.text), options);
-    if (!import) {
-      reading.errors.push_back(std::move(import.error()));
-      return;
-    }
-    reading.loaded.scene = std::move(import->scene);
-    reading.loaded.report = import->report;
+void take_polyhedra(base::Result<PolyImport> import, SceneReading& reading) {
+  reading.loaded.kind = SceneKind::polyhedra;
+  if (!import) {
+    reading.errors.push_back(std::move(import.error()));
+    return;
   }
+  reading.loaded.scene = std::move(import->scene);
+  reading.loaded.report = import->report;
   reading.errors = check_poly_scene(reading.loaded.scene);
 }
 
-void read_complex(const SceneFile& file, SceneReading& reading) {
-  auto complex = check_cell_complex(file.text, file.name);
+void take_complex(CheckedCellComplex complex, SceneReading& reading) {
+  reading.loaded.kind = SceneKind::cell_complex;
   if (!complex) {
     reading.errors = std::move(complex.error());
     return;
   }
   reading.loaded.scene = std::move(complex->scene);
   reading.loaded.compartments = std::move(complex->compartments);
+}
+
+// Which kind a document is, is known before anything in it is looked at.
+void read_json(const SceneFile& file, SceneReading& reading) {
+  const bool names_its_schema = is_cell_complex(file.text);
+  auto document = base::parse_json(file.text, file.name);
+  if (!document) {
+    reading.loaded.kind = names_its_schema ? SceneKind::cell_complex : SceneKind::cells;
+    reading.errors.push_back(std::move(document.error()));
+  } else if (names_its_schema) {
+    take_complex(cell_complex_of(*document, file.name), reading);
+  } else if (is_poly_document(*document)) {
+    auto scene = poly_scene_of(*document, file.name);
+    if (scene) {
+      take_polyhedra(import_unchanged(std::move(*scene)), reading);
+    } else {
+      take_polyhedra(std::move(scene.error()), reading);
+    }
+  } else {
+    take_cells(cell_scene_of(*document, file.name), reading);
+  }
 }
 
 }  // namespace
@@ -89,14 +105,6 @@ std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
   return std::nullopt;
 }
 
-SceneKind scene_kind_of(const SceneFile& file) {
-  if (file.generated) return SceneKind::polyhedra;
-  if (file.builtin) return SceneKind::cells;
-  if (is_cell_complex(file.text)) return SceneKind::cell_complex;
-  const bool polyhedra = poly_format_of(file.name, file.text) != PolyFormat::json || is_poly_json(file.text);
-  return polyhedra ? SceneKind::polyhedra : SceneKind::cells;
-}
-
 bool can_be_mended(const SceneFile& file) {
   return !file.builtin && !file.generated && poly_format_of(file.name, file.text) != PolyFormat::json;
 }
@@ -104,26 +112,31 @@ bool can_be_mended(const SceneFile& file) {
 SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   SceneReading reading;
   reading.loaded.name = file.name;
-  reading.loaded.kind = scene_kind_of(file);
-  switch (reading.loaded.kind) {
-    case SceneKind::cells: read_cells(file, reading); break;
-    case SceneKind::polyhedra: read_polyhedra(file, options, reading); break;
-    case SceneKind::cell_complex: read_complex(file, reading); break;
+  const PolyFormat format = poly_format_of(file.name, file.text);
+  if (file.generated) {
+    take_polyhedra(import_unchanged(std::move(*file.generated)), reading);
+  } else if (format == PolyFormat::json || is_cell_complex(file.text)) {
+    read_json(file, reading);
+  } else {
+    take_polyhedra(read_poly(file.text, file.name, format, options), reading);
   }
-  for (base::Error& error : reading.errors) error.file = reading.loaded.name;
+  for (base::Error& error : reading.errors) error.file = file.name;
   return reading;
 }
 
-base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options) {
-  // What a generator makes is in order: tests check every family.
-  if (file.generated) return LoadedScene{.name = file.name, .scene = std::move(*file.generated)};
-  SceneReading reading = read_scene(std::move(file), options);
+base::Result<LoadedScene> scene_or_error(SceneReading reading) {
   if (reading.errors.empty()) return std::move(reading.loaded);
   base::Error first = std::move(reading.errors.front());
   // The errors of a cell decomposition follow from each other more often than not.
   if (reading.errors.size() > 1 && reading.loaded.kind != SceneKind::cell_complex)
     first.found += " (the first of " + std::to_string(reading.errors.size()) + " errors)";
   return first;
+}
+
+base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options) {
+  // What a generator makes is in order: tests check every family.
+  if (file.generated) return LoadedScene{.name = file.name, .scene = std::move(*file.generated)};
+  return scene_or_error(read_scene(std::move(file), options));
 }
 
 }  // namespace sightline::scene

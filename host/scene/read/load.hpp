@@ -35,8 +35,6 @@ enum class SceneKind {
   polyhedra,     // OFF or OBJ by its name or beginning, JSON with bodies, or generated
   cell_complex,  // a cell decomposition: JSON that names its schema
 };
-// By name and text alone: the text may have any error.
-[[nodiscard]] SceneKind scene_kind_of(const SceneFile& file);
 // OFF and OBJ have damage that can be mended; JSON, built-in and generated scenes are taken as they are.
 [[nodiscard]] bool can_be_mended(const SceneFile& file);
 
@@ -49,15 +47,18 @@ struct LoadedScene {
   PolyImportReport report;                   // of kind polyhedra: what was changed while reading
 };
 
-// Read and checked. An error is the first of those that read_scene finds, and says how many there are.
-[[nodiscard]] base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options = {});
-
 struct SceneReading {
-  LoadedScene loaded;  // complete if there are no errors; else as far as it was read
+  LoadedScene loaded;  // complete if there are no errors; the name and the kind are known always
   std::vector<base::Error>
       errors;  // all that a check names: see check_scene, check_poly_scene, check_complex
 };
-// The cameras of scenes are not checked: see eye_error.
+// Read and checked. The cameras of scenes are not checked: see eye_error.
 [[nodiscard]] SceneReading read_scene(SceneFile file, const PolyImportOptions& options = {});
+
+// The scene, or the first of the errors, which says how many there are.
+[[nodiscard]] base::Result<LoadedScene> scene_or_error(SceneReading reading);
+
+// Both steps; generated scenes are not checked again.
+[[nodiscard]] base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options = {});
 
 }  // namespace sightline::scene

@@ -178,15 +178,19 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
   return PolyFormat::json;
 }
 
+PolyImport import_unchanged(PolyScene scene) {
+  PolyImport result{std::move(scene), {}};
+  result.report.step = result.scene.step;
+  for (const PolyBody& body : result.scene.bodies) result.report.sheets += body.sheet ? 1U : 0U;
+  return result;
+}
+
 base::Result<PolyImport> read_poly(std::string_view text, std::string_view source, PolyFormat format,
                                    const PolyImportOptions& options) {
   if (format == PolyFormat::json) {
     auto scene = read_poly_json(text, source);
     if (!scene) return std::move(scene.error());
-    PolyImport result{std::move(*scene), {}};
-    result.report.step = result.scene.step;
-    for (const PolyBody& body : result.scene.bodies) result.report.sheets += body.sheet ? 1U : 0U;
-    return result;
+    return import_unchanged(std::move(*scene));
   }
   auto mesh = format == PolyFormat::off ? read_off(text, source) : read_obj(text, source);
   if (!mesh) return std::move(mesh.error());

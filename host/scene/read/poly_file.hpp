@@ -21,6 +21,9 @@ enum class PolyFormat { off, obj, json };
 [[nodiscard]] base::Result<PolyImport> read_poly(std::string_view text, std::string_view source,
                                                  PolyFormat format, const PolyImportOptions& options = {});
 
+// What reading says of a scene that was not quantised: JSON, or generated.
+[[nodiscard]] PolyImport import_unchanged(PolyScene scene);
+
 // The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
 // which hide the same; the diagonals are seams. An error names a face for which that cannot be done. Neither

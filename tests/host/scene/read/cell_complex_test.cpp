@@ -104,7 +104,7 @@ TEST(CellComplexFile, NamesWhatIsWrong) {
   }
 }
 
-// Deeper than the stack would hold, were it written again to be read.
+// Deeper than the stack would hold if a reader went down with it.
 TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   std::string text = file_of(generate_boxes(2));
   const std::size_t at = text.find("\"polyhedra\"");
@@ -112,7 +112,7 @@ TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   constexpr std::size_t depth = 1'000'000;
   text.erase(at);
   text += "\"polyhedra\": " + std::string(depth, '[') + std::string(depth, ']') + "}";
-  EXPECT_EQ(error_of(text), "c.json: polyhedra: is nested deeper than any scene of polyhedra");
+  EXPECT_EQ(error_of(text), "c.json: polyhedra: expected an object, found an array of 1");
 }
 
 TEST(CellComplexFile, ACellTakenAwayIsMissed) {

@@ -32,7 +32,7 @@ std::string error_of(SceneFile file) {
 TEST(LoadScene, FindsBuiltInScenes) {
   const SceneFile file = named("house");
   EXPECT_TRUE(file.builtin);
-  EXPECT_EQ(scene_kind_of(file), SceneKind::cells);
+  EXPECT_EQ(read_scene(file).loaded.kind, SceneKind::cells);
   EXPECT_FALSE(can_be_mended(file));
   const auto loaded = load_scene(file);
   ASSERT_TRUE(loaded) << loaded.error().message();
@@ -45,7 +45,7 @@ TEST(LoadScene, MakesGeneratedScenes) {
        {std::pair("boxes-20", generate_boxes(20)), std::pair("town-7-5", generate_town(7, 5)),
         std::pair("big_rooms-2", generate_big_rooms(2))}) {
     SceneFile file = named(name);
-    EXPECT_EQ(scene_kind_of(file), SceneKind::polyhedra);
+    EXPECT_EQ(read_scene(file).loaded.kind, SceneKind::polyhedra);
     EXPECT_FALSE(can_be_mended(file));
     EXPECT_TRUE(read_scene(file).errors.empty());
     EXPECT_EQ(load_scene(std::move(file))->scene, expected) << name;
@@ -85,7 +85,7 @@ TEST(LoadScene, KnowsTheKindOfAText) {
   const PolyScene scene = generate_boxes(2);
   write_cell_complex(scene, *compartments_of(scene), [&](std::string_view piece) { complex += piece; });
   const auto kind = [](const char* name, const std::string& text) {
-    return scene_kind_of({.name = name, .text = text});
+    return read_scene({.name = name, .text = text}).loaded.kind;
   };
   EXPECT_EQ(kind("a.json", std::string(*builtin_scene_text("house"))), SceneKind::cells);
   EXPECT_EQ(kind("a.json", R"({"bodies": []})"), SceneKind::polyhedra);
