@@ -72,7 +72,7 @@ std::vector<Arguments> commands(const std::string& scene) {
           {"scene", "check", "--json", scene},
           {"scene", "info", scene},
           {"scene", "convert", scene, "-o", "to/out.off"},
-          {"scene", "compartment", scene, "-o", "to/cells.json"},
+          {"scene", "decompose", scene, "-o", "to/cells.json"},
           {"draw", "exact", scene, "-o", "to/out.svg"},
           {"draw", "jones", scene, "-o", "to/out.png"},
           {"draw", "oracle", scene, "-o", "to/out.plt"},
@@ -135,7 +135,7 @@ TEST_F(BadInput, AnEyeInsideASolid) {
     expect_refused({"draw", algorithm, "s.json", "-o", "to/out.svg"}, 4, message);
   expect_refused({"compare", "s.json", "-o", "to/out"}, 4, message);
   // Nothing else looks through that eye.
-  EXPECT_EQ(sightline({"scene", "compartment", "s.json"}).exit_code, 0);
+  EXPECT_EQ(sightline({"scene", "decompose", "s.json"}).exit_code, 0);
   EXPECT_EQ(sightline({"sweep", "s.json", "--views", "2"}).exit_code, 0);
   EXPECT_EQ(sightline({"draw", "jones", "s.json", "--eye", "50,40,30", "-o", "to/out.svg"}).exit_code, 0);
 }
@@ -178,7 +178,7 @@ TEST_F(FullDisk, LeavesNothing) {
   expect_full({"scene", "generate", "boxes", "100", "-o", "to/out.json"});
   ASSERT_EQ(BadInput::sightline({"scene", "generate", "boxes", "100", "-o", "boxes.json"}).exit_code, 0);
   expect_full({"scene", "convert", "boxes.json", "-o", "to/out.obj"});
-  expect_full({"scene", "compartment", "boxes-30", "-o", "to/out.json"});
+  expect_full({"scene", "decompose", "boxes-30", "-o", "to/out.json"});
   for (const char* file : {"to/out.svg", "to/out.png", "to/out.plt"})
     expect_full({"draw", "exact", "boxes-100", "-o", file});
   // The folder for the overlays is made before them.
@@ -223,7 +223,7 @@ TEST_F(BadInput, PlacesThatTakeNothing) {
   for (const Arguments& arguments : {Arguments{"scene", "check", "house"},
                                      {"scene", "info", "house"},
                                      {"scene", "convert", "house"},
-                                     {"scene", "compartment", "house"},
+                                     {"scene", "decompose", "house"},
                                      {"sweep", "boxes-2", "--views", "2"}})
     expect_refused(arguments, 5, "standard output: cannot write: No space left on device");
 }

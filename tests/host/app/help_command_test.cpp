@@ -1,4 +1,6 @@
 // --help teaches every option, with examples; --version; the errors of a lost user.
+#include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 #include "tests/host/app/command_line.hpp"
@@ -76,7 +78,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"scene", "check"}, {"SCENE", "--json"});
   expect_help({"scene", "info"}, {"SCENE", "--json"});
   expect_help({"scene", "list"}, {"--json"});
-  expect_help({"scene"}, {"tape", "check", "info", "list", "convert", "generate", "compartment"});
+  expect_help({"scene"}, {"tape", "check", "info", "list", "convert", "generate", "decompose"});
   expect_help({"disasm"}, {"pdp7", "type340"});
   expect_help({"jones"}, {"SCENE", "--eae", "--no-eae", "--at", "--eye", "--scale", "--switches", "--stereo",
                           "--immediate", "-o"});
@@ -138,6 +140,19 @@ TEST_F(HelpCommand, EveryLineFitsAndIsInPlainWords) {
     EXPECT_FALSE(has(help, "\n\n\n")) << help;
   }
   EXPECT_GE(commands.size(), 35U) << "subcommands are not found in the help";
+}
+
+TEST_F(HelpCommand, IsAsWideAsTheTerminal) {
+  ::setenv("COLUMNS", "60", 1);
+  std::istringstream narrow(sightline({"jones", "--help"}).out);
+  ::setenv("COLUMNS", "none", 1);
+  const std::string unknown = sightline({"jones", "--help"}).out;
+  ::unsetenv("COLUMNS");
+  EXPECT_EQ(unknown, sightline({"jones", "--help"}).out);
+  std::size_t longest = 0;
+  for (std::string line; std::getline(narrow, line);) longest = std::max(longest, line.size());
+  EXPECT_LE(longest, 60U);
+  EXPECT_GT(longest, 50U);
 }
 
 TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {

@@ -153,7 +153,7 @@ TEST_F(JonesCommand, AFolderThatCannotBeMade) {
 TEST_F(JonesCommand, ScenesWithoutCells) {
   write("tent.off", "OFF\n4 4 0\n0 0 0\n9 1 0\n4 9 1\n3 2 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   ASSERT_EQ(sightline({"scene", "convert", "tent.off", "-o", "tent.json"}).exit_code, 0);
-  ASSERT_EQ(sightline({"scene", "compartment", "tent.off", "-o", "tent.cells.json"}).exit_code, 0);
+  ASSERT_EQ(sightline({"scene", "decompose", "tent.off", "-o", "tent.cells.json"}).exit_code, 0);
   for (const char* scene : {"tent.off", "tent.json", "tent.cells.json", "rooms-3"}) {
     for (const Arguments& arguments : {Arguments{"jones", scene}, Arguments{"scene", "tape", scene}}) {
       const Ran ran = sightline(arguments);

@@ -44,6 +44,10 @@ TEST_F(OptionNames, SizeOfATurnInPixels) {
   EXPECT_EQ(read("a.apng"), read("b.apng"));
 }
 
+TEST_F(OptionNames, CellDecompositionHasItsFormerName) {
+  expect_same({"scene", "decompose", "boxes-3"}, {"scene", "compartment", "boxes-3"});
+}
+
 TEST_F(OptionNames, GeneratedScenesAreScenesEverywhere) {
   ASSERT_EQ(sightline({"scene", "generate", "boxes", "3", "--seed", "7", "-o", "file.json"}).exit_code, 0);
   expect_same({"scene", "info", "boxes-3-7"}, {"scene", "info", "file.json"});

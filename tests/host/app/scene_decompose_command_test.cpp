@@ -1,4 +1,4 @@
-// `sightline scene compartment`: counts, the file of cells, methods, and what is refused.
+// `sightline scene decompose`: counts, the file of cells, methods, and what is refused.
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -11,10 +11,10 @@ using nlohmann::json;
 using sightline::test::has;
 using sightline::test::Ran;
 
-class SceneCompartmentCommand : public sightline::test::CommandLine {};
+class SceneDecomposeCommand : public sightline::test::CommandLine {};
 
-TEST_F(SceneCompartmentCommand, CountsAndFileAgree) {
-  const Ran ran = sightline({"scene", "compartment", "roberts", "--json", "-o", "cells.json"});
+TEST_F(SceneDecomposeCommand, CountsAndFileAgree) {
+  const Ran ran = sightline({"scene", "decompose", "roberts", "--json", "-o", "cells.json"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json counts = json::parse(ran.out);
   EXPECT_EQ(counts.at("method"), "grid");
@@ -29,11 +29,11 @@ TEST_F(SceneCompartmentCommand, CountsAndFileAgree) {
     lines += cell.at("lines").size();
   }
   EXPECT_EQ(counts.at("lines"), lines);
-  EXPECT_EQ(sightline({"scene", "compartment", "roberts", "-o", "-"}).out, read("cells.json"));
+  EXPECT_EQ(sightline({"scene", "decompose", "roberts", "-o", "-"}).out, read("cells.json"));
 }
 
-TEST_F(SceneCompartmentCommand, CellsAreDrawnWithoutTheScene) {
-  ASSERT_EQ(sightline({"scene", "compartment", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
+TEST_F(SceneDecomposeCommand, CellsAreDrawnWithoutTheScene) {
+  ASSERT_EQ(sightline({"scene", "decompose", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
   for (const char* algorithm : {"jones", "exact"}) {
     const Ran from_cells = sightline({"draw", algorithm, "b.cells.json", "-o", "cells.plt"});
     ASSERT_EQ(from_cells.exit_code, 0) << from_cells.err;
@@ -51,9 +51,9 @@ TEST_F(SceneCompartmentCommand, CellsAreDrawnWithoutTheScene) {
   EXPECT_FALSE(exists("x.svg"));
 }
 
-TEST_F(SceneCompartmentCommand, InfoKnowsTheFile) {
+TEST_F(SceneDecomposeCommand, InfoKnowsTheFile) {
   const json counts =
-      json::parse(sightline({"scene", "compartment", "boxes-5", "--json", "-o", "b.cells.json"}).out);
+      json::parse(sightline({"scene", "decompose", "boxes-5", "--json", "-o", "b.cells.json"}).out);
   const Ran ran = sightline({"scene", "info", "--json", "b.cells.json"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json info = json::parse(ran.out);
@@ -80,8 +80,8 @@ TEST_F(SceneCompartmentCommand, InfoKnowsTheFile) {
             sightline({"scene", "convert", "boxes-5"}).out);
 }
 
-TEST_F(SceneCompartmentCommand, CheckNamesEverythingThatIsWrong) {
-  ASSERT_EQ(sightline({"scene", "compartment", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
+TEST_F(SceneDecomposeCommand, CheckNamesEverythingThatIsWrong) {
+  ASSERT_EQ(sightline({"scene", "decompose", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
   const Ran good = sightline({"scene", "check", "b.cells.json"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
   EXPECT_EQ(good.out, "b.cells.json: a possible scene\n");
@@ -126,19 +126,19 @@ TEST_F(SceneCompartmentCommand, CheckNamesEverythingThatIsWrong) {
   EXPECT_TRUE(has(check(eye)[0].at("cause").get<std::string>(), "eye")) << check(eye);
 }
 
-TEST_F(SceneCompartmentCommand, Methods) {
+TEST_F(SceneDecomposeCommand, Methods) {
   write("wedge.off",
         "OFF\n6 5 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n4 0 4\n0 4 4\n3 0 2 1\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 "
         "3 5\n");
-  const Ran by_grid = sightline({"scene", "compartment", "wedge.off", "--method", "grid", "-o", "w.json"});
+  const Ran by_grid = sightline({"scene", "decompose", "wedge.off", "--method", "grid", "-o", "w.json"});
   EXPECT_EQ(by_grid.exit_code, 4);
   EXPECT_TRUE(has(by_grid.err, "wedge.off: body 0, face 0: has a side")) << by_grid.err;
   EXPECT_FALSE(exists("w.json"));
-  EXPECT_EQ(json::parse(sightline({"scene", "compartment", "wedge.off", "--json"}).out).at("method"), "bsp");
-  EXPECT_TRUE(has(sightline({"scene", "compartment", "house", "--method", "bsp"}).out, "method    bsp"));
-  EXPECT_EQ(sightline({"scene", "compartment", "house", "--method", "best"}).exit_code, 2);
-  EXPECT_EQ(sightline({"scene", "compartment", "missing.off"}).exit_code, 5);
-  EXPECT_EQ(sightline({"scene", "compartment", "house", "-o", "no/x.json"}).exit_code, 5);
+  EXPECT_EQ(json::parse(sightline({"scene", "decompose", "wedge.off", "--json"}).out).at("method"), "bsp");
+  EXPECT_TRUE(has(sightline({"scene", "decompose", "house", "--method", "bsp"}).out, "method    bsp"));
+  EXPECT_EQ(sightline({"scene", "decompose", "house", "--method", "best"}).exit_code, 2);
+  EXPECT_EQ(sightline({"scene", "decompose", "missing.off"}).exit_code, 5);
+  EXPECT_EQ(sightline({"scene", "decompose", "house", "-o", "no/x.json"}).exit_code, 5);
 }
 
 }  // namespace
