@@ -23,25 +23,18 @@ std::string name_of(const JonesOrder& order) {
   return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");
 }
 
-guests::jones::View twin_view(const guests::jones::Program& program, bool stereo) {
-  const std::vector<core::Word18>& words = program.core;
-  guests::jones::Parameters parameters = guests::jones::default_parameters(words, program.labels.scene);
-  parameters.stereo = stereo;
-  return guests::jones::run(words, program.labels.scene, parameters);
-}
-
 std::optional<ReportError> check(const JonesOrder& order, const JonesRun& run,
-                                 const guests::jones::View& twin) {
+                                 const std::string& difference) {
   const std::string name = name_of(order);
   if (run.guest.timed_out || run.guest.views.size() < 2)
     return ReportError{ErrorKind::guest_failed, name + ": the program did not complete two views"};
   if (run.view().status != guests::jones::Status::complete)
     return ReportError{ErrorKind::guest_failed,
                        fmt::format("{}: the view stopped: {}", name, guests::jones::name(run.view().status))};
-  if (run.view().display_file != twin.display_file)
+  if (!difference.empty())
     return ReportError{
         ErrorKind::differs,
-        name + ": internal error: the PDP-7's display file is not the one its native twin makes"};
+        name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " + difference};
   return std::nullopt;
 }
 
@@ -49,13 +42,6 @@ Outcome<base::Bytes> png_of(const picture::Image& image) {
   auto bytes = picture::encode_png(image, {{"Software", "sightline"}});
   if (!bytes) return ReportError{ErrorKind::file, bytes.error().message()};
   return std::move(*bytes);
-}
-
-guests::skala::TwinPicture twin_picture(std::span<const std::uint8_t> stream) {
-  guests::skala::Equipment equipment;
-  equipment.present = {};
-  equipment.present[static_cast<std::size_t>(guests::skala::Device::ef9365)] = true;
-  return guests::skala::run_twin(stream, equipment);
 }
 
 guests::skala::View view_of(const SkalaOrder& order, bool visibility) {
@@ -66,8 +52,8 @@ guests::skala::View view_of(const SkalaOrder& order, bool visibility) {
   return view;
 }
 
-std::optional<ReportError> check(const SkalaOrder& order, const guests::skala::GuestPicture& guest,
-                                 const guests::skala::TwinPicture& twin) {
+std::optional<ReportError> check(const SkalaOrder& order, const guests::skala::CheckedPicture& run) {
+  const guests::skala::GuestPicture& guest = run.guest;
   if (!guest.ended || guest.status != guests::skala::Status::complete || !guest.faults.empty()) {
     const std::string_view why = !guest.ended            ? "it did not end"
                                  : !guest.faults.empty() ? guest.faults.front().what
@@ -75,13 +61,11 @@ std::optional<ReportError> check(const SkalaOrder& order, const guests::skala::G
     return ReportError{ErrorKind::guest_failed,
                        fmt::format("{}: the program on the 8080 failed: {}", order.function, why)};
   }
-  const std::string difference =
-      guests::skala::difference_from_twin(guest, twin, guests::skala::Device::ef9365);
-  if (difference.empty()) return std::nullopt;
+  if (run.difference.empty()) return std::nullopt;
   return ReportError{
       ErrorKind::differs,
       fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
-                  order.function, difference)};
+                  order.function, run.difference)};
 }
 
 // The program on the 8080 makes every dot with a command of its own.
@@ -96,20 +80,17 @@ Outcome<JonesRun> run_jones(const JonesOrder& order) {
   if (!scene) return ReportError{ErrorKind::bad_input, scene.error().message()};
   guests::jones::ProgramOptions program_options;
   program_options.eae = order.eae;
-  auto program = guests::jones::assemble_program(*scene, program_options);
-  if (!program) {
-    program.error().file = order.scene;
-    return ReportError{ErrorKind::bad_input, program.error().message()};
+  auto session = guests::jones::Session::of(*scene, program_options);
+  if (!session) {
+    session.error().file = order.scene;
+    return ReportError{ErrorKind::bad_input, session.error().message()};
   }
-  JonesRun run{std::move(*scene), std::move(*program), {}, {}};
   guests::jones::GuestOptions options;
-  options.eae = order.eae;
   options.stereo = order.stereo;
   if (order.photograph) options.photograph = shutter_time;
-  run.guest = guests::jones::run_guest(run.program, options);
-  const guests::jones::View twin = twin_view(run.program, order.stereo);
-  if (auto error = check(order, run, twin)) return std::move(*error);
-  run.twin = twin.counts;
+  guests::jones::CheckedRun checked = session->run(options);
+  JonesRun run{std::move(*scene), session->program(), std::move(checked.guest), checked.twin.counts};
+  if (auto error = check(order, run, checked.difference)) return std::move(*error);
   return run;
 }
 
@@ -143,24 +124,23 @@ Outcome<base::Bytes> phosphor_png(const JonesRun& run) {
   return png_of(photograph.develop());
 }
 
-Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOrder& order) {
+Outcome<SkalaRun> run_skala(const guests::skala::Session& session, const SkalaOrder& order) {
   const auto function = scene::height_function(order.function);
   if (!function) return ReportError{ErrorKind::bad_input, order.function + ": no such function"};
   const scene::HeightGrid grid = scene::sample(*function, order.size);
   const auto stream = guests::skala::stream_of(grid, view_of(order, true));
   SkalaRun run;
   run.stream_bytes = stream.size();
-  run.guest = guests::skala::run_guest(program, stream);
-  const guests::skala::TwinPicture twin = twin_picture(stream);
-  if (auto error = check(order, run.guest, twin)) return std::move(*error);
-  run.twin = twin.counts;
+  guests::skala::CheckedPicture checked = session.run(stream);
+  if (auto error = check(order, checked)) return std::move(*error);
+  run.twin = checked.twin.counts;
+  run.guest = std::move(checked.guest);
   run.points_lit = guests::skala::points_lit(run.guest);
-  run.dots_busy = dot_time() * static_cast<std::int64_t>(twin.counts.points_plotted);
+  run.dots_busy = dot_time() * static_cast<std::int64_t>(run.twin.points_plotted);
   if (order.compare_plain) {
-    const auto plain_stream = guests::skala::stream_of(grid, view_of(order, false));
-    const guests::skala::GuestPicture plain = guests::skala::run_guest(program, plain_stream);
-    if (auto error = check(order, plain, twin_picture(plain_stream))) return std::move(*error);
-    run.plain = plain.drawing;
+    const auto plain = session.run(guests::skala::stream_of(grid, view_of(order, false)));
+    if (auto error = check(order, plain)) return std::move(*error);
+    run.plain = plain.guest.drawing;
   }
   return run;
 }

@@ -11,11 +11,8 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/base/file.hpp"
-#include "host/guests/jones/guest.hpp"
-#include "host/guests/jones/program.hpp"
-#include "host/guests/jones/twin/twin.hpp"
-#include "host/guests/skala/guest.hpp"
-#include "host/guests/skala/program.hpp"
+#include "host/guests/jones/session.hpp"
+#include "host/guests/skala/session.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/report/report.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -75,7 +72,7 @@ struct SkalaRun {
 };
 
 // Errors as for Jones.
-[[nodiscard]] Outcome<SkalaRun> run_skala(const guests::skala::Program& program, const SkalaOrder& order);
+[[nodiscard]] Outcome<SkalaRun> run_skala(const guests::skala::Session& session, const SkalaOrder& order);
 
 [[nodiscard]] double seconds(core::TStates time);
 

@@ -27,8 +27,8 @@ namespace skala = guests::skala;
 using harness::report::SkalaOrder;
 using harness::report::SkalaRun;
 
-SkalaRun run(const skala::Program& program, const SkalaOrder& order) {
-  auto made = harness::report::run_skala(program, order);
+SkalaRun run(const skala::Session& session, const SkalaOrder& order) {
+  auto made = harness::report::run_skala(session, order);
   if (!made) throw Failure(std::move(made.error()));
   return *std::move(made);
 }
@@ -95,7 +95,7 @@ RowSet memory_of(const skala::Program& program) {
 }  // namespace
 
 Records skala_pictures(const Context& context) {
-  const skala::Program program = skala::assemble_program();
+  const skala::Session session;
   Records records;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     context.progress(fmt::format("{} on the 8080", function.name));
@@ -104,12 +104,12 @@ Records skala_pictures(const Context& context) {
       SkalaOrder order{name, picture};
       if (picture == skala::PictureKind::contours) order.size = {33, 33};
       order.compare_plain = picture == skala::PictureKind::lines;
-      records["pictures"].add(full_row_of(order, run(program, order)));
+      records["pictures"].add(full_row_of(order, run(session, order)));
     }
     const SkalaOrder curves{name, skala::PictureKind::lines, {256, 30}, 0, true};
-    records["curves"].add(row_of(curves, run(program, curves)));
+    records["curves"].add(row_of(curves, run(session, curves)));
   }
-  records["memory"] = memory_of(program);
+  records["memory"] = memory_of(session.program());
   records["machine"].add({{"clock_mhz", static_cast<double>(core::ClockRate{}.hertz) / 1e6},
                           {"points_a_side", core::Raster::width}});
   return records;
