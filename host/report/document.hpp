@@ -87,6 +87,7 @@ struct Gallery {
   std::string title;
   std::vector<Figure> figures;
   bool folded = false;
+  bool wide = false;  // one below the other
 };
 
 using Block = std::variant<Paragraph, Heading, Table, Figure, Gallery, Listing>;

@@ -47,6 +47,7 @@ struct Context {
   bool full = false;       // take the time a thorough measurement needs; else the whole report takes a minute
   bool host_times = true;  // false: do not measure time on this computer; values of host times are missing
   std::string cache = {};  // folder where what takes long to find is kept for the next report; empty: nowhere
+  unsigned jobs = 1;       // processors that may be used
   std::function<void(std::string_view)> progress = [](std::string_view) {
   };  // what is being done, in few words
 };
@@ -54,6 +55,7 @@ struct Context {
 struct Experiment {
   std::string_view name;  // a-z, 0-9, -; data files take "NAME.SET"
   Records (*run)(const Context& context) = nullptr;
+  bool host_times = false;  // takes times of this computer: nothing else runs meanwhile
 };
 
 [[nodiscard]] std::span<const Experiment> all_experiments();

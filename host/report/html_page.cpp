@@ -51,6 +51,8 @@ class Page {
 
   std::string text() && {
     head();
+    html_ += "<main>\n";
+    introduction();
     contents();
     for (const Section& section : report_.sections) {
       html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
@@ -59,24 +61,53 @@ class Page {
         std::visit([this](const auto& content) { add(content); }, block);
       html_ += "</section>\n";
     }
-    html_ += fmt::format("<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
+    html_ += fmt::format("</main>\n<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
                          html_escaped(report_.version));
     return std::move(html_);
   }
 
  private:
+  // The header stays in sight and leads to the parts.
   void head() {
     const std::string title = html_escaped(report_.title);
     html_ += fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<header><h1>{}</h1><nav aria-label=\"Parts\">",
         title, page_style, title);
-    for (const std::string& paragraph : report_.introduction) add(Paragraph{paragraph});
+    for (const Section& section : report_.sections)
+      html_ += fmt::format("<a href=\"#{}\">{}</a>", html_escaped(section.id), html_escaped(section.title));
+    html_ += "</nav></header>\n";
   }
 
+  void introduction() {
+    for (const std::string& paragraph : report_.introduction) add(Paragraph{paragraph});
+    std::size_t failed = 0;
+    for (const Section& section : report_.sections)
+      for (const Block& block : section.blocks)
+        std::visit([&failed](const auto& content) { failed += failures_in(content); }, block);
+    if (failed > 0)
+      html_ += fmt::format("<p class=\"bad\">{} of the page's statements do not hold in this run; each says so where it would "
+                           "stand.</p>\n", failed);
+  }
+
+  static std::size_t failures_in(const Paragraph& paragraph) { return paragraph.text.failed.size(); }
+  static std::size_t failures_in(const Figure& figure) { return figure.caption.failed.size(); }
+  static std::size_t failures_in(const Table& table) {
+    std::size_t failed = 0;
+    for (const Said& note : table.notes) failed += note.failed.size();
+    return failed;
+  }
+  static std::size_t failures_in(const Gallery& gallery) {
+    std::size_t failed = 0;
+    for (const Figure& figure : gallery.figures) failed += failures_in(figure);
+    return failed;
+  }
+  static std::size_t failures_in(const Heading&) { return 0; }
+  static std::size_t failures_in(const Listing&) { return 0; }
+
   void contents() {
-    html_ += "<nav aria-label=\"Contents\">\n<ol>\n";
+    html_ += "<details class=\"contents\"><summary>Contents</summary>\n<ol>\n";
     for (const Section& section : report_.sections) {
       html_ += fmt::format("<li><a href=\"#{}\">{}</a>\n<ul>\n", html_escaped(section.id),
                            html_escaped(section.title));
@@ -87,7 +118,7 @@ class Page {
       }
       html_ += "</ul></li>\n";
     }
-    html_ += "</ol>\n</nav>\n";
+    html_ += "</ol>\n</details>\n";
   }
 
   void entry(const std::string& id, const std::string& title) {
@@ -105,10 +136,9 @@ class Page {
 
   void add(const Table& table) {
     const std::string id = html_escaped(table.id);
+    begin(id, table.title, table.folded);
     html_ += fmt::format(
-        "<h3 id=\"{0}\">{1}</h3>\n<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">"
-        "\n<table>\n<thead><tr>",
-        id, html_escaped(table.title));
+        "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table>\n<thead><tr>", id);
     std::vector<bool> numbers;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       numbers.push_back(holds_numbers(table, i));
@@ -125,6 +155,13 @@ class Page {
     html_ += fmt::format(
         "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
         id);
+    if (table.folded) html_ += "</details>\n";
+  }
+
+  // A title that can be linked to; folded: what follows is shown when it is opened.
+  void begin(const std::string& id, const std::string& title, bool folded) {
+    const std::string heading = fmt::format("<h3 id=\"{}\">{}</h3>", id, html_escaped(title));
+    html_ += folded ? "<details><summary>" + heading + "</summary>\n" : heading + "\n";
   }
 
   static bool holds_numbers(const Table& table, std::size_t at) {
@@ -160,10 +197,11 @@ class Page {
   }
 
   void add(const Gallery& gallery) {
-    html_ += fmt::format("<h3 id=\"{}\">{}</h3>\n<div class=\"gallery\">\n", html_escaped(gallery.id),
-                         html_escaped(gallery.title));
+    begin(html_escaped(gallery.id), gallery.title, gallery.folded);
+    html_ += fmt::format("<div class=\"{}\">\n", gallery.wide ? "strips" : "gallery");
     for (const Figure& figure : gallery.figures) add(figure);
     html_ += "</div>\n";
+    if (gallery.folded) html_ += "</details>\n";
   }
 
   void add(const Listing& listing) {

@@ -124,6 +124,7 @@ struct GalleryLayout {
   Text caption;
   Text alternative;
   bool folded = false;
+  bool wide = false;
 };
 
 struct ListingsLayout {
@@ -175,12 +176,14 @@ struct PartLayout {
   int number = 0;  // as people ask for it
   std::string id;
   std::string title;
+  std::vector<std::string> introduction;
   std::vector<std::string> chapters;
 };
 
 struct Layout {
   std::string title;
   std::vector<std::string> introduction;
+  std::string without_host_times;  // said of a report without them
   std::vector<PartLayout> parts;
   std::vector<Paper> papers;
   Records paper_tables;  // tables that papers print: the sets "papers.NAME"

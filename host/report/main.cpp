@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <thread>
 
 #include "host/app/command_line.hpp"
+#include "host/report/make_report.hpp"
 #include "host/report/plot.hpp"
-#include "host/report/report.hpp"
 #include "host/report/write_report.hpp"
 
 namespace {
 
-namespace report = sightline::harness::report;
+namespace report = sightline::report;
 using sightline::app::Command;
 using sightline::app::ExitCode;
 using sightline::app::Failure;
@@ -45,20 +46,14 @@ Value value_or_fail(report::Outcome<Value> outcome) {
   return std::move(*outcome);
 }
 
-std::vector<report::Part> chosen_parts(const std::vector<int>& numbers) {
-  const auto all = report::all_parts();
-  if (numbers.empty()) return {all.begin(), all.end()};
-  std::vector<report::Part> chosen;
-  for (const report::Part& part : all)
-    if (std::find(numbers.begin(), numbers.end(), part.number) != numbers.end()) chosen.push_back(part);
+void check_parts(const std::vector<int>& numbers) {
+  const auto all = value_or_fail(report::all_parts());
   for (const int number : numbers) {
-    if (std::any_of(chosen.begin(), chosen.end(), [&](const auto& part) { return part.number == number; }))
-      continue;
+    if (std::any_of(all.begin(), all.end(), [&](const auto& part) { return part.number == number; })) continue;
     std::string there;
     for (const report::Part& part : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", part.number);
     throw Failure(ExitCode::usage, fmt::format("--part: found {}, expected one of {}", number, there));
   }
-  return chosen;
 }
 
 // One line on a terminal, rewritten; nothing elsewhere.
@@ -81,31 +76,22 @@ class StepLine {
   bool shown_;
 };
 
-std::vector<std::string> introduction(const ReportArguments& arguments) {
-  std::vector<std::string> paragraphs{
-      "Five hidden-line programs of 1971 to 1990: two of them on emulations of the machines they were "
-      "written for, all of them as native programs, held against exact programs of today. How fast they "
-      "are, how wrong they are, and what they needed."};
-  if (arguments.no_host_times)
-    paragraphs.emplace_back(
-        "Made without times of the computer it was made on: the same program makes the same bytes.");
-  return paragraphs;
-}
-
 ExitCode run_report(const ReportArguments& arguments) {
-  const std::vector<report::Part> parts = chosen_parts(arguments.parts);
+  check_parts(arguments.parts);
   value_or_fail(report::prepare_directory(arguments.directory));
   if (const auto error = report::gnuplot_missing()) throw Failure(exit_code_of(error->kind), error->message);
-  report::Report made{"Sightline report", SIGHTLINE_VERSION, introduction(arguments), {}};
+  report::Report made;
   {
     const StepLine line(arguments.quiet);
     report::Context context;
     context.full = arguments.full;
     context.host_times = !arguments.no_host_times;
     context.cache = arguments.cache.empty() ? arguments.directory + "/cache" : arguments.cache;
+    context.jobs = std::max(1U, std::thread::hardware_concurrency());
     context.progress = [&line](std::string_view step) { line.show(step); };
-    made.sections = value_or_fail(report::make_sections(parts, context));
+    made = value_or_fail(report::make_report(arguments.parts, context));
   }
+  made.version = SIGHTLINE_VERSION;
   const auto paths = value_or_fail(report::write_report(made, arguments.directory));
   sightline::app::write_stdout(fmt::format("{}\n", paths.front()));
   if (!arguments.quiet && paths.size() > 1)
@@ -119,7 +105,7 @@ void add_report_command(const Command& app) {
   const auto arguments = std::make_shared<ReportArguments>();
   command.option("-o,--output", arguments->directory, "Folder for the report").default_value().value("DIR");
   std::string parts;
-  for (const report::Part& part : report::all_parts())
+  for (const report::Part& part : value_or_fail(report::all_parts()))
     parts += fmt::format("{}{} {}", parts.empty() ? "" : "; ", part.number, part.title);
   command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command

@@ -3,23 +3,73 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
+#include <mutex>
+#include <set>
+#include <thread>
 #include <utility>
 
+#include "host/base/parallel.hpp"
 #include "host/report/layout.hpp"
+#include "host/report/legacy.hpp"
 #include "host/report/plot.hpp"
-#include "host/report/render.hpp"
 
 namespace sightline::report {
 
 namespace {
 
-const Experiment& experiment_named(std::string_view name) {
-  const auto all = all_experiments();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Experiment& known) { return known.name == name; });
-  if (found == all.end())
-    throw Failure(ErrorKind::bad_input, fmt::format("found experiment \"{}\" in a data file, but not among those of this program", name));
-  return *found;
+// What the work gives, or the failure that it throws.
+template <class Work>
+auto caught(const Work& work) -> Outcome<decltype(work())> {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    return failure.error();
+  }
+}
+
+using Experiments = std::vector<const Experiment*>;
+
+Experiments experiments_named(const std::set<std::string>& names) {
+  Experiments chosen;
+  for (const Experiment& experiment : all_experiments())
+    if (names.empty() || names.contains(std::string(experiment.name))) chosen.push_back(&experiment);
+  for (const std::string& name : names) {
+    if (std::any_of(chosen.begin(), chosen.end(), [&](const Experiment* known) { return known->name == name; })) continue;
+    throw Failure(ErrorKind::bad_input, fmt::format("a data file takes records of \"{}\": found no such experiment", name));
+  }
+  return chosen;
+}
+
+// On `jobs` processors; results in the order of the experiments.
+void run(const Experiments& experiments, unsigned jobs, const Context& context, Results& results) {
+  base::OrderedWork<Records> work;
+  work.last = experiments.size();
+  work.jobs = jobs;
+  work.make = [&](std::uint64_t i) { return experiments[i]->run(context); };
+  work.take = [&](std::uint64_t i, Records records) { results[std::string(experiments[i]->name)] = std::move(records); };
+  work.go_on = [] { return true; };
+  base::run_in_order(work);
+}
+
+Results run_all(const std::set<std::string>& names, const Context& told) {
+  // Several experiments may tell of their progress at once.
+  std::mutex mutex;
+  Context context = told;
+  context.progress = [&](std::string_view step) {
+    const std::lock_guard lock(mutex);
+    told.progress(step);
+  };
+  const auto takes_times = [&](const Experiment* experiment) { return experiment->host_times && context.host_times; };
+  Experiments together = experiments_named(names);
+  const auto alone_from = std::stable_partition(together.begin(), together.end(),
+                                                [&](const Experiment* experiment) { return !takes_times(experiment); });
+  const Experiments alone(alone_from, together.end());
+  together.erase(alone_from, together.end());
+  Results results;
+  run(together, context.jobs, context, results);
+  run(alone, 1, context, results);
+  return results;
 }
 
 Figure drawn(const Plot& plot) {
@@ -28,19 +78,61 @@ Figure drawn(const Plot& plot) {
   return *std::move(figure);
 }
 
+std::vector<Block> blocks_of(const std::string& name, const Layout& layout, const Results& results,
+                             const Context& context) {
+  if (const LegacyChapter* const legacy = legacy_chapter(name)) {
+    auto blocks = make_legacy(*legacy, context);
+    if (!blocks) throw Failure(std::move(blocks.error()));
+    return *std::move(blocks);
+  }
+  return render(layout.chapters.at(name), layout, results, {context.host_times, drawn});
+}
+
+Section section_of(const PartLayout& part, const Layout& layout, const Results& results, const Context& context) {
+  Section section{part.id, part.title, {}};
+  for (const std::string& text : part.introduction) section.blocks.emplace_back(Paragraph{text});
+  for (const std::string& chapter : part.chapters) {
+    auto blocks = blocks_of(chapter, layout, results, context);
+    section.blocks.insert(section.blocks.end(), std::make_move_iterator(blocks.begin()),
+                          std::make_move_iterator(blocks.end()));
+  }
+  return section;
+}
+
+Report report_of(std::span<const int> numbers, const Context& context) {
+  const Layout layout = read_layout(layout_files());
+  std::vector<const PartLayout*> parts;
+  std::set<std::string> names;
+  for (const PartLayout& part : layout.parts) {
+    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), part.number) == numbers.end()) continue;
+    parts.push_back(&part);
+    for (const std::string& chapter : part.chapters)
+      if (const auto found = layout.chapters.find(chapter); found != layout.chapters.end())
+        for (const std::string& name : found->second.experiments()) names.insert(name);
+  }
+  const Results results = names.empty() ? Results() : run_all(names, context);
+  Report report{layout.title, {}, layout.introduction, {}};
+  if (!context.host_times) report.introduction.push_back(layout.without_host_times);
+  for (const PartLayout* const part : parts) report.sections.push_back(section_of(*part, layout, results, context));
+  return report;
+}
+
 }  // namespace
 
-Outcome<std::vector<Block>> make_chapter(std::string_view name, const Context& context) {
-  try {
-    const Layout layout = read_layout(layout_files());
-    const Chapter& chapter = layout.chapters.find(name)->second;
-    Results results;
-    for (const std::string& experiment : chapter.experiments())
-      results[experiment] = experiment_named(experiment).run(context);
-    return render(chapter, layout, results, {context.host_times, drawn});
-  } catch (const Failure& failure) {
-    return failure.error();
-  }
+Outcome<std::vector<Part>> all_parts() {
+  return caught([] {
+    std::vector<Part> parts;
+    for (const PartLayout& part : read_layout(layout_files()).parts) parts.push_back({part.number, part.title});
+    return parts;
+  });
+}
+
+Outcome<Report> make_report(std::span<const int> parts, const Context& context) {
+  return caught([&] { return report_of(parts, context); });
+}
+
+Outcome<Results> run_experiments(std::vector<std::string> names, const Context& context) {
+  return caught([&] { return run_all({names.begin(), names.end()}, context); });
 }
 
 }  // namespace sightline::report

@@ -1,15 +1,29 @@
 // Runs experiments and makes of their records what the data files say.
 #pragma once
 
-#include <string_view>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "host/report/document.hpp"
 #include "host/report/experiment.hpp"
+#include "host/report/render.hpp"
 
 namespace sightline::report {
 
-// The blocks of one chapter; runs the experiments that it takes records of.
-[[nodiscard]] Outcome<std::vector<Block>> make_chapter(std::string_view name, const Context& context);
+// What people can ask for.
+struct Part {
+  int number = 0;
+  std::string title;
+};
+// Ascending. Error bad_input: a data file that cannot be used.
+[[nodiscard]] Outcome<std::vector<Part>> all_parts();
+
+// The parts of these numbers, or all of them if there are none; every experiment that they take records of is run once.
+// Those that take times of this computer run alone, the others on all processors. An error of any ends it.
+[[nodiscard]] Outcome<Report> make_report(std::span<const int> parts, const Context& context);
+
+// The records of the experiments named, or of all.
+[[nodiscard]] Outcome<Results> run_experiments(std::vector<std::string> names, const Context& context);
 
 }  // namespace sightline::report

@@ -11,7 +11,7 @@
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::harness::report {
@@ -75,7 +75,7 @@ MontaniReGrowth montani_re_growth(std::string_view family, std::span<const std::
         [&scene] { (void)native::visible_edges(scene, scene.camera); },
         [&scene] { (void)stripes_of(scene, nullptr); },
         [&scene] { (void)algorithms::exact::visible_edges(scene, scene.camera); }};
-    const auto times = median_nanoseconds(jobs, size < long_scene ? rounds : 1);
+    const auto times = sightline::report::median_nanoseconds(jobs, size < long_scene ? rounds : 1);
     measured.native_ns = times[0];
     measured.stripes_ns = times[1];
     measured.exact_ns = times[2];

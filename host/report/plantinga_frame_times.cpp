@@ -9,7 +9,7 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 
 namespace sightline::harness::report {
 

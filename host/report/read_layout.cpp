@@ -9,6 +9,7 @@
 #include "host/base/json.hpp"
 #include "host/report/experiment.hpp"
 #include "host/report/layout.hpp"
+#include "host/report/legacy.hpp"
 
 namespace sightline::report {
 
@@ -234,9 +235,10 @@ PlotLayout plot_of(const Node& node) {
 }
 
 GalleryLayout gallery_of(const Node& node) {
-  node.object({"gallery", "title", "from", "where", "image", "id", "name", "caption", "alternative", "folded", "host"});
+  node.object({"gallery", "title", "from", "where", "image", "id", "name", "caption", "alternative", "folded", "wide", "host"});
   return {node.string("gallery"), node.text("title"),   rows_of(node),           node.string("image"), node.text("id"),
-          node.text("name"),      node.text("caption"), node.text("alternative"), node.flag("folded")};
+          node.text("name"),      node.text("caption"), node.text("alternative"), node.flag("folded"),
+          node.flag("wide")};
 }
 
 ListingsLayout listings_of(const Node& node) {
@@ -344,20 +346,21 @@ void read_paper(const Node& node, Layout& layout) {
 }
 
 void read_report(const Node& node, Layout& layout) {
-  node.object({"title", "introduction", "parts"});
+  node.object({"title", "introduction", "without_host_times", "parts"});
   layout.title = node.string("title");
   layout.introduction = node.strings("introduction");
+  layout.without_host_times = node.string_or("without_host_times", "");
   for (const Node& part : node.elements("parts")) {
-    part.object({"number", "id", "title", "chapters"});
-    layout.parts.push_back(
-        {part.at("number").whole(), part.string("id"), part.string("title"), part.strings("chapters")});
+    part.object({"number", "id", "title", "introduction", "chapters"});
+    layout.parts.push_back({part.at("number").whole(), part.string("id"), part.string("title"),
+                            part.strings("introduction"), part.strings("chapters")});
   }
 }
 
 void check_chapters(const Layout& layout) {
   for (const PartLayout& part : layout.parts)
     for (const std::string& chapter : part.chapters)
-      if (!layout.chapters.contains(chapter))
+      if (!layout.chapters.contains(chapter) && legacy_chapter(chapter) == nullptr)
         refuse("report.json", fmt::format("part {} has chapter \"{}\", expected a file {}.json", part.number, chapter, chapter));
 }
 

@@ -226,7 +226,7 @@ class Renderer {
   }
 
   void add(const GalleryLayout& layout) {
-    Gallery gallery{layout.id, layout.title.words(page_), {}, layout.folded};
+    Gallery gallery{layout.id, layout.title.words(page_), {}, layout.folded, layout.wide};
     for (const Scope& scope : scopes_of(layout.rows)) {
       const auto place = scope.set->place_of(layout.image);
       const Picture* const picture =

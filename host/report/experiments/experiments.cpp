@@ -7,7 +7,14 @@ namespace sightline::report {
 namespace {
 
 constexpr std::array experiments{
+    // Long ones first: they run on several processors.
+    Experiment{"jones-accuracy", &jones_accuracy},
+    Experiment{"cross-check", &cross_check},
     Experiment{"skala-pictures", &skala_pictures},
+    Experiment{"jones-views", &jones_views},
+    Experiment{"jones-numbers", &jones_numbers, true},
+    Experiment{"skala-accuracy", &skala_accuracy, true},
+    Experiment{"jones-unseen", &jones_unseen, true},
 };
 
 }  // namespace

@@ -5,6 +5,12 @@
 
 namespace sightline::report {
 
+[[nodiscard]] Records cross_check(const Context& context);
+[[nodiscard]] Records jones_accuracy(const Context& context);
+[[nodiscard]] Records jones_numbers(const Context& context);
+[[nodiscard]] Records jones_unseen(const Context& context);
+[[nodiscard]] Records jones_views(const Context& context);
+[[nodiscard]] Records skala_accuracy(const Context& context);
 [[nodiscard]] Records skala_pictures(const Context& context);
 
 }  // namespace sightline::report

@@ -16,7 +16,7 @@
 #include "emulators/core/tstates.hpp"
 #include "host/guests/skala/commands.hpp"
 #include "host/report/experiments/experiments.hpp"
-#include "host/report/guest_runs.hpp"
+#include "host/report/experiments/guest_runs.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::report {
@@ -24,21 +24,6 @@ namespace sightline::report {
 namespace {
 
 namespace skala = guests::skala;
-using harness::report::SkalaOrder;
-using harness::report::SkalaRun;
-
-SkalaRun run(const skala::Session& session, const SkalaOrder& order) {
-  auto made = harness::report::run_skala(session, order);
-  if (!made) throw Failure(std::move(made.error()));
-  return *std::move(made);
-}
-
-Picture raster_of(const SkalaRun& run, const SkalaOrder& order) {
-  auto png = harness::report::raster_png(run, order);
-  if (!png) throw Failure(std::move(png.error()));
-  return {"image/png", *std::move(png), true};
-}
-
 // How much longer with the visibility test.
 Value cost_percent(const SkalaRun& run) {
   if (!run.plain) return {};
@@ -52,8 +37,8 @@ std::size_t colours_of(const core::Raster& raster) {
 
 NamedValues row_of(const SkalaOrder& order, const SkalaRun& run) {
   return {{"function", order.function},
-          {"picture", harness::report::name_of(order.picture)},
-          {"drawing_s", harness::report::seconds(run.guest.drawing)},
+          {"picture", name_of(order.picture)},
+          {"drawing_s", seconds(run.guest.drawing)},
           {"drawing_t_states", run.guest.drawing.count()},
           {"cost_percent", cost_percent(run)},
           {"walked", run.twin.points_walked},
@@ -62,14 +47,14 @@ NamedValues row_of(const SkalaOrder& order, const SkalaRun& run) {
 
 NamedValues full_row_of(const SkalaOrder& order, const SkalaRun& run) {
   NamedValues row = row_of(order, run);
-  for (NamedValues::value_type value : NamedValues{{"receipt_s", harness::report::seconds(run.guest.total - run.guest.drawing)},
+  for (NamedValues::value_type value : NamedValues{{"receipt_s", seconds(run.guest.total - run.guest.drawing)},
                                                    {"command_bytes", run.stream_bytes},
                                                    {"blocks", run.guest.blocks},
                                                    {"instructions", run.guest.instructions},
                                                    {"dots", run.twin.points_plotted},
                                                    {"dots_busy_t_states", run.dots_busy.count()},
                                                    {"colours", colours_of(run.guest.raster)},
-                                                   {"raster", raster_of(run, order)}})
+                                                   {"raster", raster_png(run, order)}})
     row.push_back(std::move(value));
   return row;
 }
@@ -104,10 +89,10 @@ Records skala_pictures(const Context& context) {
       SkalaOrder order{name, picture};
       if (picture == skala::PictureKind::contours) order.size = {33, 33};
       order.compare_plain = picture == skala::PictureKind::lines;
-      records["pictures"].add(full_row_of(order, run(session, order)));
+      records["pictures"].add(full_row_of(order, run_skala(session, order)));
     }
     const SkalaOrder curves{name, skala::PictureKind::lines, {256, 30}, 0, true};
-    records["curves"].add(row_of(curves, run(session, curves)));
+    records["curves"].add(row_of(curves, run_skala(session, curves)));
   }
   records["memory"] = memory_of(session.program());
   records["machine"].add({{"clock_mhz", static_cast<double>(core::ClockRate{}.hertz) / 1e6},

@@ -13,7 +13,7 @@
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/report/montani_re_pixels.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::harness::report {

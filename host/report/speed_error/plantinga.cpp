@@ -17,7 +17,7 @@
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/report/plantinga_frame_times.hpp"
 #include "host/report/plantinga_models.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 
 namespace sightline::harness::report {
 

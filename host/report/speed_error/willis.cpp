@@ -10,7 +10,7 @@
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/model.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 #include "host/report/speed_error/plot.hpp"
 #include "host/report/willis_scenes.hpp"
 

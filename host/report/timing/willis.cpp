@@ -13,7 +13,7 @@
 #include "host/algorithms/registry/willis_display.hpp"
 #include "host/algorithms/willis/sight_lines.hpp"
 #include "host/algorithms/willis/spans.hpp"
-#include "host/report/speed_error/clock.hpp"
+#include "host/report/experiments/clock.hpp"
 #include "host/report/timing/paper_numbers.hpp"
 #include "host/report/timing/willis_pictures.hpp"
 #include "host/report/willis_scenes.hpp"

@@ -8,7 +8,7 @@
 #include "host/report/table_text.hpp"
 #include "tests/host/report/sample_report.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 namespace {
 
 // A reader of RFC 4180, from its grammar: records of fields; refuses what the grammar has no place for.
@@ -124,27 +124,23 @@ TEST(ReportPage, IsTheSameTwice) {
   EXPECT_EQ(html_page(sample_report()), html_page(sample_report()));
 }
 
-TEST(ReportSections, LoseWhatIsMeasuredOnThisComputerWhereAsked) {
-  const Report report = sample_report(false);
-  const auto& blocks = report.sections.at(0).blocks;
-  ASSERT_EQ(blocks.size(), 5U);  // the figure of host times is gone
-  const auto& table = std::get<Table>(blocks[2]);
-  ASSERT_EQ(table.columns.size(), 4U);
-  EXPECT_EQ(table.columns[3].key, "right");
-  ASSERT_EQ(table.rows[0].size(), 4U);
-  EXPECT_EQ(table.rows[0][3], Cell(Verdict{true, "yes"}));
+TEST(ReportPage, FoldsWhatIsFolded) {
+  Report report = sample_report();
+  std::get<Table>(report.sections[0].blocks[2]).folded = true;
+  const std::string page = html_page(report);
+  EXPECT_NE(page.find("<details><summary><h3 id=\"sample\">"), std::string::npos);
+  EXPECT_EQ(html_page(sample_report()).find("<details><summary><h3"), std::string::npos);
 }
 
-TEST(ReportSections, EndWithTheFirstError) {
-  const std::vector<Part> parts{{1, "Good", &sample_part}, {2, "Bad", &failing_part}};
-  std::string said;
-  Context context;
-  context.progress = [&](std::string_view text) { said += std::string(text) + "; "; };
-  const auto made = make_sections(parts, context);
-  ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message, "house: it stopped");
-  EXPECT_EQ(said, "Good; sampling; Bad; ");
+TEST(ReportPage, SaysWhatDoesNotHold) {
+  Report report = sample_report();
+  std::get<Table>(report.sections[0].blocks[2]).notes = {Said("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};
+  const std::string page = html_page(report);
+  EXPECT_NE(page.find("1 of the page's statements"), std::string::npos) << page.substr(0, 9000);
+  EXPECT_NE(page.find("<p class=\"bad\">Not in this run: &quot;It is small.&quot; needs x &lt; 1; here x is 2</p>"),
+            std::string::npos);
+  EXPECT_EQ(html_page(sample_report()).find("statements do not hold"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

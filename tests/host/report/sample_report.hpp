@@ -1,13 +1,13 @@
-// A report of a tiny part list: every kind of block and cell, and text that HTML, CSV and gnuplot would
+// A small report: every kind of block and cell, and text that HTML, CSV and gnuplot would
 // stumble over.
 #pragma once
 
 #include <limits>
 #include <string>
 
-#include "host/report/report.hpp"
+#include "host/report/document.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 inline const std::string nasty = "<b>\"A & B\", 'C'</b>\r\n`id`";
 
@@ -33,30 +33,18 @@ inline Figure sample_figure(const std::string& id) {
   return {id, nasty, "Caption", "Alt \"text\"", "image/png", {0x89, 'P', 'N', 'G'}, false, true};
 }
 
-inline Outcome<Section> sample_part(const Context& context) {
-  context.progress("sampling");
+inline Section sample_section() {
   Section section{"sample-part", nasty, {}};
   section.blocks.emplace_back(Paragraph{nasty});
   section.blocks.emplace_back(Heading{"A heading"});
   section.blocks.emplace_back(sample_table());
   section.blocks.emplace_back(sample_figure("figure"));
-  Figure timed = sample_figure("timed");
-  timed.host_time = true;
-  section.blocks.emplace_back(timed);
-  section.blocks.emplace_back(
-      Gallery{"gallery", "Gallery", {sample_figure("small"), sample_figure("smaller")}});
+  section.blocks.emplace_back(Gallery{"gallery", "Gallery", {sample_figure("small"), sample_figure("smaller")}});
   return section;
 }
 
-inline Outcome<Section> failing_part(const Context&) {
-  return ReportError{ErrorKind::guest_failed, "house: it stopped"};
+inline Report sample_report() {
+  return {nasty, "0.0", {"Introduction."}, {sample_section()}};
 }
 
-inline Report sample_report(bool host_times = true) {
-  const Part part{1, "Sample", &sample_part};
-  Context context;
-  context.host_times = host_times;
-  return {nasty, "0.0", {"Introduction."}, *make_sections({&part, 1}, context)};
-}
-
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

@@ -1,0 +1,162 @@
+#include "host/report/experiments/jones_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "host/algorithms/oracle/matter.hpp"
+#include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/guests/jones/precision/guest_pieces.hpp"
+#include "host/report/experiment.hpp"
+#include "host/scene/read/cell_scene.hpp"
+
+namespace sightline::report {
+
+namespace {
+
+namespace jones = guests::jones;
+namespace oracle = algorithms::oracle;
+
+// Tried in each view: 24,000 a scene, of which more than 10,000 are farther than a pixel from where
+// visibility changes.
+constexpr std::uint64_t points_a_view = 4000;
+
+using Lines = std::vector<std::optional<jones::SceneLine>>;
+
+struct GuestView {
+  jones::GuestPieces pieces;
+  Lines lines;  // of its vector words
+};
+
+GuestView run_guest(const SceneViews& views, std::size_t view, const jones::Precision& build, bool eae) {
+  jones::ProgramOptions options;
+  options.eae = eae;
+  options.fraction_bits = static_cast<std::uint32_t>(build.fraction_bits);
+  options.truncate = build.truncate;
+  options.tape.view = views.eye(view);
+  const auto assembled = jones::assemble_program(views.scene(), options);
+  if (!assembled) throw Failure(ErrorKind::bad_input, views.name() + ": " + assembled.error().message());
+  const jones::Program& program = *assembled;
+  GuestView run{jones::run_for_pieces(program, eae), jones::lines_by_address(program.scene, program.core)};
+  if (run.pieces.status != jones::Status::complete)
+    throw Failure(ErrorKind::guest_failed, fmt::format("{}, {}: the view stopped: {}", views.name(), name(build),
+                                                       name(run.pieces.status)));
+  return run;
+}
+
+// Program and scene lie elsewhere without the EAE: the pieces of the same lines in the same places.
+bool same_pieces(const GuestView& a, const GuestView& b) {
+  if (a.pieces.clipped.size() != b.pieces.clipped.size()) return false;
+  for (std::size_t i = 0; i < a.pieces.clipped.size(); ++i) {
+    const jones::Piece& here = a.pieces.clipped[i];
+    const jones::Piece& there = b.pieces.clipped[i];
+    if (here.line != there.line || here.drawn != there.drawn ||
+        a.lines.at(here.vector_address) != b.lines.at(there.vector_address))
+      return false;
+  }
+  return true;
+}
+
+void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, const GuestView& run) {
+  const jones::ShortWords number(jones::machine_word_bits, build.precision.fraction_bits,
+                                         build.precision.truncate);
+  const jones::Window window;
+  const auto x = [&](std::int32_t units) { return number.points(units) + window.centre_x; };
+  const auto y = [&](std::int32_t units) { return number.points(units) + window.centre_y; };
+  std::vector<picture::DrawnPiece> clipped;
+  std::vector<picture::DrawnPiece> displayed;
+  for (std::size_t i = 0; i < run.pieces.clipped.size(); ++i) {
+    const auto& line = run.lines.at(run.pieces.clipped[i].vector_address);
+    if (!line) continue;
+    const jones::ScreenSegment& at = run.pieces.clipped[i].line;
+    clipped.push_back(views.piece(view, *line, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}));
+    if (!run.pieces.clipped[i].drawn) continue;
+    const jones::ScreenSegment& shown = run.pieces.on_display.at(i);
+    const auto point = [](std::int32_t place) { return static_cast<double>(place); };
+    displayed.push_back(
+        views.piece(view, *line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}));
+  }
+  views.add(build.clipped, view, run.pieces.status, clipped);
+  views.add(build.displayed, view, run.pieces.status, displayed);
+}
+
+}  // namespace
+
+SceneViews::SceneViews(const jones::SixViews& views) : name_(views.scene) {
+  auto scene = scene::load_cell_scene(name_);
+  if (!scene) throw Failure(ErrorKind::bad_input, scene.error().message());
+  scene_ = *std::move(scene);
+  const auto matter = oracle::Matter::of(scene_);
+  if (!matter)
+    throw Failure(ErrorKind::bad_input, name_ + ": found a scene with too many grid units for the exact reference");
+  const auto lines = matter->real_lines();
+  oracle::Window window;
+  window.near = jones::near_z;
+  for (const geometry::Point& eye : views.eyes) {
+    auto in_core = jones::scene_in_core(scene_, eye);
+    if (!in_core) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, in_core.error().message()));
+    const auto visible = oracle::visible_lines(*matter, lines, eye, window);
+    views_.push_back({eye, *std::move(in_core),
+                      compare::CellReference(lines, visible, eye, window)});
+  }
+}
+
+picture::DrawnPiece SceneViews::piece(std::size_t view, const jones::SceneLine& line,
+                                      const algorithms::oracle::ScreenSegment& image) const {
+  const auto [u, v] = geometry::other_axes(line.axis);
+  const compare::AxisLine of{line.axis, {line.from[u], line.from[v]}};
+  return {views_[view].reference.number_of(of), {{image.x0, image.y0}, {image.x1, image.y1}}};
+}
+
+void SceneViews::add(PictureError& error, std::size_t view, jones::Status status,
+                     const std::vector<picture::DrawnPiece>& drawn) const {
+  const auto metrics =
+      picture::line_metrics(views_[view].reference.lines(), drawn, {.points = points_a_view, .seed = 1971});
+  error.visible += metrics.true_length;
+  error.missing += metrics.missing;
+  error.extra += metrics.extra;
+  error.extra_far += metrics.extra_far;
+  error.hausdorff = std::max(error.hausdorff, metrics.hausdorff.greatest);
+  error.wrong_visibility = picture::rate_of(error.wrong_visibility.wrong + metrics.wrong_visibility.wrong,
+                                            error.wrong_visibility.points + metrics.wrong_visibility.points);
+  error.incomplete += status == jones::Status::complete ? 0 : 1;
+}
+
+MachineBuild measure_build(const SceneViews& views, const jones::Precision& precision) {
+  MachineBuild build;
+  build.precision = precision;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    const GuestView eae = run_guest(views, view, precision, true);
+    const GuestView plain = run_guest(views, view, precision, false);
+    if (!same_pieces(eae, plain))
+      throw Failure(ErrorKind::differs,
+                    fmt::format("{}, {}: internal error: the program draws other pieces with the EAE than without",
+                                views.name(), name(precision)));
+    add_guest(build, views, view, eae);
+    build.eae_s += core::in_seconds(eae.pieces.time) / static_cast<double>(views.size());
+    build.plain_s += core::in_seconds(plain.pieces.time) / static_cast<double>(views.size());
+  }
+  return build;
+}
+
+jones::PreciseView run_twin(const SceneViews& views, std::size_t view, const jones::Precision& precision) {
+  const auto& core = views.in_core(view).core;
+  return jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+}
+
+PictureError measure_twin(const SceneViews& views, const jones::Precision& precision) {
+  PictureError error;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    const jones::PreciseView seen = run_twin(views, view, precision);
+    std::vector<picture::DrawnPiece> drawn;
+    for (const jones::PrecisePiece& piece : seen.pieces)
+      if (const auto& line = views.in_core(view).lines.at(piece.vector_address))
+        drawn.push_back(views.piece(view, *line, piece.line));
+    views.add(error, view, seen.status, drawn);
+  }
+  return error;
+}
+
+}  // namespace sightline::report

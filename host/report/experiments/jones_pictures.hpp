@@ -1,0 +1,80 @@
+// Jones's program in every arithmetic, from six eyes a scene, and how wrong its pictures are.
+//
+// On the emulated PDP-7: 0 to 3 fraction bits, rounding or truncating, with the EAE and without, no display on the
+// machine. In C++, the same search in words of other lengths and in floating point.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host/compare/lines.hpp"
+#include "host/guests/jones/precision/precision.hpp"
+#include "host/guests/jones/precision/study.hpp"
+#include "host/picture/line_metrics.hpp"
+#include "host/scene/model/cell_scene.hpp"
+
+namespace sightline::report {
+
+// Over the views of a scene: lengths are sums, in pixels of the 1024 raster.
+struct PictureError {
+  double visible = 0;
+  double missing = 0;
+  double extra = 0;
+  double extra_far = 0;  // farther than a pixel from everything seen
+  double hausdorff = 0;  // the greatest of any view; infinite if one shows nothing at all
+  picture::Rate wrong_visibility;
+  std::size_t incomplete = 0;  // views that ended with a status
+
+  // L_sym, in per cent of what is visible.
+  [[nodiscard]] double symmetric_per_cent() const { return visible > 0 ? 100 * (missing + extra) / visible : 0; }
+};
+
+// The six views of a scene, and what is truly seen from each.
+class SceneViews {
+ public:
+  // Throws Failure (bad_input): the scene is beyond the limits of the oracle or of the machine's core.
+  explicit SceneViews(const guests::jones::SixViews& views);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const scene::CellScene& scene() const { return scene_; }
+  [[nodiscard]] std::size_t size() const { return views_.size(); }
+  [[nodiscard]] const geometry::Point& eye(std::size_t view) const { return views_[view].eye; }
+  [[nodiscard]] const guests::jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
+
+  // `line` in points of the screen.
+  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const guests::jones::SceneLine& line,
+                                          const algorithms::oracle::ScreenSegment& image) const;
+  void add(PictureError& error, std::size_t view, guests::jones::Status status,
+           const std::vector<picture::DrawnPiece>& drawn) const;
+
+ private:
+  struct View {
+    geometry::Point eye{};
+    guests::jones::SceneInCore in_core;
+    compare::CellReference reference;
+  };
+
+  std::string name_;
+  scene::CellScene scene_;
+  std::vector<View> views_;
+};
+
+// A build of the program on the machine. Times are means of a view.
+struct MachineBuild {
+  guests::jones::Precision precision;
+  PictureError clipped;    // pieces as they left the clip, with their fraction of a point
+  PictureError displayed;  // the same between the whole points of the display
+  double eae_s = 0;
+  double plain_s = 0;  // without the EAE; the pieces are the same
+};
+
+// Throws Failure: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
+[[nodiscard]] MachineBuild measure_build(const SceneViews& views, const guests::jones::Precision& precision);
+
+// In C++.
+[[nodiscard]] guests::jones::PreciseView run_twin(const SceneViews& views, std::size_t view,
+                                                  const guests::jones::Precision& precision);
+[[nodiscard]] PictureError measure_twin(const SceneViews& views, const guests::jones::Precision& precision);
+
+}  // namespace sightline::report

@@ -1,0 +1,12 @@
+// An image as a value of records.
+#pragma once
+
+#include "host/picture/image.hpp"
+#include "host/report/records.hpp"
+
+namespace sightline::report {
+
+// Throws Failure (file) if it cannot be encoded.
+[[nodiscard]] Picture png_picture(const picture::Image& image, bool pixelated = false);
+
+}  // namespace sightline::report

@@ -1,0 +1,173 @@
+// The experiments' records: that they hold the rows promised, what must be true of any run, and that the data files
+// read the keys that are there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "host/report/html_page.hpp"
+#include "host/report/layout.hpp"
+#include "host/report/make_report.hpp"
+#include "host/report/table_text.hpp"
+
+namespace sightline::report {
+namespace {
+
+Context quiet() {
+  Context context;
+  context.host_times = false;
+  context.jobs = std::max(1U, std::thread::hardware_concurrency());
+  return context;
+}
+
+const Results& results() {
+  static const Results made = [] {
+    auto outcome = run_experiments({}, quiet());
+    if (!outcome) ADD_FAILURE() << outcome.error().message;
+    return outcome ? *std::move(outcome) : Results();
+  }();
+  return made;
+}
+
+const RowSet& set(const std::string& experiment, const std::string& name) {
+  return results().at(experiment).at(name);
+}
+
+double number(const RowSet& rows, std::size_t row, std::string_view key) {
+  const auto value = rows.at(row, key).number();
+  EXPECT_TRUE(value) << key << row;
+  return value.value_or(0);
+}
+
+TEST(Experiments, AndDataFilesHaveTheSameKeys) {
+  for (const std::string& line : mismatches(read_layout(layout_files()), results())) ADD_FAILURE() << line;
+}
+
+TEST(Experiments, HaveAllScenesAndFunctions) {
+  const RowSet& views = set("jones-views", "views");
+  ASSERT_EQ(views.size(), 10U);
+  for (std::size_t row = 0; row < views.size(); row += 2) {
+    EXPECT_EQ(views.at(row, "scene"), views.at(row + 1, "scene"));
+    EXPECT_GT(number(views, row + 1, "second_view_s"), 2 * number(views, row, "second_view_s"))
+        << "the EAE multiplies and divides far quicker than a program";
+    EXPECT_EQ(views.at(row, "pieces"), views.at(row + 1, "pieces"));
+    EXPECT_GE(number(views, row, "second_view_s"), number(views, row, "first_view_s"))
+        << "the display takes cycles from the second view";
+    for (const char* const picture : {"screen", "phosphor"})
+      EXPECT_GT(std::get<Picture>(views.at(row, picture).kind()).bytes.size(), 100U) << picture << row;
+  }
+  const RowSet& pictures = set("skala-pictures", "pictures");
+  EXPECT_EQ(pictures.size(), 24U);
+  for (std::size_t row = 0; row < pictures.size(); ++row)
+    EXPECT_GT(std::get<Picture>(pictures.at(row, "raster").kind()).bytes.size(), 100U) << row;
+  EXPECT_EQ(set("skala-pictures", "curves").size(), 8U);
+}
+
+// Fig. 6 gives the layout: what the words of all openings come to is counted apart from the assembler.
+TEST(Experiments, TheLayoutOfFigure6IsTheProgramsOwn) {
+  const RowSet& elements = set("jones-views", "elements");
+  ASSERT_EQ(elements.size(), 5U);
+  for (std::size_t row = 0; row < elements.size(); ++row)
+    EXPECT_EQ(elements.at(row, "opening_words"), elements.at(row, "opening_words_counted")) << row;
+}
+
+TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
+  const RowSet& views = set("jones-views", "views");
+  for (std::size_t row = 0; row < views.size(); ++row) {
+    EXPECT_EQ(views.at(row, "core_words"), Value(8192));
+    EXPECT_LE(number(views, row, "used_words"), 8192);
+    EXPECT_GE(number(views, row, "used_words"),
+              number(views, row, "program_words") + number(views, row, "scene_words"));
+    EXPECT_LE(number(views, row, "file_words"), number(views, row, "file_room_words"));
+    EXPECT_LE(number(views, row, "stack_words"), number(views, row, "stack_room_words"));
+    EXPECT_LE(number(views, row, "cells_read"), number(views, row, "cells"));
+    EXPECT_GE(number(views, row, "visits"), number(views, row, "cells_read"));
+    EXPECT_LE(number(views, row, "depth"), number(views, row, "cells"));
+    EXPECT_GT(number(views, row, "stolen_cycles"), 0);
+  }
+  const RowSet& memory = set("skala-pictures", "memory");
+  for (const char* const picture : {"lines_bytes", "surface_bytes", "contours_bytes"}) {
+    double sum = 0;
+    for (std::size_t row = 0; row + 1 < memory.size(); ++row) sum += number(memory, row, picture);
+    EXPECT_LE(sum, number(memory, memory.size() - 1, picture)) << picture;
+  }
+}
+
+// "Cells to which access is not gained in this way are never even considered."
+TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
+  const RowSet& corridors = set("jones-views", "corridors");
+  ASSERT_EQ(corridors.size(), 4U);
+  for (const std::size_t row : {0U, 2U}) {
+    EXPECT_EQ(corridors.at(row, "cells"), Value(8));
+    EXPECT_EQ(corridors.at(row + 1, "cells"), Value(32));
+    for (const char* const same : {"cells_read", "visits", "instructions", "view_s"})
+      EXPECT_EQ(corridors.at(row, same), corridors.at(row + 1, same)) << same;
+  }
+}
+
+TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
+  const RowSet& house = set("jones-unseen", "house");
+  ASSERT_EQ(house.size(), 4U);
+  double cells = 0;
+  for (std::size_t row = 0; row < house.size(); ++row) {
+    EXPECT_GT(number(house, row, "cells"), cells);
+    cells = number(house, row, "cells");
+    EXPECT_GT(cells, number(house, row, "rooms"));
+    // Of the house there are 64 rooms and what lies around them.
+    EXPECT_LT(number(house, row, "cells_seen"), 100);
+    for (const char* const same : {"cells_seen", "visits", "segments"})
+      EXPECT_EQ(house.at(row, same), house.at(0, same)) << same;
+  }
+}
+
+// What is computed exactly has no error, and what fits its words has one that falls with fraction bits.
+TEST(Experiments, ErrorsFallWithFractionBits) {
+  const RowSet& machine = set("jones-accuracy", "machine");
+  ASSERT_EQ(machine.size(), 4U * 2 * 4);
+  for (std::size_t row = 0; row < machine.size(); row += 4)
+    EXPECT_LT(number(machine, row + 3, "l_sym_per_cent"), number(machine, row, "l_sym_per_cent")) << row;
+  const RowSet& numbers = set("jones-numbers", "numbers");
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    if (numbers.at(row, "study") == Value("exact") || numbers.at(row, "arithmetic") == Value("double")) {
+      EXPECT_EQ(number(numbers, row, "l_sym_per_cent"), 0) << row;
+    }
+  }
+}
+
+// The words under which the papers' numbers stand in them.
+TEST(ReportPapers, HaveEveryNumber) {
+  const Layout layout = read_layout(layout_files());
+  std::string said;
+  for (const Paper& paper : layout.papers) {
+    EXPECT_FALSE(paper.authors.empty()) << paper.id;
+    EXPECT_FALSE(paper.title.empty()) << paper.id;
+    for (const auto& [name, claim] : paper.claims) {
+      EXPECT_FALSE(claim.place.empty()) << paper.id << '.' << name;
+      said += claim.says + "\n";
+    }
+  }
+  for (const char* const words :
+       {"a few seconds\"", "order of a few seconds", "show the computing time in seconds", "several minutes",
+        "sixteen frames per second", "8192 18-bit words", "1.75 microseconds", "eight sense switches", "opening-element",
+        "cell-element", "stereoscopic pair", "2 sec. approximately", "about 15% slower", "256x256 points", "8 colours",
+        "3MHz", "1024 columns"})
+    EXPECT_NE(said.find(words), std::string::npos) << words;
+}
+
+// Of which nothing is a statement that does not hold, and no two runs differ.
+TEST(ReportRun, IsTheSameTwice) {
+  const auto first = make_report({}, quiet());
+  ASSERT_TRUE(first) << first.error().message;
+  const std::string page = html_page(*first);
+  EXPECT_EQ(page.find("Not in this run"), std::string::npos) << page.substr(page.find("Not in this run"), 300);
+  EXPECT_EQ(page.find("not in this run"), std::string::npos) << page.substr(page.find("not in this run"), 300);
+  EXPECT_LT(page.size(), 4'000'000U);
+  const auto second = make_report({}, quiet());
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_TRUE(page == html_page(*second));
+}
+
+}  // namespace
+}  // namespace sightline::report
