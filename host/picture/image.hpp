@@ -8,6 +8,14 @@
 
 namespace sightline::picture {
 
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
 struct Image {
   int width = 0;
   int height = 0;

@@ -1,20 +1,17 @@
 #include "host/picture/pen_drawing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
+#include <utility>
 
-#include "host/picture/xml_text.hpp"
+#include "host/picture/svg.hpp"
 
 namespace sightline::picture {
 
 namespace {
 
 constexpr std::int64_t margin = 10'000;     // micrometres
-constexpr std::int64_t half_pen_dash = 10;  // micrometres
 constexpr const char* pen_width = "0.300";  // millimetres
 
 class Dots {
@@ -47,41 +44,6 @@ class Dots {
   Image image_;
 };
 
-class Sheet {
- public:
-  explicit Sheet(const PlotterPaper& paper) : paper_(paper) {}
-
-  [[nodiscard]] std::int64_t side() const {
-    return 2 * margin + (paper_.steps - 1) * paper_.micrometres_a_step;
-  }
-
-  // SVG counts y downwards.
-  void append(std::string& text, PenPoint point, std::int64_t shift = 0) const {
-    const std::int64_t across = margin + point.x * paper_.micrometres_a_step + shift;
-    const std::int64_t down = side() - margin - point.y * paper_.micrometres_a_step;
-    fmt::format_to(std::back_inserter(text), "{}.{:03},{}.{:03}", across / 1000, across % 1000, down / 1000,
-                   down % 1000);
-  }
-
- private:
-  PlotterPaper paper_;
-};
-
-void append_polyline(std::string& text, const Sheet& sheet, const PenPath& path) {
-  text += "    <polyline points=\"";
-  if (path.corners.size() == 1) {
-    sheet.append(text, path.corners.front(), -half_pen_dash);
-    text += ' ';
-    sheet.append(text, path.corners.front(), half_pen_dash);
-  } else {
-    for (std::size_t i = 0; i < path.corners.size(); ++i) {
-      if (i > 0) text += ' ';
-      sheet.append(text, path.corners[i]);
-    }
-  }
-  text += "\"/>\n";
-}
-
 }  // namespace
 
 Image pen_image(std::span<const PenPath> paths, const PlotterPaper& paper, int scale) {
@@ -95,22 +57,22 @@ Image pen_image(std::span<const PenPath> paths, const PlotterPaper& paper, int s
 }
 
 std::string pen_svg(std::span<const PenPath> paths, const PlotterPaper& paper, const std::string& title) {
-  const Sheet sheet(paper);
-  const std::string side = fmt::format("{}.{:03}", sheet.side() / 1000, sheet.side() % 1000);
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
-      "     width=\"{0}mm\" height=\"{0}mm\" viewBox=\"0 0 {0} {0}\">\n"
-      "  <title>{1}</title>\n"
-      "  <g id=\"pen-1\" inkscape:groupmode=\"layer\" inkscape:label=\"1 pen\"\n"
-      "     fill=\"none\" stroke=\"#000000\" stroke-width=\"{2}\" stroke-linecap=\"round\" "
-      "stroke-linejoin=\"round\">\n",
-      side, xml_text(title), pen_width);
-  for (const PenPath& path : paths)
-    if (!path.corners.empty()) append_polyline(text, sheet, path);
-  text += "  </g>\n</svg>\n";
-  return text;
+  const std::int64_t side = 2 * margin + (paper.steps - 1) * paper.micrometres_a_step;
+  SvgWriter svg(static_cast<double>(side) / 1000, static_cast<double>(side) / 1000, title);
+  svg.open_lines("pen-1", "1 pen", {}, pen_width);
+  const auto across = [&](PenPoint at) { return margin + at.x * paper.micrometres_a_step; };
+  const auto down = [&](PenPoint at) { return side - margin - at.y * paper.micrometres_a_step; };
+  for (const PenPath& path : paths) {
+    if (path.corners.empty()) continue;
+    svg.begin_polyline();
+    if (path.corners.size() == 1)
+      svg.dot(across(path.corners.front()), down(path.corners.front()));
+    else
+      for (const PenPoint corner : path.corners) svg.point(across(corner), down(corner));
+    svg.end_shape();
+  }
+  svg.close_layer();
+  return std::move(svg).finish();
 }
 
 }  // namespace sightline::picture

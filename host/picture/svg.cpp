@@ -1,121 +1,109 @@
-// See svg.hpp.
 #include "host/picture/svg.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdlib>
 #include <iterator>
-
-#include "host/picture/stroke_sinks.hpp"
-#include "host/picture/xml_text.hpp"
 
 namespace sightline::picture {
 
-namespace {
-
-// Half the length of the dash that stands for a lone point, and the pen's width (the 0.015 in of the spot).
-constexpr std::int64_t half_dash_tenths = 100;  // tenths of a micrometre
-constexpr const char* pen_millimetres = "0.381";
-
-bool one_step_apart(LatticePoint a, LatticePoint b) {
-  return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) == 1;
-}
-
-int direction_of(int value) {
-  return (value > 0) - (value < 0);
-}
-
-// Does b -> c go on in the direction of a -> b? Both run along one of the eight directions of the lattice.
-bool straight(LatticePoint a, LatticePoint b, LatticePoint c) {
-  return direction_of(b.x - a.x) == direction_of(c.x - b.x) &&
-         direction_of(b.y - a.y) == direction_of(c.y - b.y);
-}
-
-// Middle of point `index` of the 1024, in tenths of a micrometre, rounded to the nearest.
-std::int64_t tenths_of_micrometres(int index) {
-  constexpr std::int64_t screen = 2381250;
-  return ((2 * std::int64_t{index} + 1) * screen + screen_points) / (2 * screen_points);
-}
-
-void append_tenths(std::string& text, std::int64_t tenths) {
-  fmt::format_to(std::back_inserter(text), "{}.{:04}", tenths / 10000, tenths % 10000);
-}
-
-void append_position(std::string& text, std::int64_t across, std::int64_t down) {
-  append_tenths(text, across);
-  text += ',';
-  append_tenths(text, down);
-}
-
-void append_polyline(std::string& text, const Polyline& line) {
-  text += "    <polyline points=\"";
-  if (line.corners.size() == 1) {
-    const std::int64_t across = tenths_of_micrometres(line.corners.front().x);
-    const std::int64_t down = tenths_of_micrometres(screen_points - 1 - line.corners.front().y);
-    append_position(text, across - half_dash_tenths, down);
-    text += ' ';
-    append_position(text, across + half_dash_tenths, down);
-  } else {
-    for (const LatticePoint& corner : line.corners) {
-      if (&corner != &line.corners.front()) text += ' ';
-      append_position(text, tenths_of_micrometres(corner.x),
-                      tenths_of_micrometres(screen_points - 1 - corner.y));
+std::string xml_text(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += c >= ' ' && c <= '~' ? c : '?';
     }
   }
-  text += "\"/>\n";
+  return safe;
 }
 
-}  // namespace
+SvgWriter::SvgWriter(const std::string& width, const std::string& height, std::string_view title,
+                     Positions positions)
+    : positions_(positions),
+      text_(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
+                        "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n"
+                        "  <title>{2}</title>\n",
+                        width, height, xml_text(title))) {}
 
-std::vector<Polyline> join_strokes(std::span<const core::Stroke> strokes) {
-  std::vector<Polyline> lines;
-  for (const core::Stroke& stroke : strokes) {
-    if (!on_screen(stroke)) continue;
-    const LatticePoint point{stroke.x, stroke.y};
-    if (lines.empty() || lines.back().intensity != stroke.intensity) {
-      lines.push_back({stroke.intensity, {point}});
-      continue;
-    }
-    auto& corners = lines.back().corners;
-    if (corners.back() == point) continue;
-    if (!one_step_apart(corners.back(), point)) {
-      lines.push_back({stroke.intensity, {point}});
-    } else if (corners.size() >= 2 && straight(corners[corners.size() - 2], corners.back(), point)) {
-      corners.back() = point;
-    } else {
-      corners.push_back(point);
-    }
-  }
-  return lines;
+std::string SvgWriter::millimetres(double length) {
+  return fmt::format("{:.3f}", length);
 }
 
-std::string svg_drawing(std::span<const core::Stroke> strokes, const std::string& title) {
-  const auto lines = join_strokes(strokes);
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
-      "     width=\"{0:.3f}mm\" height=\"{0:.3f}mm\" viewBox=\"0 0 {0:.3f} {0:.3f}\">\n"
-      "  <title>{1}</title>\n",
-      screen_millimetres, xml_text(title));
-  for (int intensity = 0; intensity < intensity_levels; ++intensity) {
-    const auto in_layer = [intensity](const Polyline& line) { return line.intensity == intensity; };
-    if (std::none_of(lines.begin(), lines.end(), in_layer)) continue;
-    fmt::format_to(
-        std::back_inserter(text),
-        "  <g id=\"intensity-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} intensity {0}\"\n"
-        "     fill=\"none\" stroke=\"#000000\" stroke-width=\"{1}\" stroke-linecap=\"round\" "
-        "stroke-linejoin=\"round\">\n",
-        intensity, pen_millimetres);
-    for (const Polyline& line : lines) {
-      if (in_layer(line)) append_polyline(text, line);
-    }
-    text += "  </g>\n";
+void SvgWriter::clip_rectangle(std::string_view id, double x, double y, double width, double height) {
+  fmt::format_to(std::back_inserter(text_),
+                 "  <clipPath id=\"{}\"><rect x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\"/>"
+                 "</clipPath>\n",
+                 id, x, y, width, height);
+}
+
+void SvgWriter::open_lines(std::string_view id, std::string_view label, Colour colour,
+                           std::string_view pen_millimetres) {
+  fmt::format_to(
+      std::back_inserter(text_),
+      "  <g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\"\n"
+      "     fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
+      "stroke-linejoin=\"round\">\n",
+      id, xml_text(label), colour.red, colour.green, colour.blue, pen_millimetres);
+}
+
+void SvgWriter::open_areas(std::string_view id, std::string_view label, std::string_view style) {
+  fmt::format_to(std::back_inserter(text_),
+                 "  <g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\" {}>\n", id,
+                 xml_text(label), style);
+}
+
+void SvgWriter::begin_polygon(Colour colour) {
+  begin("    <polygon");
+  fmt::format_to(std::back_inserter(text_),
+                 " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" points=\"", colour.red,
+                 colour.green, colour.blue);
+}
+
+void SvgWriter::begin_path(Colour colour) {
+  begin("    <path");
+  fmt::format_to(std::back_inserter(text_),
+                 " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" d=\"", colour.red,
+                 colour.green, colour.blue);
+}
+
+void SvgWriter::point(std::int64_t across, std::int64_t down) {
+  if (command_ != 0) text_ += command_;
+  append(across);
+  text_ += ',';
+  append(down);
+  command_ = command_ == 'M' || command_ == 'L' ? 'L' : ' ';
+}
+
+void SvgWriter::dot(std::int64_t across, std::int64_t down) {
+  std::int64_t half_dash = 1;  // 10^-2 mm
+  for (int digit = 2; digit < positions_.decimals; ++digit) half_dash *= 10;
+  point(across - half_dash, down);
+  point(across + half_dash, down);
+}
+
+// By hand: a drawing has hundreds of thousands of these.
+void SvgWriter::append(std::int64_t position) {
+  char digits[24];
+  char* const end = digits + sizeof digits;
+  char* at = end;
+  std::uint64_t rest = static_cast<std::uint64_t>(position < 0 ? -position : position);
+  for (int place = 0; place <= positions_.decimals || rest > 0; ++place) {
+    if (place == positions_.decimals) *--at = '.';
+    *--at = static_cast<char>('0' + rest % 10);
+    rest /= 10;
   }
-  text += "</svg>\n";
-  return text;
+  if (position < 0) *--at = '-';
+  std::size_t length = static_cast<std::size_t>(end - at);
+  if (!positions_.needless_zeros) {
+    while (at[length - 1] == '0') --length;
+    if (at[length - 1] == '.') --length;
+  }
+  text_.append(at, length);
 }
 
 }  // namespace sightline::picture

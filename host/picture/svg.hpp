@@ -1,40 +1,72 @@
-// Strokes as an SVG drawing in millimetres, at the size of the tube, for plotters and drawing programs.
-//
-// The screen is 9.375 in = 238.125 mm square (16ADP7 tube, DEC-340 manual); point (x, y) lies at the middle
-// of its 1/1024 of it. One user unit is one millimetre. Each intensity in use is an Inkscape layer, labelled
-// with the number first ("7 intensity 7") as plotter programs that pick layers by number want it. Strokes
-// that follow each other one step apart (also diagonally) become one polyline, whose straight runs keep only
-// their ends: the points stay on the same lattice, to 0.1 um. A point without a neighbour becomes a dash of
-// 0.02 mm, because many programs do not draw a path of no length. Brightness of repeated strokes is left out.
+// SVG as drawing programs and plotter programs take it: in millimetres, one user unit each, y downwards,
+// every group an Inkscape layer. Plotter programs pick layers by the number that their labels begin with.
 #pragma once
 
-#include <span>
+#include <cstddef>
+#include <cstdint>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
-#include "emulators/core/stroke.hpp"
+#include "host/picture/image.hpp"
 
 namespace sightline::picture {
 
-inline constexpr double screen_millimetres = 238.125;
+// For text and for values in double quotes. What XML does not allow at all, or is not ASCII, becomes '?'.
+[[nodiscard]] std::string xml_text(std::string_view text);
 
-struct LatticePoint {
-  int x = 0;  // 0..1023 from the left
-  int y = 0;  // 0..1023 from the bottom
+class SvgWriter {
+ public:
+  // Positions are whole numbers of 10^-decimals mm from the top left corner.
+  struct Positions {
+    int decimals = 3;
+    bool needless_zeros = true;  // 1.500 rather than 1.5
+  };
 
-  friend constexpr bool operator==(LatticePoint, LatticePoint) = default;
+  // Width and height in millimetres; the title is escaped here.
+  SvgWriter(double width, double height, std::string_view title, Positions positions = {})
+      : SvgWriter(millimetres(width), millimetres(height), title, positions) {}
+  SvgWriter(const std::string& width, const std::string& height, std::string_view title, Positions positions);
+
+  void reserve(std::size_t bytes) { text_.reserve(bytes); }
+  // What is drawn in layers opened with `clip` ends at this rectangle.
+  void clip_rectangle(std::string_view id, double x, double y, double width, double height);
+
+  // A layer of lines: not filled, with round ends and corners. The label is escaped here.
+  void open_lines(std::string_view id, std::string_view label, Colour colour,
+                  std::string_view pen_millimetres);
+  // A layer of areas. Each has a line of its own colour around it, or the paper would shine through where two
+  // meet; `style` is SVG's attributes, with the width of that line.
+  void open_areas(std::string_view id, std::string_view label, std::string_view style);
+  void close_layer() { text_ += "  </g>\n"; }
+
+  void begin_polyline() { begin("    <polyline points=\""); }
+  void begin_polygon(Colour colour);
+  // Any number of loops, each begun by begin_loop and ended by end_loop.
+  void begin_path(Colour colour);
+  void begin_loop() { command_ = 'M'; }
+  void end_loop() { text_ += 'Z'; }
+  void point(std::int64_t across, std::int64_t down);
+  // A dot as a dash of 0.02 mm: many programs do not draw a line of no length.
+  void dot(std::int64_t across, std::int64_t down);
+  void end_shape() { text_ += "\"/>\n"; }
+
+  [[nodiscard]] std::string finish() && {
+    text_ += "</svg>\n";
+    return std::move(text_);
+  }
+
+ private:
+  [[nodiscard]] static std::string millimetres(double length);
+  void begin(std::string_view element) {
+    text_ += element;
+    command_ = 0;
+  }
+  void append(std::int64_t position);
+
+  Positions positions_;
+  std::string text_;
+  char command_ = 0;  // before the next point: of a path, or a blank
 };
-
-struct Polyline {
-  int intensity = 0;
-  // Consecutive corners differ by k * (sx, sy), sx and sy in -1..1: every lattice point between them was lit.
-  std::vector<LatticePoint> corners;
-};
-
-// In the order of drawing. A lone point is a polyline of one corner. Strokes off the screen are left out.
-[[nodiscard]] std::vector<Polyline> join_strokes(std::span<const core::Stroke> strokes);
-
-// `title` is the drawing's name (escaped here).
-[[nodiscard]] std::string svg_drawing(std::span<const core::Stroke> strokes, const std::string& title);
 
 }  // namespace sightline::picture

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "host/picture/hpgl.hpp"
-#include "host/picture/xml_text.hpp"
+#include "host/picture/svg.hpp"
 
 namespace sightline::picture {
 namespace {
 
-constexpr std::int64_t half_dash = 10;  // micrometres
 constexpr std::size_t most_pens = 8;
 
 // From the drawing to whole parts of a millimetre, from the paper's bottom left.
@@ -38,71 +37,37 @@ class OnPaper {
   double up_;
 };
 
-// Micrometres, not negative, as millimetres without needless zeros.
-void append_millimetres(std::string& text, std::int64_t value) {
-  char digits[24];
-  char* const end = digits + sizeof digits;
-  char* at = end;
-  std::int64_t rest = value;
-  for (int place = 0; place < 4 || rest > 0; ++place) {
-    if (place == 3) *--at = '.';
-    *--at = static_cast<char>('0' + rest % 10);
-    rest /= 10;
-  }
-  std::size_t length = static_cast<std::size_t>(end - at);
-  while (at[length - 1] == '0') --length;
-  if (at[length - 1] == '.') --length;
-  text.append(at, length);
-}
-
-class SvgWriter {
+class DrawingSvg {
  public:
-  SvgWriter(const VectorDrawing& drawing, const Paper& paper)
+  DrawingSvg(const VectorDrawing& drawing, const Paper& paper, const std::string& title)
       : drawing_(drawing),
-        paper_(paper),
+        pen_(fmt::format("{:.3f}", paper.pen)),
         place_(drawing, paper, 1000),
-        height_(static_cast<std::int64_t>(std::floor(paper.height * 1000 + 0.5))) {}
+        height_(static_cast<std::int64_t>(std::floor(paper.height * 1000 + 0.5))),
+        svg_(paper.width, paper.height, title, {.needless_zeros = false}) {}
 
-  std::string write(const std::string& title) {
-    std::size_t corners = drawing_.points.size();
-    text_.reserve(1000 + 16 * corners + 30 * drawing_.lines.size() + 60 * drawing_.facets.size());
-    fmt::format_to(std::back_inserter(text_),
-                   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                   "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                   "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
-                   "     width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" viewBox=\"0 0 {0:.3f} {1:.3f}\">\n"
-                   "  <title>{2}</title>\n",
-                   paper_.width, paper_.height, xml_text(title));
+  std::string write() {
+    svg_.reserve(1000 + 16 * drawing_.points.size() + 30 * drawing_.lines.size() +
+                 60 * drawing_.facets.size());
     if (!drawing_.facets.empty()) facets();
     for (std::uint32_t layer = 0; layer < drawing_.layers.size(); ++layer) lines_of(layer);
-    text_ += "</svg>\n";
-    return std::move(text_);
+    return std::move(svg_).finish();
   }
 
  private:
-  void point(DrawingPoint at, std::int64_t shift = 0) {
-    append_millimetres(text_, place_.x(at) + shift);
-    text_ += ',';
-    append_millimetres(text_, height_ - place_.y(at));
+  void points(std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = first; i < first + count; ++i)
+      svg_.point(place_.x(drawing_.points[i]), height_ - place_.y(drawing_.points[i]));
   }
 
-  // Every facet has a line of its own grey around it, or the paper would shine through where two meet.
   void facets() {
-    text_ +=
-        "  <g id=\"surface\" inkscape:groupmode=\"layer\" inkscape:label=\"0 surface\" "
-        "stroke-width=\"0.05\" stroke-linejoin=\"round\">\n";
+    svg_.open_areas("surface", "0 surface", "stroke-width=\"0.05\" stroke-linejoin=\"round\"");
     for (const DrawingFacet& facet : drawing_.facets) {
-      fmt::format_to(
-          std::back_inserter(text_),
-          "    <polygon fill=\"#{0:02x}{0:02x}{0:02x}\" stroke=\"#{0:02x}{0:02x}{0:02x}\" points=\"",
-          facet.grey);
-      for (std::uint32_t i = 0; i < facet.count; ++i) {
-        if (i > 0) text_ += ' ';
-        point(drawing_.points[facet.first + i]);
-      }
-      text_ += "\"/>\n";
+      svg_.begin_polygon({facet.grey, facet.grey, facet.grey});
+      points(facet.first, facet.count);
+      svg_.end_shape();
     }
-    text_ += "  </g>\n";
+    svg_.close_layer();
   }
 
   void lines_of(std::uint32_t layer) {
@@ -110,43 +75,35 @@ class SvgWriter {
     auto line = std::find_if(drawing_.lines.begin(), drawing_.lines.end(), in_layer);
     if (line == drawing_.lines.end()) return;
     const DrawingLayer& about = drawing_.layers[layer];
-    fmt::format_to(std::back_inserter(text_),
-                   "  <g id=\"layer-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1}\"\n"
-                   "     fill=\"none\" stroke=\"#{2:02x}{3:02x}{4:02x}\" stroke-width=\"{5:.3f}\" "
-                   "stroke-linecap=\"round\" "
-                   "stroke-linejoin=\"round\">\n",
-                   layer + 1, xml_text(about.label), about.colour.red, about.colour.green, about.colour.blue,
-                   paper_.pen);
+    svg_.open_lines(fmt::format("layer-{}", layer + 1), fmt::format("{} {}", layer + 1, about.label),
+                    about.colour, pen_);
     for (; line != drawing_.lines.end(); ++line)
       if (in_layer(*line)) polyline(*line);
-    text_ += "  </g>\n";
+    svg_.close_layer();
   }
 
   void polyline(const DrawingLine& line) {
-    text_ += "    <polyline points=\"";
+    svg_.begin_polyline();
     if (line.count == 1) {
-      point(drawing_.points[line.first], -half_dash);
-      text_ += ' ';
-      point(drawing_.points[line.first], half_dash);
+      const DrawingPoint at = drawing_.points[line.first];
+      svg_.dot(place_.x(at), height_ - place_.y(at));
+    } else {
+      points(line.first, line.count);
     }
-    for (std::uint32_t i = 0; i < line.count && line.count > 1; ++i) {
-      if (i > 0) text_ += ' ';
-      point(drawing_.points[line.first + i]);
-    }
-    text_ += "\"/>\n";
+    svg_.end_shape();
   }
 
   const VectorDrawing& drawing_;
-  const Paper& paper_;
+  std::string pen_;
   OnPaper place_;
   std::int64_t height_;
-  std::string text_;
+  SvgWriter svg_;
 };
 
 }  // namespace
 
 std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::string& title) {
-  return SvgWriter(drawing, paper).write(title);
+  return DrawingSvg(drawing, paper, title).write();
 }
 
 std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper) {

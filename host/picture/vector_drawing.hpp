@@ -23,14 +23,6 @@ struct DrawingPoint {
   friend bool operator==(const DrawingPoint&, const DrawingPoint&) = default;
 };
 
-struct Colour {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
-
 struct DrawingLayer {
   std::string label;
   Colour colour;

@@ -8,7 +8,7 @@
 #include "host/app/outputs.hpp"
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
-#include "host/picture/svg.hpp"
+#include "host/picture/stroke_drawing.hpp"
 
 namespace sightline::app {
 

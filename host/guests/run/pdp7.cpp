@@ -10,7 +10,7 @@
 #include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
-#include "host/picture/svg.hpp"
+#include "host/picture/stroke_drawing.hpp"
 #include "tools/disasm/disasm.hpp"
 
 namespace sightline::guests::run {

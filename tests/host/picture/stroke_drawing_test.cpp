@@ -1,6 +1,6 @@
 // The SVG drawing: read back by a small parser of its own, it must be well-formed XML, cover exactly the
 // points that were lit, and put them where the tube has them.
-#include "host/picture/svg.hpp"
+#include "host/picture/stroke_drawing.hpp"
 
 #include <gtest/gtest.h>
 
