@@ -13,8 +13,7 @@
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/aim_camera.hpp"
-#include "host/scene/model/face_numbers.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
 

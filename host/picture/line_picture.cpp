@@ -2,8 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "host/geometry/integer.hpp"
+#include "host/geometry/predicates.hpp"
 
 namespace sightline::picture {
+
 namespace {
 
 void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEdge>& edges) {
@@ -27,6 +34,163 @@ std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+namespace {
+
+using geometry::cross;
+using geometry::difference;
+using geometry::dot;
+using geometry::Int128;
+using geometry::sign;
+using scene::VertexIndex;
+using Vector = geometry::Vector3;
+
+Int128 wide_dot(const Vector& a, const Vector& b) {
+  return Int128{a[0]} * b[0] + Int128{a[1]} * b[1] + Int128{a[2]} * b[2];
+}
+
+// A face at an edge: a direction in the face, away from the edge, not along it. Below 2^19.
+struct Spoke {
+  LineEdge edge;
+  Vector away{};
+};
+
+// Spokes of all edges, ascending by edge. Vertices at the same point count as the first of them.
+class Spokes {
+ public:
+  explicit Spokes(const scene::PolyScene& scene) : scene_(scene), first_at_(scene.vertices.size()) {
+    find_equal_points();
+    for (const scene::PolyBody& body : scene.bodies) {
+      for (const scene::PolyFace& face : body.faces) add(face);
+    }
+    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) { return a.edge < b.edge; });
+  }
+
+  [[nodiscard]] std::vector<Vector> at(const LineEdge& edge) const {
+    const LineEdge known = known_as(edge.from, edge.to);
+    auto it = std::lower_bound(spokes_.begin(), spokes_.end(), known,
+                               [](const Spoke& spoke, const LineEdge& e) { return spoke.edge < e; });
+    std::vector<Vector> directions;
+    for (; it != spokes_.end() && it->edge == known; ++it) directions.push_back(it->away);
+    return directions;
+  }
+
+ private:
+  void find_equal_points() {
+    std::vector<VertexIndex> order(first_at_.size());
+    std::iota(order.begin(), order.end(), VertexIndex{0});
+    std::sort(order.begin(), order.end(), [this](VertexIndex a, VertexIndex b) {
+      return std::pair(scene_.vertices[a], a) < std::pair(scene_.vertices[b], b);
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const bool again = i > 0 && scene_.vertices[order[i]] == scene_.vertices[order[i - 1]];
+      first_at_[order[i]] = again ? first_at_[order[i - 1]] : order[i];
+    }
+  }
+
+  [[nodiscard]] LineEdge known_as(VertexIndex a, VertexIndex b) const {
+    return {std::min(first_at_[a], first_at_[b]), std::max(first_at_[a], first_at_[b])};
+  }
+
+  [[nodiscard]] Vector step(VertexIndex from, VertexIndex to) const {
+    return difference(scene_.vertices[to], scene_.vertices[from]);
+  }
+
+  void add(const scene::PolyFace& face) {
+    Vector normal{};
+    for (std::size_t i = 0; i < face.outline.size(); ++i) {
+      const Vector part =
+          cross(step(face.outline[0], face.outline[i]),
+                step(face.outline[0], face.outline[i + 1 == face.outline.size() ? 0 : i + 1]));
+      for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] += part[axis];
+    }
+    add_ring(face.outline, face.outline, normal);
+    for (const auto& hole : face.holes) add_ring(hole, face.outline, normal);
+  }
+
+  // The face is to the left of every ring, seen against the normal. Any corner beside the line of a side
+  // gives a direction in the face or exactly out of it.
+  void add_ring(const std::vector<VertexIndex>& ring, const std::vector<VertexIndex>& corners,
+                const Vector& normal) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const VertexIndex p = ring[i];
+      const VertexIndex q = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const Vector inward = cross(normal, step(p, q));
+      for (const VertexIndex corner : corners) {
+        Vector away = step(p, corner);
+        const int hand = sign(wide_dot(inward, away));
+        if (hand == 0) continue;
+        for (std::int64_t& part : away) part *= hand;
+        spokes_.push_back({known_as(p, q), away});
+        break;
+      }
+    }
+  }
+
+  const scene::PolyScene& scene_;
+  std::vector<VertexIndex> first_at_;
+  std::vector<Spoke> spokes_;
+};
+
+// Directions about an axis, counted from the direction of the eye.
+class Circle {
+ public:
+  Circle(const Vector& axis, const Vector& eye) : axis_(axis), eye_(eye) {}
+
+  // 0: towards the eye, 1: less than half a turn, 2: half, 3: more.
+  [[nodiscard]] int quarter(const Vector& a) const {
+    const int turn = sign(dot(cross(axis_, eye_), a));
+    if (turn != 0) return turn > 0 ? 1 : 3;
+    return along(eye_, a) > 0 ? 0 : 2;
+  }
+
+  [[nodiscard]] bool before(const Vector& a, const Vector& b) const {
+    const int qa = quarter(a);
+    const int qb = quarter(b);
+    return qa != qb ? qa < qb : dot(cross(axis_, a), b) > 0;
+  }
+
+  [[nodiscard]] bool opposite(const Vector& a, const Vector& b) const {
+    return dot(cross(axis_, a), b) == 0 && along(a, b) < 0;
+  }
+
+ private:
+  [[nodiscard]] int along(const Vector& a, const Vector& b) const {
+    return sign(wide_dot(cross(axis_, a), cross(axis_, b)));
+  }
+
+  Vector axis_;
+  Vector eye_;
+};
+
+bool is_seam(std::vector<Vector> spokes, const Circle& circle) {
+  if (spokes.size() < 2) return false;
+  std::sort(spokes.begin(), spokes.end(),
+            [&circle](const Vector& a, const Vector& b) { return circle.before(a, b); });
+  const Vector& first = spokes.front();
+  const Vector& last = spokes.back();
+  if (circle.quarter(first) != 0) return circle.opposite(last, first);
+  const auto next = std::find_if(spokes.begin(), spokes.end(),
+                                 [&circle](const Vector& spoke) { return circle.quarter(spoke) != 0; });
+  return next != spokes.end() && circle.opposite(first, *next) && circle.opposite(last, first);
+}
+
+}  // namespace
+
+LinePicture without_seams(const LinePicture& picture, const scene::PolyScene& scene,
+                          const scene::PolyCamera& camera) {
+  const Spokes spokes(scene);
+  const Vector forward = geometry::vector_of(camera.forward);
+  LinePicture features;
+  for (const LinePiece& piece : picture.pieces) {
+    const scene::PolyPoint& from = scene.vertices[piece.edge.from];
+    const Vector axis = difference(scene.vertices[piece.edge.to], from);
+    const Vector eye =
+        camera.perspective ? difference(camera.eye, from) : Vector{-forward[0], -forward[1], -forward[2]};
+    if (!is_seam(spokes.at(piece.edge), Circle(axis, eye))) features.pieces.push_back(piece);
+  }
+  return features;
 }
 
 }  // namespace sightline::picture

@@ -1,5 +1,9 @@
 #include "host/picture/pen_path.hpp"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 namespace sightline::picture {
 
 namespace {
@@ -22,6 +26,43 @@ void extend(PenPath& path, PenPoint next) {
     }
   }
   corners.push_back(next);
+}
+
+namespace {
+
+// The nearest unit, halves upwards.
+std::int64_t units(int steps, const PlotterPaper& paper) {
+  const std::int64_t twice = 2 * steps * paper.micrometres_a_step + hpgl_unit_micrometres;
+  const std::int64_t whole = twice / (2 * hpgl_unit_micrometres);
+  return twice % (2 * hpgl_unit_micrometres) < 0 ? whole - 1 : whole;
+}
+
+void append_point(std::string& text, PenPoint point, const PlotterPaper& paper) {
+  fmt::format_to(std::back_inserter(text), "{},{}", units(point.x, paper), units(point.y, paper));
+}
+
+}  // namespace
+
+std::string hpgl(std::span<const PenPath> paths, const PlotterPaper& paper) {
+  std::string text = "IN;\nSP1;\n";
+  for (const PenPath& path : paths) {
+    if (path.corners.empty()) continue;
+    text += "PU";
+    append_point(text, path.corners.front(), paper);
+    text += ";\nPD";
+    std::size_t in_instruction = 0;
+    for (std::size_t i = 1; i < path.corners.size(); ++i) {
+      if (in_instruction == hpgl_most_corners) {
+        text += ";\nPD";
+        in_instruction = 0;
+      }
+      if (in_instruction++ > 0) text += ',';
+      append_point(text, path.corners[i], paper);
+    }
+    text += ";\n";
+  }
+  text += "PU;\nSP0;\n";
+  return text;
 }
 
 }  // namespace sightline::picture

@@ -16,10 +16,56 @@
 
 #include "emulators/core/stroke.hpp"
 #include "host/picture/image.hpp"
-#include "host/picture/phosphor_parameters.hpp"
 #include "host/picture/stroke_sinks.hpp"
 
 namespace sightline::picture {
+
+// Everything that decides how the P7 photograph looks, in one place.
+//
+// Known: spot about 0.015 in across on a lattice of 0.00916 in (Type 30 manual, DEC-340 manual); the P7
+// screen is a cascade of two layers, a blue-white flash (10 % after 25-75 us) over a yellow-green layer lit
+// by it (10 % after 0.4 s, then a power-law tail; RCA TPM-1508A). Chosen by eye, as nothing measured is
+// known: the intensity curve, the split of the light between the layers, colours, halo, face and exposure.
+
+using LinearColour = std::array<double, 3>;  // linear light, sRGB primaries
+
+// Light that fades as e^(-t/tau), as a part of all the light its layer sends out after one flash.
+struct DecayPart {
+  double share;  // of the layer's light; the shares of a layer add up to 1
+  double tau_seconds;
+};
+
+struct PhosphorParameters {
+  int pixels_per_point = 1;  // 1 or 2
+  int margin_points = 24;    // glass around the lattice, 0..64 points
+
+  // Light of one flash of intensity i, relative to intensity 7: floor + (1 - floor) * (i/7)^1.5.
+  double luminance_floor = 0.15;
+  // Spot of intensity i: a Gaussian, sigma = base + growth * i/7, in points.
+  double spot_sigma_base = 0.60;
+  double spot_sigma_growth = 0.20;
+  // Further blur of the yellow layer, which is lit from the blue one: added in squares, in points.
+  double cascade_sigma = 1.9;
+
+  double blue_share = 0.25;  // of a flash's light; the rest is yellow-green
+  double blue_tau_seconds = 20e-6;
+  // 0.29 e^(-t/0.04) + 0.48 e^(-t/0.16) + 0.06 e^(-t/2.4) follows 1/(1 + t/0.0444 s) within 25 % from 0 to 6
+  // s; each part's share of the light is its amplitude times its tau.
+  std::array<DecayPart, 3> yellow{{{0.0116 / 0.2324, 0.04}, {0.0768 / 0.2324, 0.16}, {0.144 / 0.2324, 2.4}}};
+
+  LinearColour blue_colour{0.10, 0.22, 1.0};
+  LinearColour yellow_colour{0.55, 0.80, 0.10};
+
+  // Light scattered in the faceplate: this part of every spot, as a wide Gaussian.
+  double halo_share = 0.03;
+  double halo_sigma = 12.0;  // points
+
+  LinearColour ambient{0.011, 0.017, 0.012};  // the unlit face, dark green-grey
+  // What one full flash, spread over the area of one lattice point, adds to the exposure of the film. The
+  // film then answers v / (1 + v). Set for a line drawing refreshed 40 times a second, shutter open for 0.2
+  // s.
+  double exposure = 3.5;
+};
 
 // Light on the film before it answers, in flashes of intensity 7 per area of one lattice point; rows from the
 // top.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "host/picture/stroke_sinks.hpp"
+
 namespace sightline::picture {
 
 namespace {
@@ -35,6 +37,14 @@ Image raster_image(const core::Raster& raster, RasterPalette palette, int scale)
     }
     const auto length = to - first_line;
     for (int n = 1; n < scale; ++n) to = std::copy_n(first_line, length, to);
+  }
+  return image;
+}
+
+Image crisp_raster(std::span<const core::Stroke> strokes) {
+  Image image(screen_points, screen_points, 1);
+  for (const core::Stroke& stroke : strokes) {
+    if (on_screen(stroke)) image.pixels[image.index(stroke.x, screen_points - 1 - stroke.y)] = 255;
   }
   return image;
 }

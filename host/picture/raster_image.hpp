@@ -1,7 +1,10 @@
 // A raster board's picture as an image, point for point.
 #pragma once
 
+#include <span>
+
 #include "emulators/core/raster.hpp"
+#include "emulators/core/stroke.hpp"
 #include "host/picture/image.hpp"
 
 namespace sightline::picture {
@@ -13,5 +16,11 @@ enum class RasterPalette {
 
 // 256 * scale pixels a side, every point a square of scale by scale; scale from 1 to 32.
 [[nodiscard]] Image raster_image(const core::Raster& raster, RasterPalette palette, int scale);
+
+// The ideal picture of a pass: which points were lit at all, without beam, phosphor or intensity.
+
+// 1024 x 1024 grey: 255 at column x, row 1023 - y of every stroke, else 0. Strokes off the screen light
+// nothing.
+[[nodiscard]] Image crisp_raster(std::span<const core::Stroke> strokes);
 
 }  // namespace sightline::picture

@@ -21,7 +21,7 @@ std::string xml_text(std::string_view text) {
 }
 
 SvgWriter::SvgWriter(const std::string& width, const std::string& height, std::string_view title,
-                     Positions positions)
+                     SvgPositions positions)
     : positions_(positions),
       text_(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                         "<svg xmlns=\"http://www.w3.org/2000/svg\" "

@@ -15,18 +15,19 @@ namespace sightline::picture {
 // For text and for values in double quotes. What XML does not allow at all, or is not ASCII, becomes '?'.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
+// Positions are whole numbers of 10^-decimals mm from the top left corner.
+struct SvgPositions {
+  int decimals = 3;
+  bool needless_zeros = true;  // 1.500 rather than 1.5
+};
+
 class SvgWriter {
  public:
-  // Positions are whole numbers of 10^-decimals mm from the top left corner.
-  struct Positions {
-    int decimals = 3;
-    bool needless_zeros = true;  // 1.500 rather than 1.5
-  };
-
   // Width and height in millimetres; the title is escaped here.
-  SvgWriter(double width, double height, std::string_view title, Positions positions = {})
+  SvgWriter(double width, double height, std::string_view title, SvgPositions positions = {})
       : SvgWriter(millimetres(width), millimetres(height), title, positions) {}
-  SvgWriter(const std::string& width, const std::string& height, std::string_view title, Positions positions);
+  SvgWriter(const std::string& width, const std::string& height, std::string_view title,
+            SvgPositions positions);
 
   void reserve(std::size_t bytes) { text_.reserve(bytes); }
   // What is drawn in layers opened with `clip` ends at this rectangle.
@@ -64,7 +65,7 @@ class SvgWriter {
   }
   void append(std::int64_t position);
 
-  Positions positions_;
+  SvgPositions positions_;
   std::string text_;
   char command_ = 0;  // before the next point: of a path, or a blank
 };

@@ -7,7 +7,7 @@
 
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::harness::report {
 

@@ -12,7 +12,7 @@
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::harness::report {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::oracle {
 

@@ -1,8 +1,9 @@
-// See edge_structure.hpp.
 #include "host/algorithms/plantinga/edge_structure.hpp"
 
 #include <optional>
+#include <utility>
 
+#include "host/algorithms/plantinga/edge_candidates.hpp"
 #include "host/algorithms/plantinga/structure_from_scratch.hpp"
 
 namespace sightline::algorithms::plantinga {
@@ -25,6 +26,35 @@ EdgeStructure structure_between(const RotationModel& model, EdgeIndex edge,
   const std::optional<Sight> sight = sight_between(a, b);
   if (sight) return structure_at(model, edge, occluders, *sight);
   return wide_structure_between(model, edge, occluders, a, b);
+}
+
+namespace {
+
+// Where nothing ever changes any direction will do; this one is along nothing in particular.
+constexpr Sight anywhere{314159, 271828};
+
+}  // namespace
+
+EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge) {
+  const std::vector<Occluder> occluders = model.occluders_of(edge);
+  const std::vector<Direction> candidates = candidates_of(model, parts, edge, occluders);
+  EdgeHistory history;
+  history.candidates = candidates.size();
+  if (candidates.empty()) {
+    history.first = structure_at(model, edge, occluders, anywhere);
+    return history;
+  }
+  history.first = structure_between(model, edge, occluders, candidates.back(), candidates.front());
+  const EdgeStructure* now = &history.first;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    EdgeStructure after = i + 1 == candidates.size()
+                              ? history.first
+                              : structure_between(model, edge, occluders, candidates[i], candidates[i + 1]);
+    if (after == *now) continue;
+    history.changes.push_back({candidates[i], std::move(after)});
+    now = &history.changes.back().after;
+  }
+  return history;
 }
 
 }  // namespace sightline::algorithms::plantinga

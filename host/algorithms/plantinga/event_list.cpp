@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "host/algorithms/plantinga/edge_history.hpp"
+#include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/base/result.hpp"
 
 namespace sightline::algorithms::plantinga {

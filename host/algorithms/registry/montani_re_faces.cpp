@@ -14,7 +14,7 @@
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/base/result.hpp"
-#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::harness {
 

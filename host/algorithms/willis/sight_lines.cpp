@@ -10,7 +10,7 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::willis {
 

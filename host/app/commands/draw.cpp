@@ -21,10 +21,10 @@
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/line_drawing.hpp"
+#include "host/picture/line_picture.hpp"
 #include "host/picture/line_picture_image.hpp"
-#include "host/picture/line_picture_seams.hpp"
 #include "host/picture/png.hpp"
-#include "host/picture/region_svg.hpp"
+#include "host/picture/vector_drawing.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {

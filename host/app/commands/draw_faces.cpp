@@ -17,7 +17,7 @@
 #include "host/base/result.hpp"
 #include "host/picture/apng.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
 
@@ -87,8 +87,8 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
                                       : std::string("the eye leaves the coordinates there are")));
     }
     const auto view = value_of(prepared.view(camera, window), source.name);
-    const auto added =
-        writer.add(arguments.picture == "lines" ? outline_image(view.faces) : shaded_image(view.faces, shades));
+    const auto added = writer.add(arguments.picture == "lines" ? outline_image(view.faces)
+                                                               : shaded_image(view.faces, shades));
     if (!added) throw Failure(ExitCode::io, added.error().message());
   }
   auto bytes = writer.finish();
@@ -98,9 +98,10 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
 
 base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                        const harness::FaceView& view) {
-  const auto bytes = picture::encode_png(
-      arguments.picture == "lines" ? outline_image(view.faces) : shaded_image(view.faces, face_shades(source.scene)),
-      {{"Title", source.name}, {"Software", "sightline"}});
+  const auto bytes =
+      picture::encode_png(arguments.picture == "lines" ? outline_image(view.faces)
+                                                       : shaded_image(view.faces, face_shades(source.scene)),
+                          {{"Title", source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   return *bytes;
 }

@@ -13,7 +13,7 @@
 #include "host/geometry/predicates.hpp"
 #include "host/picture/png.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "host/app/outputs.hpp"
-#include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
+#include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_drawing.hpp"
 
 namespace sightline::app {

@@ -20,8 +20,7 @@
 #include "host/scene/check/cell_complex.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/face_numbers.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
 #include "host/scene/read/poly_file.hpp"
@@ -170,8 +169,7 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
   facts.row({"openings", fmt::format("{}", scene.openings.size())});
   facts.row({"matter", fmt::format("{} solids, {} walls", scene.solids.size(), scene.walls.size())});
   facts.row({"outer box", box_text(scene.outer.low, scene.outer.high)});
-  facts.row(
-      {"default view", fmt::format("{}, in cell {}", point_text(scene.default_view), core.view.cell)});
+  facts.row({"default view", fmt::format("{}, in cell {}", point_text(scene.default_view), core.view.cell)});
   facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
   facts.row({"words of core", fmt::format("{} of {} (cells {}, openings {}, header {})", core.words.size(),
                                           guests::jones::core_words, core.cell_words, core.opening_words,

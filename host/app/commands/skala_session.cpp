@@ -10,8 +10,8 @@
 #include "host/app/outputs.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/guests/skala/stream.hpp"
-#include "host/picture/hpgl.hpp"
 #include "host/picture/pen_drawing.hpp"
+#include "host/picture/pen_path.hpp"
 
 namespace sightline::app {
 

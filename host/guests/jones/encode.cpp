@@ -6,7 +6,7 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/check/problems.hpp"
-#include "host/scene/model/locate.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/octal.hpp"
 
 namespace sightline::guests::jones {

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <span>
 
-#include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
+#include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_drawing.hpp"
 #include "tools/disasm/disasm.hpp"
 
@@ -248,7 +248,7 @@ class Pdp7Machine final : public Machine {
     if (machine_.devices().reader.out_of_tape())
       warnings.emplace_back("the program waits for the paper-tape reader, which has no more tape");
     if constexpr (Sink::consumes) {
-      if (setup_.screen->picture && !sink_.has_complete_pass())
+      if (setup_.screen && setup_.screen->picture && !sink_.has_complete_pass())
         warnings.push_back("the picture shows " + shown(sink_.picture_strokes().size()));
     }
     return warnings;
@@ -314,12 +314,9 @@ class Pdp7Machine final : public Machine {
 }  // namespace
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  const bool trace = setup.trace;
-  if (setup.screen) {
-    if (trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
-    return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
-  }
-  if (trace) return std::make_unique<Pdp7Machine<NoScreen, Tracer>>(std::move(setup));
+  // A screen that nobody asked for costs a trace next to nothing.
+  if (setup.trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
+  if (setup.screen) return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
   return std::make_unique<Pdp7Machine<NoScreen, NoTracer>>(std::move(setup));
 }
 

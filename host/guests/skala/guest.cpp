@@ -21,17 +21,16 @@ void add(GuestPicture& picture, std::string_view what, std::uint64_t count) {
 }
 
 // What of a device's counts is an error, and the dots no monitor shows.
-void report_faults(const devices::Ef9365& board, GuestPicture& picture) {
-  const devices::Ef9365Counts counts = board.counts();
+void report_faults(const devices::Ef9365Counts& counts, GuestPicture& picture) {
   add(picture, "commands to the busy EF9365", counts.commands_while_busy);
   add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
   add(picture, "things asked of the EF9365 that it cannot do", counts.unanswered);
   add(picture, "dots outside the EF9365's planes", counts.dots_outside);
 }
 
-void report_faults(const devices::Alt256& board, GuestPicture& picture) {
-  add(picture, "bytes written to the ALT-256 before it was ready", board.counts().writes_lost);
-  picture.dots_not_shown = board.counts().dots_invisible;
+void report_faults(const devices::Alt256Counts& counts, GuestPicture& picture) {
+  add(picture, "bytes written to the ALT-256 before it was ready", counts.writes_lost);
+  picture.dots_not_shown = counts.dots_invisible;
 }
 
 void report_faults(const devices::CalComp565Counts& counts, GuestPicture& picture) {
@@ -50,20 +49,39 @@ void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture)
 
 // --- the ports
 
+// Strokes of plotters, kept if they are wanted.
+struct PortStrokes {
+  static constexpr bool consumes = true;
+  void begin_pass(core::Instant) {}
+  void stroke(const core::Stroke& stroke) {
+    if (keep) marks.push_back(stroke);
+  }
+  void end_pass(core::Instant) {}
+  bool keep = false;
+  std::vector<core::Stroke> marks;
+};
+
 // The ports of a Skala run: those of the machine, stopping it where the link says that a block of commands
-// has come or the next one is asked for, and on a plotter noting every movement.
-//
-// A raster board's ports pay one comparison an IN for this and nothing an OUT.
-template <class Sink>
-class LinkPorts : public machines::SkalaPorts<Sink> {
+// has come or the next one is asked for, and noting every movement of a plotter. They own their sink, which
+// the devices hold by reference from construction on.
+class LinkPorts : private PortStrokes, public machines::SkalaPorts<PortStrokes> {
  public:
-  using Base = machines::SkalaPorts<Sink>;
-  using Base::Base;
+  using Base = machines::SkalaPorts<PortStrokes>;
+
+  explicit LinkPorts(const machines::SkalaConfiguration& configuration)
+      : Base(configuration, static_cast<PortStrokes&>(*this)),
+        plotter_(calcomp565() != nullptr || minigraf0507() != nullptr) {}
+
+  void keep_strokes(bool kept) { keep = kept; }
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
     const std::uint8_t value = Base::in(port, at);
     if (port >= first_link_port) note(port);
     return value;
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    Base::out(port, value, at);
+    if (plotter_) note_movement();
   }
   [[nodiscard]] bool stopped() const { return stopped_; }
 
@@ -89,80 +107,35 @@ class LinkPorts : public machines::SkalaPorts<Sink> {
   }
 
   void report(GuestPicture& picture) {
-    if (const auto* board = this->ef9365()) {
-      picture.raster = board->raster();
-      report_faults(*board, picture);
-    }
-    if (const auto* board = this->alt256()) {
-      picture.raster = board->raster();
-      report_faults(*board, picture);
-    }
-    if (const auto* plotter = this->calcomp565()) report_faults(plotter->counts(), picture);
-    if (const auto* plotter = this->minigraf0507()) report_faults(plotter->counts(), picture);
+    each_device([&picture](auto row, const auto& device) {
+      constexpr machines::DeviceKind kind = decltype(row)::kind;
+      if constexpr (kind == machines::DeviceKind::raster_board) picture.raster = device.raster();
+      if constexpr (kind != machines::DeviceKind::link) report_faults(device.counts(), picture);
+    });
     for (std::size_t port = 0; port < 256; ++port) {
-      const machines::UnansweredPort& counts = this->unanswered()[port];
+      const machines::UnansweredPort& counts = unanswered()[port];
       if (counts.reads + counts.writes > 0)
         picture.unanswered.push_back({static_cast<std::uint8_t>(port), counts.reads, counts.writes});
     }
+    picture.moves = std::move(moves_);
+    picture.strokes = std::move(marks);
   }
 
  private:
-  static constexpr std::uint8_t first_link_port = 0xE4;
-  static constexpr std::uint8_t parallel_data = 0xE4;
-  static constexpr std::uint8_t serial_data = 0xEC;
+  static constexpr std::uint8_t parallel_data = machines::ParallelRow::reads[0].first;
+  static constexpr std::uint8_t serial_data = machines::SerialRow::reads[0].first;
+  static constexpr std::uint8_t first_link_port = std::min(parallel_data, serial_data);
 
   void note(std::uint8_t port) {
     if (port == parallel_data || port == serial_data) ++taken_;
     if (at_link_ || taken_ >= stop_at_) stopped_ = true;
   }
 
-  std::size_t taken_ = 0;
-  std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
-  bool at_link_ = false;
-  bool stopped_ = false;
-};
-
-// A Ports owns its sink, which the devices hold by reference from construction on.
-class RasterPorts : private core::NoStrokes, public LinkPorts<core::NoStrokes> {
- public:
-  explicit RasterPorts(const machines::SkalaConfiguration& configuration)
-      : LinkPorts(configuration, static_cast<core::NoStrokes&>(*this)) {}
-
-  static void keep_strokes(bool) {}  // a board makes none
-};
-
-struct PortStrokes {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) {
-    if (keep) marks.push_back(stroke);
-  }
-  void end_pass(core::Instant) {}
-  bool keep = false;
-  std::vector<core::Stroke> marks;
-};
-
-class PlotterPorts : private PortStrokes, public LinkPorts<PortStrokes> {
- public:
-  explicit PlotterPorts(const machines::SkalaConfiguration& configuration)
-      : LinkPorts(configuration, static_cast<PortStrokes&>(*this)) {}
-
-  void keep_strokes(bool kept) { keep = kept; }
-
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    LinkPorts::out(port, value, at);
+  // What an output changed: a plotter is asked where it is, not what it was told.
+  void note_movement() {
     if (calcomp565() != nullptr) note_movement(calcomp565()->place(), calcomp565()->pen_is_down());
     if (minigraf0507() != nullptr) note_movement(minigraf0507()->place(), minigraf0507()->pen_is_down());
   }
-
-  void report(GuestPicture& picture) {
-    LinkPorts::report(picture);
-    picture.moves = std::move(moves_);
-    picture.strokes = std::move(marks);
-  }
-
- private:
-  // What the output changed: a plotter is asked where it is, not what it was told.
   void note_movement(devices::PlotterPlace place, bool pen_down) {
     if (place != place_) add(PlotterAction::step, place, pen_down_);
     if (pen_down != pen_down_)
@@ -175,6 +148,11 @@ class PlotterPorts : private PortStrokes, public LinkPorts<PortStrokes> {
         {action, static_cast<std::uint8_t>(place.x), static_cast<std::uint8_t>(place.y), pen_down});
   }
 
+  bool plotter_;
+  std::size_t taken_ = 0;
+  std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
+  bool at_link_ = false;
+  bool stopped_ = false;
   devices::PlotterPlace place_{};
   bool pen_down_ = false;
   std::vector<PlotterMove> moves_;
@@ -229,13 +207,12 @@ machines::SkalaConfiguration configuration_for(std::span<const std::uint8_t> str
   return configuration;
 }
 
-template <class Ports>
 class GuestMachine {
  public:
   GuestMachine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options)
       : program_(program),
         blocks_(block_ends(stream)),
-        ports_(std::make_unique<Ports>(configuration_for(stream, options))),
+        ports_(std::make_unique<LinkPorts>(configuration_for(stream, options))),
         machine_(*ports_, observer_) {
     std::copy(program.memory.begin(), program.memory.end(), machine_.memory().begin());
     machine_.deposit(program.labels.link_switch, options.link == Link::serial ? 1 : 0);
@@ -305,9 +282,9 @@ class GuestMachine {
 
   const Program& program_;
   std::vector<std::size_t> blocks_;
-  std::unique_ptr<Ports> ports_;  // large
+  std::unique_ptr<LinkPorts> ports_;  // large
   machines::NoI8080Observer observer_;
-  machines::I8080Machine<Ports> machine_;
+  machines::I8080Machine<LinkPorts> machine_;
   machines::I8080Limits limits_;
 };
 
@@ -371,8 +348,7 @@ std::string difference(const Columns& guest, const Columns& twin, bool slices) {
 
 GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
                        const GuestOptions& options) {
-  if (is_raster(options.device)) return GuestMachine<RasterPorts>(program, stream, options).picture();
-  return GuestMachine<PlotterPorts>(program, stream, options).picture();
+  return GuestMachine(program, stream, options).picture();
 }
 
 std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin, Device device) {

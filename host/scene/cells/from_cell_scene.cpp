@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "host/geometry/box_tree.hpp"
-#include "host/scene/cells/boxes.hpp"
 #include "host/scene/cells/builder.hpp"
 #include "host/scene/cells/free_rectangles.hpp"
 

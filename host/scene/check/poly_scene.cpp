@@ -1,17 +1,285 @@
-// Vertices, camera and references. See poly_scene.hpp.
 #include "host/scene/check/poly_scene.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "host/base/result.hpp"
+#include "host/geometry/integer.hpp"
 #include "host/geometry/predicates.hpp"
-#include "host/scene/check/poly_scene_parts.hpp"
+#include "host/scene/check/poly_shells.hpp"
+#include "host/scene/check/problems.hpp"
 
 namespace sightline::scene {
+
 namespace {
+
+using geometry::Point2;
+using Ring = std::vector<VertexIndex>;
+
+// Where very many edges are side by side the work grows with their square: four million pairs that may meet,
+// or sixteen times as many of which only the bounds are compared, are enough.
+constexpr std::size_t effort_of_a_pair = 16;
+constexpr std::size_t most_effort = std::size_t{1} << 26;
+
+// The first triple of a ring's vertices that is not on a line.
+struct Support {
+  std::array<VertexIndex, 3> vertices{};
+  geometry::Plane plane;
+};
+
+class FaceCheck {
+ public:
+  FaceCheck(const PolyScene& scene, std::size_t body, std::size_t face, Problems& problems)
+      : scene_(scene),
+        face_(scene.bodies[body].faces[face]),
+        place_(face_place(scene, body, face)),
+        problems_(problems) {}
+
+  bool run() {
+    rings_.push_back(&face_.outline);
+    for (const Ring& hole : face_.holes) rings_.push_back(&hole);
+    for (std::size_t r = 0; r < rings_.size(); ++r) check_length(r);
+    if (!good_) return false;
+    const auto support = find_support(face_.outline);
+    if (!support) {
+      add("all vertices are on one line, expected an area");
+      return false;
+    }
+    check_plane(*support);
+    if (!good_) return false;
+    const std::size_t axis = geometry::dominant_axis(support->plane.normal);
+    for (const Ring* ring : rings_) {
+      flat_.emplace_back();
+      for (const VertexIndex v : *ring) flat_.back().push_back(geometry::flattened(scene_.vertices[v], axis));
+    }
+    check_crossings();
+    if (good_) check_nesting();
+    return good_;
+  }
+
+ private:
+  struct Segment {
+    std::size_t ring;
+    std::size_t from;  // to the next one of the ring
+    Point2 low;        // its bounds
+    Point2 high;
+  };
+
+  void add(std::string cause) {
+    problems_.add(place_, std::move(cause));
+    good_ = false;
+  }
+
+  static std::string ring_name(std::size_t ring) {
+    return ring == 0 ? "the outline" : "hole " + std::to_string(ring - 1);
+  }
+
+  std::string vertex_name(VertexIndex v) const {
+    return "vertex " + std::to_string(v) + " " + text_of(scene_.vertices[v]);
+  }
+
+  std::string edge_name(const Segment& s) const {
+    const Ring& ring = *rings_[s.ring];
+    return std::to_string(ring[s.from]) + "-" + std::to_string(ring[(s.from + 1) % ring.size()]);
+  }
+
+  void check_length(std::size_t r) {
+    const Ring& ring = *rings_[r];
+    if (ring.size() < 3) {
+      add(ring_name(r) + " has " + std::to_string(ring.size()) + " vertices, expected 3 or more");
+      return;
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (scene_.vertices[ring[i]] == scene_.vertices[ring[(i + 1) % ring.size()]])
+        add(ring_name(r) + " has " + vertex_name(ring[i]) + " twice in succession");
+    }
+  }
+
+  [[nodiscard]] std::optional<Support> find_support(const Ring& ring) const {
+    const PolyPoint& a = scene_.vertices[ring[0]];
+    const PolyPoint& b = scene_.vertices[ring[1]];
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const geometry::Plane plane = geometry::plane_through(a, b, scene_.vertices[ring[i]]);
+      if (!geometry::is_zero(plane.normal)) return Support{{ring[0], ring[1], ring[i]}, plane};
+    }
+    return std::nullopt;
+  }
+
+  void check_plane(const Support& support) {
+    for (const Ring* ring : rings_) {
+      for (const VertexIndex v : *ring) {
+        if (support.plane.side(scene_.vertices[v]) == 0) continue;
+        const auto& on = support.vertices;
+        add(vertex_name(v) + " is not in the plane of vertices " + std::to_string(on[0]) + ", " +
+            std::to_string(on[1]) + " and " + std::to_string(on[2]));
+        return;  // the others would only repeat it
+      }
+    }
+  }
+
+  void check_pair(const Segment& s, const Segment& t) {
+    const auto& ring = flat_[s.ring];
+    const Point2& a = ring[s.from];
+    const Point2& b = ring[(s.from + 1) % ring.size()];
+    const auto& other = flat_[t.ring];
+    const Point2& c = other[t.from];
+    const Point2& d = other[(t.from + 1) % other.size()];
+    if (s.ring != t.ring) {
+      if (geometry::segments_meet(a, b, c, d)) {
+        add(ring_name(std::max(s.ring, t.ring)) + " meets " + ring_name(std::min(s.ring, t.ring)) +
+            " (edges " + edge_name(s) + " and " + edge_name(t) + ")");
+      }
+      return;
+    }
+    // Of two edges in succession, one may only come back along the other.
+    const bool s_first = (s.from + 1) % ring.size() == t.from;
+    const bool t_first = (t.from + 1) % ring.size() == s.from;
+    const bool crossing = s_first   ? geometry::on_segment(a, b, d) || geometry::on_segment(c, d, a)
+                          : t_first ? geometry::on_segment(c, d, b) || geometry::on_segment(a, b, c)
+                                    : geometry::segments_meet(a, b, c, d);
+    if (crossing) {
+      add(ring_name(s.ring) + " crosses or touches itself (edges " + edge_name(s) + " and " + edge_name(t) +
+          ")");
+    }
+  }
+
+  // A sweep along the first flat axis over the edges of all rings.
+  void check_crossings() {
+    std::vector<Segment> segments;
+    for (std::size_t r = 0; r < flat_.size(); ++r) {
+      for (std::size_t i = 0; i < flat_[r].size(); ++i) {
+        const Point2& from = flat_[r][i];
+        const Point2& to = flat_[r][(i + 1) % flat_[r].size()];
+        segments.push_back({r,
+                            i,
+                            {std::min(from[0], to[0]), std::min(from[1], to[1])},
+                            {std::max(from[0], to[0]), std::max(from[1], to[1])}});
+      }
+    }
+    std::stable_sort(segments.begin(), segments.end(),
+                     [](const Segment& s, const Segment& t) { return s.low[0] < t.low[0]; });
+    std::size_t effort = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const Segment& s = segments[i];
+      for (std::size_t j = i + 1; j < segments.size() && segments[j].low[0] <= s.high[0]; ++j) {
+        const Segment& t = segments[j];
+        const bool apart = s.high[1] < t.low[1] || t.high[1] < s.low[1];
+        effort += apart ? 1 : effort_of_a_pair;
+        if (effort > most_effort) return add("has too many edges side by side to be checked");
+        if (apart) continue;
+        if (problems_.full()) return;
+        check_pair(s, t);
+      }
+    }
+  }
+
+  // The rings are simple and do not meet.
+  void check_nesting() {
+    const bool counterclockwise = geometry::doubled_area(flat_[0]) > 0;
+    for (std::size_t r = 1; r < flat_.size(); ++r) {
+      if (geometry::locate_in_ring(flat_[0], flat_[r][0]) < 0) add(ring_name(r) + " is outside the outline");
+      if ((geometry::doubled_area(flat_[r]) > 0) == counterclockwise)
+        add(ring_name(r) + " turns the same way as the outline, expected the other way");
+      for (std::size_t other = 1; other < flat_.size(); ++other) {
+        if (other != r && geometry::locate_in_ring(flat_[other], flat_[r][0]) > 0)
+          add(ring_name(r) + " is inside " + ring_name(other));
+      }
+    }
+  }
+
+  const PolyScene& scene_;
+  const PolyFace& face_;
+  std::string place_;
+  Problems& problems_;
+  bool good_ = true;
+  std::vector<const Ring*> rings_;
+  std::vector<std::vector<Point2>> flat_;
+};
+
+// The rings of one face. Its vertices exist and are within the limit. False if anything was found.
+bool check_poly_face(const PolyScene& scene, std::size_t body, std::size_t face, Problems& problems) {
+  return FaceCheck(scene, body, face, problems).run();
+}
+
+// A connected part of a solid's surface.
+struct Shell {
+  geometry::Int128 volume = 0;  // six times
+  PolyPoint low{};
+  PolyPoint high{};
+  std::size_t first_face = 0;
+};
+
+void add_face(const PolyScene& scene, const PolyFace& face, Shell& shell) {
+  shell.volume += enclosed_volume(scene.vertices, face);
+  for (const VertexIndex v : face.outline) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      shell.low[a] = std::min(shell.low[a], scene.vertices[v][a]);
+      shell.high[a] = std::max(shell.high[a], scene.vertices[v][a]);
+    }
+  }
+}
+
+std::vector<Shell> shells_of(const PolyScene& scene, const PolyBody& body,
+                             const std::vector<FaceEdge>& edges) {
+  const std::vector<std::size_t> shell_of = connected_faces(body, edges);
+  std::vector<Shell> shells;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const PolyPoint& start = scene.vertices[body.faces[f].outline[0]];
+    if (shell_of[f] == shells.size()) shells.push_back({0, start, start, f});
+    add_face(scene, body.faces[f], shells[shell_of[f]]);
+  }
+  return shells;
+}
+
+bool inside(const Shell& inner, const Shell& outer) {
+  bool result = true;
+  for (std::size_t a = 0; a < 3; ++a)
+    result = result && outer.low[a] < inner.low[a] && inner.high[a] < outer.high[a];
+  return result;
+}
+
+bool check_closed(const PolyScene& scene, std::size_t body, const std::vector<FaceEdge>& edges,
+                  Problems& problems) {
+  bool good = true;
+  for (std::size_t i = 0; i < edges.size() && !problems.full();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
+    const std::string name = "edge " + std::to_string(edges[i].low) + "-" + std::to_string(edges[i].high);
+    const std::string place = face_place(scene, body, edges[i].face);
+    if (end - i != 2) {
+      problems.add(place, name + " belongs to " + std::to_string(end - i) +
+                              (end - i == 1 ? " face" : " faces") + " of the solid, expected 2");
+      good = false;
+    } else if (edges[i].upwards == edges[i + 1].upwards) {
+      problems.add(place, name + " is passed in the same direction by face " +
+                              std::to_string(edges[i + 1].face) + ", expected opposite directions");
+      good = false;
+    }
+    i = end;
+  }
+  return good;
+}
+
+// Closed, and facing outwards. The body is a solid whose faces are in order.
+void check_poly_solid(const PolyScene& scene, std::size_t body, Problems& problems) {
+  const std::vector<FaceEdge> edges = face_edges(scene.bodies[body]);
+  if (!check_closed(scene, body, edges, problems)) return;
+  const std::vector<Shell> shells = shells_of(scene, scene.bodies[body], edges);
+  for (const Shell& shell : shells) {
+    const std::string place = face_place(scene, body, shell.first_face);
+    if (shell.volume == 0) {
+      problems.add(place, "is part of a surface that encloses nothing");
+    } else if (shell.volume < 0 && std::none_of(shells.begin(), shells.end(), [&](const Shell& outer) {
+                 return outer.volume > 0 && inside(shell, outer);
+               })) {
+      problems.add(place,
+                   "is part of a surface turned inside out, expected outlines counterclockwise from outside");
+    }
+  }
+}
 
 constexpr std::int32_t camera_vector_limit = 1 << 15;
 

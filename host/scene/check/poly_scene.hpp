@@ -9,6 +9,8 @@
 // eye is inside a solid.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -21,5 +23,15 @@ namespace sightline::scene {
 // nothing is. Faces are looked at when their vertices exist and are within the limit, solids when their faces
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
+
+// How errors name things.
+[[nodiscard]] inline std::string body_place(const PolyScene& scene, std::size_t body) {
+  const std::string& name = scene.bodies[body].name;
+  return "body " + std::to_string(body) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
+[[nodiscard]] inline std::string face_place(const PolyScene& scene, std::size_t body, std::size_t face) {
+  return body_place(scene, body) + ", face " + std::to_string(face);
+}
 
 }  // namespace sightline::scene

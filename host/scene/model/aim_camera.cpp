@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/model/poly_bounds.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
 namespace {

@@ -1,11 +1,14 @@
 // A scene of general polyhedra: closed solids and open sheets with planar faces, in integer coordinates.
 //
-// Left out: what only one algorithm needs (cells and openings: cell_scene.hpp; heights: host/scene/heights/grid.hpp). A
-// PolyScene as such promises nothing: check_poly_scene (host/scene/check/poly_scene.hpp) says whether it is a possible scene,
-// and everything that draws expects a checked one.
+// Left out: what only one algorithm needs (cells and openings: cell_scene.hpp; heights:
+// host/scene/heights/grid.hpp). A PolyScene as such promises nothing: check_poly_scene
+// (host/scene/check/poly_scene.hpp) says whether it is a possible scene, and everything that draws expects a
+// checked one.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -60,5 +63,63 @@ struct PolyScene {
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
+
+// The faces of a scene numbered over all its bodies, from 1, as pictures of faces have them: 0 is no face.
+
+[[nodiscard]] inline std::size_t face_count(const PolyScene& scene) {
+  std::size_t faces = 0;
+  for (const PolyBody& body : scene.bodies) faces += body.faces.size();
+  return faces;
+}
+
+// The number of each body's first face; the others follow in the body's order.
+[[nodiscard]] inline std::vector<std::uint32_t> first_face_numbers(const PolyScene& scene) {
+  std::vector<std::uint32_t> firsts;
+  std::uint32_t next = 1;
+  for (const PolyBody& body : scene.bodies) {
+    firsts.push_back(next);
+    next += static_cast<std::uint32_t>(body.faces.size());
+  }
+  return firsts;
+}
+
+// The box around all vertices of a scene of polyhedra.
+
+struct PolyBounds {
+  PolyPoint low{};
+  PolyPoint high{};
+
+  // Rounded towards zero.
+  [[nodiscard]] PolyPoint middle() const {
+    PolyPoint p{};
+    for (std::size_t a = 0; a < 3; ++a)
+      p[a] = static_cast<std::int32_t>((std::int64_t{low[a]} + high[a]) / 2);
+    return p;
+  }
+  // Half of the longest side, rounded up, at least 1.
+  [[nodiscard]] std::int64_t half_size() const {
+    std::int64_t half = 1;
+    for (std::size_t a = 0; a < 3; ++a) half = std::max(half, (std::int64_t{high[a]} - low[a] + 1) / 2);
+    return half;
+  }
+  [[nodiscard]] bool contain(const PolyPoint& p) const {
+    bool inside = true;
+    for (std::size_t a = 0; a < 3; ++a) inside = inside && low[a] <= p[a] && p[a] <= high[a];
+    return inside;
+  }
+};
+
+// The point 0, 0, 0 for a scene without vertices.
+[[nodiscard]] inline PolyBounds bounds_of(const PolyScene& scene) {
+  if (scene.vertices.empty()) return {};
+  PolyBounds bounds{scene.vertices[0], scene.vertices[0]};
+  for (const PolyPoint& p : scene.vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      bounds.low[a] = std::min(bounds.low[a], p[a]);
+      bounds.high[a] = std::max(bounds.high[a], p[a]);
+    }
+  }
+  return bounds;
+}
 
 }  // namespace sightline::scene

@@ -1,7 +1,5 @@
 // Pen paths on their way to paper: HP-GL read back by an interpreter of its own must draw every step of the
 // paths, where the paper has them; so must the image and the SVG drawing.
-#include "host/picture/hpgl.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "host/picture/pen_drawing.hpp"
+#include "host/picture/pen_path.hpp"
 
 namespace sightline::picture {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "host/base/file.hpp"
-#include "host/picture/crisp_raster.hpp"
+#include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_log.hpp"
 #include "host/picture/stroke_sinks.hpp"
 #include "tests/host/picture/synthetic.hpp"

@@ -55,7 +55,7 @@ bool I8080Pass::condition(Directive directive) {
     return value && expect_end() && (*value != 0) == (directive == Directive::if_);
   }
   if (directive == Directive::if_defined || directive == Directive::if_not_defined) {
-    if (token_.kind != TokenKind::name) {
+    if (token_.kind != I8080TokenKind::name) {
       unexpected("a name");
       return false;
     }
@@ -82,7 +82,7 @@ bool I8080Pass::condition(Directive directive) {
 std::optional<std::vector<std::string>> I8080Pass::names_list(std::string_view what) {
   std::vector<std::string> names;
   while (!at_end()) {
-    if (token_.kind != TokenKind::name) {
+    if (token_.kind != I8080TokenKind::name) {
       unexpected(std::string(what));
       return std::nullopt;
     }
@@ -118,7 +118,7 @@ void I8080Pass::repeat(Directive directive) {
     expect_end();
     return begin_definition(std::move(definition));
   }
-  if (token_.kind != TokenKind::name) {
+  if (token_.kind != I8080TokenKind::name) {
     unexpected("the name of a parameter");
     return begin_definition(std::move(definition));
   }

@@ -9,7 +9,6 @@
 namespace sightline::assembler {
 namespace {
 
-constexpr std::uint32_t memory_end = 0x10000;
 constexpr std::uint8_t last_character_mark = 0x80;
 
 // A name in INCLUDE is relative to the file it stands in.
@@ -86,9 +85,9 @@ void I8080Pass::data_bytes(bool mark_last) {
 
 // A string alone between commas is data; one that is part of an expression is not.
 bool I8080Pass::data_string(bool mark_last) {
-  if (token_.kind != TokenKind::string) return false;
+  if (token_.kind != I8080TokenKind::string) return false;
   const I8080Token after = I8080Lexer(lexer_).next();
-  if (after.kind != TokenKind::end && !after.is(',')) return false;
+  if (after.kind != I8080TokenKind::end && !after.is(',')) return false;
   const std::string& text = token_.value;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<std::uint8_t>(text[i]);

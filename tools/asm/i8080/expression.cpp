@@ -72,7 +72,7 @@ std::optional<Operator> I8080Pass::operation_of_token() const {
   if (token_.is('-')) return Operator::subtract;
   if (token_.is('*')) return Operator::multiply;
   if (token_.is('/')) return Operator::divide;
-  if (token_.kind != TokenKind::name) return std::nullopt;
+  if (token_.kind != I8080TokenKind::name) return std::nullopt;
   const Word* const found = word(token_.value, WordKind::operation);
   return found == nullptr ? std::nullopt : std::optional(found->operation);
 }
@@ -139,12 +139,12 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
 }
 
 std::optional<I8080Value> I8080Pass::primary() {
-  if (token_.kind == TokenKind::number) {
+  if (token_.kind == I8080TokenKind::number) {
     const I8080Value value{token_.number, true, false, false};
     advance();
     return value;
   }
-  if (token_.kind == TokenKind::string && token_.value.size() <= 2) {
+  if (token_.kind == I8080TokenKind::string && token_.value.size() <= 2) {
     I8080Value value;
     for (const char c : token_.value) value.bits = value.bits << 8 | static_cast<std::uint8_t>(c);
     advance();
@@ -168,7 +168,7 @@ std::optional<I8080Value> I8080Pass::primary() {
   if (operation == Operator::nul) {
     const I8080Token rest = I8080Lexer(lexer_).next();
     const bool nothing =
-        rest.kind == TokenKind::end || (rest.kind == TokenKind::string && rest.value.empty());
+        rest.kind == I8080TokenKind::end || (rest.kind == I8080TokenKind::string && rest.value.empty());
     lexer_ = I8080Lexer();
     advance();
     return I8080Value{nothing ? word_mask : 0U, true, false, false};
@@ -176,8 +176,8 @@ std::optional<I8080Value> I8080Pass::primary() {
   if (operation && (precedence(*operation) < 0 || precedence(*operation) == sum_level)) {
     return prefix(*operation, *operation == Operator::not_ ? relation_level : tightest_level + 1);
   }
-  if (token_.kind == TokenKind::name && !operation) return name_value();
-  unexpected(token_.kind == TokenKind::string ? "one or two characters" : "a value");
+  if (token_.kind == I8080TokenKind::name && !operation) return name_value();
+  unexpected(token_.kind == I8080TokenKind::string ? "one or two characters" : "a value");
   return std::nullopt;
 }
 

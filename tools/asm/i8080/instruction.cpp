@@ -91,8 +91,8 @@ std::optional<std::uint8_t> code_of(Operand operand, std::uint32_t value) {
 std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
   const I8080Token first = token_;
   const I8080Token after = I8080Lexer(lexer_).next();
-  const bool alone =
-      first.kind == TokenKind::name && (after.kind == TokenKind::end || after.is(',') || after.is(')'));
+  const bool alone = first.kind == I8080TokenKind::name &&
+                     (after.kind == I8080TokenKind::end || after.is(',') || after.is(')'));
   if (at_end() || (alone && wrong_name(operand, first.value))) {
     unexpected(expected_for(operand));
     return std::nullopt;

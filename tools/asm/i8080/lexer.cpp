@@ -129,13 +129,13 @@ std::size_t start_of_comment(std::string_view text, std::size_t from) {
 
 I8080Token I8080Lexer::next() {
   at_ = skip_blanks(text_, at_);
-  if (at_ >= text_.size() || text_[at_] == ';') return {TokenKind::end, at_, {}, {}, 0};
+  if (at_ >= text_.size() || text_[at_] == ';') return {I8080TokenKind::end, at_, {}, {}, 0};
   const std::size_t start = at_;
   const char c = text_[start];
   if (begins_name(c)) return name(start);
   if (c == '\'' || c == '"') return string(start);
   if (c == '$') return dollar(start);
-  if (!is_digit(c)) return {TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+  if (!is_digit(c)) return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
   if (c == '0' && start + 2 < text_.size() && lower(text_[start + 1]) == 'x' &&
       digit_value(text_[start + 2]) < 16)
     return number(start, start + 2, 16);
@@ -145,20 +145,20 @@ I8080Token I8080Lexer::next() {
 I8080Token I8080Lexer::name(std::size_t start) {
   at_ = end_of_name(text_, start);
   const std::string_view text = text_.substr(start, at_ - start);
-  return {TokenKind::name, start, text, folded(text), 0};
+  return {I8080TokenKind::name, start, text, folded(text), 0};
 }
 
 // `$` before a hexadecimal digit begins a number, else it is the location.
 I8080Token I8080Lexer::dollar(std::size_t start) {
   if (start + 1 < text_.size() && digit_value(text_[start + 1]) < 16) return number(start, start + 1, 16);
-  return {TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+  return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
 }
 
 // A radix of 0 is given by the suffix.
 I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned radix) {
   at_ = digits;
   while (at_ < text_.size() && (digit_value(text_[at_]) < 99 || text_[at_] == '$')) ++at_;
-  I8080Token token{TokenKind::number, start, text_.substr(start, at_ - start), {}, 0};
+  I8080Token token{I8080TokenKind::number, start, text_.substr(start, at_ - start), {}, 0};
   std::string written = folded(text_.substr(digits, at_ - digits));
   if (radix == 0) {
     radix = radix_of_suffix(written.back());
@@ -168,7 +168,7 @@ I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned ra
   for (const char c : written) {
     const unsigned digit = digit_value(c);
     if (digit >= radix) {
-      token.kind = TokenKind::bad;
+      token.kind = I8080TokenKind::bad;
       token.value = std::string(radix == 8 ? "an " : "a ") + name_of_radix(radix) + " number" +
                     (radix == 10 ? " or a suffix H O Q B" : "");
       return token;
@@ -176,7 +176,7 @@ I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned ra
     token.number = std::min(token.number * radix + digit, 0x10000U);
   }
   if (token.number > 0xFFFF) {
-    token.kind = TokenKind::bad;
+    token.kind = I8080TokenKind::bad;
     token.value = "a number up to 65535 (0FFFFH)";
   }
   return token;
@@ -186,10 +186,10 @@ I8080Token I8080Lexer::string(std::size_t start) {
   const std::size_t end = end_of_string(text_, start);
   if (end == std::string_view::npos) {
     at_ = text_.size();
-    return {TokenKind::bad, start, text_.substr(start), "a closing quote", 0};
+    return {I8080TokenKind::bad, start, text_.substr(start), "a closing quote", 0};
   }
   at_ = end;
-  I8080Token token{TokenKind::string, start, text_.substr(start, end - start), {}, 0};
+  I8080Token token{I8080TokenKind::string, start, text_.substr(start, end - start), {}, 0};
   for (std::size_t i = start + 1; i + 1 < end; ++i) {
     token.value += text_[i];
     if (text_[i] == text_[start]) ++i;

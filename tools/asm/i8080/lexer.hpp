@@ -32,17 +32,19 @@ namespace sightline::assembler {
 // Where the comment begins, or the length of the text.
 [[nodiscard]] std::size_t start_of_comment(std::string_view text, std::size_t from);
 
-enum class TokenKind : std::uint8_t { end, name, number, string, sign, bad };
+enum class I8080TokenKind : std::uint8_t { end, name, number, string, sign, bad };
 
 struct I8080Token {
-  TokenKind kind = TokenKind::end;
+  I8080TokenKind kind = I8080TokenKind::end;
   std::size_t column = 0;  // offset in the statement
   std::string_view text;   // as written
   std::string value;       // name: folded; string: without quotes; bad: what was expected
   std::uint32_t number = 0;
 
-  [[nodiscard]] bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
-  [[nodiscard]] bool is_name(std::string_view name) const { return kind == TokenKind::name && value == name; }
+  [[nodiscard]] bool is(char sign) const { return kind == I8080TokenKind::sign && text[0] == sign; }
+  [[nodiscard]] bool is_name(std::string_view name) const {
+    return kind == I8080TokenKind::name && value == name;
+  }
 };
 
 class I8080Lexer {

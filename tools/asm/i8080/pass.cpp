@@ -11,7 +11,6 @@ namespace {
 
 using image::hexadecimal;
 
-constexpr std::uint32_t memory_end = 0x10000;
 constexpr std::size_t most_errors = 1000;       // and as many warnings
 constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
 constexpr std::size_t most_places_shown = 3;    // of nested expansions
@@ -193,7 +192,8 @@ std::string I8080Pass::shown_token() const {
 }
 
 void I8080Pass::unexpected(std::string expected) {
-  error(token_.column, shown_token(), token_.kind == TokenKind::bad ? token_.value : std::move(expected));
+  error(token_.column, shown_token(),
+        token_.kind == I8080TokenKind::bad ? token_.value : std::move(expected));
 }
 
 Position I8080Pass::place(std::size_t at) const {

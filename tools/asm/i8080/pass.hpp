@@ -23,6 +23,7 @@
 namespace sightline::assembler {
 
 inline constexpr std::size_t listing_bytes_a_row = 4;
+inline constexpr std::uint32_t memory_end = 0x10000;
 
 struct I8080Entry {
   std::string name;  // as first written
@@ -165,7 +166,7 @@ class I8080Pass {
   // Tokens and messages (pass.cpp)
   void read_operands(std::size_t at);
   void advance() { token_ = lexer_.next(); }
-  [[nodiscard]] bool at_end() const { return token_.kind == TokenKind::end; }
+  [[nodiscard]] bool at_end() const { return token_.kind == I8080TokenKind::end; }
   bool expect_end();
   bool expect_comma();  // and reads on
   void unexpected(std::string expected);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/scene/cells/boxes.hpp"
 #include "host/scene/cells/builder.hpp"
+#include "host/scene/cells/free_rectangles.hpp"
 #include "host/scene/cells/grid/cells.hpp"
 #include "host/scene/cells/grid/face.hpp"
 #include "host/scene/cells/grid/portals.hpp"

@@ -14,10 +14,9 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_bounds.hpp"
-#include "host/scene/model/poly_builder.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_builder.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms {

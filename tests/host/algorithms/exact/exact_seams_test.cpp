@@ -1,8 +1,8 @@
 // A surface in pieces looks like the surface in one, once its seams are left out: the image sets are equal.
 #include <gtest/gtest.h>
 
+#include "host/picture/line_picture.hpp"
 #include "host/picture/line_picture_image.hpp"
-#include "host/picture/line_picture_seams.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 

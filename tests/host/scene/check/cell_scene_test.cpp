@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "host/base/result.hpp"
-#include "host/scene/model/locate.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
 namespace sightline::scene {

@@ -1,8 +1,10 @@
-// The search in planes of sight of 128 bits.
+// The search in planes of sight of 64 and of 128 bits.
 #include "host/algorithms/jones/search.hpp"
 
 namespace sightline::algorithms::jones {
 
+template class Search<NarrowArithmetic>;
+template class Search<MediumArithmetic>;
 template class Search<WideArithmetic>;
 
 }  // namespace sightline::algorithms::jones
