@@ -22,7 +22,7 @@
 #include "host/picture/vector_drawing.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/scene/model/face_numbers.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::report {
 
@@ -66,7 +66,8 @@ picture::Image faces_image(const picture::PixelGrid& faces) {
     for (int column = 0; column < side; ++column) {
       const std::uint32_t face = faces.at(column * faces.width / side, row * faces.height / side);
       const auto grey = static_cast<std::uint8_t>(face == 0 ? 255 : 120 + face * 53 % 115);
-      std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, side - 1 - row)), 3, grey);
+      std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, side - 1 - row)), 3,
+                  grey);
     }
   }
   return image;
@@ -85,7 +86,8 @@ picture::Image side_by_side(const std::vector<picture::Image>& images) {
   return all;
 }
 
-void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+void add_pictures(RowSet& pictures, const compare::CommonScene& scene,
+                  const compare::SceneCrossCheck& agreement) {
   std::vector<picture::Image> images;
   std::string names;
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
@@ -97,7 +99,8 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
     if (picture.lines) add(lines_image(scene, scene.views.front(), *picture.lines), "");
     if (picture.faces) add(faces_image(*picture.faces), picture.lines ? " (faces)" : "");
   }
-  if (images.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
+  if (images.empty())
+    throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
   pictures.add({{"scene", scene.name},
                 {"id", lower_case(scene.name)},
                 {"title", scene.title},
@@ -108,20 +111,24 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
 
 }  // namespace
 
-void add_cross_check(Records& records, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+void add_cross_check(Records& records, const compare::CommonScene& scene,
+                     const compare::SceneCrossCheck& agreement) {
   RowSet& failures = records["failures"];
   if (failures.keys().empty()) failures = RowSet({"scene", "pair", "first"});
   std::size_t run = 0;
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
-    records["cells"].add(
-        {{"scene", scene.name}, {"column", lower_case(scene.name)}, {"pair", pair}, {"verdict", verdict_of(cell)}});
+    records["cells"].add({{"scene", scene.name},
+                          {"column", lower_case(scene.name)},
+                          {"pair", pair},
+                          {"verdict", verdict_of(cell)}});
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
       failures.add({{"scene", scene.name}, {"pair", pair}, {"first", cell.text}});
   }
-  const auto perspective = std::count_if(scene.views.begin(), scene.views.end(),
-                                         [](const compare::CrossCheckView& view) { return view.camera.perspective; });
+  const auto perspective =
+      std::count_if(scene.views.begin(), scene.views.end(),
+                    [](const compare::CrossCheckView& view) { return view.camera.perspective; });
   const std::size_t listed = compare::listed_cells(scene);
   const bool good = agreement.agrees() && run == listed;
   records["scenes"].add({{"scene", scene.name},

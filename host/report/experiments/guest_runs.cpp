@@ -6,7 +6,6 @@
 
 #include "emulators/devices/ef9365_timing.hpp"
 #include "host/guests/skala/stream.hpp"
-#include "host/picture/crisp_raster.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
@@ -33,7 +32,8 @@ void check(const JonesOrder& order, const JonesRun& run, const std::string& diff
                   fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status)));
   if (!difference.empty())
     throw Failure(ErrorKind::differs,
-                  name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " + difference);
+                  name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " +
+                      difference);
 }
 
 skala::View view_of(const SkalaOrder& order, bool visibility) {
@@ -54,9 +54,10 @@ void check(const SkalaOrder& order, const skala::CheckedPicture& run) {
                   fmt::format("{}: the program on the 8080 failed: {}", order.function, why));
   }
   if (!run.difference.empty())
-    throw Failure(ErrorKind::differs,
-                  fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
-                              order.function, run.difference));
+    throw Failure(
+        ErrorKind::differs,
+        fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
+                    order.function, run.difference));
 }
 
 // The program on the 8080 makes every dot with a command of its own.
