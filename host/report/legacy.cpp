@@ -8,10 +8,8 @@
 
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/speed_error/montani_re.hpp"
-#include "host/report/speed_error/plantinga.hpp"
 #include "host/report/speed_error/willis.hpp"
 #include "host/report/timing/montani_re.hpp"
-#include "host/report/timing/plantinga.hpp"
 #include "host/report/timing/willis.hpp"
 
 namespace sightline::report {
@@ -40,16 +38,6 @@ Blocks willis_accuracy(const Context& context) {
                    harness::report::willis_error_blocks(harness::report::measure_willis(context)));
 }
 
-Blocks plantinga_accuracy(const Context& context) {
-  auto measured = harness::report::measure_plantinga(context);
-  if (!measured) return std::move(measured.error());
-  return with_text("Plantinga, Seales and Dyer",
-                   "Models that turn, compared with hidden-line removal from scratch at random angles. TOPO is the share "
-                   "of angles at which any edge has other pieces or other ends than it should, WVR the share of the "
-                   "length of all edges in the image that is wrongly seen or hidden.",
-                   harness::report::plantinga_error_blocks(*measured));
-}
-
 Blocks hard_cases(const Context& context) {
   auto section = harness::report::hard_cases(context);
   if (!section) return std::move(section.error());
@@ -58,11 +46,9 @@ Blocks hard_cases(const Context& context) {
 
 constexpr std::array chapters{
     LegacyChapter{"montani-re-timing", &harness::report::timing_of_montani_re},
-    LegacyChapter{"plantinga-timing", &harness::report::timing_of_plantinga},
     LegacyChapter{"willis-timing", &harness::report::timing_of_willis},
     LegacyChapter{"montani-re-accuracy", &montani_re_accuracy},
     LegacyChapter{"willis-accuracy", &willis_accuracy},
-    LegacyChapter{"plantinga-accuracy", &plantinga_accuracy},
     LegacyChapter{"hard-cases", &hard_cases},
 };
 

@@ -10,6 +10,8 @@ namespace sightline::report {
 [[nodiscard]] Records jones_numbers(const Context& context);
 [[nodiscard]] Records jones_unseen(const Context& context);
 [[nodiscard]] Records jones_views(const Context& context);
+[[nodiscard]] Records plantinga_accuracy(const Context& context);
+[[nodiscard]] Records plantinga_turns(const Context& context);
 [[nodiscard]] Records skala_accuracy(const Context& context);
 [[nodiscard]] Records skala_pictures(const Context& context);
 

@@ -12,9 +12,9 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/base/result.hpp"
+#include "host/report/experiments/plantinga_models.hpp"
 #include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/hard_cases/plantinga_checks.hpp"
-#include "host/report/plantinga_models.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/read/poly_json.hpp"
 
@@ -131,12 +131,8 @@ Result run_scene(const PlantingaHardCase& hard) {
 }
 
 Outcome<Result> run_model(const Context& context, const PlantingaHardCase& hard) {
-  auto outcome = study_model(context, hard.model);
-  if (!outcome) return std::move(outcome.error());
-  auto& studied = *outcome;
-  auto scene = plantinga_scene(hard.model);
-  if (!scene) return std::move(scene.error());
-  const TurnedScene turned{std::move(*scene), std::move(studied.model), std::move(studied.list)};
+  StudiedModel studied = study_model(context, hard.model);
+  const TurnedScene turned{plantinga_scene(hard.model), std::move(studied.model), std::move(studied.list)};
   const std::string none = "not applicable: too large; in the tests";
   return Result{judged(hard.turn(turned)), none, judged(large_steps(turned)), none};
 }

@@ -1,5 +1,5 @@
 // Plantinga, Seales and Dyer in the report: events of edges read from text, hard cases, lists kept between
-// reports, tables beside the paper's.
+// reports.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -11,11 +11,10 @@
 
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/base/file.hpp"
+#include "host/report/experiments/plantinga_models.hpp"
 #include "host/report/hard_cases/plantinga.hpp"
 #include "host/report/hard_cases/plantinga_checks.hpp"
-#include "host/report/plantinga_models.hpp"
 #include "host/report/table_text.hpp"
-#include "host/report/timing/plantinga.hpp"
 
 namespace sightline::harness::report {
 namespace {
@@ -88,10 +87,9 @@ TEST(PlantingaReport, DoublesFailBeforeTheExactBuild) {
 
 // The judges must be able to say no.
 TEST(PlantingaReport, AListWithoutOneOfItsEventsIsNotRight) {
-  auto scene = plantinga_scene("grid");
-  ASSERT_TRUE(scene);
-  native::RotationModel model(*scene);
-  TurnedScene turned{*scene, model, *native::build_event_list(model)};
+  const scene::PolyScene scene = plantinga_scene("grid");
+  native::RotationModel model(scene);
+  TurnedScene turned{scene, model, *native::build_event_list(model)};
   EXPECT_EQ(large_steps(turned), std::nullopt);
   turned.list.events.erase(turned.list.events.begin() + 300);
   EXPECT_NE(large_steps(turned), std::nullopt);
@@ -111,8 +109,7 @@ class PlantingaCache : public ::testing::Test {
   ~PlantingaCache() override { std::filesystem::remove_all(root_); }
 
   [[nodiscard]] StudiedModel study() const {
-    auto made = study_model(context_, "grid");
-    return std::move(*made);
+    return study_model(context_, "grid");
   }
   [[nodiscard]] std::string file() const { return context_.cache + "/grid.events"; }
   [[nodiscard]] base::Bytes bytes() const { return *base::read_file(file()); }
@@ -145,17 +142,6 @@ TEST_F(PlantingaCache, IsNotNeeded) {
   std::ofstream(root_ + "/made") << "a file where a folder should be";
   EXPECT_FALSE(study().from_cache);
   EXPECT_EQ(study().list.changes.size(), 1845U);
-}
-
-TEST(PlantingaReport, TimingHasARowAModel) {
-  const auto made = timing_of_plantinga(quiet());
-  ASSERT_TRUE(made);
-  ASSERT_EQ(made->size(), 1U) << "without times of this computer there is nothing to say of frames";
-  const auto& table = std::get<Table>(made->front());
-  ASSERT_EQ(table.rows.size(), 5U);
-  EXPECT_EQ(shown_text(table.rows[1][0]), "Grid");
-  EXPECT_EQ(std::get<std::int64_t>(table.rows[1][4]), 1383) << "as printed";
-  EXPECT_EQ(std::get<std::int64_t>(table.rows[4][4]), 5134) << "as printed";
 }
 
 }  // namespace

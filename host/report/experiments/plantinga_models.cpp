@@ -1,4 +1,4 @@
-#include "host/report/plantinga_models.hpp"
+#include "host/report/experiments/plantinga_models.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/read/poly_file.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 // The embedded files.
 std::span<const std::pair<std::string_view, std::string_view>> plantinga_model_files();
@@ -23,8 +23,8 @@ namespace {
 
 namespace native = algorithms::plantinga;
 
-Outcome<std::pair<native::EventList, double>> study(const Context& context, std::string_view name,
-                                                    const native::RotationModel& model, unsigned threads) {
+std::pair<native::EventList, double> study(const Context& context, std::string_view name,
+                                           const native::RotationModel& model, unsigned threads) {
   native::BuildOptions options;
   options.threads = threads;
   options.progress = [&](std::size_t done, std::size_t of) {
@@ -35,8 +35,8 @@ Outcome<std::pair<native::EventList, double>> study(const Context& context, std:
   const auto begun = std::chrono::steady_clock::now();
   auto built = native::build_event_list(model, options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-  if (!built) return ReportError{ErrorKind::differs, fmt::format("{}: {}", name, built.error().message())};
-  return std::pair{std::move(*built), taken.count()};
+  if (!built) throw Failure(ErrorKind::differs, fmt::format("{}: {}", name, built.error().message()));
+  return {std::move(*built), taken.count()};
 }
 
 struct CacheFiles {
@@ -93,37 +93,34 @@ std::vector<std::string_view> plantinga_models_of(const Context& context) {
   return names;
 }
 
-Outcome<scene::PolyScene> plantinga_scene(std::string_view name) {
+std::vector<std::string_view> plantinga_turned_models(const Context& context) {
+  if (context.full) return {"squares", "grid", "objects", "tori"};
+  return {"squares", "grid"};
+}
+
+scene::PolyScene plantinga_scene(std::string_view name) {
   const std::string file = fmt::format("{}.off", name);
   for (const auto& [known, text] : plantinga_model_files()) {
     if (known != file) continue;
     auto read = scene::read_poly(text, file, scene::PolyFormat::off);
-    if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
+    if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
     auto scene = std::move(read->scene);
     if (const auto errors = scene::check_poly_scene(scene); !errors.empty())
-      return ReportError{ErrorKind::bad_input, errors.front().message()};
+      throw Failure(ErrorKind::bad_input, errors.front().message());
     return scene;
   }
-  return ReportError{ErrorKind::bad_input, fmt::format("{}: no such model", name)};
+  throw Failure(ErrorKind::bad_input, fmt::format("{}: no such model", name));
 }
 
-Outcome<StudiedModel> study_model(const Context& context, std::string_view name) {
-  auto scene = plantinga_scene(name);
-  if (!scene) return std::move(scene.error());
-  StudiedModel studied{std::string(name), native::RotationModel(*scene), {}, {}, false};
+StudiedModel study_model(const Context& context, std::string_view name) {
+  StudiedModel studied{std::string(name), native::RotationModel(plantinga_scene(name)), {}, {}, false};
   const auto files = files_of(context, name);
   if (files && read_cache(context, *files, studied)) return studied;
-  auto all = study(context, name, studied.model, 0);
-  if (!all) return std::move(all.error());
-  auto& [list, all_cores] = *all;
+  auto [list, all_cores] = study(context, name, studied.model, 0);
   studied.list = std::move(list);
-  if (context.host_times) {
-    auto one = study(context, name, studied.model, 1);
-    if (!one) return std::move(one.error());
-    studied.times = StudyTimes{one->second, all_cores};
-  }
+  if (context.host_times) studied.times = StudyTimes{study(context, name, studied.model, 1).second, all_cores};
   if (files) write_cache(*files, studied);
   return studied;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report
