@@ -19,23 +19,25 @@ std::size_t steps_of(double length) {
   return static_cast<std::size_t>(std::max(1.0, std::ceil(length / sample_distance)));
 }
 
-// From every sample of a to the nearest of b, ascending; ends included.
+// From every sample of a to the nearest of b; ends included.
 std::vector<double> distances(const std::vector<PixelSegment>& a, const NearestSegment& b) {
   std::vector<double> result;
+  std::uint32_t near = 0;
   for (const PixelSegment& segment : a) {
     const std::size_t steps = steps_of(length_of(segment));
     for (std::size_t n = 0; n <= steps; ++n)
-      result.push_back(b.distance(point_at(segment, static_cast<double>(n) / static_cast<double>(steps))));
+      result.push_back(b.distance(point_at(segment, static_cast<double>(n) / static_cast<double>(steps)), near));
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 
 HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
   if (a.empty()) return {};
-  const std::vector<double> sorted = distances(a, NearestSegment(b));
+  std::vector<double> all = distances(a, NearestSegment(b));
   // The sample with at most one in a thousand beyond it.
-  return {sorted.back(), sorted[sorted.size() - 1 - sorted.size() / 1000]};
+  const auto usual = all.end() - 1 - static_cast<std::ptrdiff_t>(all.size() / 1000);
+  std::nth_element(all.begin(), usual, all.end());
+  return {*std::max_element(usual, all.end()), *usual};
 }
 
 std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines,

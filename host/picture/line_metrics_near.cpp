@@ -76,34 +76,42 @@ void NearestSegment::for_squares(const PixelSegment& segment, Visit&& visit) con
   }
 }
 
-void NearestSegment::look(int column, int row, const PixelPoint& point, double& nearest) const {
+void NearestSegment::look(int column, int row, const PixelPoint& point, Found& found) const {
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
+  // A segment that is nearest to the point within this square is no nearer than the square; less for rounding.
+  const double dx = std::abs(low_.x + (column + 0.5) * side_ - point.x) - 0.501 * side_;
+  const double dy = std::abs(low_.y + (row + 0.5) * side_ - point.y) - 0.501 * side_;
+  const double least = (dx > 0 ? dx * dx : 0) + (dy > 0 ? dy * dy : 0);
+  if (least > found.square_of_distance) return;
   const std::size_t square =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-  for (std::uint32_t i = first_[square]; i < first_[square + 1]; ++i)
-    nearest = std::min(nearest, square_of_distance(segments_[entries_[i]], point));
+  for (std::uint32_t i = first_[square]; i < first_[square + 1]; ++i) {
+    const double distance = square_of_distance(segments_[entries_[i]], point);
+    if (distance < found.square_of_distance) found = {entries_[i], distance};
+  }
 }
 
-double NearestSegment::distance(const PixelPoint& point) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  if (segments_.empty()) return nearest;
+double NearestSegment::distance(const PixelPoint& point, std::uint32_t& nearest) const {
+  if (segments_.empty()) return std::numeric_limits<double>::infinity();
+  Found found{nearest, square_of_distance(segments_[nearest], point)};
   const int column = column_of(point.x);
   const int row = row_of(point.y);
   // A square of ring n is at least n - 1 sides away from every point of the middle one, and from points
   // outside all squares, for which the middle one is the nearest.
   for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
     const double least = std::max(ring - 1, 0) * side_;
-    if (nearest <= least * least) break;
+    if (found.square_of_distance <= least * least) break;
     for (int c = column - ring; c <= column + ring; ++c) {
-      look(c, row - ring, point, nearest);
-      if (ring > 0) look(c, row + ring, point, nearest);
+      look(c, row - ring, point, found);
+      if (ring > 0) look(c, row + ring, point, found);
     }
     for (int r = row - ring + 1; r < row + ring; ++r) {
-      look(column - ring, r, point, nearest);
-      look(column + ring, r, point, nearest);
+      look(column - ring, r, point, found);
+      look(column + ring, r, point, found);
     }
   }
-  return std::sqrt(nearest);
+  nearest = found.segment;
+  return std::sqrt(found.square_of_distance);
 }
 
 }  // namespace sightline::picture

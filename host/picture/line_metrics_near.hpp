@@ -15,14 +15,24 @@ class NearestSegment {
   explicit NearestSegment(const std::vector<PixelSegment>& segments);
 
   // To the nearest point of any segment; infinite if there are none.
-  [[nodiscard]] double distance(const PixelPoint& point) const;
+  [[nodiscard]] double distance(const PixelPoint& point) const {
+    std::uint32_t any = 0;
+    return distance(point, any);
+  }
+  // The same; `nearest` is a segment that may be near, such as that of the point before, and becomes the nearest.
+  [[nodiscard]] double distance(const PixelPoint& point, std::uint32_t& nearest) const;
 
  private:
   [[nodiscard]] int column_of(double x) const;
   [[nodiscard]] int row_of(double y) const;
   template <class Visit>
   void for_squares(const PixelSegment& segment, Visit&& visit) const;
-  void look(int column, int row, const PixelPoint& point, double& nearest) const;
+
+  struct Found {
+    std::uint32_t segment;
+    double square_of_distance;
+  };
+  void look(int column, int row, const PixelPoint& point, Found& found) const;
 
   std::vector<PixelSegment> segments_;
   PixelPoint low_;
