@@ -1,7 +1,7 @@
 // See command.hpp.
 #include "host/app/command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cerrno>
 #include <cmath>

@@ -1,7 +1,7 @@
 // See outputs.hpp.
 #include "host/app/outputs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // See cross_check_compare.hpp.
 #include "host/compare/cross_check_compare.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

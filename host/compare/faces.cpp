@@ -1,7 +1,7 @@
 // See faces.hpp.
 #include "host/compare/faces.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

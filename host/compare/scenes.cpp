@@ -1,7 +1,7 @@
 // See scenes.hpp.
 #include "host/compare/scenes.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

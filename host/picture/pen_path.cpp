@@ -1,6 +1,6 @@
 #include "host/picture/pen_path.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

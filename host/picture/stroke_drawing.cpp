@@ -1,6 +1,6 @@
 #include "host/picture/stroke_drawing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // See stroke_log.hpp.
 #include "host/picture/stroke_log.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "host/picture/svg.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

@@ -1,6 +1,6 @@
 #include "host/report/html_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // The program `sightline-report`, which `sightline report` becomes: the measurements and comparisons of all
 // algorithms as one page, with its tables beside it. It reads the command line that `sightline` was given.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/report/montani_re_growth.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/report/text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <optional>
 #include <utility>

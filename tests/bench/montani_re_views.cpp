@@ -2,7 +2,7 @@
 // by `exact`, of boxes and of towns of 100, 1000 and 10000, interleaved in one run; how each grows with the
 // number of faces, beside the paper's claim, N Y. Y is the number of faces that a face overlaps in X.
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstddef>

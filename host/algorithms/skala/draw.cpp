@@ -1,6 +1,6 @@
 #include "host/algorithms/skala/draw.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // `sightline asm`: symbolic source to a tape, a core image or a program file, a listing and a table of
 // symbols.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

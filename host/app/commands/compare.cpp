@@ -1,5 +1,5 @@
 // `sightline compare`: the old programs and the native methods compared with oracles, on one view.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

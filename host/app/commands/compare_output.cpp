@@ -1,7 +1,7 @@
 // See compare_output.hpp.
 #include "host/app/commands/compare_output.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

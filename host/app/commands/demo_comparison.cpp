@@ -1,6 +1,6 @@
 #include "host/app/commands/demo_comparison.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

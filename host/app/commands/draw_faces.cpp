@@ -1,6 +1,6 @@
 // `sightline draw METHOD SCENE` for methods that say which face is seen at each point.
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

@@ -1,5 +1,5 @@
 // `sightline draw skala`: a surface over a grid with its hidden parts removed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

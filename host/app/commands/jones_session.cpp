@@ -1,6 +1,6 @@
 #include "host/app/commands/jones_session.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "host/app/commands/skala_demo.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "host/base/json.hpp"
 #include "host/scene/heights/function.hpp"

@@ -1,7 +1,7 @@
 // See skala_options.hpp.
 #include "host/app/commands/skala_options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "host/app/commands/skala_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "host/base/json.hpp"
 

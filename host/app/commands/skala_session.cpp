@@ -1,6 +1,6 @@
 #include "host/app/commands/skala_session.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <filesystem>

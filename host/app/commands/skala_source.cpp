@@ -1,6 +1,6 @@
 #include "host/app/commands/skala_source.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <system_error>

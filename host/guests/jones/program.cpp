@@ -1,6 +1,6 @@
 #include "host/guests/jones/program.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 

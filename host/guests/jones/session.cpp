@@ -1,6 +1,6 @@
 #include "host/guests/jones/session.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>

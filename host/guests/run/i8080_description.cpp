@@ -1,6 +1,6 @@
 // The 8080 as a MachineDescription: its options and what their texts mean, its program files, its assembler
 // and disassembler. What the options of devices are follows from the rows of machines::SkalaRows.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The PDP-7 as a MachineDescription: its options and what their texts mean, its tapes, its assembler, and the
 // disassemblers of the processor and of the Type 340.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // See pdp7_scripts.hpp.
 #include "host/guests/run/pdp7_scripts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/guests/skala/guest.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 //   pictures  the first view of each scene by every method, side by side
 #include "host/report/experiments/cross_check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "host/report/experiments/guest_runs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <utility>
 

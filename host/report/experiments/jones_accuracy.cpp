@@ -8,7 +8,7 @@
 //            fraction bits with which every view is complete (words), float and double (floating), and the exact
 //            algorithms, whose error is 0 because their pictures are the oracle's, piece for piece (exact)
 //   named    every piece of the machine's builds that is wrong by more than 20 pixels
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "host/report/experiments/jones_pictures.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

@@ -11,7 +11,7 @@
 //
 // Only the smallest building and one other are in memory at a time. A round looks at each of the two some times over,
 // so that a computer that changes its speed does so for both; of the rounds the median counts.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

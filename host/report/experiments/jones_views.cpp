@@ -7,7 +7,7 @@
 //   machine    its memory cycle
 //   elements   words of the elements of each scene, as assembled, and those of openings as Fig. 6 has them
 //   corridors  corridor8 and corridor32: the same few rooms are seen
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <utility>

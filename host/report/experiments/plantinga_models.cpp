@@ -1,6 +1,6 @@
 #include "host/report/experiments/plantinga_models.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <cstdio>

@@ -7,7 +7,7 @@
 //
 //   points  a study (raster, grid, levels), function, program and setting each
 //   boards  both boards on both links, 65 points in each of 33 slices
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <functional>

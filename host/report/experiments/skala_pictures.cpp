@@ -6,7 +6,7 @@
 //             which the test is the larger part of the work on a dot
 //   memory    what the 64 KB hold, by kind of picture
 //   machine   the 8080's clock, and what the board shows
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <set>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "host/report/hard_cases/hard_cases.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // The eye is at the origin and looks along z unless said otherwise. A corridor is 100 wide and high, with
 // walls without thickness across it and a portal in each.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "host/report/hard_cases/jones.hpp"
 

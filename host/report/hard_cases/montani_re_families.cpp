@@ -1,6 +1,6 @@
 // Hard cases of priority lists and stripes with a parameter. Every build is tried with value after value,
 // from easy to hard, until it fails.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Running the hard cases of Plantinga, Seales and Dyer.
 #include "host/report/hard_cases/plantinga.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

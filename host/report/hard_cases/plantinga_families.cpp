@@ -1,5 +1,5 @@
 // Angles and crossings nearer and nearer to each other: what single and double precision get wrong first.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

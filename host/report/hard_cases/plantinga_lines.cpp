@@ -1,5 +1,5 @@
 // Events of a few edges and vertices, exact and in doubles.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

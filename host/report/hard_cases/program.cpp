@@ -1,6 +1,6 @@
 #include "host/report/hard_cases/program.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>

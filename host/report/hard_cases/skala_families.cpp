@@ -1,6 +1,6 @@
 // Two lines, the farther one steeper, cross: there the farther one should appear. Slopes differ by 1 / d, so
 // that half a row of rounding is d / 2 columns.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // See willis.hpp.
 #include "host/report/hard_cases/willis.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // See willis_facts.hpp.
 #include "host/report/hard_cases/willis_facts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/report/speed_error/montani_re.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

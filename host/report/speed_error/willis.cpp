@@ -1,7 +1,7 @@
 // See willis.hpp.
 #include "host/report/speed_error/willis.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <functional>
 #include <list>

@@ -2,7 +2,7 @@
 // IEI Pisa, Nota interna B85-08, Tables 1, 3 and 4.
 #include "host/report/timing/montani_re.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

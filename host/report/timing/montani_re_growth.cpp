@@ -2,7 +2,7 @@
 // IEI Pisa, Nota interna B85-08, sections 1, 3, 4 and 5.
 #include "host/report/montani_re_growth.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // Numbers: P. J. Willis, "A real time hidden surface technique", The Computer Journal 20 (1977).
 #include "host/report/timing/willis.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <functional>

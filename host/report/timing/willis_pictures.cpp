@@ -1,7 +1,7 @@
 // See timing_willis_pictures.hpp.
 #include "host/report/timing/willis_pictures.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/guests/jones/precision/precision.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 // strokes.
 #include "host/guests/run/pdp7.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <initializer_list>
