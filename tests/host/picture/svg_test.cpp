@@ -1,0 +1,90 @@
+// The one writer of SVG: what it writes is held against lines written by hand.
+#include "host/picture/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+namespace sightline::picture {
+namespace {
+
+const std::string head =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
+    "     width=\"20.000mm\" height=\"10.500mm\" viewBox=\"0 0 20.000 10.500\">\n"
+    "  <title>a &lt;b&gt; &amp; &quot;c&quot; ?</title>\n";
+
+std::string points(SvgPositions positions, std::int64_t across, std::int64_t down) {
+  SvgWriter svg(1, 1, "", positions);
+  svg.point(across, down);
+  const std::string text = std::move(svg).finish();
+  const std::size_t from = text.find("</title>\n") + 9;
+  return text.substr(from, text.find("</svg>") - from);
+}
+
+TEST(SvgWriter, BeginsWithSizeInMillimetresAndTheEscapedTitle) {
+  EXPECT_EQ(SvgWriter(20, 10.5, "a <b> & \"c\" \t").finish(), head + "</svg>\n");
+}
+
+TEST(SvgWriter, LinesAreLayersOfPolylines) {
+  SvgWriter svg(20, 10.5, "a <b> & \"c\" \t");
+  svg.open_lines("pen-1", "1 \"pen\"", {255, 0, 16}, "0.3");
+  svg.begin_polyline();
+  svg.point(0, 1);
+  svg.point(1500, 10500);
+  svg.end_shape();
+  svg.begin_polyline();
+  svg.dot(5000, 250);
+  svg.end_shape();
+  svg.close_layer();
+  EXPECT_EQ(std::move(svg).finish(),
+            head +
+                "  <g id=\"pen-1\" inkscape:groupmode=\"layer\" inkscape:label=\"1 &quot;pen&quot;\"\n"
+                "     fill=\"none\" stroke=\"#ff0010\" stroke-width=\"0.3\" stroke-linecap=\"round\" "
+                "stroke-linejoin=\"round\">\n"
+                "    <polyline points=\"0.000,0.001 1.500,10.500\"/>\n"
+                "    <polyline points=\"4.990,0.250 5.010,0.250\"/>\n"
+                "  </g>\n</svg>\n");
+}
+
+TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
+  SvgWriter svg(20, 10.5, "a <b> & \"c\" \t");
+  svg.clip_rectangle("inside", 1, 2, 3, 4.5);
+  svg.open_areas("faces", "0 faces", "stroke-width=\"0.2\"");
+  svg.begin_polygon({1, 2, 3});
+  for (const int x : {0, 1000, 2000}) svg.point(x, x);
+  svg.end_shape();
+  svg.begin_path({4, 5, 6});
+  for (const int x : {0, 1000}) {
+    svg.begin_loop();
+    svg.point(x, 0);
+    svg.point(x, -500);
+    svg.end_loop();
+  }
+  svg.end_shape();
+  svg.close_layer();
+  EXPECT_EQ(
+      std::move(svg).finish(),
+      head +
+          "  <clipPath id=\"inside\"><rect x=\"1.000\" y=\"2.000\" width=\"3.000\" "
+          "height=\"4.500\"/></clipPath>\n"
+          "  <g id=\"faces\" inkscape:groupmode=\"layer\" inkscape:label=\"0 faces\" stroke-width=\"0.2\">\n"
+          "    <polygon fill=\"#010203\" stroke=\"#010203\" points=\"0.000,0.000 1.000,1.000 "
+          "2.000,2.000\"/>\n"
+          "    <path fill=\"#040506\" stroke=\"#040506\" "
+          "d=\"M0.000,0.000L0.000,-0.500ZM1.000,0.000L1.000,-0.500Z\"/>\n"
+          "  </g>\n</svg>\n");
+}
+
+TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
+  EXPECT_EQ(points({}, 0, -1), "0.000,-0.001");
+  EXPECT_EQ(points({.decimals = 4}, 2381250, 5), "238.1250,0.0005");
+  EXPECT_EQ(points({.needless_zeros = false}, 1500, 100000), "1.5,100");
+  EXPECT_EQ(points({.needless_zeros = false}, 0, 10), "0,0.01");
+  EXPECT_EQ(points({}, 9223372036854775, 1), "9223372036854.775,0.001");
+}
+
+}  // namespace
+}  // namespace sightline::picture
