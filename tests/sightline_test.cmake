@@ -1,4 +1,4 @@
-# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [RUNS program])
+# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [OPTIMISED] [RUNS program])
 #   One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
 #   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
@@ -6,13 +6,15 @@
 #   SIGHTLINE_COMMAND    is, for tests that RUN a program, the path of that program
 #   RELEASE_ONLY: tests that need optimised code to end in a few seconds; they are not built with sanitizers.
 #   AS_ONE: the program runs once for all its tests, because they share what takes long to prepare.
-# What is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
+#   OPTIMISED: the fast tests, too, contain what works for long: a machine is compiled into the tests that run it.
+# What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
-  set(SIGHTLINE_TEST_OPTIONS -O1)
+  set(SIGHTLINE_TEST_OPTIONS -O0)
+  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
 endif()
 
 function(sightline_tests)
-  cmake_parse_arguments(ARG "AS_ONE" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "AS_ONE;OPTIMISED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES" ${ARGN})
   if(ARG_FAST)
     sightline_test_program(${ARG_NAME}_test fast "${ARG_FAST}")
   endif()
@@ -24,12 +26,17 @@ function(sightline_tests)
   endif()
 endfunction()
 
-# Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE) it reads.
+# Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE, ARG_OPTIMISED) it reads.
 function(sightline_test_program program label sources)
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
-  target_precompile_headers(${program} REUSE_FROM sightline_test_headers)
-  target_compile_options(${program} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
+  if(label STREQUAL "fast" AND NOT ARG_OPTIMISED)
+    target_precompile_headers(${program} REUSE_FROM sightline_test_headers)
+    target_compile_options(${program} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
+  else()
+    target_precompile_headers(${program} REUSE_FROM sightline_optimised_test_headers)
+    target_compile_options(${program} PRIVATE ${SIGHTLINE_OPTIMISED_TEST_OPTIONS})
+  endif()
   if(ARG_RUNS)
     target_compile_definitions(${program} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
     add_dependencies(${program} ${ARG_RUNS})
