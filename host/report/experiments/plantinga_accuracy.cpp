@@ -6,7 +6,7 @@
 //   tolerances  a model and angle tolerance each
 //   steps       a model and angle from frame to frame each
 //   hidden      the share of the edges' length that is hidden, so wrong in the wire frame: a model each
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

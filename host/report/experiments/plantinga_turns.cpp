@@ -8,7 +8,7 @@
 //   baselines   a wire frame, and hidden-line removal from scratch: a model each
 //
 // Without host times only `models` has values; frames, tolerances, steps and baselines have no rows.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
