@@ -75,6 +75,8 @@ struct FaceOptions {
   bool order_cells = true;   // false: distance alone
   // Montani and Re
   double stripe = 1;  // thickness, one of those above; regions have none
+  bool one_silhouette =
+      false;  // of regions: of all faces in front; what coplanar ones share is then the first's
 };
 
 struct FaceAlgorithm {

@@ -64,8 +64,11 @@ base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std
 
 class MontaniReScene {
  public:
-  MontaniReScene(const scene::PolyScene& scene, std::int32_t units)
-      : scene_(scene), units_(units), first_faces_(scene::first_face_numbers(scene)) {}
+  MontaniReScene(const scene::PolyScene& scene, std::int32_t units, native::Silhouette silhouette)
+      : scene_(scene),
+        units_(units),
+        silhouette_(silhouette),
+        first_faces_(scene::first_face_numbers(scene)) {}
 
   [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
     const native::StripeFrame frame = frame_of(camera, window);
@@ -94,7 +97,7 @@ class MontaniReScene {
     const native::StripeFrame frame = frame_of(camera, window);
     const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 0);
     const native::FaceSet set = native::faces_seen(scene_, camera, {}, &bounds);
-    const native::VisibleRegions seen = native::visible_regions(set);
+    const native::VisibleRegions seen = native::visible_regions(set, silhouette_);
     if (seen.interpenetrating)
       return passing_through(set, seen.interpenetrating->first, seen.interpenetrating->second);
     FaceRegions regions;
@@ -133,6 +136,7 @@ class MontaniReScene {
 
   const scene::PolyScene& scene_;
   std::int32_t units_;
+  native::Silhouette silhouette_;
   std::vector<std::uint32_t> first_faces_;  // by body
 };
 
@@ -143,7 +147,9 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
   const auto found = std::find(stripe_thicknesses.begin(), stripe_thicknesses.end(), options.stripe);
   if (found == stripe_thicknesses.end())
     return base::Error{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
-  const auto made = std::make_shared<const MontaniReScene>(scene, static_cast<std::int32_t>(16 / *found));
+  const auto made = std::make_shared<const MontaniReScene>(
+      scene, static_cast<std::int32_t>(16 / *found),
+      options.one_silhouette ? native::Silhouette::whole : native::Silhouette::neighbours);
   PreparedFaces prepared;
   prepared.view = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
     return made->view(camera, window);

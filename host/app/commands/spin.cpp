@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/algorithms/plantinga/event_file.hpp"
-#include "host/algorithms/plantinga/frame.hpp"
-#include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
@@ -22,14 +20,13 @@
 namespace sightline::app {
 namespace {
 
-namespace native = algorithms::plantinga;
-
 constexpr double degree = std::numbers::pi / 180;
 
 struct SpinOptions {
   std::string scene;
   std::string out;
   std::string events;
+  std::string method = std::string(registry::turn_methods().front().name);
   std::string vertical = "y";
   double step = 3;
   double tolerance = 0;
@@ -52,48 +49,35 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
   return scene;
 }
 
-native::EventList study(const native::RotationModel& model, const SpinOptions& options) {
+// What was found is read from the file if it is there; else it is found, and kept there.
+registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const scene::PolyScene& scene,
+                                    const SpinOptions& options) {
+  const bool keeps = !options.events.empty();
+  const bool found = keeps && std::filesystem::exists(options.events);
   base::ProgressLine line;
-  native::BuildOptions build;
-  build.tolerance = options.tolerance * degree;
-  build.progress = [&line](std::size_t done, std::size_t of) {
+  registry::TurnOptions turn;
+  turn.tolerance = options.tolerance * degree;
+  if (found) turn.found = options.events;
+  turn.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));
   };
-  auto built = native::build_event_list(model, build);
-  if (!built) {
-    throw Failure(ExitCode::bad_input, options.scene + ": " + built.error().message());
+  auto prepared = value_of(method.prepare(scene, turn), found ? options.events : options.scene);
+  if (keeps && !found) {
+    const auto kept = prepared.keep(options.events);
+    if (!kept) throw Failure(ExitCode::io, kept.error().message());
   }
-  return std::move(*built);
-}
-
-// From the file if it is there, else found, and kept there.
-native::EventList events_of(const native::RotationModel& model, const SpinOptions& options) {
-  if (options.events.empty()) return study(model, options);
-  if (std::filesystem::exists(options.events)) {
-    auto read = native::read_events(options.events, model);
-    if (!read) throw Failure(ExitCode::bad_input, read.error().message());
-    if (read->tolerance != options.tolerance * degree) {
-      throw Failure(ExitCode::bad_input,
-                    fmt::format("{}: events of a tolerance of {:g} degrees, expected {:g}: name another file",
-                                options.events, read->tolerance / degree, options.tolerance));
-    }
-    return std::move(*read);
-  }
-  native::EventList list = study(model, options);
-  const auto written = native::write_events(options.events, list);
-  if (!written) throw Failure(ExitCode::io, written.error().message());
-  return list;
+  return prepared;
 }
 
 // The image of every frame fits: the farthest any vertex is from the axis, and its heights.
 class Sheet {
  public:
-  Sheet(const native::RotationModel& model, int size) : size_(size) {
+  Sheet(const scene::PolyScene& scene, int size) : size_(size) {
     double reach = 1;
     double low = 0;
     double high = 0;
     bool first = true;
-    for (const auto& v : model.vertices()) {
+    for (const scene::PolyPoint& v : scene.vertices) {
       reach = std::max(reach, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])));
       low = first ? static_cast<double>(v[1]) : std::min(low, static_cast<double>(v[1]));
       high = first ? static_cast<double>(v[1]) : std::max(high, static_cast<double>(v[1]));
@@ -103,12 +87,12 @@ class Sheet {
     scale_ = 0.47 * size / std::max(reach, (high - low) / 2);
   }
 
-  [[nodiscard]] picture::Image image_of(const std::vector<native::ImageLine>& lines) const {
+  [[nodiscard]] picture::Image image_of(const std::vector<registry::TurnLine>& lines) const {
     picture::VectorDrawing drawing;
     drawing.width = size_;
     drawing.height = size_;
     drawing.layers = {{"visible", {0, 0, 0}}};
-    for (const native::ImageLine& line : lines) {
+    for (const registry::TurnLine& line : lines) {
       drawing.lines.push_back({0, static_cast<std::uint32_t>(drawing.points.size()), 2});
       drawing.points.push_back(point(line.u0, line.v0));
       drawing.points.push_back(point(line.u1, line.v1));
@@ -134,27 +118,19 @@ void spin(const SpinOptions& options) {
   }
   const scene::LoadedScene source = load_scene(options.scene);
   const scene::PolyScene scene = turn_upright(source.scene, options.vertical);
-  if (const auto reason = native::why_not(scene)) {
+  const registry::TurnMethod& method = *registry::find_turn_method(options.method);
+  if (const auto reason = method.why_not(scene)) {
     throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
   }
   Output output(options.out);
-  const native::RotationModel model(scene);
-  const native::EventList list = events_of(model, options);
-  native::EdgeStructureGraph graph(list);
-  native::FrameMaker frames(model);
-  const Sheet sheet(model, options.size);
+  const registry::PreparedTurn turn = prepare_turn(method, scene, options);
+  const Sheet sheet(scene, options.size);
   picture::ApngWriter apng({1, static_cast<std::uint16_t>(options.rate)});
-  std::vector<native::ImageLine> lines;
+  std::vector<registry::TurnLine> lines;
   const int count = static_cast<int>(std::ceil(360 / options.step - 1e-9));
   for (int i = 0; i < count; ++i) {
     const double angle = options.step * i * degree;
-    // A list that was read or made is consistent: every step fits.
-    static_cast<void>(graph.turn_to(angle));
-    if (options.wire) {
-      frames.wire(angle, lines);
-    } else {
-      frames.visible(graph, angle, lines);
-    }
+    (options.wire ? turn.whole : turn.visible)(angle, lines);
     const auto added = apng.add(sheet.image_of(lines));
     if (!added) throw Failure(ExitCode::usage, added.error().message());
   }
@@ -162,8 +138,9 @@ void spin(const SpinOptions& options) {
   if (!bytes) throw Failure(ExitCode::usage, bytes.error().message());
   output.write(*bytes);
   output.commit();
-  write_stdout(fmt::format("{}: {} edges, {} events, {} changes of edges, {} frames\n", source.name,
-                           model.edges().size(), list.events.size(), list.changes.size(), count));
+  std::string counts;
+  for (const registry::TurnCount& of : turn.counts) counts += fmt::format("{} {}, ", of.value, of.name);
+  write_stdout(fmt::format("{}: {}{} frames\n", source.name, counts, count));
   check_stdout();
 }
 
@@ -178,6 +155,11 @@ void add_spin_command(const Command& program) {
       .option("--events", options->events,
               "Read the events of the turn from this file; if there is none, find and keep them in it")
       .value("FILE");
+  std::vector<std::string> methods;
+  for (const registry::TurnMethod& method : registry::turn_methods()) methods.emplace_back(method.name);
+  command.option("--method", options->method, "How the views of the turn are found")
+      .one_of(methods)
+      .default_value();
   command.option("--vertical", options->vertical, "Which axis points up, such as z or -y")
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
       .value("AXIS")

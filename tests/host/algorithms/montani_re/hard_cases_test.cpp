@@ -167,6 +167,20 @@ TEST(MontaniReHardCases, M17Tables3And4) {
   EXPECT_EQ(named(list.classes()), "SE/UC/RA/F/");
 }
 
+// The same from faces: rectangles in a row, for Figure 4 is not legible.
+TEST(MontaniReHardCases, M17TheListOfTable4) {
+  const scene::PolyScene scene = scene::hard_case_scene("M17.json");
+  const FaceSet set = case_set("M17.json");
+  const VisibleRegions seen = visible_regions(set);
+  EXPECT_EQ(seen.counts.relations, 6U);
+  std::string list;
+  for (const PriorityClass& members : seen.list.classes()) {
+    for (const std::uint32_t member : members) list += scene.bodies[set.faces[member].body].name;
+    list += '/';
+  }
+  EXPECT_EQ(list, "SE/UC/RA/F/");
+}
+
 TEST(MontaniReHardCases, IsolatedFacesGoToTheBack) {
   const PriorityList list =
       priority_list(3, std::vector<Relation>{{0, 1}}, [](auto) { return std::vector<std::uint32_t>{}; });

@@ -1,0 +1,81 @@
+// Every method that turns a scene is behind one door: its frames are those of exact, what it found can be
+// kept and read again.
+#include "host/algorithms/registry/turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/algorithms/registry/lines.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/model/poly_builder.hpp"
+
+namespace sightline::registry {
+namespace {
+
+scene::PolyScene two_boxes() {
+  scene::PolyBuilder builder;
+  builder.add_box("left", {-40, 0, -10}, {-10, 30, 20});
+  builder.add_box("right", {5, -7, 0}, {35, 41, 40});
+  return builder.take();
+}
+
+double length_of(const std::vector<TurnLine>& lines) {
+  double sum = 0;
+  for (const TurnLine& line : lines) sum += std::hypot(line.u1 - line.u0, line.v1 - line.v0);
+  return sum;
+}
+
+// Of exact, looking along the same direction: a camera's image is u and v, times the length of its vectors.
+double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t z) {
+  const scene::PolyCamera camera{false, {0, 0, 0}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
+  const auto prepared = harness::find_line_algorithm("exact")->prepare(scene);
+  const auto view = prepared->view(camera);
+  const double scale = std::hypot(x, z);
+  double sum = 0;
+  for (const picture::LinePiece& piece : view->picture.pieces) {
+    const auto& from = scene.vertices[piece.edge.from];
+    const auto& to = scene.vertices[piece.edge.to];
+    const double u = ((to[0] - from[0]) * double{1} * z - (to[2] - from[2]) * double{1} * x) / scale;
+    sum += std::hypot(u, to[1] - from[1]) * (piece.high.to_double() - piece.low.to_double());
+  }
+  return sum;
+}
+
+TEST(TurnMethods, FramesAreThoseOfExact) {
+  const scene::PolyScene scene = two_boxes();
+  for (const TurnMethod& method : turn_methods()) {
+    ASSERT_FALSE(method.why_not(scene)) << method.name;
+    const auto turn = method.prepare(scene, {});
+    ASSERT_TRUE(turn) << turn.error().message();
+    std::vector<TurnLine> lines;
+    for (const auto& [x, z] : {std::pair{31, 200}, {-170, 61}, {99, -40}, {7, 9}}) {
+      turn->visible(std::atan2(x, z), lines);
+      EXPECT_NEAR(length_of(lines), exact_length(scene, x, z), 1e-9) << method.name << ' ' << x << ':' << z;
+    }
+    turn->whole(0, lines);
+    EXPECT_EQ(lines.size(), 24U);
+    EXPECT_EQ(turn->counts[0].value, 24U);
+  }
+}
+
+TEST(TurnMethods, KeepWhatTheyFound) {
+  const scene::PolyScene scene = two_boxes();
+  const TurnMethod& method = *find_turn_method("plantinga");
+  const std::string file = testing::TempDir() + "turn.events";
+  const auto turn = method.prepare(scene, {});
+  ASSERT_TRUE(turn);
+  ASSERT_TRUE(turn->keep(file));
+  const auto again = method.prepare(scene, {.found = file});
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->counts[1].value, turn->counts[1].value);
+  EXPECT_FALSE(method.prepare(scene, {.tolerance = 0.01, .found = file}));
+  EXPECT_FALSE(method.prepare(scene::generate_boxes(2), {.found = file}));
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace sightline::registry
