@@ -6,7 +6,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "host/report/hard_cases/hard_cases.hpp"
 #include "host/report/speed_error/montani_re.hpp"
 #include "host/report/speed_error/willis.hpp"
 #include "host/report/timing/montani_re.hpp"
@@ -38,18 +37,11 @@ Blocks willis_accuracy(const Context& context) {
                    harness::report::willis_error_blocks(harness::report::measure_willis(context)));
 }
 
-Blocks hard_cases(const Context& context) {
-  auto section = harness::report::hard_cases(context);
-  if (!section) return std::move(section.error());
-  return std::move(section->blocks);
-}
-
 constexpr std::array chapters{
     LegacyChapter{"montani-re-timing", &harness::report::timing_of_montani_re},
     LegacyChapter{"willis-timing", &harness::report::timing_of_willis},
     LegacyChapter{"montani-re-accuracy", &montani_re_accuracy},
     LegacyChapter{"willis-accuracy", &willis_accuracy},
-    LegacyChapter{"hard-cases", &hard_cases},
 };
 
 void drop_host_times(Table& table) {

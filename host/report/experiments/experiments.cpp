@@ -11,6 +11,7 @@ constexpr std::array experiments{
     Experiment{"jones-accuracy", &jones_accuracy},
     Experiment{"cross-check", &cross_check},
     Experiment{"plantinga-accuracy", &plantinga_accuracy},
+    Experiment{"hard-cases", &hard_cases},
     Experiment{"skala-pictures", &skala_pictures},
     Experiment{"jones-views", &jones_views},
     Experiment{"jones-numbers", &jones_numbers, true},

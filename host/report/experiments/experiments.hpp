@@ -6,6 +6,7 @@
 namespace sightline::report {
 
 [[nodiscard]] Records cross_check(const Context& context);
+[[nodiscard]] Records hard_cases(const Context& context);
 [[nodiscard]] Records jones_accuracy(const Context& context);
 [[nodiscard]] Records jones_numbers(const Context& context);
 [[nodiscard]] Records jones_unseen(const Context& context);

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "host/algorithms/montani_re/visible_regions.hpp"
-#include "host/report/hard_cases/hard_cases.hpp"
-#include "host/report/hard_cases/montani_re_lattice.hpp"
+#include "host/report/hard_cases/manifest.hpp"
+#include "host/report/lattice_chains.hpp"
 #include "host/report/montani_re_growth.hpp"
 #include "host/scene/read/poly_json.hpp"
 
@@ -71,7 +71,7 @@ std::string sides_of(const native::LatticeStripe& stripe) {
 }
 
 Outcome<Table> stripes_table() {
-  const auto read = read_chains(hard_case_text("M18.txt"), "M18.txt");
+  const auto read = read_chains(sightline::report::hard_case_text("M18.txt"), "M18.txt");
   if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
   std::vector<native::FreemanChain> chains;
   for (const auto& [name, of_region] : *read) chains.insert(chains.end(), of_region.begin(), of_region.end());
@@ -110,7 +110,7 @@ struct Surface {
 };
 
 Outcome<Surface> surface() {
-  const auto read = scene::read_poly_json(hard_case_text("M17.json"), "M17.json");
+  const auto read = scene::read_poly_json(sightline::report::hard_case_text("M17.json"), "M17.json");
   if (!read) return ReportError{ErrorKind::bad_input, read.error().message()};
   const auto& scene = *read;
   auto made = native::faces_of(scene, scene.camera);

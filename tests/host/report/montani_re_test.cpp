@@ -1,7 +1,5 @@
-// Montani and Re in the report: no hard case is missing and what claims to be exact is right in every one,
-// the paper's tables come out, and the measures of stripes know a square and say no where they must.
-#include "host/report/hard_cases/montani_re.hpp"
-
+// Montani and Re in the report: the paper's tables come out, and the measures of stripes know a square and say no
+// where they must.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "host/report/hard_cases/montani_re_lattice.hpp"
+#include "host/report/lattice_chains.hpp"
 #include "host/report/montani_re_growth.hpp"
 #include "host/report/montani_re_pixels.hpp"
 #include "host/report/speed_error/montani_re.hpp"
@@ -27,87 +25,8 @@ Context quiet() {
   return context;
 }
 
-std::size_t place_of(const Table& table, std::string_view key) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& column) { return column.key == key; });
-  EXPECT_NE(found, table.columns.end()) << key;
-  return static_cast<std::size_t>(found - table.columns.begin());
-}
-
 bool good(const Cell& cell) {
   return std::holds_alternative<Verdict>(cell) && std::get<Verdict>(cell).good;
-}
-
-const Table& cases() {
-  static const Table table = montani_re_cases(quiet());
-  return table;
-}
-
-// Inputs whose cell is not good.
-std::set<std::string> not_good(const std::string& build) {
-  std::set<std::string> inputs;
-  for (const auto& row : cases().rows) {
-    if (!good(row[place_of(cases(), build)])) inputs.insert(shown_text(row[1]));
-  }
-  return inputs;
-}
-
-using Inputs = std::set<std::string>;
-
-TEST(MontaniReCases, EveryOneHasItsRow) {
-  std::set<std::string> ids;
-  for (const auto& row : cases().rows) ids.insert(shown_text(row[0]));
-  for (int i = 1; i <= 18; ++i) EXPECT_TRUE(ids.contains("M" + std::to_string(i))) << i;
-  EXPECT_TRUE(ids.contains("M1'"));
-  EXPECT_EQ(ids.size(), 19U);
-}
-
-TEST(MontaniReCases, ExactOnesAreRight) {
-  EXPECT_EQ(not_good("native"), Inputs{});
-  EXPECT_EQ(not_good("oracle"), Inputs{});
-  for (const std::string& input : not_good("exact")) EXPECT_TRUE(input.ends_with(".txt")) << input;
-}
-
-// Sides that cross in a stripe are split at a sixteenth of it: a crossing in its middle is a sixteenth late.
-TEST(MontaniReCases, StripesOfAPixelAreWrongWhereSidesCross) {
-  EXPECT_EQ(not_good("stripes"), Inputs{"M11.txt"});
-}
-
-// A judge that cannot say no is none.
-TEST(MontaniReCases, OtherExpectationsAreNotMet) {
-  MontaniReHardCase cycle{.id = "M1", .file = "M1.json", .what = "", .expected = ""};
-  cycle.areas = {200, 200, 399};
-  cycle.cuts = 2;
-  const MontaniReHardResult wrong = run_hard_case(cycle);
-  EXPECT_EQ(shown_text(wrong.native), "differs: areas 200, 200, 400; cuts 1, not 2");
-  EXPECT_EQ(shown_text(wrong.oracle), "differs: areas 200, 200, 400");
-  MontaniReHardCase through{.id = "M4", .file = "M4.json", .what = "", .expected = ""};
-  EXPECT_FALSE(good(run_hard_case(through).native)) << "refused, which was not expected";
-  MontaniReHardCase chains{.id = "M18", .file = "M18.txt", .what = "", .expected = ""};
-  chains.regions = {{LatticeExpected::Combination::first, 8 * 23, 1}};
-  const MontaniReHardResult areas = run_hard_case(chains);
-  EXPECT_EQ(shown_text(areas.native), "differs: area 22");
-  EXPECT_EQ(shown_text(areas.oracle), "differs: area 22");
-}
-
-TEST(MontaniReCases, FirstFailuresAreThoseOfStripes) {
-  const Table table = montani_re_families(quiet());
-  const std::size_t first = place_of(table, "first_failure");
-  std::map<std::string, std::string> failures;  // by case and build
-  for (const auto& row : table.rows)
-    failures[shown_text(row[0]) + ' ' + shown_text(row[place_of(table, "build")])] = shown_text(row[first]);
-  EXPECT_EQ(failures.size(), 16U);
-  const std::string none = shown_text(Cell());
-  for (const char* const id : {"M2", "M9"}) {
-    for (const char* const build : {" exact build", " exact"})
-      EXPECT_EQ(failures.at(id + std::string(build)), none);
-  }
-  for (const char* const thin : {"1", "0.5", "0.25"})
-    EXPECT_EQ(failures.at("M2 stripes of " + std::string(thin) + " pixel"), none);
-  EXPECT_NE(failures.at("M2 stripes of 8 pixels"), none);
-  // As high as half a stripe: moved to a whole one.
-  EXPECT_EQ(failures.at("M9 stripes of 8 pixels"), "4");
-  EXPECT_EQ(failures.at("M9 stripes of 0.5 pixel"), "0.25");
 }
 
 TEST(MontaniReChains, AreReadByRegionAndRefusedByLine) {

@@ -1,0 +1,84 @@
+// Runs one hard case by any method: algorithms of the registries, programs on their machines, their twins,
+// the oracles. Everything a method gives is compared with the baseline and with what the case expects.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/report/hard_cases/manifest.hpp"
+#include "host/scene/heights/grid.hpp"
+#include "host/scene/model/cell_complex.hpp"
+#include "host/scene/model/cell_scene.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::report {
+
+// Commands of Skala's program and the dots that must come of them.
+struct CommandScreen {
+  std::vector<std::uint8_t> stream;
+  picture::PixelGrid truth;
+};
+
+// An input as every method wants it.
+struct CaseInput {
+  std::optional<scene::CellScene> cells;
+  std::optional<scene::PolyScene> scene;  // of cells, too
+  std::optional<scene::HeightGrid> heights;
+  std::vector<CommandScreen> screens;
+};
+
+// The error is what every reader of such a file says.
+[[nodiscard]] base::Result<CaseInput, std::string> load_input(const HardCase& hard);
+
+struct Finding {
+  std::optional<bool> good;  // none: the method does not apply
+  std::string text;
+};
+
+// Whether some input can be run by a method of this name.
+[[nodiscard]] bool is_method(std::string_view name);
+
+class CaseRun {
+ public:
+  CaseRun(HardCase hard, base::Result<CaseInput, std::string> input)
+      : hard_(std::move(hard)), input_(std::move(input)) {}
+
+  // Programs are judged by what they say of themselves alone, without a picture.
+  void without_pictures() { pictures_ = false; }
+  // `options` in place of the case's own.
+  [[nodiscard]] Finding run(std::string_view method, const MethodOptions& options);
+  [[nodiscard]] Finding run(std::string_view method) { return run(method, hard_.options); }
+
+  [[nodiscard]] const HardCase& hard() const { return hard_; }
+  [[nodiscard]] const CaseInput& input() const { return *input_; }
+
+ private:
+  [[nodiscard]] std::vector<scene::PolyCamera> cameras() const;
+  // Of the case's baseline, from the camera of this number.
+  [[nodiscard]] const picture::LinePicture& baseline(std::size_t camera);
+
+  [[nodiscard]] Finding run_lines(std::string_view method, const MethodOptions& options);
+  [[nodiscard]] Finding run_ordered_faces(const MethodOptions& options);
+  [[nodiscard]] Finding run_stripes(const MethodOptions& options);
+  [[nodiscard]] Finding run_cell_program(std::string_view method, const MethodOptions& options) const;
+  [[nodiscard]] Finding run_heights(std::string_view method, const MethodOptions& options) const;
+  [[nodiscard]] Finding run_commands(std::string_view method) const;
+
+  HardCase hard_;
+  base::Result<CaseInput, std::string> input_;
+  bool pictures_ = true;
+  std::vector<std::optional<picture::LinePicture>> baselines_;
+};
+
+// What of a line of the scene is covered by visible pieces of edges that lie on it; decided exactly.
+enum class SegmentSeen { whole, in_part, nothing };
+[[nodiscard]] SegmentSeen seen_of(const SceneSegment& segment, const picture::LinePicture& picture,
+                                  const scene::PolyScene& scene);
+
+}  // namespace sightline::report
