@@ -6,18 +6,30 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
+#include "host/algorithms/registry/heights.hpp"
 #include "host/compare/cross_check_compare.hpp"
 
 namespace sightline::compare {
 namespace {
 
-constexpr std::array all_participants{
-    Participant{"exact", true, false},     Participant{"oracle", true, true},
-    Participant{"jones", true, false},     Participant{"skala", false, true},
-    Participant{"montani-re", true, true}, Participant{"willis", false, true},
-    Participant{"plantinga", true, false},
-};
+constexpr std::string_view oracle = "oracle";
+
+std::vector<Participant> find_participants() {
+  std::vector<Participant> found;
+  const auto at = [&found](std::string_view name) -> Participant& {
+    const auto known =
+        std::find_if(found.begin(), found.end(), [name](const Participant& who) { return who.name == name; });
+    return known != found.end() ? *known : found.emplace_back(Participant{name});
+  };
+  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) at(algorithm.name).lines = true;
+  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) at(algorithm.name).faces = true;
+  for (const registry::HeightMethod& method : registry::height_methods())
+    if (!method.algorithm.empty()) at(method.algorithm).faces = true;
+  at(oracle).faces = true;
+  return found;
+}
 
 constexpr std::array all_not_applicable{
     NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
@@ -85,9 +97,16 @@ class Drawing {
   }
 
   void draw_faces() {
-    if (who_.name == "oracle" || who_.name == "skala") {
+    if (who_.name == oracle) {
       for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
-        picture.faces = who_.name == "oracle" ? nearest_faces(scene_, view) : skala_faces(scene_, view);
+        picture.faces = nearest_faces(scene_, view);
+      });
+      return;
+    }
+    if (const auto* const heights = registry::find_height_algorithm(who_.name)) {
+      if (!scene_.heights) return fail("draws functions of two variables only");
+      for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+        picture.faces = surface_faces(*heights, scene_, view);
       });
       return;
     }
@@ -180,7 +199,8 @@ CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
 }  // namespace
 
 std::span<const Participant> participants() {
-  return all_participants;
+  static const std::vector<Participant> found = find_participants();
+  return found;
 }
 
 std::span<const NotApplicable> not_applicable() {
@@ -198,8 +218,8 @@ std::optional<std::string_view> listed_reason(std::string_view who, std::string_
 
 std::size_t listed_cells(const CommonScene& scene) {
   std::size_t cells = 0;
-  for (const Participant& a : all_participants) {
-    for (const Participant& b : all_participants) {
+  for (const Participant& a : participants()) {
+    for (const Participant& b : participants()) {
       if (&a >= &b) continue;
       cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const CrossCheckView& view) {
         return !listed_reason(a.name, scene.name, view.camera.perspective) &&
@@ -219,14 +239,15 @@ bool SceneCrossCheck::agrees() const {
 SceneCrossCheck cross_check(const CommonScene& scene, const CrossCheckTables& tables,
                             const std::function<void(std::string_view)>& progress) {
   SceneCrossCheck agreement;
-  for (const Participant& who : all_participants) {
+  const std::span<const Participant> all = participants();
+  for (const Participant& who : all) {
     progress(fmt::format("{} ({}): {}", scene.name, scene.title, who.name));
     agreement.pictures.push_back(Drawing(scene, who, tables).take());
   }
-  for (std::size_t a = 0; a < all_participants.size(); ++a)
-    for (std::size_t b = a + 1; b < all_participants.size(); ++b)
-      agreement.cells.push_back(compare_pair(scene, all_participants[a], agreement.pictures[a],
-                                             all_participants[b], agreement.pictures[b]));
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = a + 1; b < all.size(); ++b)
+      agreement.cells.push_back(
+          compare_pair(scene, all[a], agreement.pictures[a], all[b], agreement.pictures[b]));
   return agreement;
 }
 

@@ -1,9 +1,8 @@
 // All algorithms compared with each other on the common scenes: one cell for each pair and scene.
 //
-// Who takes part, with what kind of picture, and what does not apply, with its reason, are listed here as
-// constants. Everything else is run, and a cell that is listed to run but cannot is a failure: an algorithm
-// that drops out of its table, or begins to refuse scenes, does not go unnoticed. The exact edges and the
-// oracle take part like the algorithms they are to check.
+// Every algorithm of the registries takes part. What does not apply is listed here, with its reason. Everything
+// else is run, and a cell that is not listed but cannot be run is a failure: an algorithm that begins to refuse
+// scenes does not go unnoticed. The exact edges and the oracle take part like the algorithms they are to check.
 //
 // Source: the suite's cross-check of algorithms, sections 2 to 4.
 #pragma once
@@ -25,10 +24,11 @@
 namespace sightline::compare {
 
 struct Participant {
-  std::string_view name;  // as in the tables of algorithms; faces of oracle and skala are in none
+  std::string_view name;  // of the algorithm in the registries
   bool lines = false;
   bool faces = false;
 };
+// In the order of the registries: lines, faces, heights. The oracle has faces, too: nearest_faces().
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "host/algorithms/oracle/face_raster.hpp"
-#include "host/algorithms/skala/draw.hpp"
 #include "host/picture/line_picture_image.hpp"
 
 namespace sightline::compare {
@@ -341,10 +340,10 @@ void paint(PixelGrid& grid, const std::array<PixelPoint, 3>& corners, std::uint3
   }
 }
 
-// Skala's picture fills a square; the view's does not distort.
-class FromSkala {
+// A drawing of heights fills a square; the view's does not distort.
+class FromSquare {
  public:
-  FromSkala(const CommonScene& scene, const CrossCheckView& view) {
+  FromSquare(const CommonScene& scene, const CrossCheckView& view) {
     for (const scene::PolyPoint& p : scene.scene.vertices) bounds_.take(view.place(p));
   }
   [[nodiscard]] PixelPoint pixel(const picture::DrawingPoint& p) const {
@@ -393,9 +392,11 @@ PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view) {
   return grid;
 }
 
-PixelGrid skala_faces(const CommonScene& scene, const CrossCheckView& view) {
-  const picture::VectorDrawing drawing = algorithms::skala::draw(*scene.heights, scene.height_view);
-  const FromSkala from_skala(scene, view);
+PixelGrid surface_faces(const registry::HeightMethod& method, const CommonScene& scene,
+                        const CrossCheckView& view) {
+  const registry::HeightPicture picture = method.draw(*scene.heights, {scene.height_view});
+  const picture::VectorDrawing& drawing = *picture.drawing;
+  const FromSquare from_square(scene, view);
   const auto& faces = scene.scene.bodies.front().faces;
   std::vector<PixelPoint> places;
   for (const scene::PolyPoint& p : scene.scene.vertices) places.push_back(view.place(p));
@@ -416,7 +417,7 @@ PixelGrid skala_faces(const CommonScene& scene, const CrossCheckView& view) {
   for (const picture::DrawingFacet& facet : drawing.facets) {
     std::vector<PixelPoint> corners;
     for (std::size_t i = 0; i < facet.count; ++i)
-      corners.push_back(from_skala.pixel(drawing.points[facet.first + i]));
+      corners.push_back(from_square.pixel(drawing.points[facet.first + i]));
     const bool folded = corners.size() == 3;
     const bool second_of_folded = folded && cell < cells && corners_of_cell(corners);
     while (!second_of_folded && cell-- > 0 && !corners_of_cell(corners)) {

@@ -14,6 +14,8 @@ namespace {
 using picture::PixelGrid;
 using picture::PixelSegment;
 
+constexpr std::string_view oracle = "oracle";
+
 PixelGrid lit_where_painted(PixelGrid cells) {
   for (std::uint32_t& value : cells.values) value = value != 0 ? 1 : 0;
   return cells;
@@ -40,7 +42,7 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const g
 
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                               const guests::skala::View& view) {
-  return registry::find_height_method("oracle")->why_not(grid, registry::height_view(view));
+  return registry::find_height_method(oracle)->why_not(grid, registry::height_view(view));
 }
 
 HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::skala::View& asked,
@@ -49,45 +51,51 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
   comparison.view = asked;
   comparison.view.device = guests::skala::Device::ef9365;
   const registry::HeightView view = registry::height_view(asked);
-  const auto draw = [&](const char* method) {
-    progress(method);
-    return registry::find_height_method(method)->draw(grid, view);
-  };
   progress("column oracle");
   const bool contours = view.subject == algorithms::skala::Subject::contours;
   comparison.truth = registry::oracle_dots(grid, view, contours);
   const auto edges = projected_edges(grid, comparison.view);
-  const auto add = [&](const char* name, PixelGrid raster) {
+  const auto add = [&](std::string_view name, PixelGrid raster) {
     const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
-    comparison.rasters.push_back({name, metrics, std::move(raster)});
+    comparison.rasters.push_back({std::string(name), metrics, std::move(raster)});
   };
-  registry::HeightPicture guest = draw("guest");
-  comparison.guest_time = guest.drawing_time;
-  comparison.guest_difference = std::move(guest.fault);
-  add("guest", std::move(guest.dots));
-  add("twin", draw("twin").dots);
-  registry::HeightPicture native = draw("native");
-  if (view.subject == algorithms::skala::Subject::surface) {
-    PixelGrid cells = painted_cells(grid, comparison.view, *native.drawing);
-    add("native", lit_where_painted(cells));
-    PixelGrid truth = nearest_cells(grid, comparison.view);
-    const auto metrics = picture::pixel_metrics(truth, cells, edges);
-    comparison.rasters.push_back(
-        {"native cells", metrics, std::move(cells), std::move(truth), "the nearest cells"});
-    return comparison;
+  const auto add_against = [&](const std::string& name, PixelGrid raster, PixelGrid truth,
+                               const char* against) {
+    const auto metrics = picture::pixel_metrics(truth, raster, edges);
+    comparison.rasters.push_back({name, metrics, std::move(raster), std::move(truth), against});
+  };
+  const auto add_drawing = [&](const std::string& name, registry::HeightPicture drawn) {
+    if (view.subject == algorithms::skala::Subject::surface) {
+      PixelGrid cells = painted_cells(grid, comparison.view, *drawn.drawing);
+      add(name, lit_where_painted(cells));
+      add_against(name + " cells", std::move(cells), nearest_cells(grid, comparison.view),
+                  "the nearest cells");
+      return;
+    }
+    if (contours)
+      add_against(name, std::move(drawn.dots), registry::oracle_dots(grid, view, false),
+                  "the column oracle, without the outline");
+    else
+      add(name, std::move(drawn.dots));
+    const HeightLines lines(grid, comparison.view);
+    const auto pieces = lines.pieces_of(*drawn.drawing);
+    comparison.vectors.push_back({name + " lines", picture::line_metrics(lines.lines(), pieces),
+                                  picture::line_difference(lines.lines(), pieces, 1)});
+  };
+  for (const registry::HeightMethod& method : registry::height_methods()) {
+    if (method.name == oracle || method.why_not(grid, view)) continue;
+    progress(method.name);
+    registry::HeightPicture drawn = method.draw(grid, view);
+    if (drawn.drawing) {
+      add_drawing(std::string(method.name), std::move(drawn));
+      continue;
+    }
+    if (drawn.drawing_time) {
+      comparison.guest_time = *drawn.drawing_time;
+      comparison.guest_difference = std::move(drawn.fault);
+    }
+    add(method.name, std::move(drawn.dots));
   }
-  if (contours) {
-    PixelGrid truth = registry::oracle_dots(grid, view, false);
-    const auto metrics = picture::pixel_metrics(truth, native.dots, edges);
-    comparison.rasters.push_back({"native", metrics, std::move(native.dots), std::move(truth),
-                                  "the column oracle, without the outline"});
-  } else {
-    add("native", std::move(native.dots));
-  }
-  const HeightLines lines(grid, comparison.view);
-  const auto pieces = lines.pieces_of(*native.drawing);
-  comparison.vectors = {"native lines", picture::line_metrics(lines.lines(), pieces),
-                        picture::line_difference(lines.lines(), pieces, 1)};
   return comparison;
 }
 

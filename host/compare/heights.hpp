@@ -1,9 +1,9 @@
-// One view of a function of two variables by everything that can draw it, on the 256 by 256 points of
+// One view of a function of two variables by every method of the registry, on the 256 by 256 points of
 // Skala's raster board, each compared with the column oracle: Skala's program on its 8080, its native twin,
 // and the native algorithm, whose vectors are put on the same points.
 //
-// A point counts as lit or not; colours and greys are not compared. The native algorithm's picture is
-// vectors: its lines and contours are also measured as such, against what is truly seen of the surface's own
+// A point counts as lit or not; colours and greys are not compared. Of a picture of
+// vectors, lines and contours are also measured as such, against what is truly seen of the surface's own
 // lines, and its surface by which cell is seen at each point (height_truth.hpp).
 //
 // Left out: silhouettes of contour pictures, whose reach depends on more than depth; grids with undefined
@@ -43,7 +43,7 @@ struct HeightComparison {
   guests::skala::View view;
   picture::PixelGrid truth;
   std::vector<ComparedRaster> rasters;
-  std::optional<ComparedVectors> vectors;
+  std::vector<ComparedVectors> vectors;
   std::string guest_difference;  // from its twin; empty: identical in every dot, mask and status
   core::TStates guest_time{};
 

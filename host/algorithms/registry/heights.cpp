@@ -143,7 +143,7 @@ constexpr std::array rows{
                  draw_guest},
     HeightMethod{"twin", "The same program in C++, dot for dot", any_grid, draw_twin},
     HeightMethod{"native", "Skala's masks as a modern algorithm: vectors on masks finer than a dot",
-                 why_no_native, draw_native},
+                 why_no_native, draw_native, "skala"},
     HeightMethod{"oracle", "What depth alone lets be seen in each column: what the others are checked by",
                  why_no_oracle, draw_oracle},
 };
@@ -202,6 +202,13 @@ std::span<const HeightMethod> height_methods() {
 const HeightMethod* find_height_method(std::string_view name) {
   const auto found = std::find_if(rows.begin(), rows.end(),
                                   [name](const HeightMethod& method) { return method.name == name; });
+  return found != rows.end() ? &*found : nullptr;
+}
+
+const HeightMethod* find_height_algorithm(std::string_view algorithm) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [algorithm](const HeightMethod& method) {
+    return method.algorithm == algorithm && !algorithm.empty();
+  });
   return found != rows.end() ? &*found : nullptr;
 }
 

@@ -29,8 +29,8 @@ struct HeightView : algorithms::skala::View {
 struct HeightPicture {
   picture::PixelGrid dots;  // 1 where lit; empty of a native surface, which is of facets
   std::optional<picture::VectorDrawing> drawing;  // of the native algorithm
-  std::string fault;             // of a program that stopped, or did not do what its twin does; empty: none
-  core::TStates drawing_time{};  // of the program on the 8080
+  std::string fault;  // of a program that stopped, or did not do what its twin does; empty: none
+  std::optional<core::TStates> drawing_time;  // of a program on its machine
 };
 
 struct HeightMethod {
@@ -40,6 +40,9 @@ struct HeightMethod {
   std::optional<std::string> (*why_not)(const scene::HeightGrid& grid, const HeightView& view);
   // A picture, of what the method has one of (precondition).
   HeightPicture (*draw)(const scene::HeightGrid& grid, const HeightView& view);
+  // Of a method that draws vectors, facets far to near: its name for `draw` and in the cross-check. Else
+  // empty.
+  std::string_view algorithm = {};
 };
 
 // The same view in the terms of the program on the 8080, and back.
@@ -54,5 +57,7 @@ struct HeightMethod {
 [[nodiscard]] std::span<const HeightMethod> height_methods();
 // Null if there is none of that name.
 [[nodiscard]] const HeightMethod* find_height_method(std::string_view name);
+// By the name of its algorithm, which is not empty.
+[[nodiscard]] const HeightMethod* find_height_algorithm(std::string_view algorithm);
 
 }  // namespace sightline::registry

@@ -26,6 +26,7 @@ using base::Json;
 using base::TextTable;
 using compare::ComparedPicture;
 using compare::ComparedRaster;
+using compare::ComparedVectors;
 using compare::HeightComparison;
 using compare::SceneComparison;
 using picture::LineMetrics;
@@ -223,11 +224,11 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
   for (const ComparedRaster& compared : comparison.rasters)
     add_points(table, compared.name, compared.metrics);
   text += "\n" + table.text();
-  if (comparison.vectors) {
+  for (const ComparedVectors& vectors : comparison.vectors) {
     TextTable lines = lines_table();
-    add_lines(lines, comparison.vectors->name, comparison.vectors->metrics, "");
-    text += fmt::format("as lines, of which {:.1f} px are seen\n", comparison.vectors->metrics.true_length) +
-            lines.text();
+    add_lines(lines, vectors.name, vectors.metrics, "");
+    text +=
+        fmt::format("as lines, of which {:.1f} px are seen\n", vectors.metrics.true_length) + lines.text();
   }
   text += comparison.agrees()
               ? fmt::format("guest and twin: identical in every dot and mask; drawn in {:.3f} s\n",
@@ -273,9 +274,14 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
                 {"pictures", Json::array()}};
   for (const ComparedRaster& compared : comparison.rasters)
     document["pictures"].push_back(points_json(compared.name, compared.metrics));
-  if (comparison.vectors) {
-    document["vectors"] = {{"name", comparison.vectors->name}};
-    document["vectors"].update(metrics_json(comparison.vectors->metrics));
+  // An object; of several methods a list of them.
+  for (const ComparedVectors& vectors : comparison.vectors) {
+    Json object{{"name", vectors.name}};
+    object.update(metrics_json(vectors.metrics));
+    if (comparison.vectors.size() > 1)
+      document["vectors"].push_back(std::move(object));
+    else
+      document["vectors"] = std::move(object);
   }
   document["guest"] = {{"identical_to_twin", comparison.agrees()},
                        {"difference", comparison.guest_difference},
@@ -319,13 +325,12 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
                   picture::overlay_of(compared.truth.value_or(comparison.truth), compared.grid, caption),
                   title, paths);
   }
-  if (comparison.vectors) {
-    const LineMetrics& m = comparison.vectors->metrics;
+  for (const ComparedVectors& vectors : comparison.vectors) {
     const std::string title = fmt::format("{}, {}: {} against what is truly seen of them", name,
-                                          picture_name(comparison.view.picture), comparison.vectors->name);
+                                          picture_name(comparison.view.picture), vectors.name);
     write_overlay(
-        overlay_base(directory, name, comparison.vectors->name),
-        picture::overlay_of(comparison.vectors->difference, {0, 0}, {255, 255}, lines_caption(title, m)),
+        overlay_base(directory, name, vectors.name),
+        picture::overlay_of(vectors.difference, {0, 0}, {255, 255}, lines_caption(title, vectors.metrics)),
         title, paths);
   }
   return paths;

@@ -257,7 +257,10 @@ void add_draw_command(const Command& program) {
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
     if (harness::find_line_algorithm(algorithm.name) == nullptr)
       methods += std::string(algorithm.name) + ", ";
-  const Command command = program.add_command("draw", help_page("draw", {{"methods", methods + "skala"}}));
+  for (const registry::HeightMethod& method : registry::height_methods())
+    if (!method.algorithm.empty()) methods += std::string(method.algorithm) + ", ";
+  methods.resize(methods.size() - 2);
+  const Command command = program.add_command("draw", help_page("draw", {{"methods", methods}}));
   const auto add_method = [&command](const auto& algorithm, std::string_view page) {
     return command.add_command(std::string(algorithm.name),
                                help_page(page, {{"summary", std::string(algorithm.description)},
@@ -271,7 +274,11 @@ void add_draw_command(const Command& program) {
   for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
     if (harness::find_line_algorithm(algorithm.name) == nullptr)
       add_draw_faces(add_method(algorithm, "draw_faces"), algorithm);
-  add_draw_skala(command.add_command("skala", help_page("draw_skala")));
+  for (const registry::HeightMethod& method : registry::height_methods()) {
+    if (method.algorithm.empty()) continue;
+    const std::string name(method.algorithm);
+    add_draw_heights(command.add_command(name, help_page("draw_" + name)), method);
+  }
 }
 
 }  // namespace sightline::app

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "host/algorithms/registry/faces.hpp"
+#include "host/algorithms/registry/heights.hpp"
 #include "host/app/command_line.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -17,8 +18,9 @@ namespace sightline::app {
 // `draw METHOD SCENE` for a method that says which face is seen at each point: filled faces, their outlines,
 // or a flight as an animated PNG. The method is one of the registry's, which does not end.
 void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm);
-// `draw skala`: a surface over a grid of heights.
-void add_draw_skala(const Command& command);
+// `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. The method is one of
+// the registry's, which does not end.
+void add_draw_heights(const Command& command, const registry::HeightMethod& method);
 
 // --- from where
 

@@ -8,7 +8,7 @@ TEST_P(AgreementOn, Heights) {
   expect_agreement(std::get<0>(GetParam()), std::get<1>(GetParam()));
 }
 INSTANTIATE_TEST_SUITE_P(Agreement, AgreementOn,
-                         testing::Combine(testing::Range(std::size_t{9}, common_scene_names().size()),
+                         testing::Combine(testing::Range(polyhedra_count(), common_scene_names().size()),
                                           testing::Range(std::size_t{0}, pair_count())),
                          agreement_name);
 

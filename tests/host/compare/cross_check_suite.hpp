@@ -18,6 +18,13 @@ inline std::size_t pair_count() {
   return participants().size() * (participants().size() - 1) / 2;
 }
 
+// How many scenes are not surfaces of functions; they come first.
+inline std::size_t polyhedra_count() {
+  const auto names = common_scene_names();
+  return static_cast<std::size_t>(
+      std::count_if(names.begin(), names.end(), [](std::string_view name) { return name.starts_with("C"); }));
+}
+
 // A scene's number in common_scene_names, and a pair's in SceneCrossCheck::cells.
 class AgreementOn : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {
  protected:

@@ -1,10 +1,10 @@
-// `sightline draw skala`: a surface over a grid with its hidden parts removed.
+// `sightline draw METHOD GRID`: a surface over a grid with its hidden parts removed, by a method of the
+// registry.
 #include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
 
-#include "host/algorithms/skala/draw.hpp"
 #include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
@@ -17,9 +17,9 @@ namespace {
 using algorithms::skala::Family;
 using algorithms::skala::Subject;
 
-struct DrawSkalaArguments {
+struct DrawHeightsArguments {
   SkalaSource source;
-  algorithms::skala::View view;
+  registry::HeightView view;
   std::string picture;
   std::string along;
   bool json = false;
@@ -40,11 +40,11 @@ Family slices_named(const std::string& name) {
   return name == "x" ? Family::along_x : Family::along_z;
 }
 
-void print_skala_drawing(const DrawSkalaArguments& arguments, const SkalaFunction& function,
-                         const picture::VectorDrawing& drawing) {
+void print_drawing(const registry::HeightMethod& method, const DrawHeightsArguments& arguments,
+                   const SkalaFunction& function, const picture::VectorDrawing& drawing) {
   using base::Json;
   const Json document{{"schema", "sightline/draw/1"},
-                      {"algorithm", "skala"},
+                      {"algorithm", method.algorithm},
                       {"scene", function.name},
                       {"output", arguments.output.file},
                       {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
@@ -57,8 +57,8 @@ void print_skala_drawing(const DrawSkalaArguments& arguments, const SkalaFunctio
   print_json(document);
 }
 
-ExitCode run_draw_skala(DrawSkalaArguments arguments) {
-  algorithms::skala::View& view = arguments.view;
+ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
+  registry::HeightView& view = arguments.view;
   view.subject = subject_named(arguments.picture);
   view.family = slices_named(arguments.along);
   require_angles(view.rotation, view.elevation);
@@ -73,14 +73,17 @@ ExitCode run_draw_skala(DrawSkalaArguments arguments) {
   }
   const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
   Output file(arguments.output.file);
-  const picture::VectorDrawing drawing = algorithms::skala::draw(function.grid, view);
-  write_drawing(drawing, arguments.output, format, function.name, file);
-  if (arguments.json) print_skala_drawing(arguments, function, drawing);
+  if (const auto reason = method.why_not(function.grid, view))
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
+  const registry::HeightPicture picture = method.draw(function.grid, view);
+  write_drawing(*picture.drawing, arguments.output, format, function.name, file);
+  if (arguments.json) print_drawing(method, arguments, function, *picture.drawing);
   return ExitCode::ok;
 }
 
-void add_view_options(const Command& command, DrawSkalaArguments& arguments) {
-  algorithms::skala::View& view = arguments.view;
+void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
+  registry::HeightView& view = arguments.view;
   add_picture_option(command, arguments.picture, "What is drawn");
   command.option("--along", arguments.along, "Slices along x, along z or both")
       .one_of({"x", "z", "both"})
@@ -98,15 +101,15 @@ void add_view_options(const Command& command, DrawSkalaArguments& arguments) {
 
 }  // namespace
 
-void add_draw_skala(const Command& command) {
-  const auto arguments = std::make_shared<DrawSkalaArguments>();
+void add_draw_heights(const Command& command, const registry::HeightMethod& method) {
+  const auto arguments = std::make_shared<DrawHeightsArguments>();
   arguments->view.rotation = 30;
   command.option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
   command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
-  command.run([arguments] { return run_draw_skala(*arguments); });
+  command.run([arguments, &method] { return run_draw_heights(method, *arguments); });
 }
 
 }  // namespace sightline::app
