@@ -22,8 +22,8 @@ using algorithms::jones::Walker;
 
 // A thousand boxes are beyond the grid.
 scene::CellComplex complex_of(const scene::PolyScene& scene) {
-  auto complex = scene::compartment_grid(scene);
-  if (!complex.has_value()) complex = scene::compartment_bsp(scene);
+  auto complex = scene::decompose_grid(scene);
+  if (!complex.has_value()) complex = scene::decompose_bsp(scene);
   return std::move(*complex);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 std::string written(const sightline::scene::CellComplexFile& file) {
   std::string text;
-  sightline::scene::write_cell_complex(file.scene, file.compartments,
+  sightline::scene::write_cell_complex(file.scene, file.decomposition,
                                        [&](std::string_view piece) { text += piece; });
   return text;
 }
@@ -21,7 +21,7 @@ std::string written(const sightline::scene::CellComplexFile& file) {
 void walk(const sightline::scene::CellComplexFile& file) {
   namespace native = sightline::algorithms::jones;
   if (sightline::scene::eye_error(file.scene, file.scene.camera)) return;
-  const native::PreparedComplex prepared(file.compartments.complex);
+  const native::PreparedComplex prepared(file.decomposition.complex);
   native::Walker walker(prepared);
   static_cast<void>(walker.visible_edges(file.scene.camera));
 }

@@ -98,7 +98,7 @@ PreparedScene prepare_jones_cells(scene::CellComplex complex) {
 }
 
 base::Result<PreparedScene> prepare_jones(const scene::PolyScene& scene) {
-  auto complex = scene::compartment(scene);
+  auto complex = scene::decompose(scene);
   if (!complex) return std::move(complex.error());
   return prepare_jones_cells(std::move(*complex));
 }

@@ -156,8 +156,8 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const scene::
     throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
                                                    source.name, algorithm.name, *reason));
   }
-  const harness::PreparedScene prepared = source.compartments && algorithm.prepare_cells != nullptr
-                                              ? algorithm.prepare_cells(source.compartments->complex)
+  const harness::PreparedScene prepared = source.decomposition && algorithm.prepare_cells != nullptr
+                                              ? algorithm.prepare_cells(source.decomposition->complex)
                                               : value_of(algorithm.prepare(source.scene), source.name);
   return value_of(prepared.view(camera), source.name);
 }

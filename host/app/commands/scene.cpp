@@ -40,8 +40,8 @@ std::size_t openings_outside(const scene::CellComplex& complex) {
       }));
 }
 
-std::string_view method_name(scene::CompartmentMethod method) {
-  return method == scene::CompartmentMethod::bsp ? "bsp" : "grid";
+std::string_view method_name(scene::DecompositionMethod method) {
+  return method == scene::DecompositionMethod::bsp ? "bsp" : "grid";
 }
 
 // As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
@@ -241,8 +241,8 @@ void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
 }
 
 void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
-  const scene::CellComplex& complex = loaded.compartments->complex;
-  const std::string_view method = method_name(loaded.compartments->method);
+  const scene::CellComplex& complex = loaded.decomposition->complex;
+  const std::string_view method = method_name(loaded.decomposition->method);
   const std::size_t outside = openings_outside(complex);
   if (json) {
     Json document = polyhedra_json(loaded.scene);
@@ -401,12 +401,12 @@ struct DecomposeArguments {
   bool json = false;
 };
 
-scene::CompartmentMethod method_named(std::string_view name) {
-  if (name == "bsp") return scene::CompartmentMethod::bsp;
-  return name == "grid" ? scene::CompartmentMethod::grid : scene::CompartmentMethod::automatic;
+scene::DecompositionMethod method_named(std::string_view name) {
+  if (name == "bsp") return scene::DecompositionMethod::bsp;
+  return name == "grid" ? scene::DecompositionMethod::grid : scene::DecompositionMethod::automatic;
 }
 
-void write_counts(const DecomposeArguments& arguments, const scene::Compartments& result) {
+void write_counts(const DecomposeArguments& arguments, const scene::Decomposition& result) {
   const scene::CellComplex& complex = result.complex;
   const std::size_t outside = openings_outside(complex);
   if (arguments.json) {
@@ -434,8 +434,8 @@ ExitCode decompose(const DecomposeArguments& arguments) {
   std::unique_ptr<Output> output;
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
   const scene::LoadedScene source = load_scene(arguments.scene);
-  const scene::Compartments result =
-      value_of(scene::compartments_of(source.scene, method_named(arguments.method)), arguments.scene);
+  const scene::Decomposition result =
+      value_of(scene::decomposition_of(source.scene, method_named(arguments.method)), arguments.scene);
   const auto errors = scene::check_complex(result.complex, source.scene);
   for (const base::Error& error : errors) complain(error.message());
   if (!errors.empty()) return ExitCode::differs;

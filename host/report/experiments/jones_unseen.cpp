@@ -1,16 +1,16 @@
-// Jones's algorithm today in buildings from ten rooms to a million: "cells to which access is not gained in this way
-// are never even considered" (Jones 1971).
+// Jones's algorithm today in buildings from ten rooms to a million: "cells to which access is not gained in
+// this way are never even considered" (Jones 1971).
 //
-// The buildings are generate_big_rooms: n by n rooms, between which walls, doors and hatches are drawn by lot, so that a
-// building of another size is another building. From within, what can be compared is the time of a visit to a cell, and
-// the mean view over many eyes, which stand in the middle of rooms spread evenly over the building. The very same view
-// is had from a closed house of 64 rooms beside each.
+// The buildings are generate_big_rooms: n by n rooms, between which walls, doors and hatches are drawn by
+// lot, so that a building of another size is another building. From within, what can be compared is the time
+// of a visit to a cell, and the mean view over many eyes, which stand in the middle of rooms spread evenly
+// over the building. The very same view is had from a closed house of 64 rooms beside each.
 //
 //   buildings  a building each: its size, loading (cell decomposition and preparation), views from within
 //   house      the view from the house beside each. Picture and counts must be equal in every row.
 //
-// Only the smallest building and one other are in memory at a time. A round looks at each of the two some times over,
-// so that a computer that changes its speed does so for both; of the rounds the median counts.
+// Only the smallest building and one other are in memory at a time. A round looks at each of the two some
+// times over, so that a computer that changes its speed does so for both; of the rounds the median counts.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -41,14 +41,15 @@ double seconds_since(Clock::time_point begun) {
 }
 
 scene::CellComplex decomposed(const scene::PolyScene& scene) {
-  auto cut = scene::compartment(scene);
+  auto cut = scene::decompose(scene);
   if (!cut) throw Failure(ErrorKind::bad_input, cut.error().message());
   return *std::move(cut);
 }
 
 // A house beside a building, ready to be looked at. Stays where it is, since views point into it.
 struct Building {
-  explicit Building(std::size_t rooms_a_side) : Building(rooms_a_side, scene::generate_house_beside(rooms_a_side)) {}
+  explicit Building(std::size_t rooms_a_side)
+      : Building(rooms_a_side, scene::generate_house_beside(rooms_a_side)) {}
   Building(std::size_t rooms_a_side, const scene::PolyScene& scene)
       : begun(Clock::now()),
         side(rooms_a_side),
@@ -63,7 +64,8 @@ struct Building {
   [[nodiscard]] View view(const scene::PolyCamera& from) {
     auto seen = walker.visible_edges(from);
     if (!seen)
-      throw Failure(ErrorKind::differs, fmt::format("a building of {0} by {0} rooms: {1}", side, seen.error().message()));
+      throw Failure(ErrorKind::differs,
+                    fmt::format("a building of {0} by {0} rooms: {1}", side, seen.error().message()));
     return *std::move(seen);
   }
 
@@ -134,12 +136,14 @@ double median(std::vector<double> times) {
   return *middle;
 }
 
-void add_view_from_house(RowSet& rows, Building& smallest, const View& first, Building& building, bool host_times) {
+void add_view_from_house(RowSet& rows, Building& smallest, const View& first, Building& building,
+                         bool host_times) {
   const View view = building.view(building.camera);
   if (view.picture != first.picture || view.counts != first.counts)
-    throw Failure(ErrorKind::differs,
-                  fmt::format("the view of the house beside {0} by {0} rooms is not the one beside {1} by {1}",
-                              building.side, smallest.side));
+    throw Failure(
+        ErrorKind::differs,
+        fmt::format("the view of the house beside {0} by {0} rooms is not the one beside {1} by {1}",
+                    building.side, smallest.side));
   Value view_us;
   Value ratio;
   if (host_times) {

@@ -10,24 +10,24 @@
 namespace sightline::scene {
 namespace {
 
-base::Result<Compartments> with_method(base::Result<CellComplex> complex, CompartmentMethod method) {
+base::Result<Decomposition> with_method(base::Result<CellComplex> complex, DecompositionMethod method) {
   if (!complex) return std::move(complex.error());
-  return Compartments{std::move(*complex), method};
+  return Decomposition{std::move(*complex), method};
 }
 
 }  // namespace
 
-base::Result<Compartments> compartments_of(const PolyScene& scene, CompartmentMethod method) {
-  if (method != CompartmentMethod::bsp) {
-    auto complex = compartment_grid(scene);
-    if (method == CompartmentMethod::grid || complex.has_value())
-      return with_method(std::move(complex), CompartmentMethod::grid);
+base::Result<Decomposition> decomposition_of(const PolyScene& scene, DecompositionMethod method) {
+  if (method != DecompositionMethod::bsp) {
+    auto complex = decompose_grid(scene);
+    if (method == DecompositionMethod::grid || complex.has_value())
+      return with_method(std::move(complex), DecompositionMethod::grid);
   }
-  return with_method(compartment_bsp(scene), CompartmentMethod::bsp);
+  return with_method(decompose_bsp(scene), DecompositionMethod::bsp);
 }
 
-base::Result<CellComplex> compartment(const PolyScene& scene, CompartmentMethod method) {
-  auto result = compartments_of(scene, method);
+base::Result<CellComplex> decompose(const PolyScene& scene, DecompositionMethod method) {
+  auto result = decomposition_of(scene, method);
   if (!result) return std::move(result.error());
   return std::move(*result).complex;
 }

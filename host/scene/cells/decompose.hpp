@@ -8,23 +8,23 @@
 
 namespace sightline::scene {
 
-enum class CompartmentMethod {
+enum class DecompositionMethod {
   automatic,  // by grid where it can be (why_no_grid), else by BSP
   grid,       // boxes grown in a grid (host/scene/cells/grid/decompose.hpp); faces parallel to the axes only
   bsp,        // convex cells of a BSP over the faces' planes (host/scene/cells/bsp/decompose.hpp)
 };
 
-struct Compartments {
+struct Decomposition {
   CellComplex complex;
-  CompartmentMethod method = CompartmentMethod::grid;  // the one used
+  DecompositionMethod method = DecompositionMethod::grid;  // the one used
 };
 
 // Of a checked scene. An error says why the method does not apply.
-[[nodiscard]] base::Result<Compartments> compartments_of(
-    const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic);
+[[nodiscard]] base::Result<Decomposition> decomposition_of(
+    const PolyScene& scene, DecompositionMethod method = DecompositionMethod::automatic);
 
 // The complex alone.
-[[nodiscard]] base::Result<CellComplex> compartment(const PolyScene& scene,
-                                                    CompartmentMethod method = CompartmentMethod::automatic);
+[[nodiscard]] base::Result<CellComplex> decompose(
+    const PolyScene& scene, DecompositionMethod method = DecompositionMethod::automatic);
 
 }  // namespace sightline::scene

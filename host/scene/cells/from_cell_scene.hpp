@@ -6,7 +6,7 @@
 // paper. From outside, and for orthographic views, it hides nothing.
 //
 // Limit: an edge of matter that lies on the outer box where no free cell touches it (between two solids that
-// both end there) belongs to no cell and is not seen from outside. compartment_grid leaves a free layer all
+// both end there) belongs to no cell and is not seen from outside. decompose_grid leaves a free layer all
 // round and has no such limit.
 #pragma once
 

@@ -40,7 +40,7 @@ class ComplexReader {
     check_schema(document);
     read_scene(document);
     read(document);
-    if (!failed()) fail(check_complex(file_.compartments.complex, file_.scene));
+    if (!failed()) fail(check_complex(file_.decomposition.complex, file_.scene));
     if (json_.failed()) errors_.insert(errors_.begin(), json_.error());
     if (failed()) return std::move(errors_);
     return std::move(file_);
@@ -98,12 +98,12 @@ class ComplexReader {
   }
 
   void read(const Json& document) {
-    CellComplex& complex = file_.compartments.complex;
+    CellComplex& complex = file_.decomposition.complex;
     complex.vertices = file_.scene.vertices;
     if (const Json* const method = field(document, "method", "")) {
       const bool bsp = is_text(*method, "bsp");
       if (!bsp && !is_text(*method, "grid")) json_.expected("\"grid\" or \"bsp\"", *method, "method");
-      file_.compartments.method = bsp ? CompartmentMethod::bsp : CompartmentMethod::grid;
+      file_.decomposition.method = bsp ? DecompositionMethod::bsp : DecompositionMethod::grid;
     }
     const Json* const outer = field(document, "outer", "");
     if (outer == nullptr || !is_array(*outer, "outer", 2)) return;
@@ -140,13 +140,13 @@ class ComplexReader {
     for (std::size_t a = 0; a < 3; ++a)
       plane.normal[a] = integer(value[a], base::indexed(place, a), -largest_normal, largest_normal);
     plane.offset = integer(value[3], base::indexed(place, 3), -largest_offset, largest_offset);
-    file_.compartments.complex.planes.push_back(plane);
+    file_.decomposition.complex.planes.push_back(plane);
   }
   // Appends to `halves`; returns how many.
   std::uint32_t read_halves(const Json& object, const char* name, const std::string& place,
                             std::vector<HalfSpace>& halves) {
     const std::size_t before = halves.size();
-    const auto planes = static_cast<std::int64_t>(file_.compartments.complex.planes.size());
+    const auto planes = static_cast<std::int64_t>(file_.decomposition.complex.planes.size());
     each(object, name, place, [&](const Json& value, const std::string& where) {
       const std::int64_t half = integer(value, where, -planes, planes - 1);
       halves.push_back({static_cast<std::uint32_t>(half < 0 ? -1 - half : half), half < 0});
@@ -158,7 +158,7 @@ class ComplexReader {
     return {numerator, integer(value[first + 1], base::indexed(place, first + 1), 1, largest_part)};
   }
   void read_cell(const Json& value, const std::string& place, std::size_t openings) {
-    CellComplex& complex = file_.compartments.complex;
+    CellComplex& complex = file_.decomposition.complex;
     ComplexCell cell;
     cell.first_bound = static_cast<std::uint32_t>(complex.bounds.size());
     cell.first_line = static_cast<std::uint32_t>(complex.lines.size());
@@ -178,7 +178,7 @@ class ComplexReader {
     complex.cells.push_back(cell);
   }
   void read_opening(const Json& value, const std::string& place) {
-    CellComplex& complex = file_.compartments.complex;
+    CellComplex& complex = file_.decomposition.complex;
     ComplexOpening opening;
     const Json* const cells = field(value, "cells", place);
     if (cells == nullptr || !is_array(*cells, place + ".cells", 2)) return;

@@ -26,12 +26,12 @@ namespace sightline::scene {
 
 struct CellComplexFile {
   PolyScene scene;  // checked
-  Compartments compartments;
+  Decomposition decomposition;
 };
 
 // The complex is of this scene, which is a checked one (precondition). The text comes piece by piece: that of
 // a large scene is longer than the scene itself.
-void write_cell_complex(const PolyScene& scene, const Compartments& compartments,
+void write_cell_complex(const PolyScene& scene, const Decomposition& decomposition,
                         const std::function<void(std::string_view)>& write);
 
 // All errors there are of the first kind found: of the form (the first alone), of the scene

@@ -67,7 +67,7 @@ void take_complex(CheckedCellComplex complex, SceneReading& reading) {
     return;
   }
   reading.loaded.scene = std::move(complex->scene);
-  reading.loaded.compartments = std::move(complex->compartments);
+  reading.loaded.decomposition = std::move(complex->decomposition);
 }
 
 // Which kind a document is, is known before anything in it is looked at.

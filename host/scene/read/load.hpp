@@ -41,10 +41,10 @@ enum class SceneKind {
 struct LoadedScene {
   std::string name;
   SceneKind kind = SceneKind::polyhedra;
-  PolyScene scene = {};                           // of every kind
-  std::optional<CellScene> cells = {};            // of kind cells
-  std::optional<Compartments> compartments = {};  // of kind cell_complex
-  PolyImportReport report = {};                   // of kind polyhedra: what was changed while reading
+  PolyScene scene = {};                             // of every kind
+  std::optional<CellScene> cells = {};              // of kind cells
+  std::optional<Decomposition> decomposition = {};  // of kind cell_complex
+  PolyImportReport report = {};                     // of kind polyhedra: what was changed while reading
 };
 
 struct SceneReading {

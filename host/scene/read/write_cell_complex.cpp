@@ -102,10 +102,10 @@ class ComplexWriter {
 
 }  // namespace
 
-void write_cell_complex(const PolyScene& scene, const Compartments& compartments,
+void write_cell_complex(const PolyScene& scene, const Decomposition& decomposition,
                         const std::function<void(std::string_view)>& write) {
-  ComplexWriter(compartments.complex, write)
-      .write(scene, compartments.method == CompartmentMethod::bsp ? "bsp" : "grid");
+  ComplexWriter(decomposition.complex, write)
+      .write(scene, decomposition.method == DecompositionMethod::bsp ? "bsp" : "grid");
 }
 
 }  // namespace sightline::scene

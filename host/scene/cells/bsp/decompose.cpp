@@ -120,7 +120,7 @@ class ComplexMaker {
 
 }  // namespace
 
-base::Result<CellComplex> compartment_bsp(const PolyScene& scene, const BspOptions& options) {
+base::Result<CellComplex> decompose_bsp(const PolyScene& scene, const BspOptions& options) {
   const bool has_face = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const PolyBody& body) { return !body.faces.empty(); });
   if (!has_face) return base::Error{"", "", "there is no face"};

@@ -1,4 +1,4 @@
-// Free space around general polyhedra cut into convex cells by a BSP tree: the automatic compartmentation
+// Free space around general polyhedra cut into convex cells by a BSP tree: the automatic decomposition
 // that Jones (1971) called highly desirable and left open.
 //
 // The box around the scene, grown by 1, is split by planes of faces until no face passes through the inside
@@ -35,7 +35,6 @@ struct BspOptions {
 
 // Of a checked scene. The same scene and options give the same complex, cell for cell. The outer box's own
 // surface is free: openings to `outside`. An error names the limit that was met.
-[[nodiscard]] base::Result<CellComplex> compartment_bsp(const PolyScene& scene,
-                                                        const BspOptions& options = {});
+[[nodiscard]] base::Result<CellComplex> decompose_bsp(const PolyScene& scene, const BspOptions& options = {});
 
 }  // namespace sightline::scene

@@ -1,12 +1,12 @@
-// The boxes that grow in the grid of compartment_grid, and the rectangles in which they meet.
+// The boxes that grow in the grid of decompose_grid, and the rectangles in which they meet.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "host/scene/model/cell_complex.hpp"
 #include "host/scene/cells/grid/space.hpp"
+#include "host/scene/model/cell_complex.hpp"
 
 namespace sightline::scene {
 

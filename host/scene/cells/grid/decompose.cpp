@@ -168,7 +168,7 @@ std::optional<base::Error> why_no_grid(const PolyScene& scene, const GridOptions
   return fault_of_size(GridPlanes(scene, outer_box_of(scene)), options);
 }
 
-base::Result<CellComplex> compartment_grid(const PolyScene& scene, const GridOptions& options) {
+base::Result<CellComplex> decompose_grid(const PolyScene& scene, const GridOptions& options) {
   if (auto fault = fault_of_faces(scene)) return *fault;
   const Box outer = outer_box_of(scene);
   GridPlanes planes(scene, outer);

@@ -1,4 +1,4 @@
-// Automatic compartmentation by growth in a grid: free space between faces parallel to the axes, cut into
+// Automatic decomposition by growth in a grid: free space between faces parallel to the axes, cut into
 // boxes. What Jones (1971) called highly desirable and left open, for the cells his program allowed.
 //
 // The planes of all faces make a grid. Units of it inside a solid are left out (a winding sum along x, so
@@ -33,7 +33,7 @@ struct GridOptions {
 
 // Of a checked scene. The outer box is the one of outer_box_of. Fails as why_no_grid says, or if one
 // rectangle between two cells is cut into more than most_units parts by the outlines of sheets.
-[[nodiscard]] base::Result<CellComplex> compartment_grid(const PolyScene& scene,
-                                                         const GridOptions& options = {});
+[[nodiscard]] base::Result<CellComplex> decompose_grid(const PolyScene& scene,
+                                                       const GridOptions& options = {});
 
 }  // namespace sightline::scene

@@ -1,4 +1,4 @@
-// The grid of compartment_grid: which of its units are solid, and where sheets lie between them.
+// The grid of decompose_grid: which of its units are solid, and where sheets lie between them.
 #pragma once
 
 #include <array>

@@ -20,8 +20,8 @@ class Agreement {
  public:
   // The scene is a checked one and outlives this.
   explicit Agreement(const scene::PolyScene& scene) : scene_(scene), mesh_(exact::make_edge_mesh(scene)) {
-    add("jones by bsp", scene::compartment_bsp(scene));
-    if (!scene::why_no_grid(scene)) add("jones by grid", scene::compartment_grid(scene));
+    add("jones by bsp", scene::decompose_bsp(scene));
+    if (!scene::why_no_grid(scene)) add("jones by grid", scene::decompose_grid(scene));
   }
 
   // Empty if all agree; else a line for each that does not. The eye is in free space.

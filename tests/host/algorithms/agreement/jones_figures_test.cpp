@@ -28,9 +28,9 @@ TEST_P(JonesFigures, AreThePublishedOnes) {
   const Figure& figure = GetParam();
   const auto scene = *scene::generate_scene(figure.family, figure.size);
   const picture::LinePicture exact = exact::visible_edges(scene, scene.camera);
-  for (const auto method : {scene::CompartmentMethod::grid, scene::CompartmentMethod::bsp}) {
-    if (method == scene::CompartmentMethod::grid && !figure.by_grid) continue;
-    const auto complex = scene::compartment(scene, method);
+  for (const auto method : {scene::DecompositionMethod::grid, scene::DecompositionMethod::bsp}) {
+    if (method == scene::DecompositionMethod::grid && !figure.by_grid) continue;
+    const auto complex = scene::decompose(scene, method);
     ASSERT_TRUE(complex);
     const auto result = jones::visible_edges(*complex, scene.camera);
     ASSERT_TRUE(result);

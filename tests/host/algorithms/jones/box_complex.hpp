@@ -1,4 +1,4 @@
-// Cell complexes of boxes, put together by hand for tests: independent of automatic compartmentation.
+// Cell complexes of boxes, put together by hand for tests: independent of automatic decomposition.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 #include "host/geometry/box.hpp"
 #include "host/geometry/rational.hpp"
-#include "host/scene/model/cell_complex.hpp"
 #include "host/scene/cells/builder.hpp"
+#include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 

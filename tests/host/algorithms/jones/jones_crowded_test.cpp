@@ -17,7 +17,7 @@ class CrowdedBuilding : public ::testing::Test {
   static constexpr std::int32_t pitch = 200;
 
   scene::PolyScene scene_ = scene::generate_big_rooms(rooms);
-  scene::CellComplex complex_ = *scene::compartment(scene_, scene::CompartmentMethod::grid);
+  scene::CellComplex complex_ = *scene::decompose(scene_, scene::DecompositionMethod::grid);
   jones::PreparedComplex prepared_{complex_};
   jones::Walker walker_{prepared_};
 

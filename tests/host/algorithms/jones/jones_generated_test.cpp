@@ -1,4 +1,4 @@
-// Native Jones against `exact`, by ==, on the 500 generated scenes, compartmented automatically: by the grid
+// Native Jones against `exact`, by ==, on the 500 generated scenes, cut into cells automatically: by the grid
 // where faces are parallel to the axes, and by the BSP, in turn. Each from 20 cameras: outside, orthographic,
 // and among the bodies; bricks have coordinates so small that eyes are in planes of faces and in line with
 // edges most of the time.
@@ -87,15 +87,15 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
   }
 };
 
-TEST_P(GeneratedSet, IsSeenAsExactSaysAfterAutomaticCompartmentation) {
+TEST_P(GeneratedSet, IsSeenAsExactSaysAfterAutomaticDecomposition) {
   for (const scene::GeneratedSceneName& name : scene::generated_set()) {
     if (name.family != GetParam()) continue;
     const auto scene = *scene::generate_scene(name.family, name.size, name.seed);
     const std::string where =
         std::string(name.family) + ' ' + std::to_string(name.size) + " seed " + std::to_string(name.seed);
     const auto seed = static_cast<std::uint32_t>(name.seed);
-    std::vector<scene::CellComplex> complexes{*scene::compartment_bsp(scene)};
-    if (!scene::why_no_grid(scene)) complexes.push_back(*scene::compartment_grid(scene));
+    std::vector<scene::CellComplex> complexes{*scene::decompose_bsp(scene)};
+    if (!scene::why_no_grid(scene)) complexes.push_back(*scene::decompose_grid(scene));
     expect_exact(scene, complexes, seed, where);
     if (HasFailure()) return;
   }

@@ -116,7 +116,7 @@ TEST(JonesHardCases, NearlyParallelLinesCrossExactly) {
 TEST(JonesHardCases, EyeInLineWithWalls) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const scene::PolyScene scene = scene::generate_rooms(3, seed);
-    const auto complex = scene::compartment_grid(scene);
+    const auto complex = scene::decompose_grid(scene);
     ASSERT_TRUE(complex);
     scene::PolyCamera camera = scene.camera;
     for (const std::int32_t y : {0, 1000, 2000, 3000}) {
@@ -151,7 +151,7 @@ TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
 
 TEST(JonesHardCases, AnEyeThatCannotBeIsAnError) {
   const scene::PolyScene scene = scene::generate_boxes(1);
-  const auto result = scene::compartment_grid(scene);
+  const auto result = scene::decompose_grid(scene);
   const auto& complex = *result;
   scene::PolyCamera camera = scene.camera;
   const geometry::Box box = scene::outer_box_of(scene);  // of the one solid, and 1 more

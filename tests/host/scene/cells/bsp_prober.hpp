@@ -23,7 +23,7 @@ struct Passage {
 class Prober {
  public:
   explicit Prober(PolyScene scene)
-      : scene_(std::move(scene)), complex_(*compartment_bsp(scene_)), triangles_(triangles_of(scene_)) {}
+      : scene_(std::move(scene)), complex_(*decompose_bsp(scene_)), triangles_(triangles_of(scene_)) {}
 
   [[nodiscard]] const CellComplex& complex() const { return complex_; }
 

@@ -1,4 +1,4 @@
-// Compartmentation by BSP: cells hold exactly the free points, straight lines pass from cell to cell through
+// Decomposition by BSP: cells hold exactly the free points, straight lines pass from cell to cell through
 // one opening or are stopped by a face, lines are where edges touch cells.
 #include <gtest/gtest.h>
 
@@ -95,17 +95,17 @@ PolyScene scene_named(const std::string& name) {
   return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
 }
 
-TEST(CompartmentBsp, IsTriedOnPossibleScenes) {
+TEST(DecomposeBsp, IsTriedOnPossibleScenes) {
   EXPECT_TRUE(check_poly_scene(tangled()).empty());
   EXPECT_TRUE(check_poly_scene(crossed()).empty());
 }
 
-class CompartmentBspTest : public testing::TestWithParam<const char*> {
+class DecomposeBspTest : public testing::TestWithParam<const char*> {
  protected:
   Prober prober{scene_named(GetParam())};
 };
 
-TEST_P(CompartmentBspTest, EveryFreePointIsInOneCell) {
+TEST_P(DecomposeBspTest, EveryFreePointIsInOneCell) {
   int tested = 0;
   for (int i = 0; i < 600; ++i) {
     const PolyPoint p = prober.random_point();
@@ -120,7 +120,7 @@ TEST_P(CompartmentBspTest, EveryFreePointIsInOneCell) {
 
 // A line goes from cell to cell without a gap through just one opening each time, if it meets no face
 // between.
-TEST_P(CompartmentBspTest, StraightLinesPassThroughOpenings) {
+TEST_P(DecomposeBspTest, StraightLinesPassThroughOpenings) {
   int passed = 0;
   for (int i = 0; i < 200; ++i) {
     const Segment segment{prober.random_point(), prober.random_point()};
@@ -151,7 +151,7 @@ TEST_P(CompartmentBspTest, StraightLinesPassThroughOpenings) {
   EXPECT_GT(passed, 20);
 }
 
-TEST_P(CompartmentBspTest, LinesAreWhereEdgesTouchCells) {
+TEST_P(DecomposeBspTest, LinesAreWhereEdgesTouchCells) {
   const CellComplex& complex = prober.complex();
   for (const ComplexCell& cell : complex.cells) {
     std::size_t next = cell.first_line;
@@ -170,7 +170,7 @@ TEST_P(CompartmentBspTest, LinesAreWhereEdgesTouchCells) {
   }
 }
 
-TEST_P(CompartmentBspTest, OpeningsLieOnBoundsOfTheirCells) {
+TEST_P(DecomposeBspTest, OpeningsLieOnBoundsOfTheirCells) {
   const CellComplex& complex = prober.complex();
   for (const ComplexOpening& opening : complex.openings) {
     EXPECT_GE(opening.side_count, 3U);
@@ -183,26 +183,26 @@ TEST_P(CompartmentBspTest, OpeningsLieOnBoundsOfTheirCells) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, CompartmentBspTest,
+INSTANTIATE_TEST_SUITE_P(Scenes, DecomposeBspTest,
                          testing::Values("boxes:3", "boxes:12", "edgeon:9", "touch:3", "aligned:2", "town:9",
                                          "triangles:12", "bricks:10", "rooms:3", "squares.off", "tangled",
                                          "crossed"));
 
 std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) {
   std::string text;
-  const auto made = compartment_bsp(scene, options);
+  const auto made = decompose_bsp(scene, options);
   for (const base::Error& error : check_complex(*made, scene)) text += error.message() + '\n';
   return text;
 }
 
-TEST(CompartmentBsp, MakesPossibleComplexes) {
+TEST(DecomposeBsp, MakesPossibleComplexes) {
   for (const char* name : {"boxes:30", "edgeon:27", "touch:2", "aligned:3", "town:25", "triangles:16",
                            "bricks:12", "rooms:4", "grid.off", "tori.off", "tangled", "crossed"}) {
     EXPECT_EQ(problems_of(scene_named(name)), "") << name;
   }
 }
 
-TEST(CompartmentBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
+TEST(DecomposeBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
   BspOptions apart;
   apart.join = false;
   for (const char* name : {"town:16", "rooms:3", "squares.off", "tangled", "crossed"}) {
@@ -210,17 +210,17 @@ TEST(CompartmentBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
   }
 }
 
-TEST(CompartmentBsp, CutsTheSolidsAndWallsOfCellScenes) {
+TEST(DecomposeBsp, CutsTheSolidsAndWallsOfCellScenes) {
   for (const std::string_view name : builtin_scene_names()) {
     const CellScene cells = *load_cell_scene(std::string(name));
     EXPECT_EQ(problems_of(poly_scene_of(cells)), "") << name;
   }
 }
 
-TEST(CompartmentBsp, IsTheSameEachTime) {
+TEST(DecomposeBsp, IsTheSameEachTime) {
   const PolyScene scene = generate_triangles(16);
-  const auto first = *compartment_bsp(scene);
-  const auto second = *compartment_bsp(scene);
+  const auto first = *decompose_bsp(scene);
+  const auto second = *decompose_bsp(scene);
   EXPECT_EQ(first.planes, second.planes);
   EXPECT_EQ(first.bounds, second.bounds);
   EXPECT_EQ(first.sides, second.sides);
@@ -228,20 +228,20 @@ TEST(CompartmentBsp, IsTheSameEachTime) {
 }
 
 // Around a block of cubes that touch face to face there is no more to cut than around one box.
-TEST(CompartmentBsp, JoinsWhatIsConvexTogether) {
-  EXPECT_EQ(compartment_bsp(generate_boxes(1))->cells.size(), 6U);
-  EXPECT_EQ(compartment_bsp(generate_touch(3))->cells.size(), 6U);
+TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
+  EXPECT_EQ(decompose_bsp(generate_boxes(1))->cells.size(), 6U);
+  EXPECT_EQ(decompose_bsp(generate_touch(3))->cells.size(), 6U);
   BspOptions apart;
   apart.join = false;
-  EXPECT_GT(compartment_bsp(generate_touch(3), apart)->cells.size(), 6U);
+  EXPECT_GT(decompose_bsp(generate_touch(3), apart)->cells.size(), 6U);
 }
 
-TEST(CompartmentBsp, NamesWhatStopsIt) {
-  const auto empty = compartment_bsp(PolyScene{});
+TEST(DecomposeBsp, NamesWhatStopsIt) {
+  const auto empty = decompose_bsp(PolyScene{});
   EXPECT_EQ(empty.error().found, "there is no face");
-  const auto large = compartment_bsp(generate_boxes(10), {.most_leaves = 20});
+  const auto large = decompose_bsp(generate_boxes(10), {.most_leaves = 20});
   EXPECT_EQ(large.error().found, "cut by the planes of its faces, space falls into more than 20 cells");
-  EXPECT_TRUE(compartment_bsp(generate_boxes(1), {.most_leaves = 7}));
+  EXPECT_TRUE(decompose_bsp(generate_boxes(1), {.most_leaves = 7}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A complex questioned from outside, by points and straight lines through it, with arithmetic of its own:
-// what a compartmentation is held against without knowing how it was made.
+// what a decomposition is held against without knowing how it was made.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Compartmentation by grid and by hand: what comes out is possible, fills space and names every edge.
+// Decomposition by grid and by hand: what comes out is possible, fills space and names every edge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using geometry::Rational;
 using geometry::Rectangle;
 
 CellComplex grid(const PolyScene& scene) {
-  auto result = compartment_grid(scene);
+  auto result = decompose_grid(scene);
   if (!result) {
     ADD_FAILURE() << scene.name << ": " << result.error().message();
     return {};
@@ -47,7 +47,7 @@ PolyScene boxes(const std::vector<std::pair<PolyPoint, PolyPoint>>& places) {
 }
 
 // Cells of the hand-made scenes as the paper has them.
-TEST(CompartmentGrid, BuiltInScenes) {
+TEST(DecomposeGrid, BuiltInScenes) {
   const std::map<std::string, std::size_t> expected{
       {"house", 3}, {"roberts", 12}, {"corridor8", 8}, {"corridor32", 32}};
   for (const std::string_view name : builtin_scene_names()) {
@@ -64,7 +64,7 @@ TEST(CompartmentGrid, BuiltInScenes) {
   }
 }
 
-TEST(CompartmentGrid, GeneratedScenes) {
+TEST(DecomposeGrid, GeneratedScenes) {
   for (const auto& [family, size] : std::vector<std::pair<const char*, std::size_t>>{{"boxes", 10},
                                                                                      {"rooms", 4},
                                                                                      {"rooms", 10},
@@ -77,7 +77,7 @@ TEST(CompartmentGrid, GeneratedScenes) {
   }
 }
 
-TEST(CompartmentGrid, ABoxIsSixCells) {
+TEST(DecomposeGrid, ABoxIsSixCells) {
   const PolyScene scene = boxes({{{0, 0, 0}, {4, 5, 6}}});
   const CellComplex complex = grid(scene);
   expect_possible(complex, scene);
@@ -93,19 +93,19 @@ TEST(CompartmentGrid, ABoxIsSixCells) {
 }
 
 // Doors and hatches need no planes of their own.
-TEST(CompartmentGrid, ARoomIsNineUnits) {
+TEST(DecomposeGrid, ARoomIsNineUnits) {
   const PolyScene scene = generate_rooms(1);
   EXPECT_FALSE(why_no_grid(scene, {9}));
   const auto refused = why_no_grid(scene, {8});
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->found.find("3 x 3 x 1"), std::string::npos) << refused->found;
   // But a wall's door is cut out of what the wall leaves free.
-  const auto cut = compartment_grid(scene, {9});
+  const auto cut = decompose_grid(scene, {9});
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().place, "x = 0");
 }
 
-TEST(CompartmentGrid, BodiesThatTouchOverlapOrHaveSplitFaces) {
+TEST(DecomposeGrid, BodiesThatTouchOverlapOrHaveSplitFaces) {
   for (const PolyScene& scene : {boxes({{{0, 0, 0}, {4, 4, 4}}, {{4, 0, 0}, {8, 4, 4}}}),
                                  boxes({{{0, 0, 0}, {4, 4, 4}}, {{2, 2, 2}, {6, 6, 6}}}),
                                  boxes({{{0, 0, 0}, {9, 9, 9}}, {{2, 2, 2}, {6, 6, 6}}})}) {
@@ -149,7 +149,7 @@ TEST(CompartmentGrid, BodiesThatTouchOverlapOrHaveSplitFaces) {
   EXPECT_EQ(complex.cells.size(), 6U);
 }
 
-TEST(CompartmentGrid, WhatIsNotParallelToTheAxesIsNamed) {
+TEST(DecomposeGrid, WhatIsNotParallelToTheAxesIsNamed) {
   PolyBuilder builder;
   builder.add_box("box", {0, 0, 0}, {2, 2, 2});
   const std::array<PolyPoint, 3> slanted{{{5, 0, 0}, {6, 1, 0}, {5, 0, 4}}};
@@ -158,9 +158,9 @@ TEST(CompartmentGrid, WhatIsNotParallelToTheAxesIsNamed) {
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->place, "body 1, face 0");
   const PolyScene triangles = generate_triangles(2);
-  EXPECT_FALSE(compartment_grid(triangles));
-  EXPECT_FALSE(compartment(triangles, CompartmentMethod::grid));
-  EXPECT_EQ(compartments_of(triangles)->method, CompartmentMethod::bsp);
+  EXPECT_FALSE(decompose_grid(triangles));
+  EXPECT_FALSE(decompose(triangles, DecompositionMethod::grid));
+  EXPECT_EQ(decomposition_of(triangles)->method, DecompositionMethod::bsp);
   PolyBuilder flat;
   const std::array<PolyPoint, 3> triangle{{{0, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
   flat.add_sheet("triangle", triangle);
@@ -168,7 +168,7 @@ TEST(CompartmentGrid, WhatIsNotParallelToTheAxesIsNamed) {
 }
 
 // Boxes that do not touch: all of every edge is on some cell.
-TEST(CompartmentGrid, EdgesAreCovered) {
+TEST(DecomposeGrid, EdgesAreCovered) {
   const PolyScene scene = generate_boxes(30, 3);
   const CellComplex complex = grid(scene);
   std::vector<std::vector<std::pair<Rational, Rational>>> parts(complex.edges.size());
@@ -184,8 +184,8 @@ TEST(CompartmentGrid, EdgesAreCovered) {
 }
 
 // Of a building of more rows than are gone through at once, in which walls lie on two such bands.
-TEST(CompartmentGrid, LinesStandByEdge) {
-  const auto cut = compartment_grid(generate_big_rooms(130));
+TEST(DecomposeGrid, LinesStandByEdge) {
+  const auto cut = decompose_grid(generate_big_rooms(130));
   const CellComplex& complex = *cut;
   std::size_t unordered = 0;
   std::size_t lines = 0;

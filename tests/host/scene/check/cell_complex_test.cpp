@@ -21,7 +21,7 @@ namespace {
 class CheckComplex : public ::testing::Test {
  protected:
   const PolyScene scene_ = poly_scene_of(builtin_scene("roberts"));
-  const CellComplex good_ = *compartment_grid(scene_);
+  const CellComplex good_ = *decompose_grid(scene_);
 
   // The first opening between two cells.
   [[nodiscard]] std::size_t inner_opening() const {
@@ -174,8 +174,8 @@ TEST(CheckComplexScenes, MatterInACellIsFound) {
   const PolyScene scene = generate_boxes(8, 2);
   PolyScene fewer = scene;
   fewer.bodies.pop_back();
-  CellComplex complex = *compartment_grid(fewer);
-  complex.edges = compartment_grid(scene)->edges;
+  CellComplex complex = *decompose_grid(fewer);
+  complex.edges = decompose_grid(scene)->edges;
   const auto errors = check_complex(complex, scene);
   ASSERT_FALSE(errors.empty());
   EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const base::Error& error) {
@@ -185,7 +185,7 @@ TEST(CheckComplexScenes, MatterInACellIsFound) {
 
 TEST(CheckComplexScenes, SlantedCells) {
   const PolyScene scene = generate_triangles(6, 4);
-  CellComplex complex = *compartment_bsp(scene);
+  CellComplex complex = *decompose_bsp(scene);
   for (const base::Error& error : check_complex(complex, scene)) ADD_FAILURE() << error.message();
   const ComplexCell& cell = complex.cells[0];
   complex.bounds[cell.first_bound] = complex.bounds[cell.first_bound + 1];

@@ -16,14 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-std::string written(const PolyScene& scene, const Compartments& compartments) {
+std::string written(const PolyScene& scene, const Decomposition& decomposition) {
   std::string text;
-  write_cell_complex(scene, compartments, [&](std::string_view piece) { text += piece; });
+  write_cell_complex(scene, decomposition, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
-std::string file_of(const PolyScene& scene, CompartmentMethod method = CompartmentMethod::automatic) {
-  return written(scene, *compartments_of(scene, method));
+std::string file_of(const PolyScene& scene, DecompositionMethod method = DecompositionMethod::automatic) {
+  return written(scene, *decomposition_of(scene, method));
 }
 
 std::string error_of(const std::string& text) {
@@ -42,9 +42,9 @@ TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
     const auto read = read_cell_complex(text, "c.json");
     ASSERT_TRUE(read) << error_of(text);
     EXPECT_EQ(read->scene, scene);
-    EXPECT_EQ(written(read->scene, read->compartments), text);
+    EXPECT_EQ(written(read->scene, read->decomposition), text);
   }
-  EXPECT_NE(file_of(scenes[0], CompartmentMethod::bsp), file_of(scenes[0], CompartmentMethod::grid));
+  EXPECT_NE(file_of(scenes[0], DecompositionMethod::bsp), file_of(scenes[0], DecompositionMethod::grid));
 }
 
 TEST(CellComplexFile, OtherTextIsNone) {

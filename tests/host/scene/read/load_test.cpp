@@ -83,7 +83,7 @@ TEST(LoadScene, AGeneratedSceneIsTheSceneOfItsFile) {
 TEST(LoadScene, KnowsTheKindOfAText) {
   std::string complex;
   const PolyScene scene = generate_boxes(2);
-  write_cell_complex(scene, *compartments_of(scene), [&](std::string_view piece) { complex += piece; });
+  write_cell_complex(scene, *decomposition_of(scene), [&](std::string_view piece) { complex += piece; });
   const auto kind = [](const char* name, const std::string& text) {
     return read_scene({.name = name, .text = text}).loaded.kind;
   };
@@ -96,7 +96,7 @@ TEST(LoadScene, KnowsTheKindOfAText) {
   const auto loaded = load_scene({.name = "c.json", .text = complex});
   ASSERT_TRUE(loaded) << loaded.error().message();
   EXPECT_EQ(loaded->scene, scene);
-  EXPECT_TRUE(loaded->compartments);
+  EXPECT_TRUE(loaded->decomposition);
 }
 
 TEST(LoadScene, AnErrorSaysHowManyThereAre) {

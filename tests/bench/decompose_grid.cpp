@@ -1,4 +1,4 @@
-// Compartmentation by grid: boxes, whose grid is large, and a building, whose grid is not. Items are cells.
+// Decomposition by grid: boxes, whose grid is large, and a building, whose grid is not. Items are cells.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace {
 
 void cut(benchmark::State& state, const scene::PolyScene& scene) {
   std::size_t cells = 0;
-  for (auto _ : state) cells += scene::compartment_grid(scene)->cells.size();
+  for (auto _ : state) cells += scene::decompose_grid(scene)->cells.size();
   state.SetItemsProcessed(static_cast<std::int64_t>(cells));
 }
 
@@ -24,9 +24,9 @@ void building(benchmark::State& state) {
   cut(state, scene::generate_big_rooms(static_cast<std::size_t>(state.range(0))));
 }
 
-BENCHMARK(boxes)->Name("compartment_grid/boxes")->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(boxes)->Name("decompose_grid/boxes")->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(building)
-    ->Name("compartment_grid/building")
+    ->Name("decompose_grid/building")
     ->Arg(10)
     ->Arg(32)
     ->Arg(100)
