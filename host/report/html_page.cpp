@@ -15,6 +15,9 @@ namespace sightline::report {
 
 namespace {
 
+// Tables of more rows are folded, so that the page can be read as a whole.
+constexpr std::size_t long_table = 12;
+
 constexpr std::string_view replacement = "\uFFFD";
 
 // Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
@@ -57,8 +60,7 @@ class Page {
     for (const Section& section : report_.sections) {
       html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
                            html_escaped(section.title));
-      for (const Block& block : section.blocks)
-        std::visit([this](const auto& content) { add(content); }, block);
+      add(section.blocks);
       html_ += "</section>\n";
     }
     html_ += fmt::format("</main>\n<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
@@ -125,6 +127,18 @@ class Page {
     html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
   }
 
+  // Figures that follow each other stand side by side where the page is wide enough.
+  void add(const std::vector<Block>& blocks) {
+    bool in_row = false;
+    for (const Block& block : blocks) {
+      const bool figure = std::holds_alternative<Figure>(block);
+      if (figure != in_row) html_ += figure ? "<div class=\"plots\">\n" : "</div>\n";
+      in_row = figure;
+      std::visit([this](const auto& content) { add(content); }, block);
+    }
+    if (in_row) html_ += "</div>\n";
+  }
+
   void add(const Paragraph& paragraph) { add(paragraph.text, ""); }
   // And what does not hold in this run.
   void add(const Said& said, std::string_view look) {
@@ -136,7 +150,8 @@ class Page {
 
   void add(const Table& table) {
     const std::string id = html_escaped(table.id);
-    begin(id, table.title, table.folded);
+    const bool folded = table.folded || table.rows.size() > long_table;
+    begin(id, table.title, folded);
     html_ += fmt::format(
         "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table>\n<thead><tr>", id);
     std::vector<bool> numbers;
@@ -155,7 +170,7 @@ class Page {
     html_ += fmt::format(
         "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
         id);
-    if (table.folded) html_ += "</details>\n";
+    if (folded) html_ += "</details>\n";
   }
 
   // A title that can be linked to; folded: what follows is shown when it is opened.

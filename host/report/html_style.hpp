@@ -45,6 +45,7 @@ figure img { display: block; max-width: 100%; height: auto; border: 1px solid va
 figcaption { margin-top: .4rem; max-width: 48rem; }
 figcaption b { color: var(--ink); }
 .pixelated { image-rendering: pixelated; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 32rem), 1fr)); gap: 0 1.5rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(15.5rem, 1fr)); gap: 1.1rem; }
 .gallery figure { margin: 0; } .gallery img { width: 100%; } .strips figure { margin: .6rem 0; }
 footer { color: var(--quiet); font-size: .86rem; border-top: 1px solid var(--rule); }
