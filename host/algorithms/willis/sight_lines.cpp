@@ -2,6 +2,7 @@
 #include "host/algorithms/willis/sight_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -24,20 +25,36 @@ std::vector<Point> corners_of(const Model& model, const Surface& s) {
   return corners;
 }
 
+// A piece from one eye, for many lines.
+struct SeenPiece {
+  Vector3 normal;
+  Int128 distance;                           // of the eye from the plane, times the length of the normal
+  std::vector<std::array<Int128, 3>> sides;  // of the pyramid over the polygon: normals, below 2^68
+};
+
+SeenPiece seen_from(const scene::PolyPoint& eye, const SurfacePlane& plane, const std::vector<Point>& corners) {
+  const Point from = on_lattice(eye);
+  SeenPiece seen{plane.normal, geometry::wide_dot(plane.normal, geometry::vector_of(eye)) - plane.offset, {}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector3 a = between(corners[i], from);
+    const Vector3 b = between(corners[(i + 1) % corners.size()], from);
+    seen.sides.push_back({Int128{a[1]} * b[2] - Int128{a[2]} * b[1], Int128{a[2]} * b[0] - Int128{a[0]} * b[2],
+                          Int128{a[0]} * b[1] - Int128{a[1]} * b[0]});
+  }
+  return seen;
+}
+
 // The line from the eye along d (components below 2^12) passes the inside of the polygon.
-bool passes(const std::vector<Point>& corners, const Point& eye, const Vector3& d) {
+bool passes(const SeenPiece& piece, const Vector3& d) {
   bool left = false;
   bool right = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector3 a = between(corners[i], eye);
-    const Vector3 b = between(corners[(i + 1) % corners.size()], eye);
-    const Int128 volume = (Int128{a[1]} * b[2] - Int128{a[2]} * b[1]) * d[0] +
-                          (Int128{a[2]} * b[0] - Int128{a[0]} * b[2]) * d[1] +
-                          (Int128{a[0]} * b[1] - Int128{a[1]} * b[0]) * d[2];
+  for (const auto& side : piece.sides) {
+    const Int128 volume = side[0] * d[0] + side[1] * d[1] + side[2] * d[2];
     if (volume == 0) return false;
     (volume > 0 ? left : right) = true;
+    if (left && right) return false;
   }
-  return left != right;
+  return left || right;
 }
 
 // One line: how many pieces it hits, and which of them, as places in the order, is nearest and highest.
@@ -47,17 +64,16 @@ struct Hits {
   std::size_t highest = 0;
 };
 
-Hits hits_of(const Model& model, const scene::PolyPoint& eye, std::span<const std::uint32_t> order,
-             const std::vector<std::vector<Point>>& corners, const Vector3& d) {
+// In their order.
+Hits hits_of(const std::vector<SeenPiece>& pieces, const Vector3& d) {
   Hits hits;
   Int128 nearest_num = 0;
   Int128 nearest_den = 1;
-  const Point from = on_lattice(eye);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const SurfacePlane& plane = model.pieces[order[k]].plane;
-    const Int128 den = -geometry::wide_dot(plane.normal, d);
-    if (den <= 0 || !passes(corners[k], from, d)) continue;
-    const Int128 num = geometry::wide_dot(plane.normal, geometry::vector_of(eye)) - plane.offset;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const SeenPiece& piece = pieces[k];
+    const Int128 den = -geometry::wide_dot(piece.normal, d);
+    if (den <= 0 || !passes(piece, d)) continue;
+    const Int128 num = piece.distance;
     hits.highest = k;
     if (hits.count++ > 0 && num * nearest_den >= nearest_num * den) continue;
     hits.nearest = k;
@@ -103,12 +119,16 @@ void count_lines(const Model& model, const scene::PolyPoint& eye, std::span<cons
                  int lines, std::mt19937& random, SightLines& count) {
   if (order.empty()) return;
   std::vector<std::vector<Point>> corners;
-  for (const std::uint32_t piece : order) corners.push_back(corners_of(model, model.pieces[piece]));
+  std::vector<SeenPiece> pieces;
+  for (const std::uint32_t piece : order) {
+    corners.push_back(corners_of(model, model.pieces[piece]));
+    pieces.push_back(seen_from(eye, model.pieces[piece].plane, corners.back()));
+  }
   for (int i = 0; i < lines; ++i) {
     const Vector3 d = model.plan
                           ? level_direction(model.vertical, random)
                           : direction_near(corners[random() % corners.size()], on_lattice(eye), random);
-    const Hits hits = hits_of(model, eye, order, corners, d);
+    const Hits hits = hits_of(pieces, d);
     if (hits.count < 2) continue;
     ++count.with_two;
     count.wrong += model.pieces[order[hits.nearest]].face != model.pieces[order[hits.highest]].face;
