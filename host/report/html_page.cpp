@@ -15,8 +15,8 @@ namespace sightline::report {
 
 namespace {
 
-// Tables of more rows are folded, so that the page can be read as a whole.
-constexpr std::size_t long_table = 12;
+// Tables and galleries of more rows or pictures are folded, so that the page can be read as a whole.
+constexpr std::size_t most_unfolded = 12;
 
 constexpr std::string_view replacement = "\uFFFD";
 
@@ -150,7 +150,7 @@ class Page {
 
   void add(const Table& table) {
     const std::string id = html_escaped(table.id);
-    const bool folded = table.folded || table.rows.size() > long_table;
+    const bool folded = table.folded || table.rows.size() > most_unfolded;
     begin(id, table.title, folded);
     html_ += fmt::format(
         "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table>\n<thead><tr>", id);
@@ -212,11 +212,12 @@ class Page {
   }
 
   void add(const Gallery& gallery) {
-    begin(html_escaped(gallery.id), gallery.title, gallery.folded);
+    const bool folded = gallery.folded || gallery.figures.size() > most_unfolded;
+    begin(html_escaped(gallery.id), gallery.title, folded);
     html_ += fmt::format("<div class=\"{}\">\n", gallery.wide ? "strips" : "gallery");
     for (const Figure& figure : gallery.figures) add(figure);
     html_ += "</div>\n";
-    if (gallery.folded) html_ += "</details>\n";
+    if (folded) html_ += "</details>\n";
   }
 
   void add(const Listing& listing) {
