@@ -50,12 +50,15 @@ struct Context {
   unsigned jobs = 1;       // processors that may be used
   std::function<void(std::string_view)> progress = [](std::string_view) {
   };  // what is being done, in few words
+  // Work that takes times of this computer, to be done when all experiments are finished and nothing else runs; the
+  // records are those that the experiment returned.
+  std::function<void(std::function<void(Records& records)>)> alone = {};
 };
 
 struct Experiment {
   std::string_view name;  // a-z, 0-9, -; data files take "NAME.SET"
   Records (*run)(const Context& context) = nullptr;
-  bool host_times = false;  // takes times of this computer: nothing else runs meanwhile
+  bool host_times = false;  // all of it takes times of this computer: nothing else runs meanwhile
 };
 
 [[nodiscard]] std::span<const Experiment> all_experiments();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <mutex>
 #include <set>
@@ -41,15 +42,24 @@ Experiments experiments_named(const std::set<std::string>& names) {
   return chosen;
 }
 
-// On `jobs` processors; results in the order of the experiments.
-void run(const Experiments& experiments, unsigned jobs, const Context& context, Results& results) {
+// On `jobs` processors; results in the order of the experiments. `alone`: what they leave to be done alone.
+using Alone = std::vector<std::function<void(Results&)>>;
+void run(const Experiments& experiments, unsigned jobs, const Context& context, Results& results, Alone& alone) {
+  std::vector<Alone> of_each(experiments.size());
   base::OrderedWork<Records> work;
   work.last = experiments.size();
   work.jobs = jobs;
-  work.make = [&](std::uint64_t i) { return experiments[i]->run(context); };
+  work.make = [&](std::uint64_t i) {
+    Context here = context;
+    here.alone = [&of_each, name = std::string(experiments[i]->name), i](std::function<void(Records&)> timed) {
+      of_each[i].emplace_back([name, timed = std::move(timed)](Results& of_all) { timed(of_all.at(name)); });
+    };
+    return experiments[i]->run(here);
+  };
   work.take = [&](std::uint64_t i, Records records) { results[std::string(experiments[i]->name)] = std::move(records); };
   work.go_on = [] { return true; };
   base::run_in_order(work);
+  for (Alone& works : of_each) std::move(works.begin(), works.end(), std::back_inserter(alone));
 }
 
 Results run_all(const std::set<std::string>& names, const Context& told) {
@@ -64,11 +74,13 @@ Results run_all(const std::set<std::string>& names, const Context& told) {
   Experiments together = experiments_named(names);
   const auto alone_from = std::stable_partition(together.begin(), together.end(),
                                                 [&](const Experiment* experiment) { return !takes_times(experiment); });
-  const Experiments alone(alone_from, together.end());
+  const Experiments timed(alone_from, together.end());
   together.erase(alone_from, together.end());
   Results results;
-  run(together, context.jobs, context, results);
-  run(alone, 1, context, results);
+  Alone alone;
+  run(together, context.jobs, context, results, alone);
+  run(timed, 1, context, results, alone);
+  for (const auto& work : alone) work(results);
   return results;
 }
 

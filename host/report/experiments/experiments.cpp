@@ -8,14 +8,14 @@ namespace {
 
 constexpr std::array experiments{
     // Long ones first: they run on several processors.
+    Experiment{"jones-numbers", &jones_numbers},
+    Experiment{"hard-cases", &hard_cases},
+    Experiment{"skala-accuracy", &skala_accuracy},
     Experiment{"jones-accuracy", &jones_accuracy},
     Experiment{"cross-check", &cross_check},
-    Experiment{"plantinga-accuracy", &plantinga_accuracy},
-    Experiment{"hard-cases", &hard_cases},
-    Experiment{"skala-pictures", &skala_pictures},
     Experiment{"jones-views", &jones_views},
-    Experiment{"jones-numbers", &jones_numbers, true},
-    Experiment{"skala-accuracy", &skala_accuracy, true},
+    Experiment{"plantinga-accuracy", &plantinga_accuracy},
+    Experiment{"skala-pictures", &skala_pictures},
     Experiment{"plantinga-turns", &plantinga_turns, true},
     Experiment{"jones-unseen", &jones_unseen, true},
 };

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -123,30 +124,30 @@ struct ExactScene {
 // One scene in C++: rows, and the jobs that time them.
 class Numbers {
  public:
-  Numbers(const SceneViews& views, RowSet& rows) : views_(views), rows_(rows), exact_(views) {
-    exact_.check(views.name());
+  Numbers(const jones::SixViews& six, RowSet& rows) : views_(six), exact_(views_) {
+    exact_.check(views_.name());
     for (const bool truncate : {false, true})
       for (int f = 0; f <= jones::most_fraction_bits; ++f)
-        add("fractions", {jones::NumberKind::fixed_point, jones::longest_word, f, truncate});
+        add(rows, "fractions", {jones::NumberKind::fixed_point, jones::longest_word, f, truncate});
     for (const int bits : tried_lengths)
-      add("words", {jones::NumberKind::fixed_point, bits, most_complete(views, bits), false});
-    for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float}) add("floating", {kind});
-    add_exact("Jones, exact", [this](std::size_t i) { (void)exact_.by_jones(i); });
-    add_exact("exact visible edges", [this](std::size_t i) { (void)exact_.by_edges(i); });
-    add_exact("oracle", [this](std::size_t i) { (void)exact_.by_oracle(i); });
+      add(rows, "words", {jones::NumberKind::fixed_point, bits, most_complete(views_, bits), false});
+    for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float}) add(rows, "floating", {kind});
+    add_exact(rows, "Jones, exact", [this](std::size_t i) { (void)exact_.by_jones(i); });
+    add_exact(rows, "exact visible edges", [this](std::size_t i) { (void)exact_.by_edges(i); });
+    add_exact(rows, "oracle", [this](std::size_t i) { (void)exact_.by_oracle(i); });
   }
   Numbers(const Numbers&) = delete;
   Numbers& operator=(const Numbers&) = delete;
 
   // Interleaved over all arithmetic of the scene, six views a job.
-  void take_times(int rounds) {
+  void take_times(RowSet& rows, int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i)
-      rows_.set(timed_[i], "view_us", times[i] / static_cast<double>(views_.size()) / 1000);
+      rows.set(timed_[i], "view_us", times[i] / static_cast<double>(views_.size()) / 1000);
   }
 
  private:
-  void add(std::string_view study, const jones::Precision& precision) {
+  void add(RowSet& rows, std::string_view study, const jones::Precision& precision) {
     const bool fixed = precision.kind == jones::NumberKind::fixed_point;
     const PictureError error = measure_twin(views_, precision);
     NamedValues row{{"scene", views_.name()},
@@ -157,27 +158,26 @@ class Numbers {
                     {"rounding", fixed ? Value(rounding(precision)) : Value()},
                     {"incomplete_views", error.incomplete}};
     add_error(row, error);
-    later(std::move(row), [this, precision](std::size_t i) { (void)run_twin(views_, i, precision); });
+    later(rows, std::move(row), [this, precision](std::size_t i) { (void)run_twin(views_, i, precision); });
   }
 
-  void add_exact(std::string_view name, std::function<void(std::size_t)> view) {
+  void add_exact(RowSet& rows, std::string_view name, std::function<void(std::size_t)> view) {
     NamedValues row{{"scene", views_.name()}, {"study", "exact"}, {"arithmetic", name}, {"word_bits", {}},
                     {"fraction_bits", {}},    {"rounding", {}},   {"incomplete_views", 0}};
     add_error(row, {});
-    later(std::move(row), std::move(view));
+    later(rows, std::move(row), std::move(view));
   }
 
-  void later(NamedValues row, std::function<void(std::size_t)> view) {
+  void later(RowSet& rows, NamedValues row, std::function<void(std::size_t)> view) {
     row.emplace_back("view_us", Value());
-    rows_.add(row);
-    timed_.push_back(rows_.size() - 1);
+    rows.add(row);
+    timed_.push_back(rows.size() - 1);
     jobs_.emplace_back([this, view = std::move(view)] {
       for (std::size_t i = 0; i < views_.size(); ++i) view(i);
     });
   }
 
-  const SceneViews& views_;
-  RowSet& rows_;
+  SceneViews views_;
   ExactScene exact_;
   std::vector<std::size_t> timed_;  // rows
   std::vector<std::function<void()>> jobs_;
@@ -234,9 +234,9 @@ Records jones_numbers(const Context& context) {
   Records records;
   for (const jones::SixViews& six : jones::six_views) {
     context.progress(fmt::format("{} in C++ in every arithmetic", six.scene));
-    const SceneViews views(six);
-    Numbers numbers(views, records["numbers"]);
-    if (context.host_times) numbers.take_times(context.full ? 61 : 15);
+    const auto numbers = std::make_shared<Numbers>(six, records["numbers"]);
+    if (!context.host_times) continue;
+    context.alone([numbers, rounds = context.full ? 61 : 15](Records& made) { numbers->take_times(made["numbers"], rounds); });
   }
   return records;
 }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -154,11 +155,11 @@ class Study {
     }
   }
 
-  // All at once, interleaved.
-  RowSet with_times(int rounds) && {
+  [[nodiscard]] const RowSet& points() const { return points_; }
+  // All at once, interleaved; `points` are these.
+  void take_times(RowSet& points, int rounds) const {
     const auto times = median_nanoseconds(jobs_, rounds);
-    for (std::size_t i = 0; i < times.size(); ++i) points_.set(timed_[i], "host_us", times[i] / 1000);
-    return std::move(points_);
+    for (std::size_t i = 0; i < times.size(); ++i) points.set(timed_[i], "host_us", times[i] / 1000);
   }
 
  private:
@@ -201,7 +202,7 @@ class Study {
     jobs_.push_back(std::move(job));
   }
 
-  const skala::Session& session_;
+  const skala::Session& session_;  // of measuring, not of what is timed
   bool host_times_;
   std::string study_;
   std::string function_;
@@ -236,16 +237,20 @@ void add_boards(RowSet& boards, const skala::Session& session, std::string_view 
 Records skala_accuracy(const Context& context) {
   const skala::Session session;
   Records records;
-  Study study(session, context.host_times);
+  const auto study = std::make_shared<Study>(session, context.host_times);
   for (const auto measure : {&Study::on_rasters, &Study::on_grids, &Study::with_levels}) {
     for (const char* const function : functions) {
       context.progress(fmt::format("{} on the 8080, of every size", function));
-      (study.*measure)(function);
+      ((*study).*measure)(function);
     }
   }
   for (const char* const function : functions) add_boards(records["boards"], session, function);
-  if (context.host_times) context.progress("Skala in C++, timed");
-  records["points"] = std::move(study).with_times(context.full ? 31 : 9);
+  records["points"] = study->points();
+  if (context.host_times)
+    context.alone([study, progress = context.progress, rounds = context.full ? 31 : 9](Records& made) {
+      progress("Skala in C++, timed");
+      study->take_times(made["points"], rounds);
+    });
   return records;
 }
 
