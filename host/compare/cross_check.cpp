@@ -23,8 +23,8 @@ std::vector<Participant> find_participants() {
         std::find_if(found.begin(), found.end(), [name](const Participant& who) { return who.name == name; });
     return known != found.end() ? *known : found.emplace_back(Participant{name});
   };
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) at(algorithm.name).lines = true;
-  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) at(algorithm.name).faces = true;
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) at(algorithm.name).lines = true;
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) at(algorithm.name).faces = true;
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) at(method.algorithm).faces = true;
   at(oracle).faces = true;
@@ -75,7 +75,7 @@ class Drawing {
   }
 
   void draw_lines() {
-    const harness::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
+    const registry::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
@@ -110,9 +110,9 @@ class Drawing {
       });
       return;
     }
-    const harness::FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
+    const registry::FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
-    harness::FaceOptions options;
+    registry::FaceOptions options;
     options.plan = scene_.plan;
     auto made = algorithm->prepare(scene_.scene, options);
     if (!made) return fail(made.error().message());

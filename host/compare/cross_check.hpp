@@ -46,8 +46,8 @@ struct NotApplicable {
 
 // Where the algorithms are looked for.
 struct CrossCheckTables {
-  std::span<const harness::LineAlgorithm> lines = harness::line_algorithms();
-  std::span<const harness::FaceAlgorithm> faces = harness::face_algorithms();
+  std::span<const registry::LineAlgorithm> lines = registry::line_algorithms();
+  std::span<const registry::FaceAlgorithm> faces = registry::face_algorithms();
 };
 
 // What one participant made of one view.

@@ -26,7 +26,7 @@ struct ViewVerdict {
 struct NamedLines {
   std::string_view name;
   const picture::LinePicture* lines = nullptr;
-  bool same_by_image = false;  // as harness::LineAlgorithm has it
+  bool same_by_image = false;  // as registry::LineAlgorithm has it
 };
 
 struct NamedFaces {

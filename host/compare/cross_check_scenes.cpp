@@ -296,7 +296,7 @@ std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
 
 }  // namespace
 
-harness::FaceWindow CrossCheckView::window() const {
+registry::FaceWindow CrossCheckView::window() const {
   const double half = size / 2.0;
   const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
   return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};

@@ -26,7 +26,7 @@
 namespace sightline::compare {
 
 struct CrossCheckView : algorithms::oracle::SquareImage {
-  [[nodiscard]] harness::FaceWindow window() const;
+  [[nodiscard]] registry::FaceWindow window() const;
   // Before the eye by more than nothing worth mentioning: it has a place.
   [[nodiscard]] bool has_place(const scene::PolyPoint& point) const;
   // Where such a point is seen, in pixels, the middle of column c and row r at (c, r).

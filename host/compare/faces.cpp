@@ -29,7 +29,7 @@ constexpr std::size_t most_faces = 1000;
 constexpr double least_steps = 16;  // a pixel, of places where sight lines start
 
 // Where the middle of a pixel is on the image plane (PolyCamera).
-picture::PixelPoint image_point(const harness::FaceWindow& window, int column, int row) {
+picture::PixelPoint image_point(const registry::FaceWindow& window, int column, int row) {
   return {(column + 0.5 - window.left) / window.scale,
           (window.top - (window.height - row - 0.5)) / window.scale};
 }
@@ -54,7 +54,7 @@ struct CameraAxes {
 
 // A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
 PixelGrid nearest_in_perspective(const PolyScene& scene, const PolyCamera& camera,
-                                 const harness::FaceWindow& window) {
+                                 const registry::FaceWindow& window) {
   constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
   const CameraAxes axes(camera);
   return oracle::nearest_faces(scene, window.width, window.height, [&](int column, int row) {
@@ -74,7 +74,7 @@ std::int32_t enlargement(const PolyScene& scene) {
 
 // Everything about the middle of the scene; what starts 2 half sizes before it is before all of it.
 PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera,
-                              const harness::FaceWindow& window) {
+                              const registry::FaceWindow& window) {
   const PolyPoint middle = scene::bounds_of(scene).middle();
   const std::int32_t times = enlargement(scene);
   PolyScene large = scene;
@@ -95,14 +95,14 @@ PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera,
   });
 }
 
-PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, const harness::FaceWindow& window) {
+PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window) {
   return camera.perspective ? nearest_in_perspective(scene, camera, window)
                             : nearest_in_parallel(scene, camera, window);
 }
 
 // In points of the grid, whose middles are whole numbers, rows from the bottom.
 std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const PolyCamera& camera,
-                                                  const harness::FaceWindow& window) {
+                                                  const registry::FaceWindow& window) {
   ScreenFrame frame;
   frame.scale = window.scale;
   frame.centre = {window.left - 0.5, window.height - window.top - 0.5};
@@ -119,7 +119,7 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
 
 }  // namespace
 
-FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const harness::FaceWindow& window)
+FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window)
     : scene_(&scene),
       camera_(camera),
       window_(window),
@@ -130,15 +130,15 @@ base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& 
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
     return base::fail(fmt::format("{} faces are too many for the oracle of sight lines, which takes {}",
                                   faces, most_faces));
-  const harness::FaceWindow window =
-      harness::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
+  const registry::FaceWindow window =
+      registry::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
     return base::fail("the image is too small beside the scene's depth for the oracle of sight lines");
   return FaceTruth(scene, camera, window);
 }
 
-base::Result<ComparedFaces> FaceTruth::compared(const harness::FaceAlgorithm& algorithm) const {
-  harness::FaceOptions options;
+base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm) const {
+  registry::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
   auto prepared = algorithm.prepare(*scene_, options);
   if (!prepared) return std::move(prepared.error());

@@ -38,17 +38,17 @@ class FaceTruth {
                                                   const scene::PolyCamera& camera);
 
   // An error says why the algorithm does not apply.
-  [[nodiscard]] base::Result<ComparedFaces> compared(const harness::FaceAlgorithm& algorithm) const;
+  [[nodiscard]] base::Result<ComparedFaces> compared(const registry::FaceAlgorithm& algorithm) const;
 
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
 
  private:
   FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-            const harness::FaceWindow& window);
+            const registry::FaceWindow& window);
 
   const scene::PolyScene* scene_;
   scene::PolyCamera camera_;
-  harness::FaceWindow window_;
+  registry::FaceWindow window_;
   picture::PixelGrid faces_;
   std::vector<picture::PixelSegment> edges_;
 };

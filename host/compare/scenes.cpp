@@ -53,7 +53,7 @@ std::optional<base::Error> compare_algorithms(const scene::PolyScene& scene, con
   const picture::LinePicture truth = oracle::visible_edges(scene, camera);
   comparison.frame = frame ? *frame : fitted_frame(truth, scene, camera);
   const auto lines = reference_lines(truth, scene, camera, comparison.frame);
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
     if (algorithm.name == "oracle") continue;
     const std::string name(algorithm.name);
     progress(name);
@@ -84,7 +84,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
                    SceneComparison& comparison) {
   progress("oracle of sight lines");
   const auto truth = FaceTruth::of(scene, comparison.camera);
-  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) {
     const std::string name(algorithm.name);
     if (!truth) {
       comparison.not_applicable.emplace_back(name, truth.error().message());

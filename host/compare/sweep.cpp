@@ -161,9 +161,9 @@ std::string text_of(const Json& document) {
   return document.dump();
 }
 
-Json json_of(const std::vector<harness::AlgorithmCount>& counts) {
+Json json_of(const std::vector<registry::AlgorithmCount>& counts) {
   Json document = Json::object();
-  for (const harness::AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
+  for (const registry::AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
   return document;
 }
 
@@ -226,11 +226,11 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
   sweep.scene_ = &scene;
   sweep.cells_ = cells;
   sweep.options_ = options;
-  std::vector<const harness::LineAlgorithm*> algorithms{&harness::line_algorithms().front()};
-  for (const harness::LineAlgorithm* algorithm : options.algorithms)
+  std::vector<const registry::LineAlgorithm*> algorithms{&registry::line_algorithms().front()};
+  for (const registry::LineAlgorithm* algorithm : options.algorithms)
     if (std::find(algorithms.begin(), algorithms.end(), algorithm) == algorithms.end())
       algorithms.push_back(algorithm);
-  for (const harness::LineAlgorithm* algorithm : algorithms) {
+  for (const registry::LineAlgorithm* algorithm : algorithms) {
     auto prepared = algorithm->prepare(scene);
     if (!prepared) return base::Error{source, prepared.error().place, prepared.error().found};
     sweep.entries_.push_back({algorithm, std::move(*prepared)});
@@ -282,7 +282,7 @@ std::string Sweep::line(std::uint64_t number) const {
     result["pieces"] = view.picture.pieces.size();
     result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
     if (&entry != &entries_.front()) {
-      const bool same = harness::agrees(*entry.algorithm, view.picture, exact, *scene_, camera);
+      const bool same = registry::agrees(*entry.algorithm, view.picture, exact, *scene_, camera);
       result["agrees"] = same;
       if (!same) result["difference"] = difference_of(exact, view.picture);
     }

@@ -21,7 +21,7 @@ namespace sightline::compare {
 
 struct SweepOptions {
   std::uint64_t seed = 1;
-  std::vector<const harness::LineAlgorithm*> algorithms;  // that apply to the scene, beside `exact`
+  std::vector<const registry::LineAlgorithm*> algorithms;  // that apply to the scene, beside `exact`
   bool guest = false;   // of a scene of cells: Jones's program and its twin, too
   bool eae = true;      // of the guest
   bool turned = false;  // a scene of cells is looked at in all directions
@@ -53,8 +53,8 @@ class Sweep {
  private:
   class Guest;
   struct Entry {
-    const harness::LineAlgorithm* algorithm = nullptr;
-    harness::PreparedScene prepared;
+    const registry::LineAlgorithm* algorithm = nullptr;
+    registry::PreparedScene prepared;
   };
 
   Sweep() = default;

@@ -55,10 +55,10 @@ void display_frame(benchmark::State& state) {
   const willis::ImageWindow window = willis::window_around(scene, scene.camera, 512, 512);
   willis::Frames frames(model);
   willis::FrameSpans spans;
-  harness::WillisDisplay display;
+  registry::WillisDisplay display;
   for (auto _ : state) {
     willis::make_spans(model, frames.order(scene.camera), scene.camera, window, spans);
-    benchmark::DoNotOptimize(harness::displayed(spans, display));
+    benchmark::DoNotOptimize(registry::displayed(spans, display));
   }
   state.counters["frames_a_second"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate);
   state.counters["spans"] = static_cast<double>(spans.spans.size());

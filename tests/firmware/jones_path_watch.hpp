@@ -1,5 +1,5 @@
 // Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search
-// went, and which cell stood at each depth. Much less than harness/jones_watch, and independent of it.
+// went, and which cell stood at each depth. Much less than the watch of host/guests/jones, and independent of it.
 #pragma once
 
 #include <algorithm>

@@ -25,16 +25,15 @@ set(RULES
   "host/algorithms/skala=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/willis=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
-  "host/harness="
   "host/guests/run=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"
   "host/guests/jones=host/base,host/geometry,host/scene,emulators,tools/asm"
   "host/guests/jones/precision=host/base,host/geometry,host/scene,host/guests/jones,host/algorithms/oracle,emulators/core,emulators/machines/pdp7.hpp"
   "host/guests/jones/twin=emulators/core/word.hpp,emulators/type340/words.hpp,host/geometry/integer.hpp"
   "host/guests/skala=host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
   "host/guests/skala/twin=host/guests/skala/commands.hpp,emulators/core/raster.hpp"
-  "host/compare=host/base,host/harness,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
-  "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/app=host/base,host/harness,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+  "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
+  "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
+  "host/app=host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES

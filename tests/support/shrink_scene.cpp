@@ -14,7 +14,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/check/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::tests {
 
 namespace {
 
@@ -252,4 +252,4 @@ PolyScene shrunk(PolyScene scene, const ShowsDefect& shows_defect) {
   return Shrinker(std::move(scene), shows_defect).run();
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::tests

@@ -8,7 +8,7 @@
 
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::tests {
 
 // Whether a scene, looked at by its own camera, shows the defect. It is asked only about checked scenes with
 // the eye in free space, and must always give the same answer.
@@ -21,4 +21,4 @@ using ShowsDefect = std::function<bool(const scene::PolyScene&)>;
 // result has no names, and its units and origin are those of a scene that never was in a file.
 [[nodiscard]] scene::PolyScene shrunk(scene::PolyScene scene, const ShowsDefect& shows_defect);
 
-}  // namespace sightline::harness
+}  // namespace sightline::tests

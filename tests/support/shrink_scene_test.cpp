@@ -13,7 +13,7 @@
 #include "host/scene/read/poly_file.hpp"
 #include "tests/host/algorithms/agreement/random_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::tests {
 namespace {
 
 using algorithms::exact::visible_edges;
@@ -145,4 +145,4 @@ TEST(ShrinkScene, TheResultIsAFile) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::tests

@@ -13,7 +13,7 @@
 #include "host/algorithms/willis/spans.hpp"
 #include "host/base/result.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 namespace {
 
@@ -104,4 +104,4 @@ FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& c
                                : willis::window_around(scene, camera, width, height));
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry

@@ -16,7 +16,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 struct FaceCount {
   std::string_view name;
@@ -96,4 +96,9 @@ struct FaceAlgorithm {
 [[nodiscard]] FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                      int width, int height, std::optional<double> extent);
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry
+
+// Chapters of the report still use this name.
+namespace sightline::harness {
+using namespace registry;
+}

@@ -15,7 +15,7 @@
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/decompose.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 namespace {
 
@@ -167,4 +167,4 @@ const LineAlgorithm* find_line_algorithm(std::string_view name) {
   return found != table.end() ? &*found : nullptr;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry

@@ -20,7 +20,7 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 // What an algorithm did, in its own terms.
 struct AlgorithmCount {
@@ -77,4 +77,9 @@ struct LineAlgorithm {
 // Null if there is none of that name.
 [[nodiscard]] const LineAlgorithm* find_line_algorithm(std::string_view name);
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry
+
+// Chapters of the report still use this name.
+namespace sightline::harness {
+using namespace registry;
+}

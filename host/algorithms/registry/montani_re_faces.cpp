@@ -16,7 +16,7 @@
 #include "host/base/result.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 namespace {
 
@@ -160,4 +160,4 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
   return prepared;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry

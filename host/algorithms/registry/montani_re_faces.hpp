@@ -5,10 +5,10 @@
 #include "host/algorithms/registry/faces.hpp"
 #include "host/base/result.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 // An error if there are no stripes of this thickness.
 [[nodiscard]] base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& scene,
                                                                    const FaceOptions& options);
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 namespace {
 
@@ -52,4 +52,4 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
   return faces;
 }
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry

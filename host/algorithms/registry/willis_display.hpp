@@ -6,7 +6,7 @@
 #include "host/algorithms/willis/spans.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 
 struct WillisDisplay {
   devices::PriorityDisplay device;
@@ -22,4 +22,9 @@ struct WillisDisplay {
 // scanned. Only for what fits the display.
 [[nodiscard]] picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, WillisDisplay& display);
 
-}  // namespace sightline::harness
+}  // namespace sightline::registry
+
+// Chapters of the report still use this name.
+namespace sightline::harness {
+using namespace registry;
+}

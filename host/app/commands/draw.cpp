@@ -46,19 +46,19 @@ struct FilledPicture {
   bool json = false;
 };
 
-std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& prepared,
+std::vector<registry::FaceCount> write_outlines(const registry::PreparedFaces& prepared,
                                                const FilledPicture& picture, Output& file) {
   const picture::Paper& paper = picture.output.paper;
   const auto micrometres = [&paper](double side) {
     return static_cast<int>(std::lround((side - 2 * paper.margin) * 1000));
   };
-  const harness::FaceWindow window =
-      harness::face_window(picture.source.scene, picture.camera, micrometres(paper.width),
+  const registry::FaceWindow window =
+      registry::face_window(picture.source.scene, picture.camera, micrometres(paper.width),
                            micrometres(paper.height), picture.field);
   auto seen = value_of(prepared.regions(picture.camera, window), picture.source.name);
   const std::vector<Shade> shades = face_shades(picture.source.scene);
   std::vector<picture::FilledArea> areas;
-  for (harness::FaceRegion& region : seen.regions) {
+  for (registry::FaceRegion& region : seen.regions) {
     const Shade& shade = shades[region.face - 1];
     areas.push_back({{shade[0], shade[1], shade[2]}, std::move(region.loops)});
   }
@@ -66,11 +66,11 @@ std::vector<harness::FaceCount> write_outlines(const harness::PreparedFaces& pre
   return seen.counts;
 }
 
-std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prepared,
+std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& prepared,
                                               const FilledPicture& picture, Output& file) {
   const picture::ImageSize& size = picture.output.image;
-  const harness::FaceWindow window =
-      harness::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
+  const registry::FaceWindow window =
+      registry::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
   const auto bytes = picture::encode_png(shaded_image(seen.faces, face_shades(picture.source.scene)),
                                          {{"Title", picture.source.name}, {"Software", "sightline"}});
@@ -79,8 +79,8 @@ std::vector<harness::FaceCount> write_stripes(const harness::PreparedFaces& prep
   return seen.counts;
 }
 
-void print_filled_summary(const harness::FaceAlgorithm& algorithm, const FilledPicture& picture,
-                          const std::vector<harness::FaceCount>& counts) {
+void print_filled_summary(const registry::FaceAlgorithm& algorithm, const FilledPicture& picture,
+                          const std::vector<registry::FaceCount>& counts) {
   base::Json object = base::Json::object();
   for (const auto& count : counts) object[std::string(count.name)] = count.value;
   const base::Json document{{"schema", "sightline/draw/1"},
@@ -96,8 +96,8 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
   const Option fill =
       command.flag("--fill", arguments.fill,
                    "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
-  const std::vector<double> thicknesses(harness::stripe_thicknesses.begin(),
-                                        harness::stripe_thicknesses.end());
+  const std::vector<double> thicknesses(registry::stripe_thicknesses.begin(),
+                                        registry::stripe_thicknesses.end());
   command.option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
       .one_of_numbers(thicknesses)
       .default_value()
@@ -105,13 +105,13 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
       .needs(fill);
 }
 
-ExitCode draw_filled(const harness::FaceAlgorithm& algorithm, const FillArguments& arguments,
+ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArguments& arguments,
                      const FilledPicture& picture, DrawingFormat format) {
   if (format == DrawingFormat::hpgl)
     throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
   if (format == DrawingFormat::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
-  harness::FaceOptions options;
+  registry::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = value_of(algorithm.prepare(picture.source.scene, options), picture.source.name);
   Output file(picture.output.file);
@@ -147,7 +147,7 @@ void check_field(const DrawLinesArguments& arguments, const scene::PolyCamera& c
   }
 }
 
-harness::LineView view_of(const harness::LineAlgorithm& algorithm, const scene::LoadedScene& source,
+registry::LineView view_of(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
                           const scene::PolyCamera& camera) {
   if (const auto reason = algorithm.why_not(source.scene))
     throw Failure(ExitCode::usage,
@@ -156,7 +156,7 @@ harness::LineView view_of(const harness::LineAlgorithm& algorithm, const scene::
     throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
                                                    source.name, algorithm.name, *reason));
   }
-  const harness::PreparedScene prepared = source.decomposition && algorithm.prepare_cells != nullptr
+  const registry::PreparedScene prepared = source.decomposition && algorithm.prepare_cells != nullptr
                                               ? algorithm.prepare_cells(source.decomposition->complex)
                                               : value_of(algorithm.prepare(source.scene), source.name);
   return value_of(prepared.view(camera), source.name);
@@ -177,9 +177,9 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
   return field;
 }
 
-void print_summary(const harness::LineAlgorithm& algorithm, const DrawLinesArguments& arguments,
+void print_summary(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments,
                    const scene::LoadedScene& source, const scene::PolyCamera& camera,
-                   const harness::LineView& view, std::size_t drawn) {
+                   const registry::LineView& view, std::size_t drawn) {
   Json counts = Json::object();
   for (const auto& count : view.counts) counts[std::string(count.name)] = count.value;
   const Json document{{"schema", "sightline/draw/1"},
@@ -200,17 +200,17 @@ void print_summary(const harness::LineAlgorithm& algorithm, const DrawLinesArgum
   print_json(document);
 }
 
-ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
+ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
   const scene::LoadedScene source = load_scene(arguments.scene);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments, camera);
   if (arguments.filled.fill) {
-    return draw_filled(*harness::find_face_algorithm(algorithm.name), arguments.filled,
+    return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, camera, arguments.field, arguments.output, arguments.json}, format);
   }
   Output file(arguments.output.file);
-  const harness::LineView view = view_of(algorithm, source, camera);
+  const registry::LineView view = view_of(algorithm, source, camera);
   picture::LinePicture drawn = view.picture;
   picture::LinePicture edges = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
   if (!arguments.all_edges) {
@@ -224,7 +224,7 @@ ExitCode run_draw_lines(const harness::LineAlgorithm& algorithm, DrawLinesArgume
   return ExitCode::ok;
 }
 
-void add_draw_lines(const Command& command, const harness::LineAlgorithm& algorithm) {
+void add_draw_lines(const Command& command, const registry::LineAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawLinesArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   add_camera_options(command, arguments->camera);
@@ -239,7 +239,7 @@ void add_draw_lines(const Command& command, const harness::LineAlgorithm& algori
       command.flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
   const Option hidden =
       command.flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
-  if (harness::find_face_algorithm(algorithm.name) != nullptr) {
+  if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
     command.added("--fill").excludes(all_edges).excludes(hidden);
   }
@@ -252,10 +252,10 @@ void add_draw_lines(const Command& command, const harness::LineAlgorithm& algori
 
 void add_draw_command(const Command& program) {
   std::string methods;
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
     methods += std::string(algorithm.name) + ", ";
-  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
-    if (harness::find_line_algorithm(algorithm.name) == nullptr)
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
+    if (registry::find_line_algorithm(algorithm.name) == nullptr)
       methods += std::string(algorithm.name) + ", ";
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) methods += std::string(method.algorithm) + ", ";
@@ -268,11 +268,11 @@ void add_draw_command(const Command& program) {
                                                 {"camera", help_page("camera").summary}}));
   };
   // A new algorithm is a row of its registry; nothing changes here.
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
     add_draw_lines(add_method(algorithm, algorithm.why_not_view == nullptr ? "draw_lines" : "draw_parallel"),
                    algorithm);
-  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms())
-    if (harness::find_line_algorithm(algorithm.name) == nullptr)
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
+    if (registry::find_line_algorithm(algorithm.name) == nullptr)
       add_draw_faces(add_method(algorithm, "draw_faces"), algorithm);
   for (const registry::HeightMethod& method : registry::height_methods()) {
     if (method.algorithm.empty()) continue;

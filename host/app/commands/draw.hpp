@@ -17,7 +17,7 @@ namespace sightline::app {
 
 // `draw METHOD SCENE` for a method that says which face is seen at each point: filled faces, their outlines,
 // or a flight as an animated PNG. The method is one of the registry's, which does not end.
-void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm);
+void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algorithm);
 // `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. The method is one of
 // the registry's, which does not end.
 void add_draw_heights(const Command& command, const registry::HeightMethod& method);

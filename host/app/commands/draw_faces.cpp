@@ -27,7 +27,7 @@ struct DrawFacesArguments {
   std::string scene;
   CameraArguments camera;
   std::optional<double> field;
-  harness::FaceOptions options;
+  registry::FaceOptions options;
   std::string output;
   std::string pixels = "512x512";
   std::string picture = "faces";
@@ -42,7 +42,7 @@ std::pair<int, int> faces_size(const std::string& text) {
                                              text, picture::png_size_limit));
 }
 
-void name_not_solved(const harness::PreparedFaces& prepared) {
+void name_not_solved(const registry::PreparedFaces& prepared) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < prepared.not_solved.size() && i < most; ++i) warn(prepared.not_solved[i]);
   if (prepared.not_solved.size() > most)
@@ -67,8 +67,8 @@ scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::Pol
 }
 
 base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
-                const harness::PreparedFaces& prepared, const scene::PolyCamera& start,
-                const harness::FaceWindow& window) {
+                const registry::PreparedFaces& prepared, const scene::PolyCamera& start,
+                const registry::FaceWindow& window) {
   const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   const auto shades = face_shades(source.scene);
@@ -97,7 +97,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
 }
 
 base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
-                       const harness::FaceView& view) {
+                       const registry::FaceView& view) {
   const auto bytes =
       picture::encode_png(arguments.picture == "lines" ? outline_image(view.faces)
                                                        : shaded_image(view.faces, face_shades(source.scene)),
@@ -106,11 +106,11 @@ base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedS
   return *bytes;
 }
 
-void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments,
-                         const scene::LoadedScene& source, const harness::PreparedFaces& prepared,
-                         const std::vector<harness::FaceCount>& counts) {
+void print_faces_summary(const registry::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments,
+                         const scene::LoadedScene& source, const registry::PreparedFaces& prepared,
+                         const std::vector<registry::FaceCount>& counts) {
   using base::Json;
-  const auto object = [](const std::vector<harness::FaceCount>& list) {
+  const auto object = [](const std::vector<registry::FaceCount>& list) {
     Json result = Json::object();
     for (const auto& count : list) result[std::string(count.name)] = count.value;
     return result;
@@ -122,7 +122,7 @@ void print_faces_summary(const harness::FaceAlgorithm& algorithm, const DrawFace
   print_json(document);
 }
 
-ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {
+ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {
   const bool flight = arguments.output.ends_with(".apng");
   if (!flight && !arguments.output.ends_with(".png")) {
     throw Failure(
@@ -142,14 +142,14 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
   if (flight && !camera.perspective)
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
   Output file(arguments.output);
-  harness::FaceOptions options = arguments.options;
+  registry::FaceOptions options = arguments.options;
   options.vertical = frame_of(arguments.camera, source.scene).vertical;
   const auto prepared = value_of(algorithm.prepare(source.scene, options), source.name);
   name_not_solved(prepared);
   constexpr double usual_field = 60;
   const auto extent = flight && !arguments.field ? std::optional(usual_field) : arguments.field;
-  const harness::FaceWindow window = harness::face_window(source.scene, camera, width, height, extent);
-  std::vector<harness::FaceCount> counts;
+  const registry::FaceWindow window = registry::face_window(source.scene, camera, width, height, extent);
+  std::vector<registry::FaceCount> counts;
   if (flight) {
     file.write(std::span<const std::uint8_t>(fly(arguments, source, prepared, camera, window)));
   } else {
@@ -164,7 +164,7 @@ ExitCode run_draw_faces(const harness::FaceAlgorithm& algorithm, const DrawFaces
 
 }  // namespace
 
-void add_draw_faces(const Command& command, const harness::FaceAlgorithm& algorithm) {
+void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawFacesArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   command

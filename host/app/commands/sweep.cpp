@@ -47,7 +47,7 @@ struct SweepArguments {
 
 std::string known_algorithms() {
   std::string names;
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
     names += fmt::format("{}{}", names.empty() ? "" : ", ", algorithm.name);
   return names;
 }
@@ -62,11 +62,11 @@ compare::SweepShard shard_argument(const SweepArguments& arguments) {
 }
 
 // Unless asked for: all that apply but the oracle, which is slow.
-std::vector<const harness::LineAlgorithm*> algorithms_of(const SweepArguments& arguments,
+std::vector<const registry::LineAlgorithm*> algorithms_of(const SweepArguments& arguments,
                                                          const scene::LoadedScene& source) {
-  std::vector<const harness::LineAlgorithm*> result;
+  std::vector<const registry::LineAlgorithm*> result;
   for (const std::string& name : arguments.algorithms) {
-    const harness::LineAlgorithm* const algorithm = harness::find_line_algorithm(name);
+    const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(name);
     if (algorithm == nullptr) {
       throw Failure(ExitCode::usage,
                     fmt::format("--algorithm: found \"{}\", expected some of {}", name, known_algorithms()));
@@ -76,7 +76,7 @@ std::vector<const harness::LineAlgorithm*> algorithms_of(const SweepArguments& a
     result.push_back(algorithm);
   }
   if (!arguments.algorithms.empty()) return result;
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
     if (algorithm.name != "oracle" && !algorithm.why_not(source.scene)) result.push_back(&algorithm);
   return result;
 }

@@ -63,8 +63,8 @@ TEST(CommonScenes, SightLinesArePixels) {
 // The names of all registries.
 std::set<std::string_view> registered() {
   std::set<std::string_view> names;
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) names.insert(algorithm.name);
-  for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) names.insert(algorithm.name);
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) names.insert(algorithm.name);
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) names.insert(algorithm.name);
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) names.insert(method.algorithm);
   return names;
@@ -103,11 +103,11 @@ TEST(CommonScenes, EveryPairRunsThatIsNotExcluded) {
   }
 }
 
-std::vector<harness::LineAlgorithm> tables_with(std::string_view name,
-                                                void (*change)(harness::LineAlgorithm&)) {
-  std::vector<harness::LineAlgorithm> lines(harness::line_algorithms().begin(),
-                                            harness::line_algorithms().end());
-  for (harness::LineAlgorithm& algorithm : lines)
+std::vector<registry::LineAlgorithm> tables_with(std::string_view name,
+                                                void (*change)(registry::LineAlgorithm&)) {
+  std::vector<registry::LineAlgorithm> lines(registry::line_algorithms().begin(),
+                                            registry::line_algorithms().end());
+  for (registry::LineAlgorithm& algorithm : lines)
     if (algorithm.name == name) change(algorithm);
   return lines;
 }
@@ -133,30 +133,30 @@ const CrossCheckCell& cell_of(const SceneCrossCheck& agreement, std::string_view
 }
 
 TEST(AgreementFails, WhenAnAlgorithmIsMissing) {
-  const auto lines = tables_with("plantinga", [](harness::LineAlgorithm& a) { a.name = "other"; });
-  expect_only(cross_check(common_scene("C5"), {lines, harness::face_algorithms()}), "plantinga",
+  const auto lines = tables_with("plantinga", [](registry::LineAlgorithm& a) { a.name = "other"; });
+  expect_only(cross_check(common_scene("C5"), {lines, registry::face_algorithms()}), "plantinga",
               CrossCheckState::not_run);
-  std::vector<harness::FaceAlgorithm> faces(harness::face_algorithms().begin(),
-                                            harness::face_algorithms().end());
-  std::erase_if(faces, [](const harness::FaceAlgorithm& a) { return a.name == "willis"; });
-  expect_only(cross_check(common_scene("C5"), {harness::line_algorithms(), faces}), "willis",
+  std::vector<registry::FaceAlgorithm> faces(registry::face_algorithms().begin(),
+                                            registry::face_algorithms().end());
+  std::erase_if(faces, [](const registry::FaceAlgorithm& a) { return a.name == "willis"; });
+  expect_only(cross_check(common_scene("C5"), {registry::line_algorithms(), faces}), "willis",
               CrossCheckState::not_run);
 }
 
 TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
-  const auto lines = tables_with("jones", [](harness::LineAlgorithm& a) {
+  const auto lines = tables_with("jones", [](registry::LineAlgorithm& a) {
     a.why_not = [](const scene::PolyScene&) { return std::optional<std::string>("not today"); };
   });
-  const auto agreement = cross_check(common_scene("C5"), {lines, harness::face_algorithms()});
+  const auto agreement = cross_check(common_scene("C5"), {lines, registry::face_algorithms()});
   expect_only(agreement, "jones", CrossCheckState::not_run);
   EXPECT_EQ(cell_of(agreement, "exact", "jones").text, "view 1: jones: not today");
 }
 
 // One end of one piece of the second view moved by a little, for each kind of comparison.
 TEST(AgreementFails, WhenAPieceIsShorter) {
-  const auto lines = tables_with("montani-re", [](harness::LineAlgorithm& a) {
-    a.prepare = [](const scene::PolyScene& scene) -> base::Result<harness::PreparedScene> {
-      auto made = harness::find_line_algorithm("exact")->prepare(scene);
+  const auto lines = tables_with("montani-re", [](registry::LineAlgorithm& a) {
+    a.prepare = [](const scene::PolyScene& scene) -> base::Result<registry::PreparedScene> {
+      auto made = registry::find_line_algorithm("exact")->prepare(scene);
       auto& prepared = *made;
       prepared.view = [whole = prepared.view](const scene::PolyCamera& camera) {
         auto seen = whole(camera);
@@ -168,7 +168,7 @@ TEST(AgreementFails, WhenAPieceIsShorter) {
     };
   });
   const CommonScene scene = common_scene("C5");
-  const auto agreement = cross_check(scene, {lines, harness::face_algorithms()});
+  const auto agreement = cross_check(scene, {lines, registry::face_algorithms()});
   EXPECT_FALSE(agreement.agrees());
   const CrossCheckCell& cell = cell_of(agreement, "exact", "montani-re");
   EXPECT_EQ(cell.state, CrossCheckState::differs);
@@ -180,15 +180,15 @@ TEST(AgreementFails, WhenAPieceIsShorter) {
 
 // A face that is shown where another one is, in nine pixels.
 TEST(AgreementFails, WhenAFaceIsAnother) {
-  std::vector<harness::FaceAlgorithm> faces(harness::face_algorithms().begin(),
-                                            harness::face_algorithms().end());
-  for (harness::FaceAlgorithm& algorithm : faces) {
+  std::vector<registry::FaceAlgorithm> faces(registry::face_algorithms().begin(),
+                                            registry::face_algorithms().end());
+  for (registry::FaceAlgorithm& algorithm : faces) {
     if (algorithm.name != "willis") continue;
-    algorithm.prepare = [](const scene::PolyScene& scene, const harness::FaceOptions& options) {
-      auto made = harness::find_face_algorithm("willis")->prepare(scene, options);
+    algorithm.prepare = [](const scene::PolyScene& scene, const registry::FaceOptions& options) {
+      auto made = registry::find_face_algorithm("willis")->prepare(scene, options);
       auto& prepared = *made;
       prepared.view = [view = prepared.view](const scene::PolyCamera& camera,
-                                             const harness::FaceWindow& window) {
+                                             const registry::FaceWindow& window) {
         auto seen = view(camera, window);
         picture::PixelGrid& grid = seen->faces;
         for (int row = 100; row < 103; ++row)
@@ -198,7 +198,7 @@ TEST(AgreementFails, WhenAFaceIsAnother) {
       return made;
     };
   }
-  const auto agreement = cross_check(common_scene("C8"), {harness::line_algorithms(), faces});
+  const auto agreement = cross_check(common_scene("C8"), {registry::line_algorithms(), faces});
   expect_only(agreement, "willis", CrossCheckState::differs);
 }
 

@@ -224,7 +224,7 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
         camera.eye = eye;
         const auto truth = FaceTruth::of(scene, camera);
         truths.push_back(truth->faces());
-        for (const harness::FaceAlgorithm& algorithm : harness::face_algorithms()) {
+        for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) {
           const auto compared = truth->compared(algorithm);
           const auto& metrics = compared->metrics;
           EXPECT_EQ(metrics.different_inside, 0U) << scene.name << ' ' << algorithm.name;

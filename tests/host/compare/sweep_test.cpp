@@ -30,15 +30,15 @@ Sweep sweep_of(const scene::PolyScene& scene, const SweepOptions& options,
 }
 
 TEST(Algorithms, AreFoundByNameAndExactIsTheFirst) {
-  EXPECT_EQ(harness::line_algorithms().front().name, "exact");
+  EXPECT_EQ(registry::line_algorithms().front().name, "exact");
   std::set<std::string_view> names;
-  for (const harness::LineAlgorithm& algorithm : harness::line_algorithms()) {
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
     EXPECT_TRUE(names.insert(algorithm.name).second);
-    EXPECT_EQ(harness::find_line_algorithm(algorithm.name), &algorithm);
+    EXPECT_EQ(registry::find_line_algorithm(algorithm.name), &algorithm);
     EXPECT_FALSE(algorithm.description.empty());
   }
   EXPECT_TRUE(names.contains("oracle") && names.contains("jones"));
-  EXPECT_EQ(harness::find_line_algorithm("Exact"), nullptr);
+  EXPECT_EQ(registry::find_line_algorithm("Exact"), nullptr);
 }
 
 // Every entry of the table gives the same picture of everything it applies to.
@@ -46,9 +46,9 @@ TEST(Algorithms, AgreeOnEveryFamily) {
   for (const std::string_view family : {"boxes", "town", "triangles", "bricks"}) {
     const scene::PolyScene scene = generated(family, 5);
     SweepOptions options;
-    for (const harness::LineAlgorithm& algorithm : harness::line_algorithms())
+    for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
       if (!algorithm.why_not(scene)) options.algorithms.push_back(&algorithm);
-    ASSERT_EQ(options.algorithms.size(), harness::line_algorithms().size());
+    ASSERT_EQ(options.algorithms.size(), registry::line_algorithms().size());
     const Sweep sweep = sweep_of(scene, options);
     for (std::uint64_t view = 0; view < 6; ++view) {
       const std::string line = sweep.line(view);
@@ -107,7 +107,7 @@ TEST(Sweep, TurnedViewsAgreeAndTheGuestSaysWhereItDoesNotApply) {
   options.turned = true;
   options.guest = true;
   for (const char* name : {"jones", "montani-re", "oracle"})
-    options.algorithms.push_back(harness::find_line_algorithm(name));
+    options.algorithms.push_back(registry::find_line_algorithm(name));
   const Sweep sweep = sweep_of(scene, options, &cells);
   int guests = 0;
   for (std::uint64_t k = 0; k < 40; ++k) {
@@ -153,7 +153,7 @@ TEST(Sweep, KnowsItsOwnLines) {
   options.seed = 2;
   EXPECT_FALSE(sweep_of(scene, options).is_line(4, line));
   options.seed = 1;
-  options.algorithms = {harness::find_line_algorithm("oracle")};
+  options.algorithms = {registry::find_line_algorithm("oracle")};
   EXPECT_FALSE(sweep_of(scene, options).is_line(4, line));
   scene::PolyScene other = scene;
   other.bodies.back().sheet = true;

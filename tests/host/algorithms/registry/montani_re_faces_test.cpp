@@ -16,7 +16,7 @@
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/eye_place.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 namespace {
 
 constexpr int size = 120;  // pixels a side, 90 degrees of the image
@@ -149,4 +149,4 @@ TEST(MontaniReFaces, RefuseOtherThicknesses) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::registry

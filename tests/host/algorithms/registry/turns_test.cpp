@@ -32,7 +32,7 @@ double length_of(const std::vector<TurnLine>& lines) {
 // Of exact, looking along the same direction: a camera's image is u and v, times the length of its vectors.
 double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t z) {
   const scene::PolyCamera camera{false, {0, 0, 0}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
-  const auto prepared = harness::find_line_algorithm("exact")->prepare(scene);
+  const auto prepared = registry::find_line_algorithm("exact")->prepare(scene);
   const auto view = prepared->view(camera);
   const double scale = std::hypot(x, z);
   double sum = 0;

@@ -8,7 +8,7 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/scene/generate/scene.hpp"
 
-namespace sightline::harness {
+namespace sightline::registry {
 namespace {
 
 namespace willis = algorithms::willis;
@@ -61,4 +61,4 @@ TEST(FaceAlgorithms, WillisDrawsAndNamesWhatItCouldNotSeparate) {
 }
 
 }  // namespace
-}  // namespace sightline::harness
+}  // namespace sightline::registry
