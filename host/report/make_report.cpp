@@ -12,7 +12,6 @@
 
 #include "host/base/parallel.hpp"
 #include "host/report/layout.hpp"
-#include "host/report/legacy.hpp"
 #include "host/report/plot.hpp"
 
 namespace sightline::report {
@@ -90,21 +89,11 @@ Figure drawn(const Plot& plot) {
   return *std::move(figure);
 }
 
-std::vector<Block> blocks_of(const std::string& name, const Layout& layout, const Results& results,
-                             const Context& context) {
-  if (const LegacyChapter* const legacy = legacy_chapter(name)) {
-    auto blocks = make_legacy(*legacy, context);
-    if (!blocks) throw Failure(std::move(blocks.error()));
-    return *std::move(blocks);
-  }
-  return render(layout.chapters.at(name), layout, results, {context.host_times, drawn});
-}
-
 Section section_of(const PartLayout& part, const Layout& layout, const Results& results, const Context& context) {
   Section section{part.id, part.title, {}};
   for (const std::string& text : part.introduction) section.blocks.emplace_back(Paragraph{text});
   for (const std::string& chapter : part.chapters) {
-    auto blocks = blocks_of(chapter, layout, results, context);
+    auto blocks = render(layout.chapters.at(chapter), layout, results, {context.host_times, drawn});
     section.blocks.insert(section.blocks.end(), std::make_move_iterator(blocks.begin()),
                           std::make_move_iterator(blocks.end()));
   }

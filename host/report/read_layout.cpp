@@ -9,7 +9,6 @@
 #include "host/base/json.hpp"
 #include "host/report/experiment.hpp"
 #include "host/report/layout.hpp"
-#include "host/report/legacy.hpp"
 
 namespace sightline::report {
 
@@ -360,7 +359,7 @@ void read_report(const Node& node, Layout& layout) {
 void check_chapters(const Layout& layout) {
   for (const PartLayout& part : layout.parts)
     for (const std::string& chapter : part.chapters)
-      if (!layout.chapters.contains(chapter) && legacy_chapter(chapter) == nullptr)
+      if (!layout.chapters.contains(chapter))
         refuse("report.json", fmt::format("part {} has chapter \"{}\", expected a file {}.json", part.number, chapter, chapter));
 }
 

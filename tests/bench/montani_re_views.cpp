@@ -9,13 +9,11 @@
 #include <string_view>
 
 #include "host/algorithms/montani_re/visible_edges.hpp"
-#include "host/report/montani_re_growth.hpp"
+#include "host/report/experiments/montani_re_growth.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline {
 namespace {
-
-namespace report = harness::report;
 
 // One view after the other, of the exact build alone.
 void exact_view(benchmark::State& state) {
@@ -33,23 +31,23 @@ void exact_view(benchmark::State& state) {
 void growth(benchmark::State& state, std::string_view family) {
   constexpr std::array<std::size_t, 3> sizes{100, 1000, 10000};
   constexpr int rounds = 3;
-  report::MontaniReGrowth measured;
-  for (auto _ : state) measured = report::montani_re_growth(family, sizes, rounds, [](std::string_view) {});
-  for (const report::MontaniReSize& size : measured.sizes) {
-    const auto show = [&](const char* what, double nanoseconds) {
-      state.counters[fmt::format("{}_{}_ms", what, size.size)] = nanoseconds / 1e6;
-    };
-    show("native", size.native_ns);
-    show("stripes", size.stripes_ns);
-    show("exact", size.exact_ns);
+  report::Records records;
+  for (auto _ : state) {
+    records.clear();
+    report::add_montani_re_growth(records, family, sizes, rounds, [](std::string_view) {});
   }
+  const auto number = [&](const char* set, std::size_t row, std::string_view key) {
+    return records.at(set).at(row, key).number().value_or(0);
+  };
+  for (std::size_t row = 0; row < sizes.size(); ++row)
+    for (const char* const build : {"exact_build", "stripes", "exact"})
+      state.counters[fmt::format("{}_{}_ms", build, sizes[row])] =
+          number("views", row, fmt::format("{}_ms", build));
   state.SetLabel(
       fmt::format("growth with faces: exact build N^{:.2f}, stripes of a pixel N^{:.2f}, exact N^{:.2f}; "
                   "the paper's N Y is N^{:.2f}",
-                  report::exponent_over_faces(measured, &report::MontaniReSize::native_ns),
-                  report::exponent_over_faces(measured, &report::MontaniReSize::stripes_ns),
-                  report::exponent_over_faces(measured, &report::MontaniReSize::exact_ns),
-                  report::exponent_over_faces(measured, &report::MontaniReSize::pairs)));
+                  number("exponents", 0, "exact_build"), number("exponents", 0, "stripes"),
+                  number("exponents", 0, "exact"), number("exponents", 0, "pairs")));
 }
 
 BENCHMARK(exact_view)

@@ -12,12 +12,17 @@ constexpr std::array experiments{
     Experiment{"hard-cases", &hard_cases},
     Experiment{"skala-accuracy", &skala_accuracy},
     Experiment{"jones-accuracy", &jones_accuracy},
+    Experiment{"willis-order", &willis_order},
     Experiment{"cross-check", &cross_check},
     Experiment{"jones-views", &jones_views},
     Experiment{"plantinga-accuracy", &plantinga_accuracy},
     Experiment{"skala-pictures", &skala_pictures},
+    Experiment{"montani-re-tables", &montani_re_tables},
     Experiment{"plantinga-turns", &plantinga_turns, true},
     Experiment{"jones-unseen", &jones_unseen, true},
+    Experiment{"montani-re-growth", &montani_re_growth, true},
+    Experiment{"montani-re-stripes", &montani_re_stripes, true},
+    Experiment{"willis-times", &willis_times, true},
 };
 
 }  // namespace

@@ -165,6 +165,65 @@ TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
   }
 }
 
+// Without the 90-degree rule nothing is wrong where no pair of surfaces is left over; with it, something is. Between the
+// first cut and the last the error may rise, too: a cut makes pairs that were none before.
+TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
+  const RowSet& models = set("willis-order", "models");
+  ASSERT_EQ(models.size(), 16U * 9);
+  double wrong_by_rule = 0;
+  for (std::size_t row = 0; row < models.size(); ++row) {
+    const bool rule = models.at(row, "rule90") == Value("on");
+    if (row % 9 > 0) {
+      EXPECT_GE(number(models, row, "pieces"), number(models, row - 1, "pieces")) << row;
+    }
+    if (row % 9 == 8) {
+      EXPECT_EQ(models.at(row, "left_over"), Value(0)) << row << ": else nothing was shown";
+    }
+    if (models.at(row, "left_over") != Value(0)) continue;
+    if (rule) wrong_by_rule += number(models, row, "lines_wrong");
+    if (rule) continue;
+    EXPECT_EQ(models.at(row, "lines_wrong"), Value(0)) << row;
+    EXPECT_EQ(models.at(row, "points_wrong"), Value(0)) << row;
+  }
+  EXPECT_GT(wrong_by_rule, 0);
+  // With nothing cut.
+  EXPECT_GT(number(models, 0, "lines_wrong_percent"), 0.02);
+  EXPECT_LT(number(models, 0, "lines_wrong_percent"), 2);
+  const RowSet& pictures = set("willis-order", "pictures");
+  ASSERT_EQ(pictures.size(), 3U);
+  EXPECT_GT(number(pictures, 0, "wrong_inside"), 0);
+  EXPECT_EQ(pictures.at(2, "wrong_inside"), Value(0));
+  const RowSet& frames = set("willis-times", "frames");
+  for (std::size_t row = 0; row < frames.size(); ++row) {
+    EXPECT_EQ(frames.at(row, "left_over"), Value(0)) << row;
+    EXPECT_LE(number(frames, row, "distances"), number(frames, row, "pieces")) << row;
+  }
+}
+
+TEST(Experiments, MontaniAndResTablesComeOut) {
+  const Layout layout = read_layout(layout_files());
+  const auto same = [&](const char* of, const char* key, const char* table, const char* printed_key) {
+    const RowSet& here = set("montani-re-tables", of);
+    const RowSet& printed = layout.paper_tables.at(table);
+    ASSERT_EQ(here.size(), printed.size()) << table;
+    // Table 1 begins at the top.
+    const bool upwards = here.place_of("y") && here.at(0, "y") != printed.at(0, "y");
+    for (std::size_t row = 0; row < here.size(); ++row)
+      EXPECT_EQ(here.at(upwards ? here.size() - 1 - row : row, key), printed.at(row, printed_key)) << table << row;
+  };
+  same("stripes", "substripes", "montani_re_table_1", "substripes");
+  same("stripes", "sides", "montani_re_table_1", "sides");
+  same("relations", "hides", "montani_re_table_3", "nmin");
+  same("relations", "hidden_by", "montani_re_table_3", "nmax");
+  same("relations", "relations", "montani_re_table_3", "relations");
+  same("steps", "front", "montani_re_table_4", "front");
+  same("steps", "back", "montani_re_table_4", "back");
+  same("list", "list", "montani_re_list", "list");
+  const RowSet& cycles = set("montani-re-tables", "cycles");
+  for (std::size_t row = 0; row < cycles.size(); ++row) EXPECT_EQ(cycles.at(row, "right"), Value("yes")) << row;
+  EXPECT_EQ(set("montani-re-growth", "views").size(), 4U);
+}
+
 // The words under which the papers' numbers stand in them.
 TEST(ReportPapers, HaveEveryNumber) {
   const Layout layout = read_layout(layout_files());
@@ -181,7 +240,9 @@ TEST(ReportPapers, HaveEveryNumber) {
        {"a few seconds\"", "order of a few seconds", "show the computing time in seconds", "several minutes",
         "sixteen frames per second", "8192 18-bit words", "1.75 microseconds", "eight sense switches", "opening-element",
         "cell-element", "stereoscopic pair", "2 sec. approximately", "about 15% slower", "256x256 points", "8 colours",
-        "3MHz", "1024 columns", "16.3 times the number of edges", "as fast as displaying a wire-frame"})
+        "3MHz", "1024 columns", "16.3 times the number of edges", "as fast as displaying a wire-frame", "25 per second\"",
+        "in the hundreds", "N^2", "about 2%\"", "(pi + 2)L^2", "about 65%\"", "within 90", "low memory", "almost linear",
+        "product of N*Y", "at least, three faces", "Figure 10", "or a multiple"})
     EXPECT_NE(said.find(words), std::string::npos) << words;
 }
 
