@@ -1,4 +1,3 @@
-// See table_1.hpp.
 #include "host/algorithms/plantinga/table_1.hpp"
 
 #include <algorithm>
@@ -7,15 +6,6 @@
 #include "host/algorithms/plantinga/event_file.hpp"
 
 namespace sightline::algorithms::plantinga {
-
-std::array<Table1Row, 6> printed_table_1() {
-  return {{{"Squares", 192, 192, 48, 2365, 28, 12.3, 25, 7, 0},
-           {"Grid", 82, 105, 41, 1383, 36, 16.3, 60, 7, 0},
-           {"Objects", 388, 800, 416, 5269, 120, 6.6, 30, 299, 0},
-           {"Bars", 451, 880, 449, 9140, 204, 10.4, 112, 927, 0},
-           {"Tori", 512, 1024, 512, 5134, 120, 5.0, 18, 440, 0},
-           {"Spring", 909, 2709, 1800, 39953, 868, 14.7, 52, 3551, 0}}};
-}
 
 Table1Row table_1_row(std::string_view name, const RotationModel& model, const EventList& list,
                       double seconds) {

@@ -1,10 +1,9 @@
-// Table 1 of Plantinga, Seales and Dyer (1990), and the same figures of a list of ours.
-//
-// "Avg. events per edge" times the edges gives the printed events in five of six rows, so their events are
-// changes of single edges; in the row Grid 16.3 x 105 = 1711, not 1383 (hard case P22).
+// The figures of Table 1 of Plantinga, Seales and Dyer (1990) for a list of ours. Theirs are in
+// host/report/data/papers.json: "Avg. events per edge" times the edges gives their events in five of six
+// rows, so that events are changes of single edges; in the row Grid 16.3 x 105 = 1711, not 1383 (hard case
+// P22).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -21,11 +20,9 @@ struct Table1Row {
   double kilobytes = 0;    // of 1024 bytes, of the event file
   double events_per_edge = 0;
   std::size_t most_events_per_edge = 0;
-  double seconds = 0;          // of preprocessing, theirs on an IBM RS6000 model 320
-  std::size_t directions = 0;  // different ones; 0: the paper does not say
+  double seconds = 0;          // of preprocessing
+  std::size_t directions = 0;  // different ones
 };
-
-[[nodiscard]] std::array<Table1Row, 6> printed_table_1();
 
 // seconds: whoever built the list measured them.
 [[nodiscard]] Table1Row table_1_row(std::string_view name, const RotationModel& model, const EventList& list,
