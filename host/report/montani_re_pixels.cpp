@@ -9,7 +9,7 @@
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -163,4 +163,4 @@ double square_pixels(const native::StripePcs& pcs, std::int32_t units) {
   return sixteenths / units;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

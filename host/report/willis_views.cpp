@@ -14,7 +14,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 
 namespace {
 
@@ -182,4 +182,4 @@ std::vector<PolyCamera> cameras_around(const PolyScene& scene, std::int32_t heig
   return cameras;
 }
 
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

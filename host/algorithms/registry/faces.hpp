@@ -97,8 +97,3 @@ struct FaceAlgorithm {
                                      int width, int height, std::optional<double> extent);
 
 }  // namespace sightline::registry
-
-// Chapters of the report still use this name.
-namespace sightline::harness {
-using namespace registry;
-}

@@ -78,8 +78,3 @@ struct LineAlgorithm {
 [[nodiscard]] const LineAlgorithm* find_line_algorithm(std::string_view name);
 
 }  // namespace sightline::registry
-
-// Chapters of the report still use this name.
-namespace sightline::harness {
-using namespace registry;
-}

@@ -23,8 +23,3 @@ struct WillisDisplay {
 [[nodiscard]] picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, WillisDisplay& display);
 
 }  // namespace sightline::registry
-
-// Chapters of the report still use this name.
-namespace sightline::harness {
-using namespace registry;
-}

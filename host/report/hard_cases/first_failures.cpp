@@ -219,8 +219,8 @@ Trial run_method(CaseRun& run, const FamilyBuild& build, double) {
 Trial count_pieces(CaseRun& run, const FamilyBuild& build, double) {
   Trial trial = trial_of(run.run(build.method, build.options));
   const auto prepared =
-      harness::find_face_algorithm(build.method)->prepare(*run.input().scene, build.options.faces);
-  for (const harness::FaceCount& count : prepared->counts)
+      registry::find_face_algorithm(build.method)->prepare(*run.input().scene, build.options.faces);
+  for (const registry::FaceCount& count : prepared->counts)
     if (count.name == "pieces") trial.measure = static_cast<double>(count.value);
   return trial;
 }
@@ -228,12 +228,12 @@ Trial count_pieces(CaseRun& run, const FamilyBuild& build, double) {
 // About 0.4 pixels a unit: pixels farther than 0.75 pixels from all edges.
 Trial compare_pinwheel(CaseRun& run, const FamilyBuild& build, double value) {
   if (build.method != "stripes") return run_method(run, build, value);
-  constexpr harness::report::PixelParts parts{4, 10, {0, 0}};
+  constexpr report::PixelParts parts{4, 10, {0, 0}};
   const PolyScene& scene = *run.input().scene;
-  const auto view = harness::report::pixels_along_z(scene, parts);
-  harness::FaceOptions options;
+  const auto view = report::pixels_along_z(scene, parts);
+  registry::FaceOptions options;
   options.stripe = build.options.stripes.front();
-  const auto prepared = harness::find_face_algorithm("montani-re")->prepare(scene, options);
+  const auto prepared = registry::find_face_algorithm("montani-re")->prepare(scene, options);
   const auto drawn =
       prepared->view(scene.camera, {view.frame.width, view.frame.height, view.frame.scale[0],
                                     view.frame.centre[0], view.frame.height - view.frame.centre[1]});
@@ -254,7 +254,7 @@ double covered_percent(const PolyScene& scene, double thickness, double height) 
   constexpr double scale = 1.0 / sliver_pixel;
   const auto units = static_cast<std::int32_t>(16 / thickness);
   const auto pcs = native::stripe_pcs(set.image, set.faces[0].pcs, {{scale, scale}, {8, 8}, 64, 64}, units);
-  return 100 * harness::report::square_pixels(pcs, units) / (20 * height);
+  return 100 * report::square_pixels(pcs, units) / (20 * height);
 }
 
 Trial compare_sliver(CaseRun& run, const FamilyBuild& build, double height) {

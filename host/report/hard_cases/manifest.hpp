@@ -35,7 +35,7 @@ using SceneSegment = std::array<scene::PolyPoint, 2>;
 struct MethodOptions {
   std::int32_t scale = 512;                           // S of Jones's program
   std::optional<guests::jones::Precision> precision;  // of its twin; none: the machine's
-  harness::FaceOptions faces;
+  registry::FaceOptions faces;
   std::vector<double> stripes{1};  // thicknesses of Montani and Re's, in pixels
   registry::HeightView view;
 };

@@ -196,7 +196,7 @@ Finding refused_by_name(const Expectation& expect, const std::string& error) {
 
 // --- faces
 
-double area_of(const harness::FaceRegion& region) {
+double area_of(const registry::FaceRegion& region) {
   double twice = 0;
   for (const auto& loop : region.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -227,7 +227,7 @@ class AreasByBody {
   std::vector<double> areas_;
 };
 
-harness::FaceWindow window_of(const algorithms::montani_re::StripeFrame& frame) {
+registry::FaceWindow window_of(const algorithms::montani_re::StripeFrame& frame) {
   return {frame.width, frame.height, frame.scale[0], frame.centre[0], frame.height - frame.centre[1]};
 }
 
@@ -428,7 +428,7 @@ base::Result<CaseInput, std::string> load_input(const HardCase& hard) {
 }
 
 bool is_method(std::string_view name) {
-  return name == "willis" || name == "stripes" || harness::find_line_algorithm(name) != nullptr ||
+  return name == "willis" || name == "stripes" || registry::find_line_algorithm(name) != nullptr ||
          registry::find_height_method(name) != nullptr;
 }
 
@@ -449,7 +449,7 @@ std::vector<PolyCamera> CaseRun::cameras() const {
 
 const LinePicture& CaseRun::baseline(std::size_t camera) {
   if (baselines_.empty()) {
-    const auto prepared = harness::find_line_algorithm(hard_.baseline)->prepare(*input_->scene);
+    const auto prepared = registry::find_line_algorithm(hard_.baseline)->prepare(*input_->scene);
     for (const PolyCamera& of : cameras()) {
       const auto view = prepared->view(of);
       baselines_.emplace_back(view->picture);
@@ -470,7 +470,7 @@ Finding CaseRun::run(std::string_view method, const MethodOptions& options) {
 }
 
 Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options) {
-  const harness::LineAlgorithm* const algorithm = harness::find_line_algorithm(method);
+  const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(method);
   if (algorithm == nullptr) return {false, fmt::format("there is no method {}", method)};
   const PolyScene& scene = *input_->scene;
   const Expectation& expect = hard_.expect;
@@ -491,24 +491,24 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
     if (!drawn) return refused_by_name(expect, drawn.error().message());
     const auto& view = *drawn;
     if (!no_eye && method != hard_.baseline &&
-        !harness::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
+        !registry::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
       complaints.add(fmt::format("not the picture of {}", hard_.baseline));
     complaints.compare(expect, view.counts);
     check_segments(expect, view.picture, scene, complaints);
   }
   if (expect.areas.empty()) return complaints.finding();
   AreasByBody areas(scene);
-  const auto view = harness::report::pixels_along_z(scene, harness::report::on_lines);
+  const auto view = report::pixels_along_z(scene, report::on_lines);
   if (method == "oracle") {  // one sight line through every unit square
     for (const std::uint32_t face : view.truth.values)
       if (face != 0) areas.add(face, 1);
     areas.compare(expect, complaints);
   }
-  if (const auto* const faces = harness::find_face_algorithm(method); faces != nullptr) {
+  if (const auto* const faces = registry::find_face_algorithm(method); faces != nullptr) {
     if (expect.through) return {false, "accepted"};
     const auto prepared = faces->prepare(scene, options.faces);
     const auto regions = prepared->regions(scene.camera, window_of(view.frame));
-    for (const harness::FaceRegion& region : regions->regions) areas.add(region.face, area_of(region));
+    for (const registry::FaceRegion& region : regions->regions) areas.add(region.face, area_of(region));
     areas.compare(expect, complaints);
   }
   return complaints.finding();
@@ -520,7 +520,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   constexpr int size = 128;
   const PolyScene& scene = *input_->scene;
   const Expectation& expect = hard_.expect;
-  const auto made = harness::find_face_algorithm("willis")->prepare(scene, options.faces);
+  const auto made = registry::find_face_algorithm("willis")->prepare(scene, options.faces);
   if (!made) return {false, "refused: " + made.error().message()};
   const auto& prepared = *made;
   Complaints complaints;
@@ -528,14 +528,14 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   if (prepared.not_solved.empty() == expect.left_over)
     complaints.add(expect.left_over ? "nothing is left over" : prepared.not_solved.front());
   std::vector<std::string> found;
-  for (const harness::FaceCount& count : prepared.counts) {
+  for (const registry::FaceCount& count : prepared.counts) {
     std::string name(count.name);
     std::replace(name.begin(), name.end(), '_', ' ');
     found.push_back(fmt::format("{} {}", name, count.value));
   }
   if (!prepared.not_solved.empty()) found.push_back("left over, named: " + prepared.not_solved.front());
   if (!pictures_) return complaints.finding(fmt::format("{}", fmt::join(found, ", ")));
-  auto cameras = harness::report::cameras_around(scene, scene.camera.eye[1]);
+  auto cameras = report::cameras_around(scene, scene.camera.eye[1]);
   const auto no_eye = scene::eye_error(scene, scene.camera);
   if (no_eye.has_value() != expect.eye_refused)
     complaints.add(no_eye ? no_eye->message() : "the eye is accepted");
@@ -544,9 +544,9 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   } else {
     cameras.insert(cameras.begin(), scene.camera);
   }
-  const harness::report::TrueFaces truth(scene, std::move(cameras), size);
-  const harness::FaceWindow window{size, size, size / 2.0, size / 2.0, size / 2.0};
-  harness::report::FaceErrors errors;
+  const report::TrueFaces truth(scene, std::move(cameras), size);
+  const registry::FaceWindow window{size, size, size / 2.0, size / 2.0, size / 2.0};
+  report::FaceErrors errors;
   for (std::size_t i = 0; i < truth.cameras().size(); ++i) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
@@ -561,15 +561,15 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
 
 // With corners on lines between stripes every pixel must be right; elsewhere those not on an edge.
 Finding CaseRun::run_stripes(const MethodOptions& options) {
-  namespace pixels = harness::report;
+  namespace pixels = sightline::report;
   const PolyScene& scene = *input_->scene;
   Complaints complaints;
-  std::string off_lines;
+  std::string on_edges;
   const auto check = [&](const pixels::PixelView& view, double thickness,
                          auto judge) -> std::optional<Finding> {
-    harness::FaceOptions faces;
+    registry::FaceOptions faces;
     faces.stripe = thickness;
-    const auto prepared = harness::find_face_algorithm("montani-re")->prepare(scene, faces);
+    const auto prepared = registry::find_face_algorithm("montani-re")->prepare(scene, faces);
     const auto drawn = prepared->view(scene.camera, window_of(view.frame));
     if (!drawn) return refused_by_name(hard_.expect, drawn.error().message());
     judge(picture::pixel_metrics(view.truth, drawn->faces, view.edges));
@@ -587,12 +587,12 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
   const auto refused = check(pixels::pixels_along_z(scene, pixels::off_lines), 1, [&](const auto& metrics) {
     if (metrics.different_inside != 0)
       complaints.add(fmt::format("{} pixels wrong away from edges", metrics.different_inside));
-    off_lines = fmt::format("right; corners off the lines: {} of {} pixels differ, all on edges",
+    on_edges = fmt::format("right; corners off the lines: {} of {} pixels differ, all on edges",
                             metrics.different(), metrics.pixels);
   });
   if (refused) return *refused;
   if (hard_.expect.through) return {false, "accepted"};
-  return complaints.finding(off_lines);
+  return complaints.finding(on_edges);
 }
 
 // Farther than a point from what is seen is wrong.

@@ -7,7 +7,7 @@
 #include "host/report/willis_views.hpp"
 #include "host/scene/generate/scene.hpp"
 
-namespace sightline::harness::report {
+namespace sightline::report {
 namespace {
 
 namespace willis = algorithms::willis;
@@ -47,4 +47,4 @@ TEST(WillisViews, FacesChangeOnlyNextToEdges) {
 }
 
 }  // namespace
-}  // namespace sightline::harness::report
+}  // namespace sightline::report

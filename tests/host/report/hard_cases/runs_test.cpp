@@ -97,7 +97,7 @@ TEST_P(HardCaseRuns, EveryExpectationIsChecked) {
 
 // The method measures the distance of a piece to its first corner. Any other must give right pictures, too.
 TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
-  namespace views = harness::report;
+  namespace views = sightline::report;
   std::size_t cases = 0;
   for (const HardCaseGroup& group : manifest().groups) {
     if (group.id != "willis") continue;
