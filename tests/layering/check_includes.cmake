@@ -1,6 +1,6 @@
 # Reads the #include lines of emulators/, host/ and tools/ and holds them against the list below.
 # Each rule: a folder, then what its files may include from the repository. A folder may always include itself.
-# A file goes by the rule of the innermost folder that has one.
+# A file goes by the rule of the innermost folder that has one. FOLDER/* is each folder in it that has no rule of its own.
 cmake_minimum_required(VERSION 3.25)
 
 set(RULES
@@ -17,13 +17,7 @@ set(RULES
   "host/geometry="
   "host/scene=host/base,host/geometry"
   "host/picture=host/base,host/geometry,host/scene,emulators/core"
-  "host/algorithms/exact=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/jones=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/montani_re=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/oracle=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/plantinga=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/skala=host/base,host/geometry,host/scene,host/picture"
-  "host/algorithms/willis=host/base,host/geometry,host/scene,host/picture"
+  "host/algorithms/*=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
   "host/guests/run=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"
   "host/guests/jones=host/base,host/geometry,host/scene,emulators,tools/asm"
@@ -46,6 +40,20 @@ set(LIBRARY_RULES
 
 # What the machines must not need.
 set(FORBIDDEN_IN_EMULATORS "iostream;fstream;sstream;filesystem;thread;mutex;stdexcept;regex;chrono")
+
+foreach(rule IN LISTS RULES)
+  if(rule MATCHES "^(.*)/[*]=(.*)$")
+    set(parent "${CMAKE_MATCH_1}")
+    set(allowed "${CMAKE_MATCH_2}")
+    list(REMOVE_ITEM RULES "${rule}")
+    file(GLOB inner RELATIVE ${ROOT} "${ROOT}/${parent}/*")
+    foreach(folder IN LISTS inner)
+      if(IS_DIRECTORY ${ROOT}/${folder} AND NOT RULES MATCHES "(^|;)${folder}=")
+        list(APPEND RULES "${folder}=${allowed}")
+      endif()
+    endforeach()
+  endif()
+endforeach()
 
 set(problems "")
 set(folders "${RULES}")

@@ -1,6 +1,8 @@
 // `sightline compare`: tables, JSON, overlays, exit codes, and what a user gets wrong.
 #include <nlohmann/json.hpp>
 
+#include "host/algorithms/registry/faces.hpp"
+#include "host/algorithms/registry/lines.hpp"
 #include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
 #include "tests/support/effort.hpp"
@@ -11,6 +13,15 @@ using sightline::test::Arguments;
 using sightline::test::has;
 
 class CompareCommand : public sightline::test::CommandLine {};
+
+// The names of the algorithms that `choose` accepts, in the registry's order.
+template <class Algorithms, class Choose>
+std::vector<std::string> names(const Algorithms& algorithms, Choose choose) {
+  std::vector<std::string> chosen;
+  for (const auto& algorithm : algorithms)
+    if (choose(algorithm)) chosen.emplace_back(algorithm.name);
+  return chosen;
+}
 
 TEST_F(CompareCommand, ComparesASceneOfCells) {
   const auto ran = sightline({"compare", "house", "-o", "pictures"});
@@ -79,23 +90,30 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
     EXPECT_EQ(faces["different_inside"], 0) << faces;
     EXPECT_GT(faces["lit"], 1000);
   }
-  EXPECT_EQ(filled, (std::vector<std::string>{"montani-re", "willis"}));
+  const auto all_faces = names(sightline::registry::face_algorithms(), [](const auto&) { return true; });
+  EXPECT_EQ(filled, all_faces);
   EXPECT_TRUE(exists("out/boxes-5-compare-willis_faces.png"));
   const auto names_of = [](const auto& pictures) {
     std::vector<std::string> names;
     for (const auto& picture : pictures) names.push_back(picture["name"]);
     return names;
   };
-  EXPECT_EQ(names_of(document["pictures"]), (std::vector<std::string>{"exact", "jones", "montani-re"}));
-  EXPECT_EQ(names_of(document["not_compared"]), (std::vector<std::string>{"plantinga"}));
+  using sightline::registry::line_algorithms;
+  using sightline::registry::LineAlgorithm;
+  const auto compared = [](const LineAlgorithm& algorithm) { return algorithm.name != "oracle"; };
+  EXPECT_EQ(names_of(document["pictures"]), names(line_algorithms(), [&](const LineAlgorithm& algorithm) {
+              return compared(algorithm) && algorithm.why_not_view == nullptr;
+            }));
+  EXPECT_EQ(names_of(document["not_compared"]), names(line_algorithms(), [&](const LineAlgorithm& algorithm) {
+              return compared(algorithm) && algorithm.why_not_view != nullptr;
+            }));
   // In parallel projection everything applies.
   const auto parallel = sightline({"compare", "boxes-5", "--orthographic", "3,0,4", "--json"});
   ASSERT_EQ(parallel.exit_code, 0) << parallel.err;
   const auto turned = nlohmann::json::parse(parallel.out)["scenes"][0];
-  EXPECT_EQ(names_of(turned["pictures"]),
-            (std::vector<std::string>{"exact", "jones", "montani-re", "plantinga"}));
+  EXPECT_EQ(names_of(turned["pictures"]), names(line_algorithms(), compared));
   EXPECT_TRUE(turned["not_compared"].empty());
-  EXPECT_EQ(names_of(turned["faces"]), (std::vector<std::string>{"montani-re", "willis"}));
+  EXPECT_EQ(names_of(turned["faces"]), all_faces);
   for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }
 
