@@ -30,8 +30,9 @@
 namespace sightline::machines {
 
 // What a device is: a host offers the devices of a kind under one option, and takes from each what its kind
-// gives (a raster, strokes, the bytes that it sent to the host).
-enum class DeviceKind : std::uint8_t { raster_board, plotter, link };
+// gives (a raster, strokes, the bytes that it sent to the host). Any other device it attaches by name, with
+// --device, and takes the counts only.
+enum class DeviceKind : std::uint8_t { raster_board, plotter, link, other };
 
 // The bytes that a host sends over a link; they must stay where they are. No value: no such chip.
 using HostBytes = std::optional<std::span<const std::uint8_t>>;

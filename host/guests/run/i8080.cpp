@@ -464,7 +464,7 @@ class I8080Run final : public Machine {
         if (option == "--png") bytes = png(device.raster());
       } else if constexpr (Row::kind == DeviceKind::plotter) {
         if (option == "--svg") bytes = svg(Row::micrometres_a_step);
-      } else {
+      } else if constexpr (Row::kind == DeviceKind::link) {
         if (option != fmt::format("--{}-out", Row::name)) return;
         row.received(device, [&bytes](const devices::KeptBytes& received) {
           bytes.insert(bytes.end(), received.bytes().begin(), received.bytes().end());

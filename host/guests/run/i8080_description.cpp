@@ -71,6 +71,9 @@ void attach(const Arguments& arguments, const FileReader& read, I8080Setup& setu
       if (!arguments.given(option)) return;
       const Bytes& sent = setup.sent[Row::name] = read(arguments.text(option)).bytes;
       setup.machine.*Row::bytes = sent;
+    } else if constexpr (Row::kind == DeviceKind::other) {
+      const auto& wanted = arguments.list("--device");
+      setup.machine.*Row::attached = std::find(wanted.begin(), wanted.end(), Row::choice) != wanted.end();
     } else {
       const char* const option = Row::kind == DeviceKind::raster_board ? "--board" : "--plotter";
       setup.machine.*Row::attached = arguments.text(option) == Row::choice;
@@ -250,6 +253,8 @@ std::vector<Option> run_options() {
        .help = "Where the CalComp's pen stands first, in steps",
        .shown_initial = "0,0",
        .needs = "--plotter calcomp"}};
+  if (auto others = choices<DeviceKind::other>(); !others.empty())
+    options.push_back({list, "--device", "DEVICE", "Attach this device", std::move(others)});
   const std::vector<Option> rest{
       {list, "--interrupt", "DEVICE=N", fmt::format("Wire {} to RST N", line_names(", ", " or "))},
       {output, "--dump", "FILE", "Registers and all of memory after the run"},

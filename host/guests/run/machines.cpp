@@ -6,7 +6,7 @@
 namespace sightline::guests::run {
 
 std::span<const MachineDescription* const> machines() {
-  static const std::array<const MachineDescription*, 2> table{&pdp7(), &i8080()};
+  static const std::array table{&pdp7(), &i8080()};
   return table;
 }
 

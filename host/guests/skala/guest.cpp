@@ -110,7 +110,9 @@ class LinkPorts : private PortStrokes, public machines::SkalaPorts<PortStrokes> 
     each_device([&picture](auto row, const auto& device) {
       constexpr machines::DeviceKind kind = decltype(row)::kind;
       if constexpr (kind == machines::DeviceKind::raster_board) picture.raster = device.raster();
-      if constexpr (kind != machines::DeviceKind::link) report_faults(device.counts(), picture);
+      // A device without a report is one that the program never uses.
+      if constexpr (requires { report_faults(device.counts(), picture); })
+        report_faults(device.counts(), picture);
     });
     for (std::size_t port = 0; port < 256; ++port) {
       const machines::UnansweredPort& counts = unanswered()[port];
