@@ -23,7 +23,7 @@
 #include "host/report/experiments/clock.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/montani_re_pixels.hpp"
+#include "host/report/hard_cases/montani_re_pixels.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::report {
@@ -31,10 +31,10 @@ namespace sightline::report {
 namespace {
 
 namespace native = algorithms::montani_re;
-using report::PixelPlane;
-using report::PixelView;
 using picture::PixelGrid;
 using picture::PixelSegment;
+using report::PixelPlane;
+using report::PixelView;
 using scene::PolyScene;
 
 // In 1/(16 * 65536) pixel, the ends of what a band covers at an ordinate.

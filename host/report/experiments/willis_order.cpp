@@ -23,7 +23,7 @@
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/experiments/willis_scenes.hpp"
-#include "host/report/willis_views.hpp"
+#include "host/report/hard_cases/willis_views.hpp"
 
 namespace sightline::report {
 

@@ -14,8 +14,8 @@
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/report/hard_cases/montani_re_pixels.hpp"
 #include "host/report/hard_cases/runner.hpp"
-#include "host/report/montani_re_pixels.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
 namespace sightline::report {

@@ -22,8 +22,8 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/picture/line_metrics.hpp"
-#include "host/report/montani_re_pixels.hpp"
-#include "host/report/willis_views.hpp"
+#include "host/report/hard_cases/montani_re_pixels.hpp"
+#include "host/report/hard_cases/willis_views.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/cells/grid/decompose.hpp"
 #include "host/scene/check/poly_scene.hpp"
@@ -588,7 +588,7 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
     if (metrics.different_inside != 0)
       complaints.add(fmt::format("{} pixels wrong away from edges", metrics.different_inside));
     on_edges = fmt::format("right; corners off the lines: {} of {} pixels differ, all on edges",
-                            metrics.different(), metrics.pixels);
+                           metrics.different(), metrics.pixels);
   });
   if (refused) return *refused;
   if (hard_.expect.through) return {false, "accepted"};

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/montani_re_pixels.hpp"
+#include "host/report/hard_cases/montani_re_pixels.hpp"
 
 namespace sightline::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/report/willis_views.hpp"
+#include "host/report/hard_cases/willis_views.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::report {

@@ -11,7 +11,7 @@
 #include "host/report/hard_cases/first_failures.hpp"
 #include "host/report/hard_cases/manifest.hpp"
 #include "host/report/hard_cases/runner.hpp"
-#include "host/report/willis_views.hpp"
+#include "host/report/hard_cases/willis_views.hpp"
 
 namespace sightline::report {
 namespace {

@@ -1,5 +1,5 @@
 // See willis_views.hpp.
-#include "host/report/willis_views.hpp"
+#include "host/report/hard_cases/willis_views.hpp"
 
 #include <algorithm>
 #include <array>

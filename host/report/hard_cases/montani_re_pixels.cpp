@@ -1,4 +1,4 @@
-#include "host/report/montani_re_pixels.hpp"
+#include "host/report/hard_cases/montani_re_pixels.hpp"
 
 #include <algorithm>
 #include <cmath>
