@@ -92,6 +92,10 @@ Result<std::optional<std::uint32_t>> load(const MachineDescription& description,
     };
     for (const auto& [address, word] : program->words) {
       if (address >= machine.words()) return outside("a word for address", address);
+      if (word >> description.word_bits != 0)
+        return bad_input(fmt::format("{}: error: found {} at address {}, expected a word of {} bits",
+                                     input.name, in_radix(word, description.radix),
+                                     address_text(description, address), description.word_bits));
       machine.put(address, word);
     }
     if (!program->start) continue;

@@ -188,6 +188,8 @@ TEST(ToyMachine, WhatIsWrongIsRefused) {
   EXPECT_EQ(run_of("0=0").set_file("--device", "tape", "").refusal(), "tape: found nothing, expected bytes");
   EXPECT_EQ(run_of("0=0 10=1").refusal(),
             "program: error: found a word for address 10, expected one in memory, 0-F");
+  EXPECT_EQ(run_of("0=0 1=100").refusal(),
+            "program: error: found 100 at address 1, expected a word of 8 bits");
   EXPECT_EQ(run_of("0:0").refusal(), "program: found 0:0, expected A=W");
   EXPECT_EQ(run_of("0=0").set("--start", "1G").refusal(),
             "--start: found \"1G\", expected an address, hexadecimal, 0 to F");
