@@ -169,7 +169,7 @@ class Numbers {
   }
 
   void later(RowSet& rows, NamedValues row, std::function<void(std::size_t)> view) {
-    row.emplace_back("view_us", Value());
+    row.emplace_back().first = "view_us";  // no value yet
     rows.add(row);
     timed_.push_back(rows.size() - 1);
     jobs_.emplace_back([this, view = std::move(view)] {
