@@ -86,6 +86,7 @@ class I8080Machine {
     instructions_ += count;
     static_cast<i8080::Registers&>(state_) = cpu.registers();
     now_ = cpu.bus().now();
+    still_acknowledging(now_);  // first: the next run cannot follow INT through what has passed
     bring_ports_to(now_);
     return reason;
   }
