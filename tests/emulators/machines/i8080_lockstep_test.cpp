@@ -1,5 +1,5 @@
-// The fast 8080 machine against the T-state-by-T-state bus: random programs rich in EI and HLT under random INT and
-// READY must show the same machine cycles, in whatever pieces they are run.
+// The fast 8080 machine against the T-state-by-T-state bus: random programs rich in EI and HLT under random
+// INT and READY must show the same machine cycles, in whatever pieces they are run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,9 @@ Program random_program(std::mt19937& random) {
   program.memory.resize(65536);
   for (auto& byte : program.memory) {
     const unsigned kind = below(32);
-    byte = kind < 3 ? i8080::Byte{0xFB} : kind == 3 ? i8080::Byte{0x76} : static_cast<i8080::Byte>(below(256));
+    byte = kind < 3    ? i8080::Byte{0xFB}
+           : kind == 3 ? i8080::Byte{0x76}
+                       : static_cast<i8080::Byte>(below(256));
   }
   // INT and READY change now and then; INT in pulses of one T-state and upwards.
   i8080::PinInputs level;
@@ -67,7 +69,8 @@ std::vector<machines::I8080Cycle> cycles_by_pins(const Program& program) {
     if (!row.sync) continue;
     // A halt moves no data.
     const bool halt = (row.status & 0x2F) == 0x0A;
-    const i8080::Byte data = halt || transfer == board->transfers.size() ? i8080::Byte{0} : board->transfers[transfer++].data;
+    const i8080::Byte data =
+        halt || transfer == board->transfers.size() ? i8080::Byte{0} : board->transfers[transfer++].data;
     cycles.push_back({core::at_t_state(static_cast<std::int64_t>(t)), row.status, row.address, data});
   }
   return cycles;
@@ -90,7 +93,8 @@ std::vector<machines::I8080Cycle> cycles_by_machine(const Program& program, std:
     }
     if (machine.run(limits) == machines::I8080StopReason::halt) break;
   }
-  while (!recorder.seen.empty() && recorder.seen.back().time >= core::at_t_state(length)) recorder.seen.pop_back();
+  while (!recorder.seen.empty() && recorder.seen.back().time >= core::at_t_state(length))
+    recorder.seen.pop_back();
   return recorder.seen;
 }
 
@@ -104,8 +108,8 @@ std::string text(const machines::I8080Cycle& cycle) {
          hexadecimal(cycle.address) + ' ' + hexadecimal(cycle.data);
 }
 
-void expect_equal(const std::vector<machines::I8080Cycle>& found, const std::vector<machines::I8080Cycle>& expected,
-                  int program) {
+void expect_equal(const std::vector<machines::I8080Cycle>& found,
+                  const std::vector<machines::I8080Cycle>& expected, int program) {
   for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i) {
     // The last cycle may have been cut off before its data.
     if (i + 1 == expected.size()) break;
@@ -132,12 +136,15 @@ TEST(I8080Machine, ShowsTheCyclesOfTheTStateByTStateBus) {
   EXPECT_GT(waking_fetches, 5U);
 }
 
+// Program 167 of seed 77 drops INT and raises it again within an acknowledge cycle that ends a piece.
 TEST(I8080Machine, ARunInPiecesIsTheSameRun) {
-  std::mt19937 random(1985);
-  for (int i = 0; i < 200; ++i) {
-    const Program program = random_program(random);
-    expect_equal(cycles_by_machine(program, &random), cycles_by_machine(program, nullptr), i);
-    if (HasFatalFailure()) return;
+  for (const unsigned seed : {1985U, 77U}) {
+    std::mt19937 random(seed);
+    for (int i = 0; i < 200; ++i) {
+      const Program program = random_program(random);
+      expect_equal(cycles_by_machine(program, &random), cycles_by_machine(program, nullptr), i);
+      if (HasFatalFailure()) return;
+    }
   }
 }
 
