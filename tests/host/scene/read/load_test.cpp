@@ -100,7 +100,7 @@ TEST(LoadScene, KnowsTheKindOfAText) {
 }
 
 TEST(LoadScene, AnErrorSaysHowManyThereAre) {
-  EXPECT_EQ(error_of({.name = "s.json", .text = "{\n \"name\": 3,,}"}).substr(0, 26),
+  EXPECT_EQ(error_of({.name = "s.json", .text = "{\n \"name\": 3,,}"}).substr(0, 27),
             "s.json: line 2, column 12: ");
   const std::string bent = "OFF\n4 1 0\n0 0 0\n4 0 0\n4 4 1\n0 4 0\n4 0 1 2 3\n";
   EXPECT_EQ(error_of({.name = "bent.off", .text = bent}).find("bent.off: body 0, face 0"), 0U);
