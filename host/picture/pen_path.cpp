@@ -1,6 +1,6 @@
 #include "host/picture/pen_path.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <iterator>
 

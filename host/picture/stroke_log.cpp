@@ -1,7 +1,7 @@
 // See stroke_log.hpp.
 #include "host/picture/stroke_log.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>

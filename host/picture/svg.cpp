@@ -1,6 +1,6 @@
 #include "host/picture/svg.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <iterator>
 

@@ -1,7 +1,7 @@
 // SVG and HP-GL; the image is in vector_image.cpp.
 #include "host/picture/vector_drawing.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
