@@ -119,8 +119,7 @@ TEST_F(RunCommand, Limits) {
 TEST_F(RunCommand, CtrlCStopsCleanly) {
   write("forever.oct", forever);
   const Ran ran =
-      sightline({"run", "pdp7", "--load", "forever.oct", "--start", "100", "--dump", "core", "--json"}, "",
-                std::chrono::milliseconds(500));
+      interrupted({"run", "pdp7", "--load", "forever.oct", "--start", "100", "--dump", "core", "--json"});
   EXPECT_EQ(ran.exit_code, 130);
   EXPECT_EQ(json::parse(ran.out).at("stop_reason"), "interrupted");
   EXPECT_TRUE(read("core").starts_with("00100 "));
