@@ -226,7 +226,8 @@ class I8080Machine {
   }
 
   // The fetch that ends a halt still says HLTA.
-  void report(I8080Cycle cycle) {
+  // Out of line, as every access of every instruction calls it.
+  [[gnu::noinline]] void report(I8080Cycle cycle) {
     if (after_halt_ && (cycle.status & i8080::status::first) != 0) {
       cycle.status |= i8080::status::halt;
       after_halt_ = false;

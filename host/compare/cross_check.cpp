@@ -1,7 +1,7 @@
 // See cross_check.hpp.
 #include "host/compare/cross_check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/algorithms/registry/heights.hpp"
+#include "host/base/text.hpp"
 #include "host/compare/cross_check_compare.hpp"
 
 namespace sightline::compare {
@@ -23,8 +24,10 @@ std::vector<Participant> find_participants() {
         std::find_if(found.begin(), found.end(), [name](const Participant& who) { return who.name == name; });
     return known != found.end() ? *known : found.emplace_back(Participant{name});
   };
-  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) at(algorithm.name).lines = true;
-  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) at(algorithm.name).faces = true;
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
+    at(algorithm.name).lines = true;
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
+    at(algorithm.name).faces = true;
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) at(method.algorithm).faces = true;
   at(oracle).faces = true;
@@ -189,7 +192,7 @@ CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
     ++cell.views;
   }
   if (std::find(ways.begin(), ways.end(), "image") != ways.end()) std::erase(ways, "pieces");
-  cell.how = fmt::format("{}", fmt::join(ways, ", "));
+  cell.how = base::joined(ways, ", ");
   if (cell.state != CrossCheckState::not_applicable) return cell;
   const auto& [who, pictures] = of_a[0].not_applicable.empty() ? std::pair{&b, &of_b} : std::pair{&a, &of_a};
   cell.text = fmt::format("{} {}", who->name, pictures->front().not_applicable);

@@ -1,8 +1,8 @@
 #include "host/picture/pen_path.hpp"
 
-#include <fmt/format.h>
-
 #include <iterator>
+
+#include "host/base/text.hpp"
 
 namespace sightline::picture {
 
@@ -38,7 +38,7 @@ std::int64_t units(int steps, const PlotterPaper& paper) {
 }
 
 void append_point(std::string& text, PenPoint point, const PlotterPaper& paper) {
-  fmt::format_to(std::back_inserter(text), "{},{}", units(point.x, paper), units(point.y, paper));
+  base::append(text, "{},{}", units(point.x, paper), units(point.y, paper));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // See stroke_log.hpp.
 #include "host/picture/stroke_log.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "host/base/text.hpp"
 #include "host/picture/stroke_sinks.hpp"
 
 namespace sightline::picture {
@@ -81,8 +82,8 @@ class LineReader {
 }  // namespace
 
 void append_stroke_line(std::string& text, const core::Stroke& stroke) {
-  fmt::format_to(std::back_inserter(text), "{} {} {} {} {:05o}\n", core::nanoseconds_of(stroke.time),
-                 stroke.x, stroke.y, stroke.intensity, stroke.address);
+  base::append(text, "{} {} {} {} {:05o}\n", core::nanoseconds_of(stroke.time), stroke.x, stroke.y,
+               stroke.intensity, stroke.address);
 }
 
 base::Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text, const std::string& name) {

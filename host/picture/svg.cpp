@@ -1,8 +1,9 @@
 #include "host/picture/svg.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <iterator>
+
+#include "host/base/text.hpp"
 
 namespace sightline::picture {
 
@@ -35,16 +36,16 @@ std::string SvgWriter::millimetres(double length) {
 }
 
 void SvgWriter::clip_rectangle(std::string_view id, double x, double y, double width, double height) {
-  fmt::format_to(std::back_inserter(text_),
-                 "  <clipPath id=\"{}\"><rect x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\"/>"
-                 "</clipPath>\n",
-                 id, x, y, width, height);
+  base::append(text_,
+               "  <clipPath id=\"{}\"><rect x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\"/>"
+               "</clipPath>\n",
+               id, x, y, width, height);
 }
 
 void SvgWriter::open_lines(std::string_view id, std::string_view label, Colour colour,
                            std::string_view pen_millimetres) {
-  fmt::format_to(
-      std::back_inserter(text_),
+  base::append(
+      text_,
       "  <g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\"\n"
       "     fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
       "stroke-linejoin=\"round\">\n",
@@ -52,23 +53,20 @@ void SvgWriter::open_lines(std::string_view id, std::string_view label, Colour c
 }
 
 void SvgWriter::open_areas(std::string_view id, std::string_view label, std::string_view style) {
-  fmt::format_to(std::back_inserter(text_),
-                 "  <g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\" {}>\n", id,
-                 xml_text(label), style);
+  base::append(text_, "  <g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\" {}>\n", id,
+               xml_text(label), style);
 }
 
 void SvgWriter::begin_polygon(Colour colour) {
   begin("    <polygon");
-  fmt::format_to(std::back_inserter(text_),
-                 " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" points=\"", colour.red,
-                 colour.green, colour.blue);
+  base::append(text_, " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" points=\"",
+               colour.red, colour.green, colour.blue);
 }
 
 void SvgWriter::begin_path(Colour colour) {
   begin("    <path");
-  fmt::format_to(std::back_inserter(text_),
-                 " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" d=\"", colour.red,
-                 colour.green, colour.blue);
+  base::append(text_, " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" d=\"", colour.red,
+               colour.green, colour.blue);
 }
 
 void SvgWriter::point(std::int64_t across, std::int64_t down) {

@@ -1,7 +1,7 @@
 // SVG and HP-GL; the image is in vector_image.cpp.
 #include "host/picture/vector_drawing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "host/base/text.hpp"
 #include "host/picture/pen_path.hpp"
 #include "host/picture/svg.hpp"
 
@@ -116,15 +117,14 @@ std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper) {
     for (const DrawingLine& line : drawing.lines) {
       if (line.layer != layer || line.count == 0) continue;
       const std::size_t pen = std::min<std::size_t>(layer + 1, most_pens);
-      const auto out = std::back_inserter(text);
-      if (pen != held) fmt::format_to(out, "SP{};\n", pen);
+      if (pen != held) base::append(text, "SP{};\n", pen);
       held = pen;
       const DrawingPoint start = drawing.points[line.first];
-      fmt::format_to(out, "PU{},{};\nPD", place.x(start), place.y(start));
+      base::append(text, "PU{},{};\nPD", place.x(start), place.y(start));
       for (std::uint32_t i = 1; i < line.count; ++i) {
         const DrawingPoint point = drawing.points[line.first + i];
         if (i > 1) text += (i - 1) % hpgl_most_corners == 0 ? ";\nPD" : ",";
-        fmt::format_to(out, "{},{}", place.x(point), place.y(point));
+        base::append(text, "{},{}", place.x(point), place.y(point));
       }
       text += ";\n";
     }

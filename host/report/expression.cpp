@@ -1,7 +1,7 @@
 // A recursive descent parser over a tree of nodes.
 #include "host/report/expression.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/base/text.hpp"
 #include "host/report/table_text.hpp"
 
 namespace sightline::report {
@@ -236,7 +237,7 @@ Value of_set(const Node& node, const RowSet& set, const Scope& scope) {
   const auto place = node.names.empty() ? std::nullopt : set.place_of(node.names.front());
   if (!place)
     throw Wrong(fmt::format("{}: found no key \"{}\" in the records, expected one of {}", node.text,
-                            node.names.empty() ? "" : node.names.front(), fmt::join(set.keys(), ", ")));
+                            node.names.empty() ? "" : node.names.front(), base::joined(set.keys(), ", ")));
   if (node.names.size() == 1) {
     if (rows.size() != 1)
       throw Wrong(fmt::format("{}: found {} rows, expected 1; choose with [...] or end with .min, .max, .mean, .sum, "
@@ -246,7 +247,7 @@ Value of_set(const Node& node, const RowSet& set, const Scope& scope) {
   }
   const std::string& how = node.names[1];
   if (node.names.size() != 2 || std::find(aggregates.begin(), aggregates.end(), how) == aggregates.end())
-    throw Wrong(fmt::format("{}: found .{}, expected one of {}", node.text, how, fmt::join(aggregates, ", ")));
+    throw Wrong(fmt::format("{}: found .{}, expected one of {}", node.text, how, base::joined(aggregates, ", ")));
   std::vector<Value> values;
   for (const std::size_t row : rows)
     if (const Value& value = set.at(row, *place); !value.missing()) values.push_back(value);
@@ -267,7 +268,7 @@ Value of_path(const Node& node, const Scope& scope) {
   const RowSet* const set = scope.set_named ? scope.set_named(node.word) : nullptr;
   if (set != nullptr) return of_set(node, *set, scope);
   std::string known;
-  if (scope.set != nullptr) known = fmt::format(" in the row; it has {}", fmt::join(scope.set->keys(), ", "));
+  if (scope.set != nullptr) known = fmt::format(" in the row; it has {}", base::joined(scope.set->keys(), ", "));
   throw Wrong(fmt::format("{}: found no \"{}\" among the sets{}", node.text, node.word, known));
 }
 
@@ -381,7 +382,7 @@ bool Expression::holds(const Scope& scope) const {
 std::string Expression::explain(const Scope& scope) const {
   std::vector<std::string> sides;
   report::explain(*root_, scope, sides);
-  return fmt::format("{}", fmt::join(sides, ", "));
+  return base::joined(sides, ", ");
 }
 
 void Expression::collect(std::vector<Reference>& references, std::string_view row_set) const {

@@ -1,5 +1,5 @@
 // The one reader of the report's data files.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <functional>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/base/json.hpp"
+#include "host/base/text.hpp"
 #include "host/report/experiment.hpp"
 #include "host/report/layout.hpp"
 
@@ -42,7 +43,7 @@ class Node {
   const Node& object(std::initializer_list<std::string_view> allowed) const {
     for (const auto& [name, value] : members())
       if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
-        refuse(place_, fmt::format("found member \"{}\", expected {}", name, fmt::join(allowed, ", ")));
+        refuse(place_, fmt::format("found member \"{}\", expected {}", name, base::joined(allowed, ", ")));
     return *this;
   }
   [[nodiscard]] bool has(std::string_view name) const { return json_->find(name) != nullptr; }

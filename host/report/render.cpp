@@ -1,6 +1,6 @@
 #include "host/report/render.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "host/base/text.hpp"
 #include "host/report/experiment.hpp"
 #include "host/report/table_text.hpp"
 
@@ -97,7 +98,7 @@ class Renderer {
     const auto place = scope.set->place_of(column.key);
     if (!place)
       throw Wrong(fmt::format("{}: column \"{}\": found no such key in the records, expected one of {}", place_,
-                              column.key, fmt::join(scope.set->keys(), ", ")));
+                              column.key, base::joined(scope.set->keys(), ", ")));
     return cell_of(scope.set->at(scope.row, *place), column.places);
   }
 
@@ -188,7 +189,7 @@ class Renderer {
     Cell judged = comparison.text;
     if (!comparison.failed.empty())
       judged = Verdict{false, fmt::format("{}{}not in this run: {}", comparison.text, comparison.text.empty() ? "" : "; ",
-                                          fmt::join(comparison.failed, "; "))};
+                                          base::joined(comparison.failed, "; "))};
     return {claim.place, claim.says, cell_of(least, row.places), cell_of(greatest, row.places),
             row.unit.empty() ? claim.unit : row.unit, cell_of(ratio_least), cell_of(ratio_greatest),
             row.condition.words(scope), judged};

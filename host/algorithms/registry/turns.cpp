@@ -1,6 +1,6 @@
 #include "host/algorithms/registry/turns.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -14,6 +14,7 @@
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"
+#include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
 #include "host/picture/overlay.hpp"
 
@@ -45,14 +46,10 @@ std::string distance_text(double distance) {
   return std::isfinite(distance) ? fmt::format("{:.2f}", distance) : std::string("none");
 }
 
-std::string point_text(const scene::PolyPoint& p) {
-  return fmt::format("{},{},{}", p[0], p[1], p[2]);
-}
-
 std::string view_text(const SceneComparison& comparison) {
   const scene::PolyCamera& camera = comparison.camera;
-  return camera.perspective ? "from " + point_text(camera.eye)
-                            : "along " + point_text(camera.forward) + ", orthographic";
+  return camera.perspective ? "from " + base::joined(camera.eye, ",")
+                            : "along " + base::joined(camera.forward, ",") + ", orthographic";
 }
 
 TextTable lines_table() {

@@ -15,6 +15,7 @@
 #include "host/app/commands/commands.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
+#include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
 #include "host/guests/jones/encode.hpp"
 #include "host/scene/check/cell_complex.hpp"
@@ -126,10 +127,6 @@ ExitCode check(const ShowArguments& arguments) {
 
 constexpr const char* info_schema = "sightline/scene-info/1";
 
-std::string point_text(const geometry::Point& p) {
-  return fmt::format("{},{},{}", p[0], p[1], p[2]);
-}
-
 std::string box_text(const geometry::Point& low, const geometry::Point& high) {
   return fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2]);
 }
@@ -169,7 +166,7 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
   facts.row({"openings", fmt::format("{}", scene.openings.size())});
   facts.row({"matter", fmt::format("{} solids, {} walls", scene.solids.size(), scene.walls.size())});
   facts.row({"outer box", box_text(scene.outer.low, scene.outer.high)});
-  facts.row({"default view", fmt::format("{}, in cell {}", point_text(scene.default_view), core.view.cell)});
+  facts.row({"default view", fmt::format("{}, in cell {}", base::joined(scene.default_view, ","), core.view.cell)});
   facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
   facts.row({"words of core", fmt::format("{} of {} (cells {}, openings {}, header {})", core.words.size(),
                                           guests::jones::core_words, core.cell_words, core.opening_words,
@@ -221,7 +218,7 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   facts.row({"bounds", box_text(bounds.low, bounds.high)});
   facts.row({"step", fmt::format("{}", scene.step)});
   facts.row({"camera", fmt::format("{} at {}", scene.camera.perspective ? "perspective" : "orthographic",
-                                   point_text(scene.camera.eye))});
+                                   base::joined(scene.camera.eye, ","))});
 }
 
 void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {

@@ -1,7 +1,7 @@
 // See engine.hpp and machine.hpp.
 #include "host/guests/run/engine.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -288,15 +288,13 @@ std::string dump_text(const MachineDescription& description, const Machine& mach
     if (each.in_dump)
       registers += (registers.empty() ? "" : " ") + digits(description, machine.get(n), each.bits);
   }
-  fmt::memory_buffer text;
-  const auto to = std::back_inserter(text);
-  fmt::format_to(to, "{}\n", registers);
+  std::string text = registers + '\n';
   for (std::uint32_t a = 0; a < machine.words(); ++a) {
     const bool last_in_line = (a + 1) % description.words_a_line == 0 || a + 1 == machine.words();
-    fmt::format_to(to, "{}{}", digits(description, machine.word(a), description.word_bits),
-                   last_in_line ? '\n' : ' ');
+    text += digits(description, machine.word(a), description.word_bits);
+    text += last_in_line ? '\n' : ' ';
   }
-  return fmt::to_string(text);
+  return text;
 }
 
 std::string table_report(const MachineDescription& description, const Machine& machine, const Stop& stop) {

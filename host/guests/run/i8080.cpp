@@ -1,17 +1,23 @@
 // See i8080.hpp.
 #include "host/guests/run/i8080.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstdlib>
-#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "emulators/i8080/bus.hpp"
 #include "emulators/machines/i8080_machine.hpp"
+#include "host/base/text.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -176,35 +182,11 @@ class Recorder {
   // instruction that a device supplied, * before an opcode that Intel left undefined and that does the same
   // as another.
   void instruction(const machines::I8080InstructionRecord& record) {
-    if (!trace_.wanted()) return;
-    const Remembered& known = disassembled(record);
-    const auto to = std::back_inserter(line_);
-    fmt::format_to(to, "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
-    for (std::size_t i = 0; i < record.bytes.size(); ++i) {
-      if (static_cast<int>(i) < known.length) {
-        fmt::format_to(to, "{:02X}", record.bytes[i]);
-      } else {
-        fmt::format_to(to, "  ");
-      }
-    }
-    const i8080::State& s = record.after;
-    fmt::format_to(to, " {}{:<{}} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:04X} {:04X} {}\n",
-                   record.acknowledged ? "INT " : "", known.text, record.acknowledged ? 16 : 20, s.a, s.f,
-                   i8080::high(s.bc), i8080::low(s.bc), i8080::high(s.de), i8080::low(s.de),
-                   i8080::high(s.hl), i8080::low(s.hl), s.sp, s.pc, s.interrupts_on ? 1 : 0);
-    write_line(trace_);
+    if (trace_.wanted()) write(record);
   }
   // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
   void cycle(const machines::I8080Cycle& cycle) {
-    if (!bus_.wanted()) return;
-    const auto to = std::back_inserter(line_);
-    fmt::format_to(to, "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status, cycle.address);
-    if (cycle.status == i8080::status::halt_cycle) {
-      fmt::format_to(to, "--\n");
-    } else {
-      fmt::format_to(to, "{:02X}\n", cycle.data);
-    }
-    write_line(bus_);
+    if (bus_.wanted()) write(cycle);
   }
 
  private:
@@ -224,20 +206,40 @@ class Recorder {
     return known;
   }
 
-  void write_line(TextBlocks& to) {
-    to.write([this](std::string& text) { text.append(line_.data(), line_.size()); });
-    line_.clear();
+  // Out of line: every access of every instruction calls them.
+  [[gnu::noinline]] void write(const machines::I8080InstructionRecord& record) {
+    const Remembered& known = disassembled(record);
+    const i8080::State& s = record.after;
+    trace_.write([&](std::string& text) {
+      base::append(text, "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
+      for (std::size_t i = 0; i < record.bytes.size(); ++i) {
+        if (static_cast<int>(i) < known.length) {
+          base::append(text, "{:02X}", record.bytes[i]);
+        } else {
+          text += "  ";
+        }
+      }
+      base::append(text,
+                   " {}{:<{}} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:02X} {:04X} {:04X} {}\n",
+                   record.acknowledged ? "INT " : "", known.text, record.acknowledged ? 16 : 20, s.a, s.f,
+                   i8080::high(s.bc), i8080::low(s.bc), i8080::high(s.de), i8080::low(s.de),
+                   i8080::high(s.hl), i8080::low(s.hl), s.sp, s.pc, s.interrupts_on ? 1 : 0);
+    });
+  }
+  [[gnu::noinline]] void write(const machines::I8080Cycle& cycle) {
+    bus_.write([&](std::string& text) {
+      base::append(text, "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status, cycle.address);
+      if (cycle.status == i8080::status::halt_cycle) {
+        text += "--\n";
+      } else {
+        base::append(text, "{:02X}\n", cycle.data);
+      }
+    });
   }
 
-  fmt::memory_buffer line_;
   TextBlocks trace_;
   TextBlocks bus_;
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
-};
-
-struct NoRecorder : machines::NoI8080Observer {
-  static void take(std::string_view, const TextTaker&) {}
-  static void finish() {}
 };
 
 // --- Texts ---
@@ -275,28 +277,59 @@ i8080::Address& pair_of(i8080::State& state, std::size_t number) {
 
 // --- The machine ---
 
-// Lives on the heap: the raster boards are large.
+// A processor with its memory, watched or not. All that a run asks of it between instructions, so that the
+// rest is compiled once.
+class Processor {
+ public:
+  virtual ~Processor() = default;
+  virtual machines::I8080StopReason run(const machines::I8080Limits& limits) = 0;
+  [[nodiscard]] virtual i8080::State& registers() = 0;
+  [[nodiscard]] virtual std::span<i8080::Byte> memory() = 0;
+  [[nodiscard]] virtual core::TStateInstant now() const = 0;
+  [[nodiscard]] virtual std::uint64_t instructions() const = 0;
+};
+
 template <class Observer>
+class ProcessorOf final : public Processor {
+ public:
+  ProcessorOf(RunPorts& ports, Observer& observer) : machine_(ports, observer) {}
+  machines::I8080StopReason run(const machines::I8080Limits& limits) override { return machine_.run(limits); }
+  i8080::State& registers() override { return machine_.registers(); }
+  std::span<i8080::Byte> memory() override { return machine_.memory(); }
+  core::TStateInstant now() const override { return machine_.now(); }
+  std::uint64_t instructions() const override { return machine_.instructions(); }
+
+ private:
+  machines::I8080Machine<RunPorts, Observer> machine_;
+};
+
+// Lives on the heap: the raster boards are large.
 class I8080Run final : public Machine {
  public:
   explicit I8080Run(I8080Setup setup)
       : setup_(std::move(setup)),
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
-        ports_(devices_, setup_.cpm, setup_.strict),
-        machine_(ports_, observer_) {}
+        ports_(devices_, setup_.cpm, setup_.strict) {
+    if (setup_.observed) {
+      recorder_.emplace();
+      processor_ = std::make_unique<ProcessorOf<Recorder>>(ports_, *recorder_);
+    } else {
+      processor_ = std::make_unique<ProcessorOf<machines::NoI8080Observer>>(ports_, nobody_);
+    }
+  }
 
   [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
-    return machine_.peek(static_cast<i8080::Address>(address));
+    return processor_->memory()[address];
   }
   void put(std::uint32_t address, std::uint32_t word) override {
-    machine_.deposit(static_cast<i8080::Address>(address), static_cast<i8080::Byte>(word));
+    processor_->memory()[address] = static_cast<i8080::Byte>(word);
     if (address < loaded_below_.size()) loaded_below_.set(address);
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
-    i8080::State s = machine_.registers();
+    i8080::State s = processor_->registers();
     switch (number) {
       case 0: return s.a;
       case 1: return s.f;
@@ -308,7 +341,7 @@ class I8080Run final : public Machine {
   }
   // Bits of F that the machine does not have are passed over.
   void set(std::size_t number, std::uint32_t value) override {
-    i8080::State& s = machine_.registers();
+    i8080::State& s = processor_->registers();
     const auto byte = static_cast<i8080::Byte>(value);
     switch (number) {
       case 0: s.a = byte; break;
@@ -328,16 +361,16 @@ class I8080Run final : public Machine {
     return setup_.cpm ? image::com_origin : loaded.value_or(0);
   }
   void start(std::uint32_t address) override {
-    machine_.registers().pc = static_cast<i8080::Address>(address);
+    processor_->registers().pc = static_cast<i8080::Address>(address);
   }
   [[nodiscard]] Result<Done> ready() override {
     if (!setup_.cpm) return Done{};
     for (const auto& [address, byte] : cpm_stub) {
-      if (loaded_below_[address] && machine_.peek(address) != byte) {
+      if (loaded_below_[address] && processor_->memory()[address] != byte) {
         return bad_input(fmt::format(
             "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
       }
-      machine_.deposit(address, byte);
+      processor_->memory()[address] = byte;
     }
     return Done{};
   }
@@ -348,7 +381,7 @@ class I8080Run final : public Machine {
     } else if (option == "--strokes") {
       plotter_.take(std::move(taker));
     } else {
-      observer_.take(option, std::move(taker));
+      if (recorder_) recorder_->take(option, std::move(taker));
     }
   }
 
@@ -356,12 +389,12 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
-        asked ? std::min(limit, machine_.now() + time_between_questions) : limit;
-    switch (machine_.run({limits.instructions - machine_.instructions(), until})) {
+        asked ? std::min(limit, processor_->now() + time_between_questions) : limit;
+    switch (processor_->run({limits.instructions - processor_->instructions(), until})) {
       case machines::I8080StopReason::halt: return Stop{"halt", {}};
       case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case machines::I8080StopReason::time_limit:
-        if (machine_.now() < limit) return std::nullopt;
+        if (processor_->now() < limit) return std::nullopt;
         return Stop{"state_limit", {}};
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
@@ -372,21 +405,21 @@ class I8080Run final : public Machine {
     return Stop{"interrupted", {}};
   }
   void finish() override {
-    observer_.finish();
+    if (recorder_) recorder_->finish();
     plotter_.finish();
   }
 
-  [[nodiscard]] std::uint64_t instructions() const override { return machine_.instructions(); }
+  [[nodiscard]] std::uint64_t instructions() const override { return processor_->instructions(); }
   [[nodiscard]] core::Instant now() const override {
-    return setup_.machine.clock.to_nanoseconds(machine_.now());
+    return setup_.machine.clock.to_nanoseconds(processor_->now());
   }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const core::ClockRate clock = setup_.machine.clock;
     std::vector<ReportLine> lines{
-        {"T-states", fmt::format("{}", core::t_states_of(machine_.now()))},
-        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_.now(), clock), clock.hertz)},
-        {"instructions", fmt::format("{}", machine_.instructions())}};
+        {"T-states", fmt::format("{}", core::t_states_of(processor_->now()))},
+        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(processor_->now(), clock), clock.hertz)},
+        {"instructions", fmt::format("{}", processor_->instructions())}};
     devices_.each_device([&lines](auto row, const auto& device) {
       std::string counts;
       row.count(device, [&counts](std::string_view name, std::uint64_t count) {
@@ -401,7 +434,7 @@ class I8080Run final : public Machine {
   }
   void add_times(base::Json& report) const override {
     const core::ClockRate clock = setup_.machine.clock;
-    const std::int64_t t_states = core::t_states_of(machine_.now());
+    const std::int64_t t_states = core::t_states_of(processor_->now());
     report["t_states"] = t_states;
     report["clock_hz"] = clock.hertz;
     // null where no 64 bits hold it
@@ -477,7 +510,7 @@ class I8080Run final : public Machine {
  private:
   // Nothing: the run goes on.
   std::optional<Stop> answer(const StubCall& call) {
-    const i8080::Address pc = machine_.registers().pc;
+    const i8080::Address pc = processor_->registers().pc;
     if (call.port == exit_port && (pc == behind_exit || pc == behind_returned_exit)) return Stop{"exit", {}};
     if (call.port == bdos_port && pc == behind_bdos) return call_bdos();
     ports_.pass_on(call);
@@ -486,11 +519,11 @@ class I8080Run final : public Machine {
   // The IN or OUT stands before PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: nothing answers at that port",
-                                      static_cast<i8080::Address>(machine_.registers().pc - 2))};
+                                      static_cast<i8080::Address>(processor_->registers().pc - 2))};
   }
 
   std::optional<Stop> call_bdos() {
-    i8080::State& registers = machine_.registers();
+    i8080::State& registers = processor_->registers();
     bdos_function_ = i8080::low(registers.bc);
     switch (bdos_function_) {
       case 0: registers.pc = 0; return std::nullopt;
@@ -526,7 +559,7 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::optional<std::string> string_at(i8080::Address address) const {
     std::string text;
     for (std::size_t n = 0; n < image::byte_memory_size; ++n) {
-      const i8080::Byte byte = machine_.peek(address++);
+      const i8080::Byte byte = processor_->memory()[address++];
       if (byte == '$') return text;
       text.push_back(static_cast<char>(byte));
     }
@@ -535,8 +568,10 @@ class I8080Run final : public Machine {
 
   // The CALL 5 whose return address is on the stack. A program may have come by a jump instead.
   [[nodiscard]] i8080::Address caller() const {
-    const auto at = [this](int address) { return machine_.peek(static_cast<i8080::Address>(address)); };
-    const int sp = machine_.registers().sp;
+    const auto at = [this](int address) {
+      return processor_->memory()[static_cast<i8080::Address>(address)];
+    };
+    const int sp = processor_->registers().sp;
     const int from = i8080::joined(at(sp + 1), at(sp)) - 3;
     constexpr i8080::Byte call = 0xCD;
     const bool called = at(from) == call && i8080::joined(at(from + 2), at(from + 1)) == bdos;
@@ -556,7 +591,7 @@ class I8080Run final : public Machine {
     return *picture::encode_png(
         picture::raster_image(raster, palette, 1),
         {{"Software", "sightline " SIGHTLINE_VERSION},
-         {"End of run", fmt::format("T-state {}", core::t_states_of(machine_.now()))}});
+         {"End of run", fmt::format("T-state {}", core::t_states_of(processor_->now()))}});
   }
   // The paper is as large as the drawing needs, from step (0, 0) on.
   [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
@@ -567,16 +602,17 @@ class I8080Run final : public Machine {
     }
     const std::string drawing =
         picture::pen_svg(plotter_.paths(), paper,
-                         fmt::format("8080: plotter at T-state {}", core::t_states_of(machine_.now())));
+                         fmt::format("8080: plotter at T-state {}", core::t_states_of(processor_->now())));
     return {drawing.begin(), drawing.end()};
   }
 
   I8080Setup setup_;
-  Observer observer_;
   PlotterTaker plotter_;
   Devices devices_;
   RunPorts ports_;
-  machines::I8080Machine<RunPorts, Observer> machine_;
+  std::optional<Recorder> recorder_;
+  machines::NoI8080Observer nobody_;
+  std::unique_ptr<Processor> processor_;
   std::bitset<0x100> loaded_below_;
   TextTaker console_;
   std::string kept_console_;
@@ -589,8 +625,7 @@ class I8080Run final : public Machine {
 }  // namespace
 
 std::unique_ptr<Machine> make_i8080(I8080Setup setup) {
-  if (setup.observed) return std::make_unique<I8080Run<Recorder>>(std::move(setup));
-  return std::make_unique<I8080Run<NoRecorder>>(std::move(setup));
+  return std::make_unique<I8080Run>(std::move(setup));
 }
 
 }  // namespace sightline::guests::run

@@ -1,12 +1,13 @@
 // See pdp7.hpp.
 #include "host/guests/run/pdp7.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
 #include <span>
 
+#include "host/base/text.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -31,13 +32,14 @@ class Tracer {
   static constexpr bool cycles = false;
   static constexpr bool stops = false;
 
-  void instruction(const machines::InstructionRecord& record) {
-    fmt::format_to(std::back_inserter(line_), "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
+  // Out of line: it is called from where every instruction ends.
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    text_.write([&](std::string& text) {
+      base::append(text, "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
                    core::nanoseconds_of(record.time), record.pc, record.word.value(),
                    instruction_text(record), record.after.ac.value(), record.after.link ? 1 : 0,
                    record.after.mq.value());
-    text_.write([this](std::string& text) { text.append(line_.data(), line_.size()); });
-    line_.clear();
+    });
   }
   void take(TextTaker taker) { text_.take(std::move(taker)); }
   void finish() { text_.finish(); }
@@ -56,7 +58,6 @@ class Tracer {
     return known.text;
   }
 
-  fmt::memory_buffer line_;
   TextBlocks text_;
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
 };

@@ -3,7 +3,7 @@
 //   runs      a row a case and method: what was found, or the tests that check what is inside an algorithm
 //   families  cases with a parameter: the first value at which each build fails, and what was found at each
 //   tried inputs    the files
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/report/experiments/experiments.hpp"
+#include "host/base/text.hpp"
 #include "host/report/hard_cases/first_failures.hpp"
 #include "host/report/hard_cases/manifest.hpp"
 #include "host/report/hard_cases/runner.hpp"
@@ -48,7 +49,7 @@ std::string options_of(const HardCase& hard) {
   if (hard.options.faces.one_silhouette) options.emplace_back("one silhouette");
   if (!hard.options.faces.order_cells) options.emplace_back("distance alone");
   if (hard.options.scale != 512) options.push_back(fmt::format("S = {}", hard.options.scale));
-  return fmt::format("{}", fmt::join(options, ", "));
+  return base::joined(options, ", ");
 }
 
 void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
@@ -74,7 +75,7 @@ void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
       add(method, finding.good ? Value(Verdict{*finding.good, finding.text}) : Value(finding.text));
     }
   }
-  if (!hard.tests.empty()) add("tests", fmt::format("{}", fmt::join(hard.tests, ", ")));
+  if (!hard.tests.empty()) add("tests", base::joined(hard.tests, ", "));
 }
 
 // "2: 1, 4: 2"
@@ -83,7 +84,7 @@ std::string tried_text(const SearchResult& search) {
   for (const auto& [value, trial] : search.tried)
     if (trial.measure)
       parts.push_back(fmt::format("{:g}: {:.3g}", trial.shown.value_or(value), *trial.measure));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return base::joined(parts, ", ");
 }
 
 void add_family(RowSet& families, const Family& family) {

@@ -1,6 +1,6 @@
 #include "host/report/hard_cases/manifest.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/base/json_reader.hpp"
+#include "host/base/text.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::report {
@@ -30,7 +31,7 @@ class Members {
       const bool known =
           std::any_of(known_.begin(), known_.end(), [&](const char* name) { return member.key == name; });
       if (!known)
-        reader_.fail(place_, fmt::format("found \"{}\", expected {}", member.key, fmt::join(known_, ", ")));
+        reader_.fail(place_, fmt::format("found \"{}\", expected {}", member.key, base::joined(known_, ", ")));
     }
   }
   Members(const Members&) = delete;
@@ -100,7 +101,7 @@ class Members {
     const auto& names = *choice.second;
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end() && !reader_.failed())
-      reader_.expected(fmt::format("one of {}", fmt::join(names, ", ")), json, place);
+      reader_.expected(fmt::format("one of {}", base::joined(names, ", ")), json, place);
     *choice.first = static_cast<Choice>(found - names.begin());
   }
   void read(const Json& json, const std::string& place, scene::PolyCamera& camera) {
@@ -287,17 +288,17 @@ std::string checked(const HardCase& hard) {
   }
   if (!expect.seen.empty()) parts.push_back(counted(expect.seen.size(), "lines seen whole"));
   if (!expect.hidden.empty()) parts.push_back(counted(expect.hidden.size(), "lines hidden whole"));
-  if (!expect.areas.empty()) parts.push_back(fmt::format("seen areas {}", fmt::join(expect.areas, ", ")));
-  if (expect.through) parts.push_back(fmt::format("bodies {} named", fmt::join(*expect.through, " and ")));
+  if (!expect.areas.empty()) parts.push_back(fmt::format("seen areas {}", base::joined(expect.areas, ", ")));
+  if (expect.through) parts.push_back(fmt::format("bodies {} named", base::joined(*expect.through, " and ")));
   if (expect.dots) parts.push_back(counted(*expect.dots, "dots"));
   if (const auto& lit = expect.lit) {
-    if (lit->slices) parts.push_back(fmt::format("slices {} lit", fmt::join(*lit->slices, " to ")));
-    if (lit->points) parts.push_back(fmt::format("lines across {} lit", fmt::join(*lit->points, " to ")));
-    if (lit->columns) parts.push_back(fmt::format("in columns {}", fmt::join(*lit->columns, " to ")));
+    if (lit->slices) parts.push_back(fmt::format("slices {} lit", base::joined(*lit->slices, " to ")));
+    if (lit->points) parts.push_back(fmt::format("lines across {} lit", base::joined(*lit->points, " to ")));
+    if (lit->columns) parts.push_back(fmt::format("in columns {}", base::joined(*lit->columns, " to ")));
     if (lit->alone) parts.emplace_back("no other dot");
     if (lit->row) parts.push_back(fmt::format("dots in row {}", *lit->row));
   }
-  return fmt::format("{}", fmt::join(parts, "; "));
+  return base::joined(parts, "; ");
 }
 
 std::string_view hard_case_text(std::string_view file) {

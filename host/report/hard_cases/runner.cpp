@@ -1,6 +1,6 @@
 #include "host/report/hard_cases/runner.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/base/text.hpp"
 #include "host/compare/lines.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
@@ -219,7 +220,7 @@ class AreasByBody {
   void compare(const Expectation& expect, Complaints& complaints) {
     if (expect.areas.empty()) return;
     for (double& area : areas_) area = std::round(area * 1e6) / 1e6;
-    if (areas_ != expect.areas) complaints.add(fmt::format("seen areas {}", fmt::join(areas_, ", ")));
+    if (areas_ != expect.areas) complaints.add(fmt::format("seen areas {}", base::joined(areas_, ", ")));
   }
 
  private:
@@ -534,7 +535,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
     found.push_back(fmt::format("{} {}", name, count.value));
   }
   if (!prepared.not_solved.empty()) found.push_back("left over, named: " + prepared.not_solved.front());
-  if (!pictures_) return complaints.finding(fmt::format("{}", fmt::join(found, ", ")));
+  if (!pictures_) return complaints.finding(base::joined(found, ", "));
   auto cameras = report::cameras_around(scene, scene.camera.eye[1]);
   const auto no_eye = scene::eye_error(scene, scene.camera);
   if (no_eye.has_value() != expect.eye_refused)
@@ -556,7 +557,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
                               errors.points, truth.cameras().size(), errors.wrong_on_edges));
   if (errors.wrong_inside != 0 && !expect.left_over) complaints.add("points wrong");
   const Finding finding = complaints.finding();
-  return {finding.good, fmt::format("{}: {}", finding.text, fmt::join(found, ", "))};
+  return {finding.good, fmt::format("{}: {}", finding.text, base::joined(found, ", "))};
 }
 
 // With corners on lines between stripes every pixel must be right; elsewhere those not on an edge.

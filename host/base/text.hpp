@@ -1,0 +1,32 @@
+// Texts put together piece by piece. fmt's own format_to and join do the same, but each source that calls
+// them compiles all of fmt's formatting again (g++ 12: five seconds); here it is compiled once.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+#include <string_view>
+
+namespace sightline::base {
+
+void append_formatted(std::string& text, fmt::string_view format, fmt::format_args arguments);
+
+// Writes at the end of `text` what fmt::format would return.
+template <class... Arguments>
+void append(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  append_formatted(text, format, fmt::make_format_args(arguments...));
+}
+
+// The texts or numbers of a range, with `separator` between them.
+template <class Range>
+[[nodiscard]] std::string joined(const Range& range, std::string_view separator) {
+  std::string text;
+  bool first = true;
+  for (const auto& each : range) {
+    append(text, "{}{}", first ? std::string_view() : separator, each);
+    first = false;
+  }
+  return text;
+}
+
+}  // namespace sightline::base
