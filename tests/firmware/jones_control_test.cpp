@@ -11,6 +11,7 @@
 #include "tests/firmware/jones_core.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_scenes.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::guests::jones {
 namespace {
@@ -80,11 +81,13 @@ TEST_F(JonesSwitches, OppositesCancel) {
 }
 
 TEST_F(JonesSwitches, ScaleStaysInItsRange) {
+  NEEDS_OPTIMISED_CODE();
   EXPECT_EQ(after(bigger, 10.0).scale, 4096);
   EXPECT_EQ(after(smaller, 2.0).scale, 64);
 }
 
 TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
+  NEEDS_OPTIMISED_CODE();
   const geometry::Box& box = program.scene.view.limits;
   EXPECT_EQ(after(left, 5.0).eye.x, box.low[0]);
   EXPECT_EQ(after(right, 5.0).eye.x, box.high[0]);

@@ -19,6 +19,7 @@
 #include "tests/host/guests/jones/drawing.hpp"
 #include "tests/support/approve_png.hpp"
 #include "tests/support/dice.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::guests::jones {
 namespace {
@@ -40,6 +41,7 @@ TEST_P(JonesPictures, AreTheApprovedOnes) {
 }
 
 TEST_P(JonesPictures, AreTheSameWithoutTheEae) {
+  NEEDS_OPTIMISED_CODE();
   GuestOptions options;
   const GuestRun with = run_guest(assembled(GetParam(), true), options);
   options.eae = false;

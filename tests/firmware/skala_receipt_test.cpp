@@ -10,6 +10,7 @@
 
 #include "tests/firmware/skala_machine.hpp"
 #include "tests/firmware/skala_reference.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::skala_test {
 namespace {
@@ -52,6 +53,7 @@ TEST(SkalaReceipt, WaitsForMore) {
 }
 
 TEST(SkalaReceipt, APictureMayBeLargerThanTheBuffer) {
+  NEEDS_OPTIMISED_CODE();
   Bytes commands{10, 0};
   for (int i = 0; i < 40'000; ++i) {
     const auto x = static_cast<std::uint8_t>(i % 256);

@@ -64,6 +64,7 @@ TEST(SkalaLines, AreHiddenBetweenTheMasks) {
 }
 
 TEST(SkalaLines, InAllDirections) {
+  NEEDS_OPTIMISED_CODE();
   std::vector<std::pair<int, int>> deltas;
   constexpr int step = tests::effort(1, 4);
   for (int dx = -13; dx <= 13; dx += step)
@@ -161,6 +162,7 @@ TEST(SkalaStreams, OnTheEf9365) {
 }
 
 TEST(SkalaStreams, WithSilhouettes) {
+  NEEDS_OPTIMISED_CODE();
   for (std::uint32_t seed = 0; seed < tests::effort(200U, 10U); ++seed) {
     compare({0, true, true, seed % 4 == 0}, 1000 + seed);
     if (HasFatalFailure()) return;

@@ -16,3 +16,9 @@ template <class Value>
 }
 
 }  // namespace sightline::tests
+
+// The first line of a test that runs whole machines or programs for long, of which shorter tests run every part:
+// under checks it would take minutes and find nothing more.
+#define NEEDS_OPTIMISED_CODE()                \
+  if constexpr (!sightline::tests::optimised) \
+  GTEST_SKIP() << "runs only where code is optimised"

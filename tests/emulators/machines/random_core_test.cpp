@@ -5,6 +5,7 @@
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline {
 namespace {
@@ -39,6 +40,7 @@ machines::Pdp7Options machine_of(std::uint64_t seed) {
 // Runs go on after a halt; every instruction takes at least a cycle, and at most the longest EAE step count
 // plus what the display and the clock steal at one boundary.
 TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
+  NEEDS_OPTIMISED_CODE();
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     pdp7::State ends[2];

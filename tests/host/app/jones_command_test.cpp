@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
+#include "tests/support/effort.hpp"
 
 namespace {
 
@@ -66,6 +67,7 @@ TEST_F(JonesCommand, JsonFields) {
 }
 
 TEST_F(JonesCommand, TheSameBytesEveryTime) {
+  NEEDS_OPTIMISED_CODE();
   const Ran first = sightline({"jones", "house", "--json", "-o", "out"});
   const std::string picture = read("out/house-phosphor.png");
   EXPECT_EQ(sightline({"jones", "house", "--json", "-o", "out"}).out, first.out);
@@ -73,6 +75,7 @@ TEST_F(JonesCommand, TheSameBytesEveryTime) {
 }
 
 TEST_F(JonesCommand, WithoutTheEaeTheSamePictureTakesLonger) {
+  NEEDS_OPTIMISED_CODE();
   const json with = report({"house", "--eae", "-o", "with"});
   const json without = report({"house", "--no-eae", "-o", "without"});
   EXPECT_EQ(without.at("eae"), false);
@@ -100,6 +103,7 @@ TEST_F(JonesCommand, AnotherPlaceScaleAndMode) {
 }
 
 TEST_F(JonesCommand, ASwitchScriptMovesTheEye) {
+  NEEDS_OPTIMISED_CODE();
   write("right.txt", "0 200000\n");
   const json still = report({"corridor8", "--views", "6"});
   const json moved = report({"corridor8", "--views", "6", "--switches", "right.txt"});

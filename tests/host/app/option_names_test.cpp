@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
+#include "tests/support/effort.hpp"
 
 namespace {
 
@@ -29,6 +30,7 @@ class OptionNames : public sightline::test::CommandLine {
 };
 
 TEST_F(OptionNames, TheEye) {
+  NEEDS_OPTIMISED_CODE();
   const std::string eye = "110,50,40";
   expect_same({"jones", "house", "--json", "--at", eye}, {"jones", "house", "--json", "--eye", eye});
   expect_same({"scene", "tape", "house", "--at", eye}, {"scene", "tape", "house", "--eye", eye});
@@ -63,6 +65,7 @@ TEST_F(OptionNames, GeneratedScenesAreScenesEverywhere) {
 }
 
 TEST_F(OptionNames, WithAndWithoutTheEae) {
+  NEEDS_OPTIMISED_CODE();
   for (const Arguments& command :
        {Arguments{"jones", "house", "--json"},
         Arguments{"sweep", "roberts", "--views", "1", "--guest", "--algorithm", "exact"}}) {

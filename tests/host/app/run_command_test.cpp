@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/host/app/run_fixture.hpp"
+#include "tests/support/effort.hpp"
 
 namespace {
 
@@ -240,6 +241,7 @@ TEST_F(RunCommand, WrongUsage) {
 }
 
 TEST_F(RunCommand, SameBytesEveryTime) {
+  NEEDS_OPTIMISED_CODE();
   write("picture.oct", picture);
   std::vector<std::string> first;
   for (int turn = 0; turn < 2; ++turn) {

@@ -14,6 +14,7 @@
 
 #include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
+#include "tests/support/effort.hpp"
 
 namespace {
 
@@ -120,6 +121,7 @@ TEST_F(RunI8080Command, AProgramMayComeThroughAPipe) {
 }
 
 TEST_F(RunI8080Command, TheReportsConsoleHasABound) {
+  NEEDS_OPTIMISED_CODE();
   // LXI H,280; MVI C,9; LXI D,0118; CALL 5; DCX H; MOV A,H; ORA L; JNZ 0103; HLT; 65000 characters.
   std::string program("\x21\x18\x01\x0E\x09\x11\x18\x01\xCD\x05\x00\x2B\x7C\xB5\xC2\x03\x01\x76"sv);
   program.resize(0x18);

@@ -33,11 +33,11 @@ TEST_F(SceneDecomposeCommand, CountsAndFileAgree) {
 }
 
 TEST_F(SceneDecomposeCommand, CellsAreDrawnWithoutTheScene) {
-  ASSERT_EQ(sightline({"scene", "decompose", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
+  ASSERT_EQ(sightline({"scene", "decompose", "boxes-2", "-o", "b.cells.json"}).exit_code, 0);
   for (const char* algorithm : {"jones", "exact"}) {
     const Ran from_cells = sightline({"draw", algorithm, "b.cells.json", "-o", "cells.plt"});
     ASSERT_EQ(from_cells.exit_code, 0) << from_cells.err;
-    ASSERT_EQ(sightline({"draw", algorithm, "boxes-5", "-o", "scene.plt"}).exit_code, 0);
+    ASSERT_EQ(sightline({"draw", algorithm, "boxes-2", "-o", "scene.plt"}).exit_code, 0);
     EXPECT_EQ(read("cells.plt"), read("scene.plt")) << algorithm;
   }
   json cells = json::parse(read("b.cells.json"));

@@ -9,6 +9,7 @@
 #include "host/scene/check/problems.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/support/dice.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::guests::jones {
 namespace {
@@ -30,6 +31,7 @@ class JonesSession : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(JonesSession, AnotherEyeIsAnotherAssembly) {
+  if (scene_.name != "house") NEEDS_OPTIMISED_CODE();
   ProgramOptions options;
   const auto session = Session::of(scene_, options);
   ASSERT_TRUE(session);

@@ -12,6 +12,7 @@
 
 #include "host/picture/pen_drawing.hpp"
 #include "tests/host/guests/run/machine_run.hpp"
+#include "tests/support/effort.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/image/intel_hex.hpp"
 
@@ -159,6 +160,7 @@ TEST(RunI8080, Limits) {
 }
 
 TEST(RunI8080, BeingAskedInBetweenChangesNothing) {
+  NEEDS_OPTIMISED_CODE();
   // 22 x 65536 x (5 + 5 + 4 + 10), more than one slice
   const MachineRun counting = run_of(
       "  MVI B,22\nOUTER: LXI D,0\nINNER: DCX D\n  MOV A,D\n  ORA E\n  JNZ INNER\n  DCR B\n  JNZ OUTER\n  "

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/host/guests/run/machine_run.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::test {
 namespace {
@@ -55,6 +56,7 @@ MachineRun busy_run(unsigned interrupts = 0777766) {
 }
 
 TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
+  NEEDS_OPTIMISED_CODE();
   const Left alone = busy_run().set("--max-instructions", "20000000").go();
   EXPECT_EQ(alone.stop.name, "halt");
   EXPECT_EQ(alone.machine->word(0201), 0U);

@@ -11,6 +11,7 @@
 #include "host/guests/skala/stream_chain.hpp"
 #include "host/guests/skala/twin/twin.hpp"
 #include "tests/host/guests/skala/stream_support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::guests::skala {
 namespace {
@@ -166,7 +167,7 @@ TEST(SkalaChain, CutsAtTheBorder) {
 
 std::vector<View> views() {
   std::vector<View> result;
-  for (int turn = 0; turn < 24; ++turn) {
+  for (int turn = 0; turn < 24; turn += tests::effort(1, 5)) {
     for (const double elevation : {-25.0, 0.0, 35.0}) {
       View view{.rotation = 15.0 * turn, .elevation = elevation};
       for (const Family family : {Family::along_x, Family::along_z, Family::both}) {

@@ -8,6 +8,7 @@
 
 #include "tests/host/guests/skala/chain_stream.hpp"
 #include "tests/host/guests/skala/family.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::guests::skala {
 namespace {
@@ -143,6 +144,7 @@ std::vector<Chain> drawable(const std::vector<Chain>& chains) {
 }
 
 TEST(SkalaTwinPlotter, ThePathIsPossibleAndCoversThePicture) {
+  NEEDS_OPTIMISED_CODE();
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const int kind = static_cast<int>(seed) % SliceFamily::kinds;

@@ -38,7 +38,7 @@ TEST(SkalaTwinViews, SmallFlatAndSpikedGrids) {
     for (const scene::GridSize size :
          {scene::GridSize{2, 2}, {1, 9}, {9, 1}, {1, 1}, {2, 40}, {40, 2}, {13, 12}}) {
       const auto grid = grid_of(function, size);
-      for (int rotation = 0; rotation < 360; rotation += 60) {
+      for (int rotation = 0; rotation < 360; rotation += tests::effort(60, 150)) {
         SCOPED_TRACE(testing::Message()
                      << function << " " << size.points << " x " << size.slices << " A " << rotation);
         View view;
