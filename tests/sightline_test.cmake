@@ -1,4 +1,4 @@
-# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [OPTIMISED] [RUNS program])
+# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [OPTIMISED] [RUNS program] [APART d.cpp ...])
 #   One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
 #   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
@@ -6,6 +6,8 @@
 #   SIGHTLINE_COMMAND    is, for tests that RUN a program, the path of that program
 #   RELEASE_ONLY: tests that need optimised code to end in a few seconds; they are not built with sanitizers.
 #   AS_ONE: the program runs once for all its tests, because they share what takes long to prepare.
+#   APART: of those sources, the ones that are not compiled together with others where that is asked for, because they name
+#   a helper as another file does.
 #   OPTIMISED: the fast tests, too, contain what works for long: a machine is compiled into the tests that run it.
 # What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
@@ -14,7 +16,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2"
 endif()
 
 function(sightline_tests)
-  cmake_parse_arguments(ARG "AS_ONE;OPTIMISED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "AS_ONE;OPTIMISED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES;APART" ${ARGN})
+  set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(ARG_FAST)
     sightline_test_program(${ARG_NAME}_test fast "${ARG_FAST}")
   endif()
