@@ -100,21 +100,28 @@ Section section_of(const PartLayout& part, const Layout& layout, const Results& 
   return section;
 }
 
-Report report_of(std::span<const int> numbers, const Context& context) {
-  const Layout layout = read_layout(layout_files());
+std::vector<const PartLayout*> parts_of(const Layout& layout, std::span<const int> numbers) {
   std::vector<const PartLayout*> parts;
-  std::set<std::string> names;
   for (const PartLayout& part : layout.parts) {
-    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), part.number) == numbers.end()) continue;
-    parts.push_back(&part);
-    for (const std::string& chapter : part.chapters)
+    if (numbers.empty() || std::find(numbers.begin(), numbers.end(), part.number) != numbers.end()) parts.push_back(&part);
+  }
+  return parts;
+}
+
+std::set<std::string> experiments_of(const Layout& layout, std::span<const int> numbers) {
+  std::set<std::string> names;
+  for (const PartLayout* const part : parts_of(layout, numbers))
+    for (const std::string& chapter : part->chapters)
       if (const auto found = layout.chapters.find(chapter); found != layout.chapters.end())
         for (const std::string& name : found->second.experiments()) names.insert(name);
-  }
-  const Results results = names.empty() ? Results() : run_all(names, context);
+  return names;
+}
+
+Report written(const Layout& layout, std::span<const int> numbers, const Results& results, const Context& context) {
   Report report{layout.title, {}, layout.introduction, {}};
   if (!context.host_times) report.introduction.push_back(layout.without_host_times);
-  for (const PartLayout* const part : parts) report.sections.push_back(section_of(*part, layout, results, context));
+  for (const PartLayout* const part : parts_of(layout, numbers))
+    report.sections.push_back(section_of(*part, layout, results, context));
   return report;
 }
 
@@ -129,7 +136,15 @@ Outcome<std::vector<Part>> all_parts() {
 }
 
 Outcome<Report> make_report(std::span<const int> parts, const Context& context) {
-  return caught([&] { return report_of(parts, context); });
+  return caught([&] {
+    const Layout layout = read_layout(layout_files());
+    const std::set<std::string> names = experiments_of(layout, parts);
+    return written(layout, parts, names.empty() ? Results() : run_all(names, context), context);
+  });
+}
+
+Outcome<Report> report_of(std::span<const int> parts, const Results& results, const Context& context) {
+  return caught([&] { return written(read_layout(layout_files()), parts, results, context); });
 }
 
 Outcome<Results> run_experiments(std::vector<std::string> names, const Context& context) {

@@ -23,6 +23,9 @@ struct Part {
 // Those that take times of this computer run alone, the others on all processors. An error of any ends it.
 [[nodiscard]] Outcome<Report> make_report(std::span<const int> parts, const Context& context);
 
+// The same of records that are there: at least those that the parts take.
+[[nodiscard]] Outcome<Report> report_of(std::span<const int> parts, const Results& results, const Context& context);
+
 // The records of the experiments named, or of all.
 [[nodiscard]] Outcome<Results> run_experiments(std::vector<std::string> names, const Context& context);
 

@@ -248,7 +248,7 @@ TEST(ReportPapers, HaveEveryNumber) {
 }
 
 TEST(ReportRun, StatesNothingThatDoesNotHold) {
-  const auto report = make_report({}, quiet());
+  const auto report = report_of({}, results(), quiet());
   ASSERT_TRUE(report) << report.error().message;
   const std::string page = html_page(*report);
   EXPECT_EQ(page.find("Not in this run"), std::string::npos) << page.substr(page.find("Not in this run"), 300);
@@ -256,12 +256,12 @@ TEST(ReportRun, StatesNothingThatDoesNotHold) {
   EXPECT_LT(page.size(), 4'000'000U);
 }
 
-// On one processor and on all.
+// With other experiments on all processors, and by themselves on one.
 TEST(ReportRun, IsTheSameTwice) {
   constexpr std::array parts{4, 5};
   Context one = quiet();
   one.jobs = 1;
-  const auto first = make_report(parts, quiet());
+  const auto first = report_of(parts, results(), quiet());
   const auto second = make_report(parts, one);
   ASSERT_TRUE(first) << first.error().message;
   ASSERT_TRUE(second) << second.error().message;
