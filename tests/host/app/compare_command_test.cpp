@@ -38,6 +38,7 @@ TEST_F(CompareCommand, ComparesASceneOfCells) {
 }
 
 TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
+  NEEDS_OPTIMISED_CODE();
   const Arguments arguments{"compare", "sinc", "bricks-10", "--json"};
   const auto ran = sightline(arguments);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;

@@ -85,6 +85,7 @@ TEST_F(JonesCommand, WithoutTheEaeTheSamePictureTakesLonger) {
 }
 
 TEST_F(JonesCommand, AnotherPlaceScaleAndMode) {
+  NEEDS_OPTIMISED_CODE();
   const json scene = scene_of("corridor8");
   const json& box = scene.at("cells").at(1);
   const json& low = box.contains("box") ? box.at("box").at(0) : box.at(0);
