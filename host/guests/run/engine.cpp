@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 
@@ -70,6 +71,13 @@ Result<Done> set_register(const MachineDescription& description, Machine& machin
   return Done{};
 }
 
+// What assemblers read; no format of a program ends like this.
+bool named_as_source(std::string_view path) {
+  constexpr std::array<std::string_view, 4> endings{".s", ".asm", ".mac", ".pal"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [path](std::string_view ending) { return path.ends_with(ending); });
+}
+
 // Later files win where two have a word for the same address, and in the start address.
 Result<std::optional<std::uint32_t>> load(const MachineDescription& description, const Arguments& arguments,
                                           const FileReader& read, Machine& machine) {
@@ -78,6 +86,11 @@ Result<std::optional<std::uint32_t>> load(const MachineDescription& description,
     const auto file = file_argument(description, "--load", text);
     if (!file) return file.error();
     const Input input = read(file->path);
+    if (named_as_source(file->path)) {
+      return bad_input(fmt::format("{}: found a source file, expected an assembled program; assemble it with: "
+                                   "sightline asm {} {} -o PROGRAM",
+                                   input.name, description.name, file->path));
+    }
     const auto program = read_program(description, *file, input, {}, &arguments);
     if (!program) return program.error();
     const auto outside = [&](std::string_view what, std::uint32_t address) {
@@ -143,7 +156,7 @@ Result<Limits> limits_of(const MachineDescription& description, const Arguments&
 
 Result<Done> check_needs(const MachineDescription& description, const Arguments& arguments) {
   if (arguments.list("--load").empty()) {
-    return usage(fmt::format("run {}: needs --load FILE: without a program there is nothing to run",
+    return usage(fmt::format("run {}: needs a PROGRAM or --load FILE: without a program there is nothing to run",
                              description.name));
   }
   for (const Option& option : description.options) {

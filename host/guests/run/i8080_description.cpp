@@ -237,7 +237,7 @@ using enum OptionKind;
 
 std::vector<Option> run_options() {
   std::vector<Option> options{
-      {files, "--load", "FILE[@ADDRESS]", "Programs and data, in order; @ADDRESS in hexadecimal"},
+      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Programs and data, in order; @ADDRESS in hexadecimal"},
       {text, "--start", "ADDRESS", "Begin at this address"},
       {flag, "--cpm", {}, "Run a CP/M .COM program"},
       {.name = "--clock", .argument = "HZ", .help = "The processor's clock", .initial = "3000000"},

@@ -265,7 +265,7 @@ using enum OptionKind;
 
 std::vector<Option> run_options() {
   return {
-      {files, "--load", "FILE[@ADDRESS]", "Tapes and core images, in order; @ADDRESS in octal"},
+      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Tapes and core images, in order; @ADDRESS in octal"},
       {text, "--start", "ADDRESS", "Press START at this address"},
       {.name = "--memory",
        .argument = "SIZE",

@@ -121,8 +121,8 @@ TEST_F(OptionNames, TheSamePictureBySlicesOfAName) {
 }
 
 TEST_F(OptionNames, ARunNeedsAProgram) {
-  expect_usage_error({"run", "pdp7"}, "run pdp7: needs --load FILE");
-  expect_usage_error({"run", "i8080"}, "run i8080: needs --load FILE");
+  expect_usage_error({"run", "pdp7"}, "run pdp7: needs a PROGRAM or --load FILE");
+  expect_usage_error({"run", "i8080"}, "run i8080: needs a PROGRAM or --load FILE");
 }
 
 TEST_F(OptionNames, AViewThatIsNoMomentOfATurnIsNamed) {

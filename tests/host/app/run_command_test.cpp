@@ -215,6 +215,23 @@ TEST_F(RunCommand, OutputsThatCannotBeWrittenAreKnownBeforeTheRun) {
   EXPECT_EQ(files(), std::vector<std::string>{"forever.oct"});
 }
 
+TEST_F(RunCommand, AProgramNeedsNoOption) {
+  write("add.oct", add);
+  const Ran named = run({"--load", "add.oct", "--start", "100", "--json"});
+  const Ran ran = run({"add.oct", "--start", "100", "--json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, named.out);
+}
+
+TEST_F(RunCommand, ASourceIsRefusedWithTheCommandThatAssemblesIt) {
+  write("add.s", "100/\n hlt\n start 100\n");
+  const Ran ran = run({"add.s"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_TRUE(has(ran.err, "add.s: found a source file, expected an assembled program; assemble it with: "
+                           "sightline asm pdp7 add.s -o PROGRAM"))
+      << ran.err;
+}
+
 TEST_F(RunCommand, WrongUsage) {
   write("add.oct", add);
   for (const Arguments& wrong : std::vector<Arguments>{{"--load"},

@@ -183,7 +183,7 @@ TEST(ToyMachine, DevicesTakeAndGiveFiles) {
 
 TEST(ToyMachine, WhatIsWrongIsRefused) {
   EXPECT_EQ(MachineRun(toy()).refusal(),
-            "run toy: needs --load FILE: without a program there is nothing to run");
+            "run toy: needs a PROGRAM or --load FILE: without a program there is nothing to run");
   EXPECT_EQ(run_of("0=0").set("--device-out", "out").refusal(), "--device-out: needs --device");
   EXPECT_EQ(run_of("0=0").set_file("--device", "tape", "").refusal(), "tape: found nothing, expected bytes");
   EXPECT_EQ(run_of("0=0 10=1").refusal(),
