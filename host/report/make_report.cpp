@@ -89,17 +89,6 @@ Figure drawn(const Plot& plot) {
   return *std::move(figure);
 }
 
-Section section_of(const PartLayout& part, const Layout& layout, const Results& results, const Context& context) {
-  Section section{part.id, part.title, {}};
-  for (const std::string& text : part.introduction) section.blocks.emplace_back(Paragraph{text});
-  for (const std::string& chapter : part.chapters) {
-    auto blocks = render(layout.chapters.at(chapter), layout, results, {context.host_times, drawn});
-    section.blocks.insert(section.blocks.end(), std::make_move_iterator(blocks.begin()),
-                          std::make_move_iterator(blocks.end()));
-  }
-  return section;
-}
-
 std::vector<const PartLayout*> parts_of(const Layout& layout, std::span<const int> numbers) {
   std::vector<const PartLayout*> parts;
   for (const PartLayout& part : layout.parts) {
@@ -120,8 +109,29 @@ std::set<std::string> experiments_of(const Layout& layout, std::span<const int> 
 Report written(const Layout& layout, std::span<const int> numbers, const Results& results, const Context& context) {
   Report report{layout.title, {}, layout.introduction, {}};
   if (!context.host_times) report.introduction.push_back(layout.without_host_times);
-  for (const PartLayout* const part : parts_of(layout, numbers))
-    report.sections.push_back(section_of(*part, layout, results, context));
+  struct Place {
+    std::size_t section;
+    const std::string* chapter;
+  };
+  std::vector<Place> chapters;
+  for (const PartLayout* const part : parts_of(layout, numbers)) {
+    Section& section = report.sections.emplace_back(Section{part->id, part->title, {}});
+    for (const std::string& text : part->introduction) section.blocks.emplace_back(Paragraph{text});
+    for (const std::string& name : part->chapters) chapters.push_back({report.sections.size() - 1, &name});
+  }
+  // Plots are drawn by another program, which takes most of the time.
+  base::OrderedWork<std::vector<Block>> work;
+  work.last = chapters.size();
+  work.jobs = context.jobs;
+  work.make = [&](std::uint64_t i) {
+    return render(layout.chapters.at(*chapters[i].chapter), layout, results, {context.host_times, drawn});
+  };
+  work.take = [&](std::uint64_t i, std::vector<Block> blocks) {
+    std::vector<Block>& all = report.sections[chapters[i].section].blocks;
+    all.insert(all.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
+  };
+  work.go_on = [] { return true; };
+  base::run_in_order(work);
   return report;
 }
 

@@ -236,7 +236,7 @@ Records jones_numbers(const Context& context) {
     context.progress(fmt::format("{} in C++ in every arithmetic", six.scene));
     const auto numbers = std::make_shared<Numbers>(six, records["numbers"]);
     if (!context.host_times) continue;
-    context.alone([numbers, rounds = context.full ? 61 : 15](Records& made) { numbers->take_times(made["numbers"], rounds); });
+    context.alone([numbers, rounds = context.full ? 61 : 9](Records& made) { numbers->take_times(made["numbers"], rounds); });
   }
   return records;
 }

@@ -33,7 +33,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t eyes_a_side = 16;
 constexpr int repetitions = 5;
-constexpr int rounds = 201;
+constexpr int rounds = 101;
 constexpr int views_a_round = 20;
 
 double seconds_since(Clock::time_point begun) {

@@ -247,7 +247,7 @@ Records skala_accuracy(const Context& context) {
   for (const char* const function : functions) add_boards(records["boards"], session, function);
   records["points"] = study->points();
   if (context.host_times)
-    context.alone([study, progress = context.progress, rounds = context.full ? 31 : 9](Records& made) {
+    context.alone([study, progress = context.progress, rounds = context.full ? 31 : 5](Records& made) {
       progress("Skala in C++, timed");
       study->take_times(made["points"], rounds);
     });

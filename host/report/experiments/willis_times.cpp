@@ -130,7 +130,7 @@ Records willis_times(const Context& context) {
   }
   if (!context.host_times) return records;
   context.progress("Willis, timed");
-  time_frames(records["frames"], flights, context.full ? 31 : 9);
+  time_frames(records["frames"], flights, context.full ? 31 : 5);
   time_models(records["models"], context.full ? 9 : 3);
   return records;
 }
