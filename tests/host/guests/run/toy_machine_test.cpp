@@ -210,7 +210,7 @@ TEST(Machines, EveryOneHasWhatTheCommandsAskFor) {
     const run::Arguments arguments(machine->options);
     EXPECT_FALSE(arguments.given("--load")) << machine->name;
     for (const run::Option& option : machine->options) {
-      EXPECT_TRUE(option.name.starts_with("--")) << option.name;
+      EXPECT_TRUE(option.key().starts_with("--")) << option.name;
       EXPECT_FALSE(option.help.empty()) << option.name;
     }
     for (const char* const read_by_the_engine :
