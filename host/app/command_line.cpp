@@ -1,6 +1,8 @@
 // See command_line.hpp.
 #include "host/app/command_line.hpp"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -10,10 +12,14 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "host/app/help_formatter.hpp"
+#include "host/base/nearest_name.hpp"
+#include "host/base/number.hpp"
+#include "host/base/text.hpp"
 
 namespace sightline::app {
 
@@ -53,15 +59,57 @@ void print_help(const CLI::App& app) {
   write_stdout(path.back()->help(parents));
 }
 
-// The library only says that a subcommand is required.
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+// "-3" and "-1,2,3" are values that the parser took for options.
+bool is_option(const std::string& argument) {
+  return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9');
+}
+
+std::string unknown_option(const CLI::App& command, const std::string& argument) {
+  const std::string written = argument.substr(0, argument.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    if (!option->get_description().empty())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return base::Error{.found = "unknown option " + written, .remedy = base::did_you_mean(written, names)}.message();
+}
+
+std::string unknown_command(const CLI::App& command, const std::string& argument) {
+  const std::vector<std::string> names = names_of(choices(command));
+  base::Error error{.found = "unknown command " + argument, .remedy = base::did_you_mean(argument, names)};
+  if (error.remedy.empty()) error.expected = "one of " + base::joined(names, ", ");
+  return error.message();
+}
+
+// What is wrong with a command line, if that is an argument which no command takes: it comes before what the library
+// misses, such as an option that the user has misspelt.
+std::optional<std::string> explain_unknown(const CLI::App& app) {
+  const auto way = way_to_subcommand(app);
+  for (const CLI::App* command : way) {
+    const auto rest = command->remaining();
+    const bool incomplete = command == way.back() && !choices(*command).empty();
+    if (incomplete && !rest.empty() && !is_option(rest.front())) return unknown_command(*command, rest.front());
+    const auto option = std::find_if(rest.begin(), rest.end(), is_option);
+    if (option != rest.end()) return unknown_option(*command, *option);
+  }
+  return std::nullopt;
+}
+
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  if (const auto unknown = explain_unknown(app)) return *unknown;
   const CLI::App& command = *way_to_subcommand(app).back();
-  if (choices(command).empty()) return error.what();
-  std::string names;
-  for (const CLI::App* choice : choices(command)) names += (names.empty() ? "" : ", ") + choice->get_name();
+  // The library only says that a subcommand is required.
+  if (!choices(command).empty())
+    return "found no more arguments, expected one of " + base::joined(names_of(choices(command)), ", ");
   const auto rest = command.remaining();
-  return (rest.empty() ? "found no more arguments" : "found \"" + rest.front() + "\"") +
-         ", expected one of " + names;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty())
+    return "found \"" + rest.front() + "\", expected no more arguments";
+  return error.what();
 }
 
 // An empty value would pass for an option not given: "--at $UNSET" must not draw another picture in silence.
@@ -73,11 +121,33 @@ void refuse_empty_arguments(int argc, char** argv) {
   }
 }
 
+// `help COMMAND...`: what `COMMAND... --help` prints.
+void add_help_command(CLI::App& app) {
+  const HelpPage page = help_page("help");
+  CLI::App* const help = app.add_subcommand("help", page.summary);
+  help->footer(page.text);
+  const auto words = std::make_shared<std::vector<std::string>>();
+  help->add_option("COMMAND", *words, "The command, with its subcommand if it has any");
+  help->callback([&app, words] {
+    CLI::App* command = &app;
+    std::string parents;
+    for (const std::string& word : *words) {
+      const auto below = command->get_subcommands([&word](const CLI::App* choice) { return choice->check_name(word); });
+      if (below.empty()) throw Failure(ExitCode::usage, unknown_command(*command, word));
+      parents += (parents.empty() ? "" : " ") + command->get_name();
+      command = below.front();
+    }
+    const std::string name = parents.empty() ? command->get_name() : parents + " " + command->get_name();
+    write_stdout(command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
+  });
+}
+
 ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
   refuse_empty_arguments(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
+    if (const auto unknown = explain_unknown(app)) throw Failure(ExitCode::usage, *unknown);
     print_help(app);
   } catch (const CLI::CallForVersion& version) {
     write_stdout(std::string(version.what()) + "\n");
@@ -153,7 +223,14 @@ Option Option::one_of_any_case(const std::vector<std::string>& values) const {
 
 template <class Number>
 Option Option::range(Number low, Number high) const {
-  option_->check(CLI::Range(low, high));
+  CLI::Range range(low, high);  // for its description
+  range.operation([low, high](std::string& text) {
+    Number number{};
+    if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return std::string();
+    return fmt::format("found \"{}\", expected {}{} to {}", text, std::is_integral_v<Number> ? "a whole number from " : "",
+                       low, high);
+  });
+  option_->check(range);
   return *this;
 }
 template Option Option::range(int, int) const;
@@ -207,9 +284,28 @@ void Command::also_called(const std::string& name) const {
   app_->alias(name);
 }
 
+namespace {
+
+template <class Value>
+constexpr bool is_whole = std::is_integral_v<Value>;
+template <class Value>
+constexpr bool is_whole<std::optional<Value>> = std::is_integral_v<Value>;
+template <class Value>
+constexpr bool is_whole<std::vector<Value>> = std::is_integral_v<Value>;
+
+// 1e6 for 1000000.
+std::string count_in_digits(std::string text) {
+  const auto count = base::count_number(text);
+  return count ? std::to_string(*count) : text;
+}
+
+}  // namespace
+
 template <class Value>
 Option Command::option(const std::string& names, Value& variable, std::string_view help) const {
-  return Option(app_->add_option(names, variable, std::string(help)));
+  CLI::Option* const option = app_->add_option(names, variable, std::string(help));
+  if constexpr (is_whole<Value>) option->transform(count_in_digits);
+  return Option(option);
 }
 template Option Command::option(const std::string&, std::string&, std::string_view) const;
 template Option Command::option(const std::string&, int&, std::string_view) const;
@@ -248,15 +344,21 @@ bool Command::is_given(const std::string& option) const {
 }
 
 int run_command_line(int argc, char** argv, const HelpPage& help,
-                     const std::function<void(const Command&)>& add_commands) {
+                     const std::function<void(const Command&)>& add_commands, std::string_view greeting) {
   // A file that grows beyond what the shell allows is an error of writing like others, not the end.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
   try {
+    if (argc == 1 && !greeting.empty()) {
+      write_stdout(help_text(greeting));
+      check_stdout();
+      return static_cast<int>(ExitCode::ok);
+    }
     CLI::App app(help.summary, "sightline");
     app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print name and version");
     app.formatter(help_formatter());
     add_commands(Command(app, exit_code));
+    if (!greeting.empty()) add_help_command(app);
     app.footer(help.text);
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);

@@ -105,8 +105,10 @@ class Command {
 };
 
 // Reads the command line, runs the command it names, prints help, version and what the command fails with.
-// `help` is that of the program; `add_commands` adds its commands.
+// `help` is that of the program; `add_commands` adds its commands. `greeting` is printed if there are no arguments, and
+// there is a command `help`; without a greeting both are left out.
 [[nodiscard]] int run_command_line(int argc, char** argv, const HelpPage& help,
-                                   const std::function<void(const Command&)>& add_commands);
+                                   const std::function<void(const Command&)>& add_commands,
+                                   std::string_view greeting = {});
 
 }  // namespace sightline::app

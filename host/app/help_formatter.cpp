@@ -62,15 +62,53 @@ std::string indented_line(std::string_view line) {
   return std::string(line.substr(0, text)) + wrapped(line.substr(text), text, text) + '\n';
 }
 
-std::string laid_out(std::string_view text) {
+// A command to be typed, at two spaces. Broken between words, with the shell's mark, so that it can still be copied.
+// Quoted words are kept whole unless they are longer than a line: only scripts are, and a shell reads the mark in them.
+std::string example_line(std::string line) {
+  struct Break {
+    std::size_t at = std::string::npos;
+    bool quoted = false;
+  };
   std::string result;
+  bool quoted = false;  // what the line begins with
+  while (line.size() > help_width()) {
+    Break outside;
+    Break any;
+    bool now = quoted;
+    for (std::size_t at = line.find_first_not_of(' '); at + 2 <= help_width(); ++at) {
+      if (line[at] == '"' || line[at] == '\'') now = !now;
+      if (line[at] != ' ') continue;
+      any = {at, now};
+      if (!now) outside = any;
+    }
+    const Break& chosen = outside.at != std::string::npos ? outside : any;
+    if (chosen.at == std::string::npos) break;
+    result += line.substr(0, chosen.at) + " \\\n";
+    quoted = chosen.quoted;
+    line = "    " + line.substr(chosen.at + 1);
+  }
+  return result + line + '\n';
+}
+
+}  // namespace
+
+std::string help_text(std::string_view text) {
+  std::string result;
+  bool examples = false;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
-    result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
+    if (!line.starts_with(' ')) examples = line.ends_with("xamples:");
+    if (examples && line.starts_with("  ") && !line.starts_with("   ")) {
+      result += example_line(std::string(line));
+    } else {
+      result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
+    }
   }
   return result;
 }
+
+namespace {
 
 struct ValueHelp {
   std::string name;
@@ -110,7 +148,7 @@ class HelpFormatter : public CLI::Formatter {
     return wrapped(app->get_description(), 0, 0) + '\n';
   }
 
-  std::string make_footer(const CLI::App* app) const override { return laid_out(app->get_footer()); }
+  std::string make_footer(const CLI::App* app) const override { return help_text(app->get_footer()); }
 
   std::string make_subcommand(const CLI::App* command) const override {
     return two_columns(command->get_name(), command->get_description(), get_column_width());
@@ -151,15 +189,16 @@ namespace {
 
 std::size_t terminal_width() {
   constexpr std::size_t least = 40;
-  constexpr std::size_t most = 100;
+  constexpr std::size_t most_readable = 100;
+  constexpr std::size_t unknown = 80;
   const char* const columns = std::getenv("COLUMNS");
   if (columns != nullptr)
     if (const auto width = base::whole_number<std::size_t>(columns); width && *width > 0)
-      return std::clamp(*width, least, most);
+      return std::max(*width, least);
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-    return std::clamp<std::size_t>(size.ws_col, least, most);
-  return most;
+    return std::clamp<std::size_t>(size.ws_col, least, most_readable);
+  return unknown;
 }
 
 }  // namespace

@@ -2,12 +2,15 @@
 // an option is when it is not given in one place. Leaves out the types of the option parser (TEXT, INT,
 // UINT), and options without a description.
 //
-// The text below the options is laid out here as well. A line is a paragraph. An indented one that is too long
-// goes on below its text ("  term   text"), or below its beginning if it has no term.
+// The text below the options is reflowed here as well. A line is a paragraph. An indented line that is too long
+// continues below its text ("  term   text"), or below its beginning if it has no term. Under a heading that ends with
+// "Examples:" a line at two spaces is a command: it is broken with a backslash, so that it can be copied.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace CLI {
 class FormatterBase;
@@ -15,8 +18,11 @@ class FormatterBase;
 
 namespace sightline::app {
 
-// The width of the terminal, or COLUMNS; at most 100, which is also the width if neither is known.
+// COLUMNS if it is set, else the width of the terminal up to 100, else 80; at least 40.
 [[nodiscard]] std::size_t help_width();
+
+// A text of host/app/help, reflowed to help_width().
+[[nodiscard]] std::string help_text(std::string_view text);
 
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 

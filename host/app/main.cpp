@@ -1,4 +1,5 @@
 // The command `sightline`: its subcommands, in the order in which its help lists them.
+#include <array>
 #include <string_view>
 
 #include "host/app/command_line.hpp"
@@ -26,8 +27,12 @@ void add_commands(const Command& program) {
 }  // namespace sightline::app
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "report")
-    return static_cast<int>(sightline::app::run_report_program(argv));
+  const auto is = [&](int n, std::string_view word) { return n < argc && argv[n] == word; };
+  if (is(1, "report")) return static_cast<int>(sightline::app::run_report_program(argv));
+  if (is(1, "help") && is(2, "report")) {
+    std::array<char*, 4> words{argv[0], argv[2], const_cast<char*>("--help"), nullptr};
+    return static_cast<int>(sightline::app::run_report_program(words.data()));
+  }
   return sightline::app::run_command_line(argc, argv, sightline::app::help_page("sightline"),
-                                          sightline::app::add_commands);
+                                          sightline::app::add_commands, sightline::app::help_page("greeting").text);
 }

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
+#include "host/base/nearest_name.hpp"
 #include "host/base/number.hpp"
+#include "host/base/text.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
@@ -25,11 +28,13 @@ scene::SceneFile find_scene(const std::string& argument) {
   }
   std::error_code unknown;
   if (argument != "-" && !std::filesystem::exists(argument, unknown)) {
-    std::string names;
-    for (const std::string_view name : scene::builtin_scene_names()) names += fmt::format(" {}", name);
-    throw Failure(
-        ExitCode::io,
-        fmt::format("{}: no such file, and no built-in scene of that name; there are{}", argument, names));
+    std::vector<std::string> names;
+    for (const std::string_view name : scene::builtin_scene_names()) names.emplace_back(name);
+    throw Failure(ExitCode::io, base::Error{.file = argument,
+                                            .found = "no such file, and no built-in scene of that name",
+                                            .expected = "a file, FAMILY-SIZE or one of " + base::joined(names, ", "),
+                                            .remedy = base::did_you_mean(argument, names)}
+                                    .message());
   }
   return {.name = shown_name(argument), .text = read_input_text(argument)};
 }

@@ -23,8 +23,9 @@ Error system_error(const std::string& path, const char* doing, int code) {
 std::string follow_links(const std::string& path) {
   std::error_code failed;
   if (!std::filesystem::is_symlink(path, failed)) return path;
+  // Of a pipe behind /dev/stdout there is no such path.
   const auto target = std::filesystem::weakly_canonical(path, failed);
-  return failed ? path : target.string();
+  return failed || !std::filesystem::exists(target, failed) ? path : target.string();
 }
 
 constexpr int most_partial_files = 100;
@@ -83,8 +84,11 @@ AtomicFile::~AtomicFile() {
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
-  std::string target = follow_links(path);
   std::error_code failed;
+  if (std::filesystem::is_symlink(path, failed) && !std::filesystem::exists(path, failed))
+    return Error{path, "", "cannot write: found a symbolic link to " + std::filesystem::read_symlink(path, failed).string() +
+                     ", where there is no file", "a link to a file", "remove the link, or make the file first"};
+  std::string target = follow_links(path);
   const auto status = std::filesystem::status(target, failed);
   if (failed == std::errc::filename_too_long) return system_error(path, "cannot write", ENAMETOOLONG);
   if (std::filesystem::is_directory(status)) return system_error(path, "cannot write", EISDIR);

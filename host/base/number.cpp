@@ -28,6 +28,22 @@ std::optional<std::uint64_t> unsigned_number(std::string_view text, int radix) {
   return whole_text<std::uint64_t>(text, radix);
 }
 
+std::optional<std::uint64_t> count_number(std::string_view text) {
+  const std::size_t e = text.find_first_of("eE");
+  if (e == std::string_view::npos) return unsigned_number(text);
+  std::string_view exponent = text.substr(e + 1);
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  const auto power = whole_number<std::uint8_t>(exponent);
+  const std::string_view mantissa = text.substr(0, e);
+  const std::size_t point = mantissa.find('.');
+  std::string digits(mantissa.substr(0, point));
+  if (!power || digits.empty()) return std::nullopt;
+  if (point != std::string_view::npos) digits += mantissa.substr(point + 1);
+  const std::size_t fraction = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;
+  if (*power < fraction) return std::nullopt;
+  return unsigned_number(digits.append(*power - fraction, '0'));
+}
+
 std::optional<double> decimal_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;

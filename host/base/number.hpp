@@ -33,6 +33,10 @@ template <std::integral Number>
   return static_cast<Number>(*value);
 }
 
+// A count as people write it: decimal digits, or with a point and an exponent if it is a whole number all the same:
+// 1000000, 1e6, 2.5e3. Not 1.5, not 1e-3, not more than 2^64 - 1.
+[[nodiscard]] std::optional<std::uint64_t> count_number(std::string_view text);
+
 // Decimal whole numbers between separators: "3,-4,5", "640x480", "2/7".
 template <std::integral Number, std::size_t count>
 [[nodiscard]] std::optional<std::array<Number, count>> whole_numbers(

@@ -7,6 +7,9 @@
 # new option is in both after the next build. `report` has a page if its program is built.
 set -eu
 
+# Lines are not broken: the pages and the completion read one entry a line.
+COLUMNS=100000
+export COLUMNS
 command=$1
 directory=$2
 version=$3

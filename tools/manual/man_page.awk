@@ -16,7 +16,7 @@ function escaped(text) {
   return text
 }
 
-# Words in `backquotes` become bold; they may go on in the next line.
+# Words in `backquotes` become bold.
 function prose(text,    at, result) {
   text = escaped(text)
   result = bold ? "\\fB" : ""
@@ -73,6 +73,8 @@ blank == NR - 1 && /^[A-Z][A-Za-z ]*:$/ {
   end_block()
   if (in_exit) { add(prose($0)); next }
   if (title != "DESCRIPTION") begin_section("DESCRIPTION")
+  if (last_prose == NR - 1) add(".PP")  # a line of the help is a paragraph
+  last_prose = NR
   add(prose($0))
   next
 }

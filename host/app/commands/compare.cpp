@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -63,6 +64,20 @@ void refuse(bool given, const char* option, const std::string& name, const char*
     throw Failure(ExitCode::usage, fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
+// Names for the overlays of one call: d1/part.off and d2/part.off do not overwrite each other's.
+class OverlayNames {
+ public:
+  // `name`, with a number behind it if an earlier scene has it.
+  std::string unused(const std::string& name) {
+    std::string free = name;
+    for (int n = 2; !used_.insert(free).second; ++n) free = fmt::format("{}-{}", name, n);
+    return free;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
+
 struct ComparedScene {
   bool agrees = true;
   std::string table;
@@ -72,7 +87,7 @@ struct ComparedScene {
 
 // `source` is by name, from a file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source,
-                               const compare::CompareProgress& progress) {
+                               OverlayNames& overlays, const compare::CompareProgress& progress) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
   refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
   refuse(!arguments.orthographic.empty(), "--orthographic", name, "--rotate and --elevate for a function");
@@ -87,7 +102,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   const auto comparison = compare::compare_heights(function.grid, view, progress);
   return {comparison.agrees(), compare_table(function.name, comparison),
           compare_json(function.name, comparison),
-          write_overlays(arguments.directory, function.stem, comparison)};
+          write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};
 }
 
 // Of the functions among the scenes: only what is sampled has a size to choose.
@@ -100,7 +115,7 @@ SkalaSource source_of(const CompareArguments& arguments, const std::string& name
 }
 
 ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name,
-                            const compare::CompareProgress& progress) {
+                            OverlayNames& overlays, const compare::CompareProgress& progress) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
   const scene::LoadedScene source = load_scene(name);
@@ -124,16 +139,16 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   compare::SceneComparison comparison = value_of(compare_it(), name);
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
   return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
-          write_overlays(arguments.directory, comparison)};
+          write_overlays(arguments.directory, overlays.unused(comparison.scene), comparison)};
 }
 
 // One scene or function; the last is --function's if there is no name left.
 ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names,
-                           std::size_t n, const compare::CompareProgress& progress) {
-  if (n == names.size()) return compare_function(arguments, arguments.function, progress);
+                           std::size_t n, OverlayNames& overlays, const compare::CompareProgress& progress) {
+  if (n == names.size()) return compare_function(arguments, arguments.function, overlays, progress);
   if (is_height_function(names[n]))
-    return compare_function(arguments, source_of(arguments, names[n]), progress);
-  return compare_scene(arguments, names[n], progress);
+    return compare_function(arguments, source_of(arguments, names[n]), overlays, progress);
+  return compare_scene(arguments, names[n], overlays, progress);
 }
 
 ExitCode run_compare(CompareArguments arguments) {
@@ -149,11 +164,12 @@ ExitCode run_compare(CompareArguments arguments) {
   Json document{{"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", Json::array()}};
   bool agrees = true;
   const std::size_t count = names.size() + (expression ? 1 : 0);
+  OverlayNames overlays;
   for (std::size_t n = 0; n < count; ++n) {
     const std::string& name = n < names.size() ? names[n] : arguments.function.expression;
     ComparedScene compared = [&] {
       base::ProgressLine line;
-      return compare_next(arguments, names, n, [&](std::string_view step) {
+      return compare_next(arguments, names, n, overlays, [&](std::string_view step) {
         line.show(fmt::format("{} of {}: {}, {}", n + 1, count, name, step));
       });
     }();

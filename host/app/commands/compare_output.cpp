@@ -286,7 +286,8 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
   return document;
 }
 
-std::vector<std::string> write_overlays(const std::string& directory, const SceneComparison& comparison) {
+std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
+                                        const SceneComparison& comparison) {
   std::vector<std::string> paths;
   const compare::ScreenFrame& frame = comparison.frame;
   for (const ComparedPicture& compared : comparison.pictures) {
@@ -295,14 +296,14 @@ std::vector<std::string> write_overlays(const std::string& directory, const Scen
         fmt::format("{}: {} against the oracle, {}", comparison.scene, compared.name, view_text(comparison));
     const picture::OverlayCaption caption = lines_caption(title, m);
     write_overlay(
-        overlay_base(directory, comparison.scene, compared.name),
+        overlay_base(directory, name, compared.name),
         picture::overlay_of(compared.difference, {frame.low, frame.low}, {frame.high, frame.high}, caption),
         title, paths);
   }
   for (const compare::ComparedFaces& compared : comparison.faces) {
     const std::string title = fmt::format("{}: faces by {} against the nearest ones, {}", comparison.scene,
                                           compared.name, view_text(comparison));
-    write_overlay(overlay_base(directory, comparison.scene, compared.name + " faces"),
+    write_overlay(overlay_base(directory, name, compared.name + " faces"),
                   picture::overlay_of(compared.truth, compared.grid, points_caption(title, compared.metrics)),
                   title, paths);
   }

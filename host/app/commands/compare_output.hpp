@@ -18,7 +18,7 @@ namespace sightline::app {
 
 // DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture; the directory is made. Returns the paths.
 // Failure io.
-std::vector<std::string> write_overlays(const std::string& directory,
+std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
                                         const compare::SceneComparison& comparison);
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
                                         const compare::HeightComparison& comparison);

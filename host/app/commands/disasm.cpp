@@ -1,6 +1,9 @@
 // `sightline disasm`: a tape, a core image or a program file to source that assembles to the same words
 // again.
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/machine_command.hpp"
@@ -13,11 +16,29 @@ using guests::run::Arguments;
 using guests::run::Disassembler;
 using guests::run::MachineDescription;
 
+std::optional<std::uint32_t> address_argument(const MachineDescription& machine, const Arguments& arguments,
+                                              const char* option) {
+  if (!arguments.given(option)) return std::nullopt;
+  return accepted(guests::run::number_argument(option, arguments.text(option), machine.radix,
+                                               (1U << machine.address_bits) - 1, "an address"));
+}
+
+// The words at `first` to `last`. Failure bad_input if there are none.
+void keep_range(guests::run::Program& program, std::uint32_t first, std::uint32_t last) {
+  if (first > last) throw Failure(ExitCode::usage, "--end: found an address before --start, expected one behind it");
+  const bool any = !program.words.empty();
+  std::erase_if(program.words, [&](const auto& word) { return word.first < first || word.first > last; });
+  if (any && program.words.empty())
+    throw Failure(ExitCode::bad_input, "--start, --end: found no word of the program in this range, expected one");
+}
+
 ExitCode disassemble(const MachineDescription& machine, const Disassembler& disassembler,
                      const Arguments& arguments) {
   const auto file = accepted(file_argument(machine, "FILE", arguments.text("FILE")));
   const auto input = read_named(file.path);
-  const auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  keep_range(program, address_argument(machine, arguments, "--start").value_or(0),
+             address_argument(machine, arguments, "--end").value_or(UINT32_MAX));
   Output output(arguments.text("--output"));
   output.write(disassembler.disassemble(program));
   output.commit();
@@ -35,6 +56,8 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine,
                        .choices = format_names(machine),
                        .shown_initial = "by its ending or content"});
   }
+  options.push_back({text, "--start", "ADDRESS", "Begin at this address; what lies before it is left out"});
+  options.push_back({text, "--end", "ADDRESS", "Stop after this address"});
   options.push_back({.name = "-o,--output",
                      .argument = "FILE",
                      .help = "Where the source goes; - is standard output",

@@ -236,15 +236,15 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .value("ANGLE")
       .group("View");
   const Option all_edges =
-      command.flag("--all-edges", arguments->all_edges, "Draw edges between faces in one plane, too");
+      command.flag("--all-edges", arguments->all_edges, "Draw edges between coplanar faces, too");
   const Option hidden =
-      command.flag("--hidden", arguments->hidden, "Draw what is hidden as a second layer, dashed");
+      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a second layer, dashed");
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
     command.added("--fill").excludes(all_edges).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
-  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }
 

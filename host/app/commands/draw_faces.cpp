@@ -187,7 +187,7 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
   command.option("--picture", arguments->picture, "Faces filled, or lines between them")
       .one_of({"faces", "lines"})
       .default_value();
-  command.option("--frames", arguments->frames, "Of a flight, 25 a second").range(1, 10'000).default_value();
+  command.option("--frames", arguments->frames, "Frames of a flight, 25 per second").range(1, 10'000).default_value();
   command.option("--depth", arguments->options.depth, "Cut no surface more often than this")
       .range(0, 1000)
       .default_value("30");
@@ -197,7 +197,7 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
       "their feet and tops");
   command.flag("--rule90", arguments->options.rule90,
                "The paper's rule that normals be within 90 degrees, which is wrong");
-  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_faces(algorithm, *arguments); });
 }
 

@@ -93,8 +93,8 @@ void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
   command.flag("--net", view.net, "Contours: draw the net of all cells, too");
   command.flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
   command.flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
-  command.flag("--no-visibility", arguments.no_visibility, "Draw what is hidden, too");
-  command.option("--columns", view.columns, "Of the masks: how finely hidden parts are found")
+  command.flag("--no-visibility", arguments.no_visibility, "Draw hidden lines, too");
+  command.option("--columns", view.columns, "Columns of the horizon masks; more columns find hidden parts more finely")
       .default_value()
       .range(algorithms::skala::fewest_columns, algorithms::skala::most_columns);
 }
@@ -108,7 +108,7 @@ void add_draw_heights(const Command& command, const registry::HeightMethod& meth
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
-  command.flag("--json", arguments->json, "Say what was drawn as one JSON document on standard output");
+  command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &method] { return run_draw_heights(method, *arguments); });
 }
 

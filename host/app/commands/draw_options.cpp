@@ -179,10 +179,10 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
               "The drawing; the ending says what it is: .svg, .png, .plt or .hpgl")
       .required()
       .value("FILE");
-  command.option("--size", output.size, "Of the paper in mm, for .svg, .plt and .hpgl")
+  command.option("--size", output.size, "Size of the paper in mm, for .svg, .plt and .hpgl")
       .default_value()
       .value("WxH");
-  command.option("--margin", output.paper.margin, "Around the drawing in mm, for .svg, .plt and .hpgl")
+  command.option("--margin", output.paper.margin, "Margin around the drawing in mm, for .svg, .plt and .hpgl")
       .default_value()
       .range(0.0, 1000.0)
       .value("MM");

@@ -150,7 +150,7 @@ void add_jones_command(const Command& program) {
   command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
       .default_value()
       .range(0, 3);
-  command.flag("--truncate", arguments->truncate, "Cut quotients off where the program rounds them");
+  command.flag("--truncate", arguments->truncate, "Truncate quotients where the program rounds them");
   command.option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
       .default_value("the scene's own view")
       .value("X,Y,Z");

@@ -87,6 +87,7 @@ guests::run::Stop run_to_stop(const guests::run::Prepared& prepared) {
 
 ExitCode run(const MachineDescription& description, const Arguments& arguments) {
   const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named));
+  for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
   outputs.attach(machine);
@@ -97,7 +98,7 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
     print_json(json_report(description, machine, stop));
   } else if (!outputs.uses_stdout()) {
     write_stdout(table_report(description, machine, stop));
-  } else if (description.report_beside_output) {
+  } else {
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
   }
   if (stop.name == guests::run::interrupted) {

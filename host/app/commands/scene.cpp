@@ -83,7 +83,7 @@ void add_tape(const Command& parent) {
   const auto arguments = std::make_shared<TapeArguments>();
   command.option("SCENE", arguments->scene, cells_help).required();
   command.option("--at,--eye", arguments->at, "The eye").default_value("the scene's own view").value("X,Y,Z");
-  command.option("-o,--output", arguments->output, "Where the tape goes; - is standard output")
+  command.option("-o,--output", arguments->output, "The tape; - is standard output")
       .default_value()
       .value("FILE");
   command.run([arguments] { return tape(*arguments); });
@@ -321,7 +321,7 @@ void add_convert(const Command& parent) {
   const Command command = parent.add_command("convert", help_page("scene_convert"));
   const auto arguments = std::make_shared<ConvertArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
-  command.flag("--mend", arguments->mend, "Of OFF and OBJ: repair what can be repaired without guessing");
+  command.flag("--mend", arguments->mend, "Repair OFF and OBJ files where no guess is needed");
   command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
       .default_value()
       .value("FILE");
@@ -375,11 +375,11 @@ void add_generate(const Command& parent) {
   const Command command =
       parent.add_command("generate", help_page("scene_generate", {{"families", families_help()}}));
   const auto arguments = std::make_shared<GenerateArguments>();
-  command.option("FAMILY", arguments->family, "One of those below").required();
-  command.option("SIZE", arguments->size, "How many of what: see below")
+  command.option("FAMILY", arguments->family, "Family of scenes; see below").required();
+  command.option("SIZE", arguments->size, "Size of the scene; see below")
       .required()
       .check(why_no_whole_number);
-  command.option("--seed", arguments->seed, "Another seed, another scene")
+  command.option("--seed", arguments->seed, "Seed of the random numbers: another seed gives another scene")
       .check(why_no_whole_number)
       .default_value()
       .value("N");
@@ -449,13 +449,13 @@ void add_decompose(const Command& parent) {
   command.also_called("compartment");
   const auto arguments = std::make_shared<DecomposeArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
-  command.option("--method", arguments->method, "How space is cut")
+  command.option("--method", arguments->method, "How space is decomposed")
       .one_of({"auto", "grid", "bsp"})
       .default_value()
       .value("METHOD");
   command
       .option("-o,--output", arguments->output,
-              "Where the cells go as JSON; - is standard output, without the counts")
+              "The cells as JSON; - is standard output, without the counts")
       .value("FILE");
   command.flag("--json", arguments->json, "The counts as one JSON document");
   command.run([arguments] { return decompose(*arguments); });

@@ -95,7 +95,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .default_value()
       .one_of({"raster", "alt256", "calcomp", "minigraf"})
       .value("NAME");
-  command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its test");
+  command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
   command.option("--link", arguments.link, "From the host computer; serial is 9600 baud")
       .default_value()
       .one_of({"parallel", "serial"})
@@ -107,11 +107,11 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
 }
 
 void add_output_options(const Command& command, SkalaArguments& arguments) {
-  command.option("--palette", arguments.palette, "Of the PNG")
+  command.option("--palette", arguments.palette, "Colours of the PNG")
       .default_value("grey for surfaces, else colour")
       .one_of({"colour", "grey"})
       .value("NAME");
-  command.option("--scale", arguments.scale, "Pixels a point in the PNG").default_value().range(1, 32);
+  command.option("--scale", arguments.scale, "Pixels per point in the PNG").default_value().range(1, 32);
   command.option("-o,--output", arguments.directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the summary");
 }

@@ -20,7 +20,7 @@ void add_function_options(const Command& command, SkalaSource& source, const std
                           const std::string& points) {
   command.option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
       .value("EXPR");
-  command.option("--domain", source.domain, "Of x and z in --function").default_value("-10:10").value("A:B");
+  command.option("--domain", source.domain, "Range of x and z in --function").default_value("-10:10").value("A:B");
   constexpr int fewest = static_cast<int>(scene::smallest_grid.points);
   constexpr int most = static_cast<int>(scene::largest_grid.points);
   command.option("--slices", source.slices, "Samples along z: slices, unless those along z are drawn")
@@ -47,7 +47,7 @@ void require_angles(double rotation, double elevation) {
 }
 
 void add_slices_options(const Command& command, SkalaSlices& slices) {
-  const Option both = command.flag("--both", slices.both, "Slices along x and along z; of lines only");
+  const Option both = command.flag("--both", slices.both, "Slices along x and along z (lines only)");
   command.option("--along", slices.along, "Slices along x or along z")
       .default_value("the less end-on")
       .one_of({"x", "z"})

@@ -4,10 +4,13 @@
 
 #include <filesystem>
 #include <system_error>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "host/app/command.hpp"
 #include "host/app/commands/jones_session.hpp"
+#include "host/base/nearest_name.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
@@ -39,8 +42,13 @@ SkalaFunction from_file(const SkalaSource& source) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown)) {
-    throw Failure(ExitCode::io, fmt::format("{}: no such file, and no function of that name; there are {}",
-                                            file, scene::height_function_names()));
+    std::vector<std::string> names;
+    for (const auto& function : scene::height_functions()) names.emplace_back(function.name);
+    throw Failure(ExitCode::io, base::Error{.file = file,
+                                            .found = "no such file, and no function of that name",
+                                            .expected = "a grid file or one of " + scene::height_function_names(),
+                                            .remedy = base::did_you_mean(file, names)}
+                                    .message());
   }
   if (source.points || source.slices)
     throw Failure(ExitCode::usage,

@@ -175,7 +175,7 @@ void add_spin_command(const Command& program) {
   command.option("--size,--pixels", options->size, "Width and height in pixels")
       .range(16, 4096)
       .default_value();
-  command.option("--rate", options->rate, "Frames a second").range(1, 100).default_value();
+  command.option("--rate", options->rate, "Frames per second").range(1, 100).default_value();
   command.flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
   command.run([options] {
     require_finite("--step", options->step);

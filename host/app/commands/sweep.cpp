@@ -273,7 +273,7 @@ void add_sweep_command(const Command& program) {
       .required()
       .range(std::uint64_t{1}, most_views)
       .value("N");
-  command.option("--seed", arguments->seed, "Another seed, other views")
+  command.option("--seed", arguments->seed, "Seed of the random numbers: another seed gives other views")
       .check(why_no_whole_number)
       .default_value()
       .value("N");
@@ -287,18 +287,18 @@ void add_sweep_command(const Command& program) {
       .separated_by(',')
       .value("NAME,...");
   command.flag("--guest", arguments->guest,
-               "Of a scene of cells: Jones's program on the emulated PDP-7 and its twin, too");
+               "Add Jones's program on the emulated PDP-7 and its twin (scenes of cells)");
   add_eae_options(command, arguments->no_eae);
   command.flag("--turn", arguments->turn,
                "A scene of cells in all directions, where Jones's program does not apply; without it "
                "along +z, as that program looks");
-  command.flag("--time", arguments->time, "Say how many host nanoseconds each view took");
+  command.flag("--time", arguments->time, "Print the time of each view in nanoseconds of this computer");
   command.option("--jobs", arguments->jobs, "Threads")
       .default_value("as many as there are cores")
       .range(1U, 1024U);
   command
       .option("-o,--output", arguments->output,
-              "Where the lines go; a file that is there already is gone on with; - is standard output")
+              "The output file; an existing one is resumed; - is standard output")
       .default_value()
       .value("FILE");
   command.run([arguments] { return run_sweep(*arguments); });

@@ -71,6 +71,33 @@ Result<Done> set_register(const MachineDescription& description, Machine& machin
   return Done{};
 }
 
+// Null: a dump.
+const Format* find_format(const MachineDescription& machine, const FileArgument& file, const Input& input,
+                          std::string_view format, const Arguments* arguments) {
+  const std::vector<Format>& formats = machine.formats;
+  const auto named = [&formats](std::string_view name) {
+    return std::find_if(formats.begin(), formats.end(),
+                        [name](const Format& each) { return each.name == name; });
+  };
+  if (!format.empty()) return &*named(format);
+  const Format* found = format_by_name(machine, file.path);
+  if (found == nullptr && is_dump(machine, input.bytes)) return nullptr;
+  for (auto each = formats.begin(); found == nullptr && each != formats.end(); ++each) {
+    if (each->recognise(input.bytes)) found = &*each;
+  }
+  if (found == nullptr) found = &formats.back();
+  if (arguments != nullptr && machine.instead_of != nullptr)
+    found = &*named(machine.instead_of(*arguments, found->name, file.address.has_value()));
+  return found;
+}
+
+Result<Program> read_as(const MachineDescription& machine, const Format* format, const FileArgument& file,
+                        const Input& input) {
+  if (format != nullptr) return format->read(input.bytes, input.name, file.address);
+  if (file.address) return usage(fmt::format("{}: found an address, expected none: a dump begins at 0", input.name));
+  return read_dump(machine, input);
+}
+
 // What assemblers read; no format of a program ends like this.
 bool named_as_source(std::string_view path) {
   constexpr std::array<std::string_view, 4> endings{".s", ".asm", ".mac", ".pal"};
@@ -78,10 +105,17 @@ bool named_as_source(std::string_view path) {
                      [path](std::string_view ending) { return path.ends_with(ending); });
 }
 
-// Later files win where two have a word for the same address, and in the start address.
-Result<std::optional<std::uint32_t>> load(const MachineDescription& description, const Arguments& arguments,
-                                          const FileReader& read, Machine& machine) {
+// How a machine goes on after its programs are in memory.
+struct Loaded {
   std::optional<std::uint32_t> start;
+  std::vector<std::pair<std::size_t, std::uint32_t>> registers;
+  std::vector<std::string> warnings;
+};
+
+// Later files win where two have a word for the same address, in the start address and in registers.
+Result<Loaded> load(const MachineDescription& description, const Arguments& arguments, const FileReader& read,
+                    Machine& machine) {
+  Loaded loaded;
   for (const std::string& text : arguments.list("--load")) {
     const auto file = file_argument(description, "--load", text);
     if (!file) return file.error();
@@ -91,8 +125,13 @@ Result<std::optional<std::uint32_t>> load(const MachineDescription& description,
                                    "sightline asm {} {} -o PROGRAM",
                                    input.name, description.name, file->path));
     }
-    const auto program = read_program(description, *file, input, {}, &arguments);
+    const Format* const format = find_format(description, *file, input, {}, &arguments);
+    const auto program = read_as(description, format, *file, input);
     if (!program) return program.error();
+    if (format != nullptr && !format->meant_for.empty() && !arguments.given(format->meant_for)) {
+      loaded.warnings.push_back(fmt::format("{}: found a {} file, expected {} with it; {}", input.name, format->ending,
+                                            format->meant_for, format->missing));
+    }
     const auto outside = [&](std::string_view what, std::uint32_t address) {
       const std::string size =
           description.memory_option.empty()
@@ -111,16 +150,19 @@ Result<std::optional<std::uint32_t>> load(const MachineDescription& description,
                                      address_text(description, address), description.word_bits));
       machine.put(address, word);
     }
+    if (!program->registers.empty()) loaded.registers = program->registers;
     if (!program->start) continue;
     if (*program->start >= machine.words()) return outside("the start address", *program->start);
-    start = program->start;
+    loaded.start = program->start;
+    loaded.registers.clear();
   }
-  return start;
+  return loaded;
 }
 
-// --start, else --set PC, else what was loaded says where.
-Result<Done> start(const MachineDescription& description, const Arguments& arguments,
-                   std::optional<std::uint32_t> loaded, Machine& machine) {
+// --start, else --set PC, else what was loaded says where. After a dump the machine continues without a start.
+Result<Done> start(const MachineDescription& description, const Arguments& arguments, const Loaded& loaded,
+                   Machine& machine) {
+  for (const auto& [number, value] : loaded.registers) machine.set(number, value);
   const std::vector<std::string>& settings = arguments.list("--set");
   const bool sets_pc = std::any_of(settings.begin(), settings.end(),
                                    [](const std::string& setting) { return register_name(setting) == "PC"; });
@@ -130,8 +172,8 @@ Result<Done> start(const MachineDescription& description, const Arguments& argum
                                          machine.words() - 1, description.an_address);
     if (!address) return address.error();
     machine.start(*address);
-  } else if (!sets_pc) {
-    machine.start(machine.start_address(loaded));
+  } else if (!sets_pc && loaded.registers.empty()) {
+    machine.start(machine.start_address(loaded.start));
   }
   for (const std::string& setting : settings) {
     if (const auto done = set_register(description, machine, setting); !done) return done;
@@ -200,8 +242,8 @@ Result<std::uint32_t> number_argument(std::string_view option, std::string_view 
 }
 
 Result<std::uint64_t> count_argument(std::string_view option, std::string_view text) {
-  if (const auto value = base::unsigned_number(text)) return *value;
-  return usage(fmt::format("{}: found \"{}\", expected a whole decimal number", option, text));
+  if (const auto value = base::count_number(text)) return *value;
+  return usage(fmt::format("{}: found \"{}\", expected a whole decimal number such as 1000000 or 1e6", option, text));
 }
 
 Result<FileArgument> file_argument(const MachineDescription& machine, std::string_view option,
@@ -244,24 +286,7 @@ const Format* format_by_name(const MachineDescription& machine, std::string_view
 
 Result<Program> read_program(const MachineDescription& machine, const FileArgument& file, const Input& input,
                              std::string_view format, const Arguments* arguments) {
-  const std::vector<Format>& formats = machine.formats;
-  const auto named = [&formats](std::string_view name) {
-    return std::find_if(formats.begin(), formats.end(),
-                        [name](const Format& each) { return each.name == name; });
-  };
-  const Format* found = nullptr;
-  if (!format.empty()) {
-    found = &*named(format);
-  } else {
-    found = format_by_name(machine, file.path);
-    for (auto each = formats.begin(); found == nullptr && each != formats.end(); ++each) {
-      if (each->recognise(input.bytes)) found = &*each;
-    }
-    if (found == nullptr) found = &formats.back();
-    if (arguments != nullptr && machine.instead_of != nullptr)
-      found = &*named(machine.instead_of(*arguments, found->name, file.address.has_value()));
-  }
-  return found->read(input.bytes, input.name, file.address);
+  return read_as(machine, find_format(machine, file, input, format, arguments), file, input);
 }
 
 Result<Prepared> prepare(const MachineDescription& description, const Arguments& arguments,
@@ -275,7 +300,7 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   if (!loaded) return loaded.error();
   if (const auto done = (*machine)->ready(); !done) return done.error();
   if (const auto done = start(description, arguments, *loaded, **machine); !done) return done.error();
-  return Prepared{std::move(*machine), *limits};
+  return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
 
 Stop run_to_stop(Machine& machine, const Limits& limits, const KeepRunning& keep_running) {
@@ -308,6 +333,100 @@ std::string dump_text(const MachineDescription& description, const Machine& mach
     text += last_in_line ? '\n' : ' ';
   }
   return text;
+}
+
+namespace {
+
+// The words of a line of a dump, blanks between them.
+std::vector<std::string_view> dump_words(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+    if (line.empty()) return words;
+    words.push_back(line.substr(0, line.find_first_of(" \t\r")));
+    line.remove_prefix(words.back().size());
+  }
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::vector<std::size_t> dumped_registers(const MachineDescription& description) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t n = 0; n < description.registers.size(); ++n)
+    if (description.registers[n].in_dump) numbers.push_back(n);
+  return numbers;
+}
+
+// Nothing unless it has all the digits of `bits` bits and is within them.
+std::optional<std::uint32_t> dump_number(const MachineDescription& description, std::string_view word, unsigned bits) {
+  if (word.size() != digits(description, 0, bits).size()) return std::nullopt;
+  const auto value = base::unsigned_number(word, description.radix);
+  if (!value || *value >> bits != 0) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
+}
+
+}  // namespace
+
+bool is_dump(const MachineDescription& description, std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t longest_line = 400;
+  std::string_view text = text_of(bytes.first(std::min(bytes.size(), 2 * longest_line)));
+  const auto registers = dump_words(take_line(text));
+  const auto numbers = dumped_registers(description);
+  if (registers.size() != numbers.size()) return false;
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    if (!dump_number(description, registers[n], description.registers[numbers[n]].bits)) return false;
+  const auto words = dump_words(take_line(text));
+  return words.size() == description.words_a_line &&
+         std::all_of(words.begin(), words.end(), [&](std::string_view word) {
+           return dump_number(description, word, description.word_bits).has_value();
+         });
+}
+
+Result<Program> read_dump(const MachineDescription& description, const Input& input) {
+  std::string_view text = text_of(input.bytes);
+  std::size_t line = 1;
+  const auto refused = [&](std::string_view found, std::string_view expected) {
+    return bad_input(base::Error{.file = input.name,
+                                 .place = fmt::format("line {}", line),
+                                 .found = fmt::format("found {}", found),
+                                 .expected = std::string(expected),
+                                 .remedy = "make the dump again with --dump"}
+                         .message());
+  };
+  const auto expected = [&](std::string_view what, unsigned bits) {
+    return fmt::format("{}, {} with {} digits", what, radix_name(description.radix), digits(description, 0, bits).size());
+  };
+  Program program;
+  const auto numbers = dumped_registers(description);
+  const auto registers = dump_words(take_line(text));
+  if (registers.size() != numbers.size())
+    return refused(fmt::format("{} numbers", registers.size()), fmt::format("{} registers", numbers.size()));
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    const Register& each = description.registers[numbers[n]];
+    const auto value = dump_number(description, registers[n], each.bits);
+    if (!value) return refused(fmt::format("\"{}\"", registers[n]), expected(each.name, each.bits));
+    program.registers.emplace_back(numbers[n], *value);
+  }
+  const std::uint32_t most = 1U << description.address_bits;
+  while (!text.empty()) {
+    ++line;
+    for (const std::string_view word : dump_words(take_line(text))) {
+      const auto value = dump_number(description, word, description.word_bits);
+      if (!value) return refused(fmt::format("\"{}\"", word), expected("a word", description.word_bits));
+      const auto address = static_cast<std::uint32_t>(program.words.size());
+      if (address == most) return refused("more words", fmt::format("{} words at most", most));
+      program.words.emplace_back(address, *value);
+    }
+  }
+  return program;
 }
 
 std::string table_report(const MachineDescription& description, const Machine& machine, const Stop& stop) {

@@ -24,8 +24,8 @@ struct FileArgument {
 [[nodiscard]] bool has_endings(const MachineDescription& machine);
 // By the ending of a file's name, in lower or upper case; null for any other name.
 [[nodiscard]] const Format* format_by_name(const MachineDescription& machine, std::string_view path);
-// Without a format the ending decides, and for another ending the content. `arguments`: those of a run, which
-// may have a say in what a format means; null for a disassembler.
+// Without a format the ending decides, and for another ending the content: a dump of the machine, or the format that
+// recognises it. `arguments`: those of a run, which may have a say in what a format means; null for a disassembler.
 [[nodiscard]] Result<Program> read_program(const MachineDescription& machine, const FileArgument& file,
                                            const Input& input, std::string_view format,
                                            const Arguments* arguments);
@@ -34,6 +34,7 @@ struct FileArgument {
 struct Prepared {
   std::unique_ptr<Machine> machine;
   Limits limits;
+  std::vector<std::string> warnings = {};
 };
 [[nodiscard]] Result<Prepared> prepare(const MachineDescription& machine, const Arguments& arguments,
                                        const FileReader& read);
@@ -50,8 +51,12 @@ inline constexpr std::string_view interrupted = "interrupted";
 
 // A number of so many bits in the machine's radix, with leading zeros.
 [[nodiscard]] std::string digits(const MachineDescription& machine, std::uint32_t value, unsigned bits);
-// The registers on the first line, then all of memory.
+// A dump: the registers on the first line, then all of memory, words_a_line words on each line, all in the machine's
+// radix with leading zeros. It loads again as a program: memory, and the registers that it has.
 [[nodiscard]] std::string dump_text(const MachineDescription& description, const Machine& machine);
+// Whether a text begins as a dump of this machine does: with a line of registers and a line of words.
+[[nodiscard]] bool is_dump(const MachineDescription& description, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<Program> read_dump(const MachineDescription& description, const Input& input);
 // Some lines for a person; one JSON document, schema sightline/run-NAME/1. Addresses, words and registers are
 // strings in the machine's radix, counts numbers.
 [[nodiscard]] std::string table_report(const MachineDescription& description, const Machine& machine,

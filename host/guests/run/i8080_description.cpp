@@ -312,7 +312,6 @@ MachineDescription described() {
   i8080.word_bits = 8;
   i8080.words_a_line = 16;
   i8080.one_start = true;
-  i8080.report_beside_output = true;
   for (const char* name : {"A", "F", "B", "C", "D", "E", "H", "L"})
     i8080.registers.push_back({name, 8, "a value"});
   i8080.registers.push_back({"SP", 16, "a value"});
@@ -322,7 +321,10 @@ MachineDescription described() {
   i8080.formats = {{"com", ".com", [](View) { return false; }, read_com,
                     [](const Program& program, const std::string& file) {
                       return bytes_of(image::write_com(byte_image(program), file));
-                    }},
+                    },
+                    false,
+                    "--cpm",
+                    "without it the functions of CP/M are missing"},
                    {"bin", ".bin", [](View bytes) { return !begins_with_hex_record(bytes); }, read_bin,
                     [](const Program& program, const std::string& file) {
                       return bytes_of(image::write_binary(byte_image(program), file));

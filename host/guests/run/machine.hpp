@@ -113,6 +113,8 @@ class Arguments {
 struct Program {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
   std::optional<std::uint32_t> start;
+  // Of a dump: numbers of registers, as in the description, and their values; PC among them.
+  std::vector<std::pair<std::size_t, std::uint32_t>> registers = {};
 };
 
 // A form of a program in a file.
@@ -125,6 +127,8 @@ struct Format {
                           std::optional<std::uint32_t> address);
   Result<Bytes> (*write)(const Program& program, const std::string& file);
   bool tells_address = false;  // after writing one, the user is told where to load it
+  std::string_view meant_for = {};  // an option of a run; without it the run warns, with this reason:
+  std::string_view missing = {};
 };
 
 struct Assembled {
@@ -282,8 +286,6 @@ struct MachineDescription {
   std::string_view memory_option = {};  // sets the size of memory
   // With --set PC and --start: an error. Else START is pressed at --start, and PC set then.
   bool one_start = false;
-  // The table of the report goes to standard error when standard output is taken; else it is left out.
-  bool report_beside_output = false;
 
   std::vector<Register> registers;  // in the order of dump and report
   // Of `sightline run NAME`, in the order of its help. The engine reads --load, --start, --set,

@@ -1,4 +1,5 @@
 // `sightline compare`: tables, JSON, overlays, exit codes, and what a user gets wrong.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "host/algorithms/registry/faces.hpp"
@@ -151,10 +152,24 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
   EXPECT_EQ(files(), (std::vector<std::string>{"bad.off", "square.csv"}));
 }
 
+TEST_F(CompareCommand, ScenesOfOneNameHaveOverlaysOfTheirOwn) {
+  std::filesystem::create_directory(path("d1"));
+  std::filesystem::create_directory(path("d2"));
+  ASSERT_EQ(sightline({"scene", "generate", "boxes", "1", "-o", "d1/a.off"}).exit_code, 0);
+  ASSERT_EQ(sightline({"scene", "generate", "boxes", "2", "-o", "d2/a.off"}).exit_code, 0);
+  const auto alone = sightline({"compare", "d1/a.off", "-o", "alone"});
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const auto both = sightline({"compare", "d1/a.off", "d2/a.off", "-o", "both"});
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(read("both/a-compare-exact.png"), read("alone/a-compare-exact.png"));
+  EXPECT_NE(read("both/a-2-compare-exact.png"), read("alone/a-compare-exact.png"));
+  EXPECT_TRUE(has(both.out, "overlay both/a-2-compare-exact.png")) << both.out;
+}
+
 TEST_F(CompareCommand, ExplainsItself) {
   const auto ran = sightline({"compare", "--help"});
   EXPECT_EQ(ran.exit_code, 0);
-  for (const char* part : {"Examples:", "missing, extra", "orange what is missing", "--rotate", "Exit codes"})
+  for (const char* part : {"Examples:", "missing, extra", "NAME-compare-PICTURE.png", "--rotate", "Exit codes"})
     EXPECT_TRUE(has(ran.out, part)) << part;
 }
 

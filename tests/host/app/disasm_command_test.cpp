@@ -22,6 +22,22 @@ TEST_F(DisasmCommand, RoundTripOfEveryFormat) {
   }
 }
 
+TEST_F(DisasmCommand, APartOfAProgram) {
+  write("a.oct", "00100: 200105 340106 740040 600100\n");
+  const std::string part = sightline({"disasm", "pdp7", "a.oct", "--start", "101", "--end", "102"}).out;
+  EXPECT_TRUE(has(part, "tad 106") && has(part, "hlt")) << part;
+  EXPECT_FALSE(has(part, "lac 105") || has(part, "jmp 100")) << part;
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--start", "0", "--end", "77777"}).out,
+            sightline({"disasm", "pdp7", "a.oct"}).out);
+  // 1000: CALL with its operand's bytes read as code if they come first.
+  write("rom.bin", "\xCD\x3E\x05\x76");
+  EXPECT_TRUE(has(sightline({"disasm", "i8080", "rom.bin@1000"}).out, "CALL    053EH"));
+  EXPECT_TRUE(has(sightline({"disasm", "i8080", "rom.bin@1000", "--start", "1001"}).out, "MVI     A,05H"));
+  EXPECT_TRUE(has(sightline({"disasm", "pdp7", "a.oct", "--start", "8"}).err, "--start: found \"8\""));
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--start", "200"}).exit_code, 4);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--start", "102", "--end", "101"}).exit_code, 2);
+}
+
 TEST_F(DisasmCommand, NamesInstructionsAndDisplayWords) {
   const std::string image = "00100: 200105 740040";
   EXPECT_TRUE(has(sightline({"disasm", "pdp7", "-"}, image).out, "lac 105"));

@@ -80,6 +80,53 @@ TEST_F(RunCommand, OutputsOnStandardOutputReplaceTheTable) {
   const Ran ran = run({"--load", "add.oct", "--start", "100", "--trace", "-"});
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 3);
   EXPECT_FALSE(has(ran.out, "stopped by"));
+  EXPECT_TRUE(has(ran.err, "stopped by      halt, PC 00103")) << ran.err;
+}
+
+// A run that is interrupted by a dump and continued from it leaves what the whole run leaves.
+TEST_F(RunCommand, ADumpContinuesTheRun) {
+  // Counts MQ-less: ISZ of 200, SZL, CML, TAD of 201, JMP: registers and core change with every round.
+  write("loop.oct", "00100: 440200 741400 740002 340201 600100\n00200: 777770 000013\n");
+  ASSERT_EQ(run({"loop.oct", "--start", "100", "--set", "MQ=123", "--max-instructions", "1e3", "--dump", "whole"}).exit_code, 0);
+  ASSERT_EQ(run({"loop.oct", "--start", "100", "--set", "MQ=123", "--max-instructions", "399", "--dump", "part"}).exit_code, 0);
+  EXPECT_NE(read("part"), read("whole"));
+  const Ran rest = run({"part", "--max-instructions", "601", "--dump", "joined"});
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(read("joined"), read("whole"));
+  // --start and --set come after what was loaded.
+  EXPECT_EQ(report({"part", "--start", "200", "--max-instructions", "0"}).at("pc"), "00200");
+  EXPECT_EQ(report({"part", "--set", "MQ=7", "--max-instructions", "0"}).at("registers").at("mq"), "000007");
+  EXPECT_EQ(report({"part", "--max-instructions", "0"}).at("registers").at("mq"), "000123");
+  // Also from a pipe, and into a larger core.
+  EXPECT_EQ(sightline({"run", "pdp7", "-", "--memory", "16k", "--max-instructions", "601"}, read("part")).exit_code, 0);
+}
+
+TEST_F(RunCommand, DumpsThatAreDamaged) {
+  write("halt.oct", "00000: 740040\n");
+  ASSERT_EQ(run({"halt.oct", "--memory", "4k", "--dump", "good"}).exit_code, 0);
+  const std::string good = read("good");
+  const auto refused = [this](const std::string& text, std::string_view message) {
+    write("bad", text);
+    const Ran ran = run({"bad", "--memory", "4k"});
+    EXPECT_EQ(ran.exit_code, 4) << ran.err;
+    EXPECT_TRUE(has(ran.err, message)) << ran.err;
+  };
+  const std::size_t third = good.find('\n', good.find('\n') + 1) + 1;
+  refused(good.substr(0, third) + "12\n", "bad: line 3: found \"12\", expected a word, octal with 6 digits");
+  refused(good.substr(0, third) + "000008\n", "bad: line 3: found \"000008\"");
+  refused(good + "000000\n", "found a word for address 10000");
+  write("bad", good);
+  EXPECT_TRUE(has(run({"bad@100", "--memory", "4k"}).err, "a dump begins at 0"));
+  // 32,769 words and more are outside every core.
+  ASSERT_EQ(run({"halt.oct", "--memory", "32k", "--dump", "large"}).exit_code, 0);
+  write("bad", read("large") + "000000\n");
+  EXPECT_TRUE(has(run({"bad", "--memory", "32k"}).err, "expected 32768 words at most"));
+}
+
+TEST_F(RunCommand, CountsMayHaveAnExponent) {
+  write("forever.oct", forever);
+  EXPECT_EQ(report({"forever.oct", "--start", "100", "--max-instructions", "1e3"}).at("instructions"), 1000);
+  EXPECT_TRUE(has(run({"forever.oct", "--max-instructions", "1.5"}).err, "expected a whole decimal number such as"));
 }
 
 TEST_F(RunCommand, WhereItStarts) {

@@ -73,7 +73,7 @@ TEST_F(RunI8080Command, TableForAPerson) {
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(has(ran.out, "halt, PC 0104")) << ran.out;
   EXPECT_TRUE(has(ran.out, "0.000008000 s at 3000000 Hz")) << ran.out;
-  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << "the warning that --cpm is not given";
 }
 
 TEST_F(RunI8080Command, CpmProgramPrintsOnStandardOutput) {
@@ -91,6 +91,37 @@ TEST_F(RunI8080Command, CpmProgramPrintsOnStandardOutput) {
   EXPECT_EQ(r.at("registers").at("sp"), "0000");
   EXPECT_FALSE(report({"--cpm", "--load", "hello.com", "--console", "out"}).contains("console"));
   EXPECT_EQ(read("out"), "Hello\r\n");
+}
+
+TEST_F(RunI8080Command, AComFileWithoutCpmIsWarnedAbout) {
+  write("hello.com", hello);
+  const Ran ran = run({"hello.com", "--max-instructions", "3"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(has(ran.err, "hello.com: found a .com file, expected --cpm with it")) << ran.err;
+  EXPECT_FALSE(has(run({"hello.com", "--cpm"}).err, "warning"));
+  write("hello.bin", hello);
+  EXPECT_EQ(run({"hello.bin@100", "--start", "100", "--max-instructions", "3"}).err, "");
+}
+
+// As on the PDP-7. INR A; INX H; MOV M,A; PUSH PSW; JMP 0.
+TEST_F(RunI8080Command, ADumpContinuesTheRun) {
+  write("loop.bin", "\x3C\x23\x77\xF5\xC3\x00\x00"sv);
+  const Arguments start{"loop.bin", "--set", "SP=F000", "--set", "H=80", "--set", "INTE=1"};
+  const auto with = [](Arguments arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  ASSERT_EQ(run(with(start, {"--max-instructions", "1000", "--dump", "whole"})).exit_code, 0);
+  ASSERT_EQ(run(with(start, {"--max-instructions", "333", "--dump", "part"})).exit_code, 0);
+  const Ran rest = run({"part", "--max-instructions", "667", "--dump", "joined"});
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(read("joined"), read("whole"));
+  EXPECT_NE(read("part"), read("whole"));
+  EXPECT_EQ(report({"part", "--max-instructions", "0"}).at("registers").at("inte"), 1);
+  EXPECT_EQ(sightline({"disasm", "i8080", "part", "--end", "6"}).out,
+            sightline({"disasm", "i8080", "loop.bin"}).out);
+  write("bad", read("part") + "00\n");
+  expect_failure({"bad"}, 4, "expected 65536 words at most");
 }
 
 TEST_F(RunI8080Command, IntelHexByEndingOrContent) {

@@ -190,7 +190,7 @@ TEST_F(SkalaCommand, BadInputIsNamedAndNothingIsWritten) {
   expect_failure({"lines", "row.csv"}, 4, "row.csv");
   expect_failure({"lines", "word.csv"}, 4, "word.csv:2:3");
   expect_failure({"surface", "hole.csv"}, 4, "hole.csv:2");
-  expect_failure({"lines", "no_such_function"}, 5, "no function of that name; there are sinc, rogers");
+  expect_failure({"lines", "no_such_function"}, 5, "no function of that name, expected a grid file or one of sinc, rogers");
   expect_failure({"lines", "--function", "sin(x"}, 2, "sin(x");
   expect_failure({"lines", "--function", "sqrt(-1-x*x)"}, 2, "--function");
   expect_failure({"lines", "--function", "x", "--domain", "3:1"}, 2, "--domain");

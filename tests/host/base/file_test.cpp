@@ -63,6 +63,20 @@ TEST_F(FileTest, KeepsLinksAndLeftOvers) {
   EXPECT_EQ(tests::read_whole(path("target.partial")), "somebody else's");
 }
 
+// Such a link may lead anywhere: to a disk that is not mounted, or out of a folder that somebody else unpacked.
+TEST_F(FileTest, ALinkToNothingIsRefused) {
+  std::filesystem::create_symlink(path("nothing"), path("link"));
+  const auto written = write_file_atomically(path("link"), std::string_view("x"));
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message().find("symbolic link to " + path("nothing")), std::string::npos)
+      << written.error().message();
+  EXPECT_FALSE(std::filesystem::exists(path("nothing")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  std::filesystem::create_symlink(path("circle"), path("circle"));
+  EXPECT_FALSE(write_file_atomically(path("circle"), std::string_view("x")));
+  EXPECT_EQ(files(), 2);
+}
+
 TEST_F(FileTest, ErrorsNameFileAndCause) {
   const auto nowhere = write_file_atomically(path("no/such/file"), std::string_view("x"));
   ASSERT_FALSE(nowhere);

@@ -18,6 +18,19 @@ TEST(WholeNumber, IsTheWholeText) {
     EXPECT_FALSE(whole_number<int>(wrong)) << wrong;
 }
 
+TEST(CountNumber, IsWholeHoweverItIsWritten) {
+  EXPECT_EQ(count_number("0"), 0U);
+  EXPECT_EQ(count_number("1000000"), 1'000'000U);
+  EXPECT_EQ(count_number("1e6"), 1'000'000U);
+  EXPECT_EQ(count_number("1E+6"), 1'000'000U);
+  EXPECT_EQ(count_number("2.5e3"), 2500U);
+  EXPECT_EQ(count_number("0e19"), 0U);
+  EXPECT_EQ(count_number("1.8446744073709551615e19"), std::numeric_limits<std::uint64_t>::max());
+  for (const char* const wrong : {"", "e", "e3", "1e", "1.5", "1.25e1", "1e-3", "-1e3", "1e20", "1e255", "1e256", "1e6e6",
+                                  " 1e3", "1e3 ", ".5e1", "1.e", "1..5e3", "0x1e3", "inf", "nan"})
+    EXPECT_FALSE(count_number(wrong)) << wrong;
+}
+
 TEST(WholeNumber, IsOfTheRadix) {
   EXPECT_EQ(whole_number<std::uint32_t>("777777", 8), 0777777U);
   EXPECT_EQ(whole_number<std::uint32_t>("fF", 16), 0xFFU);

@@ -198,7 +198,7 @@ TEST(ToyMachine, WhatIsWrongIsRefused) {
   EXPECT_EQ(run_of("0=0").set("--set", "ACC=100").refusal(),
             "--set ACC: found \"100\", expected a word, hexadecimal, 0 to FF");
   EXPECT_EQ(run_of("0=0").set("--max-instructions", "x").refusal(),
-            "--max-instructions: found \"x\", expected a whole decimal number");
+            "--max-instructions: found \"x\", expected a whole decimal number such as 1000000 or 1e6");
 }
 
 TEST(Machines, EveryOneHasWhatTheCommandsAskFor) {

@@ -1,0 +1,29 @@
+// Any bytes as a dump of each machine: refused as bad input with the name of the file, or registers and words within their
+// bits, at ascending addresses. What begins as a dump does is read up to its first line of words at least.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "host/guests/run/engine.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  namespace run = sightline::guests::run;
+  const run::Input input{"fuzz", {data, data + size}};
+  for (const run::MachineDescription* const machine : run::machines()) {
+    const bool begins = run::is_dump(*machine, input.bytes);
+    const auto program = run::read_dump(*machine, input);
+    if (!program) {
+      const run::Refusal& refusal = program.error();
+      if (refusal.kind != run::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz: line ")) std::abort();
+      continue;
+    }
+    if (begins && program->words.size() < machine->words_a_line) std::abort();
+    for (const auto& [number, value] : program->registers)
+      if (number >= machine->registers.size() || value >> machine->registers[number].bits != 0) std::abort();
+    for (std::size_t n = 0; n < program->words.size(); ++n) {
+      const auto& [address, word] = program->words[n];
+      if (address != n || address >> machine->address_bits != 0 || word >> machine->word_bits != 0) std::abort();
+    }
+  }
+  return 0;
+}
