@@ -1,13 +1,16 @@
 #!/bin/sh
-# Runs the commands of a text in its indented blocks that begin with `sightline` or `parallel`, one after the other, in
-# a temporary folder that has the repository's host/. Each must end with exit code 0, print something or write a file,
-# and every file that it names with -o or > must not be empty.
+# Runs the commands of a text, which are its lines that are indented by four blanks, one after the other, in a temporary
+# folder that has the repository's host/. Each must end with exit code 0, print something or write a file, and every file
+# that it names with -o or > must not be empty. Two kinds are tried without their work: of `ninja` that the targets exist, of
+# `ctest` that the filter finds tests. What not_run.txt lists is not run; what is neither run nor listed is an error.
 #
-#   run_commands.sh TEXT BINARY REPOSITORY
+#   run_commands.sh TEXT BINARY REPOSITORY BUILD_FOLDER
 set -u
 text=$1
 binary=$2
 repository=$3
+build=$4
+list=$(cd "$(dirname "$0")" && pwd)/not_run.txt
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 ln -s "$repository/host" "$folder/host"
@@ -15,35 +18,48 @@ PATH=$(dirname "$binary"):$PATH
 cd "$folder" || exit 1
 
 failed=0
-count=0
-sed -n 's/^    \(\(sightline\|parallel\) .*\)/\1/p' "$text" | sed 's/  *# .*//' > commands
-while read -r command; do
-  count=$((count + 1))
-  touch before
-  if ! sh -c "$command" > printed 2> complaint < /dev/null; then
-    echo "$command"
-    echo "  fails: $(tail -3 complaint)"
-    failed=1
+run=0
+listed=0
+fail() { # fail COMMAND WHY
+  printf '%s\n  %s\n' "$1" "$2"
+  failed=1
+}
+
+# The beginning of a line in not_run.txt, up to its tab.
+is_listed() {
+  while IFS="$(printf '\t')" read -r beginning reason; do
+    case $beginning in '' | '#'*) continue ;; esac
+    case $1 in "$beginning"*) return 0 ;; esac
+  done < "$list"
+  return 1
+}
+
+sed -n 's/^    \([^ ].*\)/\1/p' "$text" | sed 's/   *# .*//' > commands
+while read -r line; do
+  if is_listed "$line"; then
+    listed=$((listed + 1))
     continue
   fi
-  written=$(find . -newer before -type f ! -name before ! -name printed ! -name complaint | head -1)
-  if [ ! -s printed ] && [ ! -s complaint ] && [ -z "$written" ]; then
-    echo "$command"
-    echo "  prints nothing and writes nothing"
-    failed=1
+  case $line in
+    sightline\ * | parallel\ * | printf\ * | mkdir\ *) command=$line ;;
+    build/release/host/app/sightline\ *) command=${line#build/release/host/app/} ;;
+    ninja\ -C\ build/release\ *) command="ninja -n -C $build ${line#ninja -C build/release }" ;;
+    ctest\ --test-dir\ build/re*) command="ctest --test-dir $build -N ${line#ctest --test-dir build/re* } | grep 'Total Tests: [1-9]'" ;;
+    *) fail "$line" "is neither a known kind of command nor in tests/readme/not_run.txt"; continue ;;
+  esac
+  run=$((run + 1))
+  touch before
+  sleep 0.02  # times of files are only so fine
+  if ! sh -c "$command" > printed 2> complaint < /dev/null; then
+    fail "$line" "fails: $(cat printed complaint | tail -3)"
+    continue
   fi
+  written=$(find . -mindepth 1 -newer before ! -name before ! -name printed ! -name complaint | head -1)
+  if [ ! -s printed ] && [ ! -s complaint ] && [ -z "$written" ]; then fail "$line" "prints nothing and writes nothing"; fi
   for output in $(printf '%s\n' "$command" | grep -oE '(-o|>|--listing|--png|--trace) +[^ ]+' | sed 's/.* //'); do
-    if [ ! -s "$output" ]; then
-      echo "$command"
-      echo "  leaves $output empty, or does not write it"
-      failed=1
-    fi
+    [ -s "$output" ] || fail "$line" "leaves $output empty, or does not write it"
   done
 done < commands
-rm -f before
-if [ "$count" -lt 15 ]; then
-  echo "found $count commands in $text, expected at least 15: is the text's form another?"
-  failed=1
-fi
-echo "$count commands of $text"
+if [ "$run" -eq 0 ]; then fail "$text" "has no command that can be run: is its form another?"; fi
+echo "$text: $run commands run, $listed not"
 exit $failed
