@@ -274,14 +274,16 @@ std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedS
 std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view,
                                     const std::map<std::uint32_t, AxisLine>& vectors,
                                     const CellReference& reference) {
-  return pieces_of(view, vectors, reference, [](std::int32_t half) { return 0.5 * half + screen_centre; });
+  return pieces_of(view, vectors, reference, [number = guests::jones::ShortWords()](std::int32_t at) {
+    return number.points(at) + screen_centre;
+  });
 }
 
 std::vector<DrawnPiece> display_pieces(const guests::jones::View& view,
                                        const std::map<std::uint32_t, AxisLine>& vectors,
                                        const CellReference& reference) {
   return pieces_of(view, vectors, reference,
-                   [](std::int32_t half) { return static_cast<double>((half + 1) >> 1) + screen_centre; });
+                   [number = guests::jones::ShortWords()](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
 namespace {

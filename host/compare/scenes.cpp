@@ -171,7 +171,7 @@ std::optional<base::Error> compare_programs(const scene::CellScene& scene, const
         "guest",
         "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
   }
-  comparison.pictures.push_back(compared("twin", "pieces in half points", reference.lines(),
+  comparison.pictures.push_back(compared("twin", "pieces with fractions of a point", reference.lines(),
                                          twin_pieces(run.twin, vectors, reference)));
   return std::nullopt;
 }

@@ -27,15 +27,15 @@ namespace {
 
 namespace oracle = algorithms::oracle;
 
-// From half points about the middle of the screen to points.
+// From coordinates of the program, about the middle of the screen, to points.
 std::vector<oracle::ScreenSegment> in_points(const std::vector<guests::jones::Piece>& pieces) {
   constexpr double centre = 512;
   std::vector<oracle::ScreenSegment> segments;
   segments.reserve(pieces.size());
-  for (const guests::jones::Piece& piece : pieces) {
-    segments.push_back({piece.line.a.x * 0.5 + centre, piece.line.a.y * 0.5 + centre,
-                        piece.line.b.x * 0.5 + centre, piece.line.b.y * 0.5 + centre});
-  }
+  const guests::jones::ShortWords number;
+  const auto point = [&number](std::int32_t coordinate) { return number.points(coordinate) + centre; };
+  for (const guests::jones::Piece& piece : pieces)
+    segments.push_back({point(piece.line.a.x), point(piece.line.a.y), point(piece.line.b.x), point(piece.line.b.y)});
   return segments;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "emulators/machines/pdp7.hpp"
+#include "host/guests/jones/twin/number.hpp"
 #include "tests/firmware/jones_core.hpp"
 
 namespace sightline::guests::jones {
@@ -57,8 +58,10 @@ class RoutineMachine {
   [[nodiscard]] std::int64_t accumulator() const {
     return std::int64_t{cell("acch")} * (std::int64_t{1} << 18) + machine_.peek(at("accl")).value();
   }
-  // Without the EAE double products come times 2^7.
-  [[nodiscard]] std::int64_t product_unit() const { return eae_ ? 1 : 128; }
+  // Without the EAE double products come times 2^(8 - fraction bits).
+  [[nodiscard]] std::int64_t product_unit() const {
+    return eae_ ? 1 : std::int64_t{1} << (8 - machine_fraction_bits);
+  }
 
  private:
   static constexpr std::uint32_t hlt = 0740040;

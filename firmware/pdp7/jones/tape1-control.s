@@ -15,7 +15,7 @@
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
 
-FRACTION=1
+FRACTION=3
 TRUNCATE=0
         IFNZRO FRACTION&777774 <
 unit=1

@@ -20,7 +20,7 @@ using base::Json;
 struct JonesArguments {
   std::string scene;
   bool no_eae = false;
-  unsigned fraction = 1;
+  unsigned fraction = 3;
   bool truncate = false;
   std::string at;
   std::optional<int> scale;

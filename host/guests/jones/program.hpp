@@ -64,7 +64,7 @@ void deposit_core(Machine& machine, std::span<const core::Word18> core) {
 
 struct ProgramOptions {
   bool eae = true;
-  std::uint32_t fraction_bits = 1;  // -D FRACTION, 0..3: of a coordinate on the screen
+  std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen
   bool truncate = false;            // -D TRUNCATE: quotients and points are cut off, not rounded
   TapeOptions tape;                 // the eye, and with it the initial cell
 };

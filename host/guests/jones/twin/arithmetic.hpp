@@ -4,9 +4,8 @@
 // Each function is the twin of one routine of firmware/pdp7/jones and gives the same numbers, so that a test
 // can call the machine's routine through its label and compare. Source: firmware/pdp7/jones/SPECIFICATION.md
 // sections 1 and 2. Space is in object units relative to the eye, the screen in units relative to the centre
-// of the window: half points on the machine, 2^fraction_bits to a point for other numbers
-// (number.hpp). Functions without a number are the machine's own. Masks and clipping are in
-// mask.hpp.
+// of the window, 2^fraction_bits to a point (number.hpp). Functions without a number are the machine's own. Masks and
+// clipping are in mask.hpp.
 #pragma once
 
 #include <cstdint>
@@ -44,9 +43,11 @@ enum class Axis : std::uint8_t { x = 1, y = 2, z = 3 };  // A of a vector word: 
 
 // What is shown on one half of a stereo pair, or on the whole screen.
 struct Window {
-  std::int32_t xlo = -1024, xhi = 1022, ylo = -1024, yhi = 1022;  // units relative to the centre
-  std::int32_t centre_x = 512, centre_y = 512;                    // points of the screen
-  std::int32_t width_scale = 1024;                                // W: units per unit of x/z
+  static constexpr std::int32_t unit = std::int32_t{1} << machine_fraction_bits;  // a point of the screen
+  // Units relative to the centre.
+  std::int32_t xlo = -512 * unit, xhi = 511 * unit, ylo = -512 * unit, yhi = 511 * unit;
+  std::int32_t centre_x = 512, centre_y = 512;  // points of the screen
+  std::int32_t width_scale = 512 * unit;        // W: units per unit of x/z
   std::int32_t bound_factor = 4;                                  // K: lines are cut at |x|, |y| <= K z
 };
 enum class Pass : std::uint8_t { mono, left, right };

@@ -1,7 +1,7 @@
 // Masks of Jones's program: the clip of a line and of a projected opening to a convex polygon on the screen.
 //
 // Twins of the routines of firmware/pdp7/jones that clip. With ShortWords, as by default, the numbers are
-// those of the machine, in half points; the templates do the same in any other number of
+// those of the machine; the templates do the same in any other number of
 // number.hpp. Source: firmware/pdp7/jones/SPECIFICATION.md section 3.
 #pragma once
 

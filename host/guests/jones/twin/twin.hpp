@@ -67,7 +67,7 @@ template <class Coordinate>
 struct BasicPiece {
   std::uint16_t vector_address = 0;
   Pass pass = Pass::mono;
-  BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window: half points by default
+  BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window, 2^fraction_bits to a point
   bool drawn = true;                    // false: both ends are the same point of the screen
 
   friend bool operator==(const BasicPiece&, const BasicPiece&) = default;

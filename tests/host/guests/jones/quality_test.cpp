@@ -95,9 +95,9 @@ TEST_P(JonesQuality, AtMostOnePerCentIsWrongByMoreThanAPoint) {
     const View view = run(*core, TestCore::header, default_parameters(*core, TestCore::header));
     ASSERT_EQ(view.status, Status::complete) << eye[0] << ' ' << eye[1] << ' ' << eye[2];
     const auto truth = oracle::on_screen(oracle::visible_lines(*matter, lines, eye, window), eye, window);
-    std::vector<ScreenSegment> halves;
-    for (const Piece& piece : view.pieces) halves.push_back(piece.line);
-    pieces += error_of(halves, 0.5, 512, truth);
+    std::vector<ScreenSegment> drawn;
+    for (const Piece& piece : view.pieces) drawn.push_back(piece.line);
+    pieces += error_of(drawn, 1.0 / (1 << machine_fraction_bits), 512, truth);
     vectors += error_of(decode(view).vectors, 1, 0, truth);
   }
   pieces.print(GetParam(), "pieces");

@@ -163,7 +163,7 @@ TEST_P(JonesRoutines, ElevenStepMultiplication) {
     ASSERT_EQ(machine.call("mpy", a), End::returned);
     const std::int64_t product =
         std::int64_t{machine.cell("mpyh")} << 18 | machine.word(machine.at("mpyl")).value();
-    ASSERT_EQ(product, (std::int64_t{a} * b) << 7) << a << " * " << b;
+    ASSERT_EQ(product, (std::int64_t{a} * b) << (8 - machine_fraction_bits)) << a << " * " << b;
   }
 }
 
@@ -173,26 +173,29 @@ TEST_P(JonesRoutines, DisplayWordsOfPieces) {
     const bool joining = file % 2 == 0;
     const Window window;
     DisplayFile expected(1400, joining);
-    const auto point_of = [&](ScreenPoint half) {
-      return ScreenPoint{((half.x + 1) >> 1) + window.centre_x, ((half.y + 1) >> 1) + window.centre_y};
+    constexpr int unit = 1 << machine_fraction_bits;
+    const auto point_of = [&](ScreenPoint at) {
+      return ScreenPoint{((at.x + unit / 2) >> machine_fraction_bits) + window.centre_x,
+                         ((at.y + unit / 2) >> machine_fraction_bits) + window.centre_y};
     };
     Operations operations;
     machine.set("mode", joining ? 0 : 2);
     machine.set("runing", 1);
     machine.set("file",
                 static_cast<std::int32_t>(machine.at("filea")));  // so the other is the one being made
-    machine.set("cx2", 2 * window.centre_x + 1);
+    machine.set("cx2", unit * window.centre_x + unit / 2);
     ASSERT_EQ(machine.call("newfil"), End::returned);
     ASSERT_EQ(machine.cell("dfs"), static_cast<std::int32_t>(machine.at("fileb")));
     machine.set("file", static_cast<std::int32_t>(machine.at("fileb")));  // already shown
     ScreenPoint end{};
     for (int i = 0; i < 60; ++i) {
-      const auto coordinate = [&] { return dice(-1024, 1022); };
+      const auto coordinate = [&] { return dice(-512 * unit, 511 * unit); };
       ScreenSegment line{{coordinate(), coordinate()}, {coordinate(), coordinate()}};
       if (i % 3 == 1) line.a = end;
       if (i % 4 == 1) line.b = {line.a.x, coordinate()};
       if (i % 4 == 2) line.b = {line.a.x + dice(-2, 2), line.a.y + dice(-2, 2)};
-      line.b = {std::clamp(line.b.x, -1024, 1022), std::clamp(line.b.y, -1024, 1022)};
+      line.b = {std::clamp(line.b.x, -512 * unit, 511 * unit),
+                std::clamp(line.b.y, -512 * unit, 511 * unit)};
       machine.set("lax", line.a.x);
       machine.set("lay", line.a.y);
       machine.set("lbx", line.b.x);

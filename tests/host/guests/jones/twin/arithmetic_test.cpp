@@ -43,27 +43,35 @@ TEST(JonesMuldiv, OverflowsLikeTheDivider) {
   EXPECT_EQ(muldiv(0777777, 0777777, 0777777), 0777777);
 }
 
+// Differences of coordinates must stay in a word of 18 bits: with two or three fraction bits the bound of large scales is
+// that of a field of 90 degrees, which is outside the window then.
 TEST(JonesWindow, BoundLiesOutsideTheWindowAndKeepsDifferencesInAWord) {
-  for (const Pass pass : {Pass::mono, Pass::left, Pass::right}) {
-    for (std::int32_t scale = 64; scale <= 4096; ++scale) {
-      const Window window = window_of(pass, scale);
-      const std::int32_t limit = window.bound_factor * window.width_scale;
-      EXPECT_GE(limit, 2048);
-      EXPECT_LE(limit, 1 << 15);
-      EXPECT_GE(window.bound_factor, 4);
-      EXPECT_LE(window.bound_factor, 32);
+  for (int bits = 0; bits <= 3; ++bits) {
+    for (const Pass pass : {Pass::mono, Pass::left, Pass::right}) {
+      for (std::int32_t scale = 64; scale <= 4096; ++scale) {
+        const Window window = window_of(pass, scale, bits);
+        const std::int32_t limit = window.bound_factor * window.width_scale;
+        ASSERT_GE(limit, 1024 << bits) << scale;
+        ASSERT_LE(limit, 1 << 15) << scale;
+        ASSERT_GE(window.bound_factor, bits < 2 ? 4 : 1) << scale;
+        ASSERT_LE(window.bound_factor, 32) << scale;
+      }
     }
   }
 }
 
 TEST(JonesWindow, HalvesOfAStereoPairMeetAtTheMiddleOfTheScreen) {
-  const Window left = window_of(Pass::left, 513);
-  const Window right = window_of(Pass::right, 513);
-  EXPECT_EQ(left.width_scale, 512);
-  EXPECT_EQ(((left.xlo + 1) >> 1) + left.centre_x, 0);
-  EXPECT_EQ(((left.xhi + 1) >> 1) + left.centre_x, 511);
-  EXPECT_EQ(((right.xlo + 1) >> 1) + right.centre_x, 512);
-  EXPECT_EQ(((right.xhi + 1) >> 1) + right.centre_x, 1023);
+  for (int bits = 0; bits <= 3; ++bits) {
+    const std::int32_t unit = 1 << bits;
+    const auto point = [&](std::int32_t coordinate) { return (coordinate + unit / 2) >> bits; };
+    const Window left = window_of(Pass::left, 513, bits);
+    const Window right = window_of(Pass::right, 513, bits);
+    EXPECT_EQ(left.width_scale, unit * 256);
+    EXPECT_EQ(point(left.xlo) + left.centre_x, 0);
+    EXPECT_EQ(point(left.xhi) + left.centre_x, 511);
+    EXPECT_EQ(point(right.xlo) + right.centre_x, 512);
+    EXPECT_EQ(point(right.xhi) + right.centre_x, 1023);
+  }
 }
 
 TEST(JonesSeg3, KeepsExactlyWhatIsInsideTheBound) {
