@@ -84,8 +84,8 @@ class Output {
   std::unique_ptr<base::AtomicFile> file_;
 };
 
-// The option parser takes -1 for the largest number there is, and that for all that are larger: a check for
-// options whose numbers have no other bounds. Nothing if `text` is a whole number from 0 to 2^64 - 1.
+// The option parser reads -1 as the largest number, and so every number that is too large: a check for options whose
+// numbers have no other bounds. Empty if `text` is a whole number from 0 to 2^64 - 1, else the complaint.
 [[nodiscard]] std::string why_no_whole_number(const std::string& text);
 
 // The option parser takes nan and inf for numbers: a Failure usage for them.

@@ -52,7 +52,7 @@ class Option {
   // `low` and `high` themselves are within. A value that is not a number passes: see require_finite.
   template <class Number>
   Option range(Number low, Number high) const;
-  // `why_not` says what is wrong with a value; nothing if it is good.
+  // `why_not` returns what is wrong with a value, or an empty text.
   Option check(const std::function<std::string(const std::string&)>& why_not) const;
 
   // Of lists: NAME,... in one argument; or one value each time the option is given.

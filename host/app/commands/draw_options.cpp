@@ -207,7 +207,7 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   const auto [width, height] = size_argument("--size", output.size, static_cast<int>(widest_paper));
   output.paper.width = width;
   output.paper.height = height;
-  // The ranges of the options let through what is no number.
+  // A value that is not a number (nan) passes the ranges of the options.
   if (!std::isfinite(output.paper.margin) || !std::isfinite(output.paper.pen)) {
     throw Failure(ExitCode::usage, fmt::format("{}: found no number, expected millimetres",
                                                std::isfinite(output.paper.pen) ? "--margin" : "--pen"));

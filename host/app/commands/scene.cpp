@@ -340,7 +340,7 @@ struct GenerateArguments {
 // What SIZE counts; host/scene/generate/scene.hpp says what the families look like.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> family_sizes{{
     {"boxes", "SIZE boxes anywhere that touch nowhere"},
-    {"edgeon", "SIZE such boxes, looked at from the plane of a face"},
+    {"edgeon", "SIZE such boxes, viewed from the plane of a face"},
     {"touch", "SIZE x SIZE x SIZE cubes that share faces"},
     {"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
     {"town", "SIZE buildings on the ground"},

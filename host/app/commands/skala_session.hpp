@@ -29,12 +29,12 @@ struct SkalaOutcome {
   std::uint64_t points_walked = 0;
   std::uint64_t points_lit = 0;
   guests::skala::PlotterWork plotter;  // nothing on a raster board
-  // How much longer than without the visibility test, in per cent; below 0 if not. Nothing if the order is
+  // How much longer than without the visibility test, in per cent; below 0 if not. Empty if the order is
   // without the test itself, or if nothing is drawn.
   std::optional<double> visibility_cost;
 };
 
-// Runs the program, and where asked once more without the visibility test. Failure guest_failed: it did not
+// Runs the program, and where asked again without the visibility test. Failure guest_failed: it did not
 // end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
 // twin's, which is a defect of this program.
 [[nodiscard]] SkalaOutcome run_skala_request(const guests::skala::Session& session,

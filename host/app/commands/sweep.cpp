@@ -91,7 +91,7 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScen
   }
   if (arguments.turn && !source.cells)
     throw Failure(ExitCode::usage, fmt::format("--turn: found {}, expected a scene of cells; all others are "
-                                               "looked at in all directions anyhow",
+                                               "viewed in all directions in any case",
                                                source.name));
   compare::SweepOptions options;
   options.seed = arguments.seed;
@@ -221,7 +221,7 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
   throw Failure(
       ExitCode::bad_input,
       fmt::format("{}: line {} is not {} of this sweep: found another scene, seed, choice or order; "
-                  "expected a file to go on with, or none",
+                  "expected a file that this sweep can resume, or none",
                   arguments.output, -kept,
                   next < shard.last ? fmt::format("view {}", next) : std::string("a view")));
 }
