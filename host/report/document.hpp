@@ -46,15 +46,6 @@ struct Column {
   bool host_time = false;  // of this computer and this run: left out where equal bytes are asked for
 };
 
-struct Table {
-  std::string id;  // a-z, 0-9, -; once in a report: the file's name and the place to link to
-  std::string title;
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;  // each as wide as columns
-  std::vector<Said> notes;              // paragraphs under the table
-  bool folded = false;                  // to be opened in the page
-};
-
 struct Figure {
   std::string id;  // as a table's
   std::string title;
@@ -66,12 +57,37 @@ struct Figure {
   bool pixelated = false;  // enlarged without smoothing
 };
 
+struct Table {
+  std::string id;  // a-z, 0-9, -; once in a report: the file's name and the place to link to
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;  // each as wide as columns
+  std::vector<Said> notes;              // paragraphs under the table
+  bool folded = false;                  // to be opened in the page
+  // Pictures of each row: the page shows the rows as cards. Readers choose cards by this name, and by whether a
+  // judgement in the row is bad.
+  std::vector<std::vector<Figure>> cards = {};
+  std::string cards_name = {};
+};
+
 struct Paragraph {
   Said text;
 };
 
+// With an id it begins a chapter: what follows, up to the next one, is folded under it.
 struct Heading {
   std::string text;
+  std::string id = {};
+};
+
+// A method or a finding: its statement, figures beside each other ("Here", "0.06 to 0.98 s"), text, pictures.
+struct Panel {
+  std::string id;
+  Said title;
+  std::string source;  // the paper; empty: none
+  std::vector<std::pair<std::string, std::string>> facts;
+  std::vector<Said> text;
+  std::vector<Figure> figures;
 };
 
 // A file the report is about, such as an input: folded up in the page, to be opened there or saved.
@@ -90,7 +106,7 @@ struct Gallery {
   bool wide = false;  // one below the other
 };
 
-using Block = std::variant<Paragraph, Heading, Table, Figure, Gallery, Listing>;
+using Block = std::variant<Paragraph, Heading, Panel, Table, Figure, Gallery, Listing>;
 
 struct Section {
   std::string id;

@@ -15,7 +15,7 @@ namespace sightline::report {
 
 namespace {
 
-// Tables and galleries of more rows or pictures are folded, so that the page can be read as a whole.
+// Tables and galleries of more rows or pictures are folded within their chapter.
 constexpr std::size_t most_unfolded = 12;
 
 constexpr std::string_view replacement = "\uFFFD";
@@ -60,7 +60,7 @@ class Page {
     for (const Section& section : report_.sections) {
       html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
                            html_escaped(section.title));
-      add(section.blocks);
+      add(section);
       html_ += "</section>\n";
     }
     html_ += fmt::format("</main>\n<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
@@ -75,11 +75,27 @@ class Page {
     html_ += fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<header><h1>{}</h1><nav aria-label=\"Parts\">",
-        title, page_style, title);
+        "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<header><h1>{}</h1><nav aria-label=\"Sections\">",
+        title, page_style, filter_style(), title);
     for (const Section& section : report_.sections)
       html_ += fmt::format("<a href=\"#{}\">{}</a>", html_escaped(section.id), html_escaped(section.title));
     html_ += "</nav></header>\n";
+  }
+
+  // The filter of cards works without script: a choice hides the cards of the other tables.
+  [[nodiscard]] std::string filter_style() const {
+    std::string style;
+    for (const Section& section : report_.sections)
+      for (const Table* const table : card_tables(section))
+        style += fmt::format("section:has(#show-{0}:checked) .cards:not(#cards-{0}) {{ display: none; }}\n", html_escaped(table->id));
+    return style;
+  }
+  static std::vector<const Table*> card_tables(const Section& section) {
+    std::vector<const Table*> tables;
+    for (const Block& block : section.blocks)
+      if (const auto* const table = std::get_if<Table>(&block); table != nullptr && !table->cards_name.empty())
+        tables.push_back(table);
+    return tables;
   }
 
   void introduction() {
@@ -105,6 +121,12 @@ class Page {
     for (const Figure& figure : gallery.figures) failed += failures_in(figure);
     return failed;
   }
+  static std::size_t failures_in(const Panel& panel) {
+    std::size_t failed = panel.title.failed.size();
+    for (const Said& text : panel.text) failed += text.failed.size();
+    for (const Figure& figure : panel.figures) failed += failures_in(figure);
+    return failed;
+  }
   static std::size_t failures_in(const Heading&) { return 0; }
   static std::size_t failures_in(const Listing&) { return 0; }
 
@@ -114,6 +136,7 @@ class Page {
       html_ += fmt::format("<li><a href=\"#{}\">{}</a>\n<ul>\n", html_escaped(section.id),
                            html_escaped(section.title));
       for (const Block& block : section.blocks) {
+        if (const auto* const panel = std::get_if<Panel>(&block)) entry(panel->id, panel->title.text);
         if (const auto* const table = std::get_if<Table>(&block)) entry(table->id, table->title);
         if (const auto* const figure = std::get_if<Figure>(&block)) entry(figure->id, figure->title);
         if (const auto* const gallery = std::get_if<Gallery>(&block)) entry(gallery->id, gallery->title);
@@ -127,16 +150,30 @@ class Page {
     html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
   }
 
-  // Figures that follow each other stand side by side where the page is wide enough.
-  void add(const std::vector<Block>& blocks) {
+  // Figures that follow each other stand side by side where the page is wide enough. Chapters are folded.
+  void add(const Section& section) {
     bool in_row = false;
-    for (const Block& block : blocks) {
+    bool in_chapter = false;
+    bool filter = !card_tables(section).empty();
+    for (const Block& block : section.blocks) {
       const bool figure = std::holds_alternative<Figure>(block);
       if (figure != in_row) html_ += figure ? "<div class=\"plots\">\n" : "</div>\n";
       in_row = figure;
+      if (const auto* const heading = std::get_if<Heading>(&block); heading != nullptr && !heading->id.empty()) {
+        if (in_chapter) html_ += "</details>\n";
+        in_chapter = true;
+        html_ += fmt::format("<details class=\"chapter\" id=\"{}\"><summary><h3>{}</h3></summary>\n", html_escaped(heading->id),
+                             html_escaped(heading->text));
+        continue;
+      }
+      if (const auto* const table = std::get_if<Table>(&block); filter && table != nullptr && !table->cards_name.empty()) {
+        add_filter(section);
+        filter = false;
+      }
       std::visit([this](const auto& content) { add(content); }, block);
     }
     if (in_row) html_ += "</div>\n";
+    if (in_chapter) html_ += "</details>\n";
   }
 
   void add(const Paragraph& paragraph) { add(paragraph.text, ""); }
@@ -146,10 +183,84 @@ class Page {
     for (const std::string& failed : said.failed)
       html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", html_escaped(failed));
   }
-  void add(const Heading& heading) { html_ += "<h3>" + html_escaped(heading.text) + "</h3>\n"; }
+  void add(const Heading& heading) { html_ += "<h4>" + html_escaped(heading.text) + "</h4>\n"; }
+
+  void add(const Panel& panel) {
+    html_ += fmt::format("<article class=\"panel\" id=\"{}\">\n<div>\n<h3>{}</h3>\n", html_escaped(panel.id), html_escaped(panel.title.text));
+    add(Said("", panel.title.failed), "");
+    if (!panel.source.empty()) html_ += "<p class=\"note\">" + html_escaped(panel.source) + "</p>\n";
+    if (!panel.facts.empty()) {
+      html_ += "<dl class=\"facts\">";
+      for (const auto& [label, value] : panel.facts)
+        html_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(label), html_escaped(value));
+      html_ += "</dl>\n";
+    }
+    for (const Said& text : panel.text) add(text, "");
+    html_ += "</div>\n<div class=\"pictures\">\n";
+    for (const Figure& figure : panel.figures) add(figure);
+    html_ += "</div>\n</article>\n";
+  }
+
+  // Choices of cards: which table's, and with which outcome.
+  void add_filter(const Section& section) {
+    constexpr std::string_view choice = "<label><input type=\"radio\" name=\"{}-{}\" {}> {}</label>\n";
+    const std::string name = html_escaped(section.id);
+    html_ += "<form class=\"filter\">\n<fieldset><legend>Method</legend>\n";
+    html_ += fmt::format(choice, name, "method", "checked", "all");
+    for (const Table* const table : card_tables(section))
+      html_ += fmt::format(choice, name, "method", fmt::format("id=\"show-{}\"", html_escaped(table->id)), html_escaped(table->cards_name));
+    html_ += "</fieldset>\n<fieldset><legend>Outcome</legend>\n";
+    html_ += fmt::format(choice, name, "outcome", "checked", "all");
+    html_ += fmt::format(choice, name, "outcome", "class=\"show-bad\"", "a program is wrong");
+    html_ += fmt::format(choice, name, "outcome", "class=\"show-good\"", "all are right");
+    html_ += "</fieldset>\n</form>\n";
+  }
+
+  // The first cell is the card's name; judgements stand below the rest.
+  void add_cards(const Table& table) {
+    html_ += "<div class=\"deck\">\n";
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const auto& cells = table.rows[row];
+      const bool bad = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+        const auto* const verdict = std::get_if<Verdict>(&cell);
+        return verdict != nullptr && !verdict->good;
+      });
+      html_ += fmt::format("<article class=\"card {}\">\n<h4>{}</h4>\n", bad ? "wrong" : "right", html_escaped(shown_text(cells.at(0))));
+      if (row < table.cards.size() && !table.cards[row].empty()) {
+        html_ += "<div class=\"pair\">\n";
+        for (const Figure& figure : table.cards[row]) add(figure);
+        html_ += "</div>\n";
+      }
+      html_ += "<dl>";
+      for (std::size_t i = 1; i < cells.size(); ++i) {
+        const std::string text = shown_text(cells[i]);
+        if (text.empty() || std::holds_alternative<std::monostate>(cells[i])) continue;
+        const auto* const verdict = std::get_if<Verdict>(&cells[i]);
+        html_ += fmt::format("<dt>{}</dt><dd{}>{}</dd>", html_escaped(table.columns[i].title),
+                             verdict == nullptr ? "" : look_of(*verdict), html_escaped(text));
+      }
+      html_ += "</dl>\n</article>\n";
+    }
+    html_ += "</div>\n";
+  }
+
+  void add_end(const Table& table) {
+    for (const Said& note : table.notes) add(note, " class=\"note\"");
+    html_ += fmt::format(
+        "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
+        html_escaped(table.id));
+  }
 
   void add(const Table& table) {
     const std::string id = html_escaped(table.id);
+    if (!table.cards_name.empty()) {
+      html_ += fmt::format("<div class=\"cards\" id=\"cards-{}\">\n", id);
+      begin(id, table.title, false);
+      add_cards(table);
+      add_end(table);
+      html_ += "</div>\n";
+      return;
+    }
     const bool folded = table.folded || table.rows.size() > most_unfolded;
     begin(id, table.title, folded);
     html_ += fmt::format(
@@ -162,20 +273,17 @@ class Page {
     html_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
       html_ += "<tr>";
-      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], i < numbers.size() && numbers[i]);
+      for (std::size_t i = 0; i < row.size(); ++i) add(row[i], i < numbers.size() && numbers[i], i == 0);
       html_ += "</tr>\n";
     }
     html_ += "</tbody>\n</table>\n</div>\n";
-    for (const Said& note : table.notes) add(note, " class=\"note\"");
-    html_ += fmt::format(
-        "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
-        id);
+    add_end(table);
     if (folded) html_ += "</details>\n";
   }
 
   // A title that can be linked to; folded: what follows is shown when it is opened.
   void begin(const std::string& id, const std::string& title, bool folded) {
-    const std::string heading = fmt::format("<h3 id=\"{}\">{}</h3>", id, html_escaped(title));
+    const std::string heading = fmt::format("<h4 id=\"{}\">{}</h4>", id, html_escaped(title));
     html_ += folded ? "<details><summary>" + heading + "</summary>\n" : heading + "\n";
   }
 
@@ -191,24 +299,32 @@ class Page {
     html_ += "</th>";
   }
 
-  void add(const Cell& cell, bool among_numbers) {
+  static std::string_view look_of(const Verdict& verdict) { return verdict.good ? " class=\"good\"" : " class=\"bad\""; }
+
+  // The first cell names the row and stays in sight.
+  void add(const Cell& cell, bool among_numbers, bool first) {
     std::string_view look;
     if (is_number(cell) || (among_numbers && std::holds_alternative<std::monostate>(cell)))
       look = " class=\"n\"";
-    if (const auto* const verdict = std::get_if<Verdict>(&cell))
-      look = verdict->good ? " class=\"good\"" : " class=\"bad\"";
-    html_ += fmt::format("<td{}>{}</td>", look, html_escaped(shown_text(cell)));
+    if (const auto* const verdict = std::get_if<Verdict>(&cell)) look = look_of(*verdict);
+    html_ += fmt::format("<{0}{1}>{2}</{3}>", first ? "th scope=\"row\"" : "td", look, html_escaped(shown_text(cell)), first ? "th" : "td");
   }
 
   void add(const Figure& figure) {
     html_ += fmt::format(
-        "<figure id=\"{}\"><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}",
-        html_escaped(figure.id), figure.pixelated ? " class=\"pixelated\"" : "",
+        "<figure{}><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}",
+        figure.id.empty() ? "" : fmt::format(" id=\"{}\"", html_escaped(figure.id)), look_of(figure),
         html_escaped(data_uri(figure.media_type, figure.bytes)), html_escaped(figure.alternative),
         html_escaped(figure.title), html_escaped(figure.caption.text));
     for (const std::string& failed : figure.caption.failed)
       html_ += fmt::format("<br><span class=\"bad\">Not in this run: {}</span>", html_escaped(failed));
     html_ += "</figcaption></figure>\n";
+  }
+
+  // Drawings on white are shown light on dark where the reader prefers that.
+  static std::string_view look_of(const Figure& figure) {
+    if (figure.media_type == "image/svg+xml") return " class=\"drawing\"";
+    return figure.pixelated ? " class=\"pixelated\"" : "";
   }
 
   void add(const Gallery& gallery) {

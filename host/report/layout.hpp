@@ -1,4 +1,4 @@
-// What the page shows of the records, as data/*.json say it: report.json the parts and their chapters,
+// What the page shows of the records, as data/*.json say it: report.json the parts, sections and their chapters,
 // papers.json what the papers say and where, and a file a chapter, which is a list of blocks. All expressions and
 // texts are read, and what is wrong with one is an error that names file and place; names are looked up when a
 // chapter is rendered (render.hpp).
@@ -55,6 +55,12 @@ struct NoteLayout {
   bool host_time = false;
 };
 
+// A picture of a card, if the row has one under this key.
+struct CardPicture {
+  std::string image;
+  Text name;
+};
+
 struct TableLayout {
   std::string id;
   Text title;
@@ -64,6 +70,8 @@ struct TableLayout {
   std::vector<NoteLayout> notes;
   bool folded = false;
   bool only_with_rows = false;
+  std::string cards_name = {};  // not empty: the rows are cards
+  std::vector<CardPicture> cards = {};
 };
 
 // What a paper says and what there is here to put beside it.
@@ -139,10 +147,23 @@ struct ParagraphLayout {
 };
 struct HeadingLayout {
   Text text;
+  std::string id = {};  // not empty: begins a chapter of the page
+};
+
+// Texts may speak of the claim's figure, as those of a ClaimRow.
+struct PanelLayout {
+  std::string id;
+  Text title;
+  std::string paper;  // whose title stands with it; empty: none
+  std::string claim;  // as a ClaimRow's; empty: none
+  std::vector<std::pair<Text, Text>> facts;
+  std::vector<NoteLayout> text;
+  std::vector<std::variant<PlotLayout, GalleryLayout>> pictures;
 };
 
 struct BlockLayout {
-  std::variant<ParagraphLayout, HeadingLayout, TableLayout, ClaimsLayout, PlotLayout, GalleryLayout, ListingsLayout>
+  std::variant<ParagraphLayout, HeadingLayout, PanelLayout, TableLayout, ClaimsLayout, PlotLayout, GalleryLayout,
+               ListingsLayout>
       content;
   std::string place;       // in its file: "skala.json: blocks[3]"
   bool host_time = false;  // left out without host times
@@ -170,14 +191,23 @@ struct Paper {
   std::string title;
   std::string published_in;
   std::map<std::string, Claim, std::less<>> claims;
+
+  // C. B. Jones, "A new approach ...", The Computer Journal 14(3), 1971.
+  [[nodiscard]] std::string citation() const;
 };
 
+// A kind of chapters, which people ask for by its number.
 struct PartLayout {
-  int number = 0;  // as people ask for it
+  int number = 0;
+  std::string title;
+};
+
+// Chapters in their order, each of a part; those of none are left out where parts are asked for.
+struct SectionLayout {
   std::string id;
   std::string title;
-  std::vector<std::string> introduction;
-  std::vector<std::string> chapters;
+  std::string paper;  // empty: none
+  std::vector<std::pair<std::string, int>> chapters;  // and the number of its part; 0: none
 };
 
 struct Layout {
@@ -185,12 +215,15 @@ struct Layout {
   std::vector<std::string> introduction;
   std::string without_host_times;  // said of a report without them
   std::vector<PartLayout> parts;
+  std::vector<SectionLayout> sections;
   std::vector<Paper> papers;
   Records paper_tables;  // tables that papers print: the sets "papers.NAME"
   std::map<std::string, Chapter, std::less<>> chapters;
 
   // nullptr: there is none.
   [[nodiscard]] const Claim* claim(std::string_view paper_and_claim) const;
+  [[nodiscard]] const Paper* paper(std::string_view id) const;
+  [[nodiscard]] const PartLayout* part(int number) const;
 };
 
 using DataFiles = std::span<const std::pair<std::string_view, std::string_view>>;  // name, contents

@@ -89,20 +89,16 @@ Figure drawn(const Plot& plot) {
   return *std::move(figure);
 }
 
-std::vector<const PartLayout*> parts_of(const Layout& layout, std::span<const int> numbers) {
-  std::vector<const PartLayout*> parts;
-  for (const PartLayout& part : layout.parts) {
-    if (numbers.empty() || std::find(numbers.begin(), numbers.end(), part.number) != numbers.end()) parts.push_back(&part);
-  }
-  return parts;
+bool is_chosen(int part, std::span<const int> numbers) {
+  return numbers.empty() || std::find(numbers.begin(), numbers.end(), part) != numbers.end();
 }
 
 std::set<std::string> experiments_of(const Layout& layout, std::span<const int> numbers) {
   std::set<std::string> names;
-  for (const PartLayout* const part : parts_of(layout, numbers))
-    for (const std::string& chapter : part->chapters)
-      if (const auto found = layout.chapters.find(chapter); found != layout.chapters.end())
-        for (const std::string& name : found->second.experiments()) names.insert(name);
+  for (const SectionLayout& section : layout.sections)
+    for (const auto& [chapter, part] : section.chapters)
+      if (is_chosen(part, numbers))
+        for (const std::string& name : layout.chapters.at(chapter).experiments()) names.insert(name);
   return names;
 }
 
@@ -112,12 +108,16 @@ Report written(const Layout& layout, std::span<const int> numbers, const Results
   struct Place {
     std::size_t section;
     const std::string* chapter;
+    int part;
   };
   std::vector<Place> chapters;
-  for (const PartLayout* const part : parts_of(layout, numbers)) {
-    Section& section = report.sections.emplace_back(Section{part->id, part->title, {}});
-    for (const std::string& text : part->introduction) section.blocks.emplace_back(Paragraph{text});
-    for (const std::string& name : part->chapters) chapters.push_back({report.sections.size() - 1, &name});
+  for (const SectionLayout& layout_of : layout.sections) {
+    const std::size_t first = chapters.size();
+    for (const auto& [name, part] : layout_of.chapters)
+      if (is_chosen(part, numbers)) chapters.push_back({report.sections.size(), &name, part});
+    if (chapters.size() == first) continue;
+    Section& section = report.sections.emplace_back(Section{layout_of.id, layout_of.title, {}});
+    if (!layout_of.paper.empty()) section.blocks.emplace_back(Paragraph{layout.paper(layout_of.paper)->citation() + "."});
   }
   // Plots are drawn by another program, which takes most of the time.
   base::OrderedWork<std::vector<Block>> work;
@@ -127,7 +127,11 @@ Report written(const Layout& layout, std::span<const int> numbers, const Results
     return render(layout.chapters.at(*chapters[i].chapter), layout, results, {context.host_times, drawn});
   };
   work.take = [&](std::uint64_t i, std::vector<Block> blocks) {
-    std::vector<Block>& all = report.sections[chapters[i].section].blocks;
+    const Place& place = chapters[i];
+    std::vector<Block>& all = report.sections[place.section].blocks;
+    // Chapters of one part follow each other under its title.
+    const bool begins = i == 0 || chapters[i - 1].section != place.section || chapters[i - 1].part != place.part;
+    if (begins && place.part != 0) all.emplace_back(Heading{layout.part(place.part)->title, *place.chapter});
     all.insert(all.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
   };
   work.go_on = [] { return true; };

@@ -91,9 +91,11 @@ std::string marks_of(std::size_t curve, std::string_view with) {
   return text;
 }
 
-// Beside the plot, where long names would leave it no room: then below it.
+// Beside the plot, where long names would leave it no room: then below it. Above a small plot.
 std::string_view legend_place(const Plot& plot) {
   constexpr std::size_t long_name = 30;
+  constexpr int small_plot = 600;
+  if (plot.width < small_plot) return "outside top center horizontal font ',11'";
   const bool is_long = std::any_of(plot.curves.begin(), plot.curves.end(),
                                    [](const Curve& curve) { return curve.name.size() > long_name; });
   return is_long ? "outside bottom center horizontal font ',11'" : "outside right top vertical";
@@ -208,9 +210,9 @@ std::string gnuplot_script(const Plot& plot) {
   }
   text += fmt::format(
       "set terminal svg size {},{} noenhanced font \"DejaVu Sans,13\" background rgb \"white\"\n"
-      "set encoding utf8\nset title {}\nset key {} Left reverse samplen 4\n"
+      "set encoding utf8\nset key {} Left reverse samplen 4\n"
       "set grid xtics ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror\n",
-      plot.width, plot.height, in_quotes(plot.title), legend_place(plot));
+      plot.width, plot.height, legend_place(plot));
   if (!anything) return text + empty_plot(plot.x, plot.y);
   text += axis_commands(plot.x, 'x', zero_x) + axis_commands(plot.y, 'y', zero_y);
   return text + curves + "\n";

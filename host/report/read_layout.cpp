@@ -139,9 +139,9 @@ RowsOf rows_of(const Node& node) {
   return {node.string("from"), node.expression_or_none("where")};
 }
 
-std::vector<NoteLayout> notes_of(const Node& node) {
+std::vector<NoteLayout> notes_of(const Node& node, std::string_view name = "notes") {
   std::vector<NoteLayout> notes;
-  for (const Node& note : node.elements("notes")) {
+  for (const Node& note : node.elements(name)) {
     if (note.json().text() != nullptr) {
       notes.push_back({note.text(), false});
     } else {
@@ -170,7 +170,7 @@ ColumnLayout column_of(const Node& node) {
 }
 
 TableLayout table_of(const Node& node) {
-  node.object({"table", "title", "from", "where", "columns", "pivot", "notes", "folded", "only_with_rows", "host"});
+  node.object({"table", "title", "from", "where", "columns", "pivot", "notes", "folded", "only_with_rows", "host", "cards"});
   TableLayout table;
   table.id = node.string("table");
   table.title = node.text("title");
@@ -185,6 +185,12 @@ TableLayout table_of(const Node& node) {
   table.notes = notes_of(node);
   table.folded = node.flag("folded");
   table.only_with_rows = node.flag("only_with_rows");
+  if (node.has("cards")) {
+    const Node cards = node.at("cards").object({"name", "pictures"});
+    table.cards_name = cards.string("name");
+    for (const Node& picture : cards.elements("pictures"))
+      table.cards.push_back({picture.object({"image", "name"}).string("image"), picture.text("name")});
+  }
   return table;
 }
 
@@ -246,6 +252,25 @@ ListingsLayout listings_of(const Node& node) {
   return {rows_of(node), node.text("id"), node.text("file"), node.expression("listings")};
 }
 
+PanelLayout panel_of(const Node& node) {
+  node.object({"panel", "title", "paper", "claim", "facts", "text", "pictures", "host"});
+  PanelLayout panel{node.string("panel"), node.text("title"), node.string_or("paper", ""), node.string_or("claim", ""), {},
+                    notes_of(node, "text"), {}};
+  for (const Node& fact : node.elements("facts")) {
+    const auto both = fact.elements();
+    if (both.size() != 2) refuse(fact.place(), fmt::format("found {} texts, expected a label and a value", both.size()));
+    panel.facts.emplace_back(both[0].text(), both[1].text());
+  }
+  for (const Node& picture : node.elements("pictures")) {
+    if (picture.has("plot")) {
+      panel.pictures.emplace_back(plot_of(picture));
+    } else {
+      panel.pictures.emplace_back(gallery_of(picture));
+    }
+  }
+  return panel;
+}
+
 BlockLayout block_of(const Node& node) {
   BlockLayout block;
   block.place = node.place();
@@ -253,7 +278,9 @@ BlockLayout block_of(const Node& node) {
   if (node.has("paragraph")) {
     block.content = ParagraphLayout{node.object({"paragraph", "host"}).text("paragraph")};
   } else if (node.has("heading")) {
-    block.content = HeadingLayout{node.object({"heading", "host"}).text("heading")};
+    block.content = HeadingLayout{node.object({"heading", "id", "host"}).text("heading"), node.string_or("id", "")};
+  } else if (node.has("panel")) {
+    block.content = panel_of(node);
   } else if (node.has("table")) {
     block.content = table_of(node);
   } else if (node.has("claims")) {
@@ -265,7 +292,7 @@ BlockLayout block_of(const Node& node) {
   } else if (node.has("listings")) {
     block.content = listings_of(node);
   } else {
-    refuse(node.place(), "expected a paragraph, heading, table, claims, plot, gallery or listings");
+    refuse(node.place(), "expected a paragraph, heading, panel, table, claims, plot, gallery or listings");
   }
   return block;
 }
@@ -346,22 +373,35 @@ void read_paper(const Node& node, Layout& layout) {
 }
 
 void read_report(const Node& node, Layout& layout) {
-  node.object({"title", "introduction", "without_host_times", "parts"});
+  node.object({"title", "introduction", "without_host_times", "parts", "sections"});
   layout.title = node.string("title");
   layout.introduction = node.strings("introduction");
   layout.without_host_times = node.string_or("without_host_times", "");
-  for (const Node& part : node.elements("parts")) {
-    part.object({"number", "id", "title", "introduction", "chapters"});
-    layout.parts.push_back({part.at("number").whole(), part.string("id"), part.string("title"),
-                            part.strings("introduction"), part.strings("chapters")});
+  for (const Node& part : node.elements("parts"))
+    layout.parts.push_back({part.object({"number", "title"}).at("number").whole(), part.string("title")});
+  for (const Node& section : node.elements("sections")) {
+    section.object({"id", "title", "paper", "chapters"});
+    SectionLayout& read = layout.sections.emplace_back(
+        SectionLayout{section.string("id"), section.string("title"), section.string_or("paper", ""), {}});
+    for (const Node& chapter : section.elements("chapters")) {
+      chapter.object({"chapter", "part"});
+      read.chapters.emplace_back(chapter.string("chapter"), chapter.has("part") ? chapter.at("part").whole() : 0);
+    }
   }
 }
 
-void check_chapters(const Layout& layout) {
-  for (const PartLayout& part : layout.parts)
-    for (const std::string& chapter : part.chapters)
+void check_sections(const Layout& layout) {
+  for (const SectionLayout& section : layout.sections) {
+    const std::string place = fmt::format("report.json: section \"{}\"", section.id);
+    if (!section.paper.empty() && layout.paper(section.paper) == nullptr)
+      refuse(place, fmt::format("found paper \"{}\", expected one of papers.json", section.paper));
+    for (const auto& [chapter, number] : section.chapters) {
       if (!layout.chapters.contains(chapter))
-        refuse("report.json", fmt::format("part {} has chapter \"{}\", expected a file {}.json", part.number, chapter, chapter));
+        refuse(place, fmt::format("found chapter \"{}\", expected a file {}.json", chapter, chapter));
+      if (number != 0 && layout.part(number) == nullptr)
+        refuse(place, fmt::format("chapter \"{}\": found part {}, expected one of \"parts\"", chapter, number));
+    }
+  }
 }
 
 }  // namespace
@@ -373,14 +413,29 @@ std::vector<std::string> Chapter::experiments() const {
   return {names.begin(), names.end()};
 }
 
+std::string Paper::citation() const {
+  std::string text;
+  for (std::size_t i = 0; i < authors.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < authors.size() ? ", " : " and ") + authors[i];
+  return fmt::format("{}: \u201C{}\u201D, {}{}{}", text, title, published_in, published_in.empty() ? "" : ", ", year);
+}
+
 const Claim* Layout::claim(std::string_view paper_and_claim) const {
   const std::size_t dot = paper_and_claim.find('.');
-  for (const Paper& paper : papers) {
-    if (dot == std::string_view::npos || paper.id != paper_and_claim.substr(0, dot)) continue;
-    const auto found = paper.claims.find(paper_and_claim.substr(dot + 1));
-    if (found != paper.claims.end()) return &found->second;
-  }
-  return nullptr;
+  const Paper* const of = dot == std::string_view::npos ? nullptr : paper(paper_and_claim.substr(0, dot));
+  if (of == nullptr) return nullptr;
+  const auto found = of->claims.find(paper_and_claim.substr(dot + 1));
+  return found == of->claims.end() ? nullptr : &found->second;
+}
+
+const Paper* Layout::paper(std::string_view id) const {
+  const auto found = std::find_if(papers.begin(), papers.end(), [id](const Paper& paper) { return paper.id == id; });
+  return found == papers.end() ? nullptr : &*found;
+}
+
+const PartLayout* Layout::part(int number) const {
+  const auto found = std::find_if(parts.begin(), parts.end(), [number](const PartLayout& part) { return part.number == number; });
+  return found == parts.end() ? nullptr : &*found;
 }
 
 Layout read_layout(DataFiles files) {
@@ -400,7 +455,7 @@ Layout read_layout(DataFiles files) {
       layout.chapters[chapter] = chapter_of(chapter, node);
     }
   }
-  check_chapters(layout);
+  check_sections(layout);
   return layout;
 }
 

@@ -65,7 +65,7 @@ class Renderer {
   }
 
   [[nodiscard]] Scope scope_of(const RowSet& set, std::size_t row) const {
-    return {&set, row, nullptr, page_.set_named, {}};
+    return {&set, row, nullptr, page_.set_named, page_.values};
   }
 
   // The scopes of the rows.
@@ -79,8 +79,48 @@ class Renderer {
     return scopes;
   }
 
+  [[nodiscard]] const Claim& claim_named(const std::string& name, const std::string& place) const {
+    const Claim* const claim = layout_.claim(name);
+    if (claim == nullptr) throw Wrong(fmt::format("{}: found no claim \"{}\" in papers.json", place, name));
+    return *claim;
+  }
+
+  // Texts of a panel may speak of the claim's figure.
+  void add(const PanelLayout& layout) {
+    const Scope page = page_;
+    Panel panel{layout.id, {}, {}, {}, {}, {}};
+    if (!layout.paper.empty()) {
+      const Paper* const paper = layout_.paper(layout.paper);
+      if (paper == nullptr) throw Wrong(fmt::format("{}: found no paper \"{}\" in papers.json", place_, layout.paper));
+      panel.source = paper->citation();
+    }
+    const Claim* const claim = layout.claim.empty() ? nullptr : &claim_named(layout.claim, place_);
+    if (claim != nullptr) speak_of(*claim, page_);
+    panel.title = layout.title.said(page_);
+    for (const auto& [label, value] : layout.facts) panel.facts.emplace_back(label.words(page_), value.words(page_));
+    if (claim != nullptr) panel.facts.emplace_back(fmt::format("The paper ({})", claim->place), claim->says);
+    panel.text = notes_of(layout.text);
+    for (const auto& picture : layout.pictures) {
+      if (const auto* const plot = std::get_if<PlotLayout>(&picture)) {
+        constexpr int width = 520;
+        constexpr int height = 360;
+        if (auto figure = figure_of(*plot, width, height)) panel.figures.push_back(*std::move(figure));
+      } else {
+        for (Figure& figure : figures_of(std::get<GalleryLayout>(picture))) panel.figures.push_back(std::move(figure));
+      }
+    }
+    page_ = page;
+    blocks_.emplace_back(std::move(panel));
+  }
+
+  static void speak_of(const Claim& claim, Scope& scope) {
+    if (!claim.figure) return;
+    scope.values["claim.least"] = claim.figure->first;
+    scope.values["claim.greatest"] = claim.figure->second;
+  }
+
   void add(const ParagraphLayout& paragraph) { blocks_.emplace_back(Paragraph{paragraph.text.said(page_)}); }
-  void add(const HeadingLayout& heading) { blocks_.emplace_back(Heading{heading.text.words(page_)}); }
+  void add(const HeadingLayout& heading) { blocks_.emplace_back(Heading{heading.text.words(page_), heading.id}); }
 
   [[nodiscard]] std::vector<Said> notes_of(const std::vector<NoteLayout>& notes) const {
     std::vector<Said> said;
@@ -115,6 +155,7 @@ class Renderer {
       columns.push_back(&column);
       table.columns.push_back({column.key, column.title, column.unit, column.host_time});
     }
+    table.cards_name = layout.cards_name;
     for (const Scope& scope : scopes) {
       std::vector<Cell> row;
       for (const ColumnLayout* const column : columns) row.push_back(cell_of_column(*column, scope));
@@ -123,6 +164,8 @@ class Renderer {
       } else {
         table.rows.push_back(std::move(row));
       }
+      // Of the first row of those that a pivot joins.
+      if (!table.cards_name.empty() && table.cards.size() < table.rows.size()) table.cards.push_back(card_of(layout, scope));
     }
     for (auto& row : table.rows) row.resize(table.columns.size());
     table.notes = notes_of(layout.notes);
@@ -157,9 +200,7 @@ class Renderer {
                      {"condition", "Condition here", "", false}, {"comparison", "Comparison", "", false}};
     for (const ClaimRow& row : layout.rows) {
       if (row.host_time && !rendering_.host_times) continue;
-      const Claim* const claim = layout_.claim(row.claim);
-      if (claim == nullptr) throw Wrong(fmt::format("{}: found no claim \"{}\" in papers.json", row.place, row.claim));
-      table.rows.push_back(claim_cells(row, *claim));
+      table.rows.push_back(claim_cells(row, claim_named(row.claim, row.place)));
     }
     table.notes = notes_of(layout.notes);
     blocks_.emplace_back(std::move(table));
@@ -178,8 +219,7 @@ class Renderer {
     if (claim.figure) {
       ratio_least = ratio(least, claim.figure->second);
       ratio_greatest = ratio(greatest, claim.figure->first);
-      scope.values["claim.least"] = claim.figure->first;
-      scope.values["claim.greatest"] = claim.figure->second;
+      speak_of(claim, scope);
     }
     scope.values["here.least"] = least;
     scope.values["here.greatest"] = greatest;
@@ -196,6 +236,11 @@ class Renderer {
   }
 
   void add(const PlotLayout& layout) {
+    if (auto figure = figure_of(layout)) blocks_.emplace_back(*std::move(figure));
+  }
+
+  // Nothing, if there are too few points.
+  [[nodiscard]] std::optional<Figure> figure_of(const PlotLayout& layout, int width = 0, int height = 0) const {
     Plot plot;
     plot.id = layout.id;
     plot.title = layout.title.words(page_);
@@ -206,9 +251,13 @@ class Renderer {
     std::set<std::pair<double, double>> points;
     for (const CurveLayout& curve : layout.curves) add_curves(plot, curve, points);
     constexpr std::size_t fewest_points = 3;
-    if (points.size() < fewest_points) return;
+    if (points.size() < fewest_points) return std::nullopt;
     plot.caption = layout.caption.said(page_);
-    blocks_.emplace_back(rendering_.draw(plot));
+    if (width != 0) {
+      plot.width = width;
+      plot.height = height;
+    }
+    return rendering_.draw(plot);
   }
 
   void add_curves(Plot& plot, const CurveLayout& layout, std::set<std::pair<double, double>>& points) const {
@@ -227,17 +276,38 @@ class Renderer {
   }
 
   void add(const GalleryLayout& layout) {
-    Gallery gallery{layout.id, layout.title.words(page_), {}, layout.folded, layout.wide};
+    blocks_.emplace_back(Gallery{layout.id, layout.title.words(page_), figures_of(layout), layout.folded, layout.wide});
+  }
+
+  [[nodiscard]] std::vector<Figure> figures_of(const GalleryLayout& layout) const {
+    std::vector<Figure> figures;
     for (const Scope& scope : scopes_of(layout.rows)) {
-      const auto place = scope.set->place_of(layout.image);
-      const Picture* const picture =
-          place ? std::get_if<Picture>(&scope.set->at(scope.row, *place).kind()) : nullptr;
+      const Picture* const picture = picture_at(scope, layout.image);
       if (picture == nullptr) throw Wrong(fmt::format("{}: found no picture under \"{}\"", place_, layout.image));
-      gallery.figures.push_back({layout.figure_id.words(scope), layout.name.words(scope), layout.caption.said(scope),
-                                 layout.alternative.words(scope), picture->media_type, picture->bytes, host_time_,
-                                 picture->pixelated});
+      figures.push_back({layout.figure_id.words(scope), layout.name.words(scope), layout.caption.said(scope),
+                         layout.alternative.words(scope), picture->media_type, picture->bytes, host_time_,
+                         picture->pixelated});
     }
-    blocks_.emplace_back(std::move(gallery));
+    return figures;
+  }
+
+  // nullptr: none.
+  [[nodiscard]] static const Picture* picture_at(const Scope& scope, std::string_view key) {
+    const auto place = scope.set->place_of(key);
+    return place ? std::get_if<Picture>(&scope.set->at(scope.row, *place).kind()) : nullptr;
+  }
+
+  // Of a row; those that it does not have are left out.
+  [[nodiscard]] std::vector<Figure> card_of(const TableLayout& layout, const Scope& scope) const {
+    std::vector<Figure> figures;
+    for (const CardPicture& card : layout.cards) {
+      if (!scope.set->place_of(card.image)) throw Wrong(fmt::format("{}: found no key \"{}\" in the records", place_, card.image));
+      const Picture* const picture = picture_at(scope, card.image);
+      if (picture == nullptr) continue;
+      const std::string name = card.name.words(scope);
+      figures.push_back({{}, name, {}, name, picture->media_type, picture->bytes, host_time_, picture->pixelated});
+    }
+    return figures;
   }
 
   void add(const ListingsLayout& layout) {
@@ -279,10 +349,23 @@ class References {
 
   void add(const ParagraphLayout& paragraph) { add(paragraph.text); }
   void add(const HeadingLayout& heading) { add(heading.text); }
+  void add(const PanelLayout& panel) {
+    add(panel.title);
+    for (const auto& [label, value] : panel.facts) {
+      add(label);
+      add(value);
+    }
+    add(panel.text);
+    for (const auto& picture : panel.pictures) std::visit([this](const auto& content) { add(content); }, picture);
+  }
   void add(const TableLayout& table) {
     const std::string& set = table.rows.set;
     add(table.title);
     add(table.rows);
+    for (const CardPicture& card : table.cards) {
+      all_.push_back({set, card.image});
+      add(card.name, set);
+    }
     for (const ColumnLayout& column : table.columns) {
       if (!column.value && !column.must) all_.push_back({set, column.key});
       add(column.value, set);

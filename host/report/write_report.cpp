@@ -62,7 +62,7 @@ bool is_name(const std::string& text, std::string_view between) {
   });
 }
 
-// Holds what parts give against what report.hpp asks of them.
+// Checks a report by the rules of document.hpp.
 class Checker {
  public:
   std::optional<ReportError> check(const Report& report) {
@@ -70,6 +70,11 @@ class Checker {
       id(section.id);
       for (const Block& block : section.blocks) {
         if (const auto* const table = std::get_if<Table>(&block)) check(*table);
+        if (const auto* const heading = std::get_if<Heading>(&block); heading != nullptr && !heading->id.empty()) id(heading->id);
+        if (const auto* const panel = std::get_if<Panel>(&block)) {
+          id(panel->id);
+          for (const Figure& figure : panel->figures) id(figure.id);
+        }
         if (const auto* const figure = std::get_if<Figure>(&block)) id(figure->id);
         if (const auto* const listing = std::get_if<Listing>(&block)) id(listing->id);
         if (const auto* const gallery = std::get_if<Gallery>(&block)) {

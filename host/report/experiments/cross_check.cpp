@@ -5,6 +5,7 @@
 //   scenes    a scene each: size, views, cells listed to run and run
 //   reasons   what does not apply, as listed
 //   pictures  the first view of each scene by every method, side by side
+//   single    each of these by itself
 #include "host/report/experiments/cross_check.hpp"
 
 #include <fmt/core.h>
@@ -22,6 +23,7 @@
 #include "host/picture/vector_drawing.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
+#include "host/report/hard_cases/case_images.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::report {
@@ -59,45 +61,39 @@ picture::Image lines_image(const compare::CommonScene& scene, const compare::Cro
   return picture::image_of(picture::line_drawing(lines, scene.scene, view.camera, field), {side, side, 1.0});
 }
 
-// Every face in a light grey of its own, the background white.
-picture::Image faces_image(const picture::PixelGrid& faces) {
-  picture::Image image(side, side, 3);
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const std::uint32_t face = faces.at(column * faces.width / side, row * faces.height / side);
-      const auto grey = static_cast<std::uint8_t>(face == 0 ? 255 : 120 + face * 53 % 115);
-      std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, side - 1 - row)), 3,
-                  grey);
-    }
-  }
-  return image;
-}
-
 picture::Image side_by_side(const std::vector<picture::Image>& images) {
   const auto count = static_cast<int>(images.size());
   picture::Image all(count * (side + gap) - gap, side, 3);
   std::fill(all.pixels.begin(), all.pixels.end(), std::uint8_t{255});
   for (int i = 0; i < count; ++i) {
     const picture::Image& image = images[static_cast<std::size_t>(i)];
+    const auto from = [&](int row, int value) {
+      return image.pixels[image.index(value / 3, row) + (image.channels == 3 ? static_cast<std::size_t>(value % 3) : 0)];
+    };
     for (int row = 0; row < side; ++row)
-      std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(0, row)), 3 * side,
-                  all.pixels.begin() + static_cast<std::ptrdiff_t>(all.index(i * (side + gap), row)));
+      for (int value = 0; value < 3 * side; ++value)
+        all.pixels[all.index(i * (side + gap), row) + static_cast<std::size_t>(value)] = from(row, value);
   }
   return all;
 }
 
-void add_pictures(RowSet& pictures, const compare::CommonScene& scene,
+void add_pictures(RowSet& pictures, RowSet& single, const compare::CommonScene& scene,
                   const compare::SceneCrossCheck& agreement) {
   std::vector<picture::Image> images;
   std::string names;
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
     const auto add = [&](picture::Image image, std::string_view what) {
+      single.add({{"id", fmt::format("{}-{}", lower_case(scene.name), images.size() + 1)},
+                  {"scene", scene.name},
+                  {"title", scene.title},
+                  {"method", fmt::format("{}{}", compare::participants()[who].name, what)},
+                  {"picture", png_picture(image)}});
       images.push_back(std::move(image));
       names += fmt::format("{}{}{}", names.empty() ? "" : ", ", compare::participants()[who].name, what);
     };
     if (picture.lines) add(lines_image(scene, scene.views.front(), *picture.lines), "");
-    if (picture.faces) add(faces_image(*picture.faces), picture.lines ? " (faces)" : "");
+    if (picture.faces) add(faces_image(*picture.faces, side), picture.lines ? " (faces)" : "");
   }
   if (images.empty())
     throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
@@ -140,7 +136,7 @@ void add_cross_check(Records& records, const compare::CommonScene& scene,
                          {"listed", listed},
                          {"run", run},
                          {"result", Verdict{good, good ? "all agree" : "not all agree"}}});
-  add_pictures(records["pictures"], scene, agreement);
+  add_pictures(records["pictures"], records["single"], scene, agreement);
 }
 
 Records cross_check(const Context& context) {

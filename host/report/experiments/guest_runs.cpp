@@ -98,7 +98,19 @@ Picture phosphor_png(const JonesRun& run) {
   const core::Instant close = run.guest.shutter_close;
   picture::PhosphorPhotograph photograph(close - shutter_time, close);
   photograph.expose(run.guest.photograph);
-  return png_picture(photograph.develop());
+  // A quarter of the points: the beam is wider than one of them.
+  const picture::Image film = photograph.develop();
+  picture::Image image(film.width / 2, film.height / 2, film.channels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const std::size_t channel = i % static_cast<std::size_t>(image.channels);
+    const int column = static_cast<int>(i / static_cast<std::size_t>(image.channels)) % image.width;
+    const int row = static_cast<int>(i / static_cast<std::size_t>(image.channels)) / image.width;
+    unsigned sum = 0;
+    for (const int down : {0, 1})
+      for (const int right : {0, 1}) sum += film.pixels[film.index(2 * column + right, 2 * row + down) + channel];
+    image.pixels[i] = static_cast<std::uint8_t>(sum / 4);
+  }
+  return png_picture(image);
 }
 
 SkalaRun run_skala(const skala::Session& session, const SkalaOrder& order) {

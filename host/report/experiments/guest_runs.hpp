@@ -43,7 +43,7 @@ struct JonesRun {
 
 // Lines of the display's last complete pass, 1024 x 1024, as PNG.
 [[nodiscard]] Picture crisp_png(const JonesRun& run);
-// The screen photographed, 0.2 s; the order asked for a photograph.
+// The screen photographed, 0.2 s, 512 x 512; the order asked for a photograph.
 [[nodiscard]] Picture phosphor_png(const JonesRun& run);
 
 inline constexpr core::Duration shutter_time = core::milliseconds(200);

@@ -1,19 +1,22 @@
 // Hard cases: inputs that break programs of this kind. Every method that a case names has run on it.
 //
-//   runs      a row a case and method: what was found, or the tests that check what is inside an algorithm
+//   runs      a row for each case and method: what was found, or the tests that check what is inside an algorithm;
+//             the right picture and a wrong one of the case, if there are any
 //   families  cases with a parameter: the first value at which each build fails, and what was found at each
-//   tried inputs    the files
+//   inputs    the files
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "host/report/experiments/experiments.hpp"
 #include "host/base/text.hpp"
+#include "host/report/experiments/experiments.hpp"
+#include "host/report/experiments/png_picture.hpp"
 #include "host/report/hard_cases/first_failures.hpp"
 #include "host/report/hard_cases/manifest.hpp"
 #include "host/report/hard_cases/runner.hpp"
@@ -52,10 +55,42 @@ std::string options_of(const HardCase& hard) {
   return base::joined(options, ", ");
 }
 
+// Pictures of a case: the right one, and that of the first method that is wrong.
+struct CasePictures {
+  Value correct;
+  Value wrong;
+  std::string wrong_by;
+
+  void take(const std::string& method, const Finding& finding) {
+    const bool right = finding.good.value_or(false);
+    if (finding.truth && correct.missing()) correct = png_picture(*finding.truth);
+    // An oracle's picture is taken in place of an earlier one.
+    if (finding.image && right && (correct.missing() || method == "oracle")) correct = png_picture(*finding.image);
+    if (finding.image && finding.good && !right && wrong.missing()) {
+      wrong = png_picture(*finding.image);
+      wrong_by = method;
+    }
+  }
+};
+
 void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
-  const auto add = [&](const std::string& method, Value found) {
+  CasePictures pictures;
+  std::vector<std::pair<std::string, Value>> found;
+  std::optional<CaseRun> run;
+  if (!hard.run.empty()) {
+    run.emplace(hard, load_input(hard));
+    run->with_images();
+  }
+  for (const std::string& method : hard.run) {
+    const Finding finding = run->run(method);
+    pictures.take(method, finding);
+    found.emplace_back(method, finding.good ? Value(Verdict{*finding.good, finding.text}) : Value(finding.text));
+  }
+  if (!hard.tests.empty()) found.emplace_back("tests", base::joined(hard.tests, ", "));
+  for (const auto& [method, value] : found) {
     std::string column = method;
     std::replace(column.begin(), column.end(), '-', '_');
+    const auto* const verdict = std::get_if<Verdict>(&value.kind());
     runs.add({{"paper", group.id},
               {"case", hard.id},
               {"input", hard.input},
@@ -66,16 +101,12 @@ void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
               {"checked", checked(hard)},
               {"method", method},
               {"column", std::move(column)},
-              {"found", std::move(found)}});
-  };
-  if (!hard.run.empty()) {
-    CaseRun run(hard, load_input(hard));
-    for (const std::string& method : hard.run) {
-      const Finding finding = run.run(method);
-      add(method, finding.good ? Value(Verdict{*finding.good, finding.text}) : Value(finding.text));
-    }
+              {"outcome", verdict == nullptr ? "none" : verdict->good ? "right" : "wrong"},
+              {"found", value},
+              {"correct", pictures.correct},
+              {"wrong", pictures.wrong},
+              {"wrong_by", pictures.wrong_by}});
   }
-  if (!hard.tests.empty()) add("tests", base::joined(hard.tests, ", "));
 }
 
 // "2: 1, 4: 2"

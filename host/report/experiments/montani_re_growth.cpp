@@ -140,7 +140,7 @@ void add_montani_re_growth(Records& records, std::string_view family, std::span<
 }
 
 Records montani_re_growth(const Context& context) {
-  std::vector<std::size_t> sizes{100, 1000};
+  std::vector<std::size_t> sizes{100, 300, 1000};
   if (context.full) sizes.push_back(long_scene);
   Records records;
   for (const std::string_view family : {"boxes", "town"})

@@ -40,8 +40,10 @@ NamedValues row_of(const SkalaOrder& order, const SkalaRun& run) {
           {"picture", name_of(order.picture)},
           {"drawing_s", seconds(run.guest.drawing)},
           {"drawing_t_states", run.guest.drawing.count()},
+          {"plain_t_states", run.plain ? Value(run.plain->count()) : Value()},
           {"cost_percent", cost_percent(run)},
           {"walked", run.twin.points_walked},
+          {"dots", run.twin.points_plotted},
           {"lit", run.points_lit}};
 }
 
@@ -51,7 +53,6 @@ NamedValues full_row_of(const SkalaOrder& order, const SkalaRun& run) {
                                                    {"command_bytes", run.stream_bytes},
                                                    {"blocks", run.guest.blocks},
                                                    {"instructions", run.guest.instructions},
-                                                   {"dots", run.twin.points_plotted},
                                                    {"dots_busy_t_states", run.dots_busy.count()},
                                                    {"colours", colours_of(run.guest.raster)},
                                                    {"raster", raster_png(run, order)}})
@@ -88,7 +89,7 @@ Records skala_pictures(const Context& context) {
     for (const skala::PictureKind picture : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
       SkalaOrder order{name, picture};
       if (picture == skala::PictureKind::contours) order.size = {33, 33};
-      order.compare_plain = picture == skala::PictureKind::lines;
+      order.compare_plain = picture != skala::PictureKind::contours;
       records["pictures"].add(full_row_of(order, run_skala(session, order)));
     }
     const SkalaOrder curves{name, skala::PictureKind::lines, {256, 30}, 0, true};

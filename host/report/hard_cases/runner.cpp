@@ -23,6 +23,7 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/report/hard_cases/case_images.hpp"
 #include "host/report/hard_cases/montani_re_pixels.hpp"
 #include "host/report/hard_cases/willis_views.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
@@ -460,6 +461,13 @@ const LinePicture& CaseRun::baseline(std::size_t camera) {
 }
 
 Finding CaseRun::run(std::string_view method, const MethodOptions& options) {
+  Finding finding = judge(method, options);
+  finding.image = std::exchange(image_, std::nullopt);
+  finding.truth = std::exchange(truth_, std::nullopt);
+  return finding;
+}
+
+Finding CaseRun::judge(std::string_view method, const MethodOptions& options) {
   if (!input_) return {hard_.expect.refused, "refused: " + input_.error()};
   if (hard_.expect.refused) return {false, "accepted"};
   if (!input_->screens.empty()) return run_commands(method);
@@ -491,6 +499,7 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
     const auto drawn = made->view(all[i]);
     if (!drawn) return refused_by_name(expect, drawn.error().message());
     const auto& view = *drawn;
+    keep(image_, [&] { return lines_image(view.picture, scene, all[i]); });
     if (!no_eye && method != hard_.baseline &&
         !registry::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
       complaints.add(fmt::format("not the picture of {}", hard_.baseline));
@@ -552,6 +561,8 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
     errors.add(truth.errors_of(view->faces, i));
+    keep(image_, [&] { return faces_image(view->faces, case_image_side); });
+    keep(truth_, [&] { return faces_image(truth.truth(i), case_image_side); });
   }
   found.push_back(fmt::format("{} of {} points wrong in {} views, {} more next to edges", errors.wrong_inside,
                               errors.points, truth.cameras().size(), errors.wrong_on_edges));
@@ -574,6 +585,8 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
     const auto drawn = prepared->view(scene.camera, window_of(view.frame));
     if (!drawn) return refused_by_name(hard_.expect, drawn.error().message());
     judge(picture::pixel_metrics(view.truth, drawn->faces, view.edges));
+    keep(image_, [&] { return faces_image(drawn->faces, case_image_side); });
+    keep(truth_, [&] { return faces_image(view.truth, case_image_side); });
     return std::nullopt;
   };
   const auto on = pixels::pixels_along_z(scene, pixels::on_lines);
@@ -597,7 +610,7 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
 }
 
 // Farther than a point from what is seen is wrong.
-Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& options) const {
+Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& options) {
   constexpr double wrong_from = 1;
   if (!input_->cells) return not_applicable(why_no_cells(*input_->scene));
   const scene::CellScene& scene = *input_->cells;
@@ -643,6 +656,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     const auto vectors = compare::lines_of_vectors(program.scene);
     const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors, reference)
                                           : compare::twin_pieces(twin, vectors, reference);
+    keep(image_, [&] { return screen_image(pieces); });
     const auto metrics = picture::line_metrics(reference.lines(), pieces);
     if (metrics.extra_far > wrong_from)
       complaints.add(fmt::format("{:.1f} points too much", metrics.extra_far));
@@ -653,7 +667,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
   return complaints.finding();
 }
 
-Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options) const {
+Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options) {
   const registry::HeightMethod* const method = registry::find_height_method(name);
   if (method == nullptr) return {false, fmt::format("there is no method {}", name)};
   const scene::HeightGrid& grid = *input_->heights;
@@ -662,6 +676,7 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
   const registry::HeightPicture picture = method->draw(grid, view);
   Complaints complaints;
   if (!picture.fault.empty()) complaints.add(picture.fault);
+  keep(image_, [&] { return dots_image(picture.dots); });
   const bool vectors = picture.drawing.has_value();
   check_dots(hard_.expect, grid, view, picture.dots, vectors ? 1 : 0, complaints);
   const registry::HeightMethod& truth = *registry::find_height_method("oracle");
@@ -675,12 +690,13 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
   return complaints.finding();
 }
 
-Finding CaseRun::run_commands(std::string_view method) const {
+Finding CaseRun::run_commands(std::string_view method) {
   if (method == "native") return not_applicable("draws grids, and lines instead of dots");
   Complaints complaints;
   const skala::Session session;
   for (const CommandScreen& screen : input_->screens) {
     if (method == "oracle") {
+      keep(image_, [&] { return dots_image(screen.truth); });
       const auto lit = std::count(screen.truth.values.begin(), screen.truth.values.end(), 1U);
       if (hard_.expect.dots && static_cast<std::size_t>(lit) != *hard_.expect.dots)
         complaints.add(fmt::format("{} dots, not {}", lit, *hard_.expect.dots));
@@ -696,6 +712,7 @@ Finding CaseRun::run_commands(std::string_view method) const {
     } else {
       dots = lit_points(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }
+    keep(image_, [&] { return dots_image(dots); });
     compare_dots(screen.truth, dots, complaints);
   }
   return complaints.finding();

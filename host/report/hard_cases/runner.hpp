@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/picture/image.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/report/hard_cases/manifest.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -39,6 +40,9 @@ struct CaseInput {
 struct Finding {
   std::optional<bool> good;  // none: the method does not apply
   std::string text;
+  // Of the first view, where they are asked for: what the method gave, and what is right if no method gives that.
+  std::optional<picture::Image> image = {};
+  std::optional<picture::Image> truth = {};
 };
 
 // Whether some input can be run by a method of this name.
@@ -51,6 +55,8 @@ class CaseRun {
 
   // Programs are judged by what they say of themselves alone, without a picture.
   void without_pictures() { pictures_ = false; }
+  // Findings have images.
+  void with_images() { images_ = true; }
   // `options` in place of the case's own.
   [[nodiscard]] Finding run(std::string_view method, const MethodOptions& options);
   [[nodiscard]] Finding run(std::string_view method) { return run(method, hard_.options); }
@@ -60,19 +66,29 @@ class CaseRun {
 
  private:
   [[nodiscard]] std::vector<scene::PolyCamera> cameras() const;
+  [[nodiscard]] Finding judge(std::string_view method, const MethodOptions& options);
   // Of the case's baseline, from the camera of this number.
   [[nodiscard]] const picture::LinePicture& baseline(std::size_t camera);
 
   [[nodiscard]] Finding run_lines(std::string_view method, const MethodOptions& options);
   [[nodiscard]] Finding run_ordered_faces(const MethodOptions& options);
   [[nodiscard]] Finding run_stripes(const MethodOptions& options);
-  [[nodiscard]] Finding run_cell_program(std::string_view method, const MethodOptions& options) const;
-  [[nodiscard]] Finding run_heights(std::string_view method, const MethodOptions& options) const;
-  [[nodiscard]] Finding run_commands(std::string_view method) const;
+  [[nodiscard]] Finding run_cell_program(std::string_view method, const MethodOptions& options);
+  [[nodiscard]] Finding run_heights(std::string_view method, const MethodOptions& options);
+  [[nodiscard]] Finding run_commands(std::string_view method);
 
   HardCase hard_;
   base::Result<CaseInput, std::string> input_;
+  // Keeps the image that `draw` gives, if images are asked for.
+  template <class Draw>
+  void keep(std::optional<picture::Image>& image, Draw draw) {
+    if (images_ && !image) image = draw();
+  }
+
   bool pictures_ = true;
+  bool images_ = false;
+  std::optional<picture::Image> image_;  // of the finding being made
+  std::optional<picture::Image> truth_;
   std::vector<std::optional<picture::LinePicture>> baselines_;
 };
 

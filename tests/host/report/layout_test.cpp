@@ -136,7 +136,8 @@ TEST(ReportTexts, SayWhatIsWrong) {
 }
 
 constexpr std::string_view report_file =
-    R"({"title": "Report", "introduction": ["Hello"], "parts": [{"number": 1, "id": "one", "title": "One", "chapters": ["a"]}]})";
+    R"({"title": "Report", "introduction": ["Hello"], "parts": [{"number": 1, "title": "One"}],
+  "sections": [{"id": "one", "title": "One", "paper": "p", "chapters": [{"chapter": "a", "part": 1}]}]})";
 constexpr std::string_view papers_file = R"({"papers": [{"id": "p", "authors": ["A. Author"], "year": 1971, "title": "T",
   "in": "J", "claims": {"time": {"place": "abstract", "quote": "a second", "figure": 1, "unit": "s"},
   "rows": {"place": "Fig. 1", "says": "some rows", "figure": [2, 4]}},

@@ -128,8 +128,8 @@ TEST(ReportPage, FoldsWhatIsFolded) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).folded = true;
   const std::string page = html_page(report);
-  EXPECT_NE(page.find("<details><summary><h3 id=\"sample\">"), std::string::npos);
-  EXPECT_EQ(html_page(sample_report()).find("<details><summary><h3"), std::string::npos);
+  EXPECT_NE(page.find("<details><summary><h4 id=\"sample\">"), std::string::npos);
+  EXPECT_EQ(html_page(sample_report()).find("<details><summary><h4"), std::string::npos);
 }
 
 TEST(ReportPage, SaysWhatDoesNotHold) {

@@ -1,0 +1,61 @@
+#include "host/report/hard_cases/case_images.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "host/picture/line_drawing.hpp"
+#include "host/picture/vector_drawing.hpp"
+
+namespace sightline::report {
+
+namespace {
+
+picture::Image image_of(const picture::VectorDrawing& drawing) {
+  return picture::image_of(drawing, {case_image_side, case_image_side, 1.1});
+}
+
+// One value for each pixel, the bottom row of the grid last.
+template <class Value>
+picture::Image greys(int width, int height, Value value) {
+  picture::Image image(width, height, 1);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) image.pixels[image.index(column, height - 1 - row)] = value(column, row);
+  return image;
+}
+
+}  // namespace
+
+picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  const picture::LinePicture edges = picture::wire_frame(scene);
+  picture::DrawingField field;
+  field.dash = 3;
+  if (camera.perspective) field.extent = picture::usual_angle;
+  return image_of(picture::line_drawing(lines, scene, camera, field, &edges));
+}
+
+picture::Image screen_image(const std::vector<picture::DrawnPiece>& pieces) {
+  picture::VectorDrawing drawing;
+  drawing.width = drawing.height = 1024;
+  drawing.layers = {{"visible", {0, 0, 0}}};
+  for (const picture::DrawnPiece& piece : pieces) {
+    drawing.lines.push_back({0, static_cast<std::uint32_t>(drawing.points.size()), 2});
+    for (const picture::PixelPoint& end : {piece.image.a, piece.image.b})
+      drawing.points.push_back({static_cast<float>(end.x), static_cast<float>(end.y)});
+  }
+  return image_of(drawing);
+}
+
+picture::Image faces_image(const picture::PixelGrid& faces, int side) {
+  return greys(side, side, [&](int column, int row) {
+    const std::uint32_t face = faces.at(column * faces.width / side, row * faces.height / side);
+    return static_cast<std::uint8_t>(face == 0 ? 255 : 120 + face * 53 % 115);
+  });
+}
+
+picture::Image dots_image(const picture::PixelGrid& dots) {
+  return greys(dots.width, dots.height,
+               [&](int column, int row) { return static_cast<std::uint8_t>(dots.at(column, row) == 0 ? 255 : 0); });
+}
+
+}  // namespace sightline::report

@@ -1,0 +1,26 @@
+// Small pictures of what a method gives: of lines, of faces and dots, and of pieces on the screen of the Type 340.
+#pragma once
+
+#include <vector>
+
+#include "host/picture/image.hpp"
+#include "host/picture/line_metrics.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/picture/pixel_metrics.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::report {
+
+inline constexpr int case_image_side = 180;  // pixels
+
+// What is seen as lines, the rest of the edges as dashes; all of the scene, or 90 degrees of it in perspective.
+[[nodiscard]] picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene,
+                                         const scene::PolyCamera& camera);
+// The pieces on 1024 x 1024 points.
+[[nodiscard]] picture::Image screen_image(const std::vector<picture::DrawnPiece>& pieces);
+// Every face in a light grey of its own, the background white; `side` pixels a side.
+[[nodiscard]] picture::Image faces_image(const picture::PixelGrid& faces, int side);
+// Lit dots in black, a pixel each.
+[[nodiscard]] picture::Image dots_image(const picture::PixelGrid& dots);
+
+}  // namespace sightline::report
