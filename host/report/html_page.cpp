@@ -18,6 +18,9 @@ namespace {
 // Tables and galleries of more rows or pictures are folded within their chapter.
 constexpr std::size_t most_unfolded = 12;
 
+// Columns that fit on paper at a readable size.
+constexpr std::size_t most_printed = 14;
+
 constexpr std::string_view replacement = "\uFFFD";
 
 // Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
@@ -78,7 +81,8 @@ class Page {
         "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<header><h1>{}</h1><nav aria-label=\"Sections\">",
         title, page_style, filter_style(), title);
     for (const Section& section : report_.sections)
-      html_ += fmt::format("<a href=\"#{}\">{}</a>", html_escaped(section.id), html_escaped(section.title));
+      html_ += fmt::format("<a href=\"#{}\">{}</a>", html_escaped(section.id),
+                           html_escaped(section.title.substr(0, section.title.find(':'))));
     html_ += "</nav></header>\n";
   }
 
@@ -211,8 +215,8 @@ class Page {
       html_ += fmt::format(choice, name, "method", fmt::format("id=\"show-{}\"", html_escaped(table->id)), html_escaped(table->cards_name));
     html_ += "</fieldset>\n<fieldset><legend>Outcome</legend>\n";
     html_ += fmt::format(choice, name, "outcome", "checked", "all");
-    html_ += fmt::format(choice, name, "outcome", "class=\"show-bad\"", "a program is wrong");
-    html_ += fmt::format(choice, name, "outcome", "class=\"show-good\"", "all are right");
+    html_ += fmt::format(choice, name, "outcome", "class=\"show-bad\"", "some method is wrong");
+    html_ += fmt::format(choice, name, "outcome", "class=\"show-good\"", "all methods are right");
     html_ += "</fieldset>\n</form>\n";
   }
 
@@ -264,7 +268,8 @@ class Page {
     const bool folded = table.folded || table.rows.size() > most_unfolded;
     begin(id, table.title, folded);
     html_ += fmt::format(
-        "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table>\n<thead><tr>", id);
+        "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table{1}>\n<thead><tr>", id,
+        table.columns.size() > most_printed ? " class=\"many\"" : "");
     std::vector<bool> numbers;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       numbers.push_back(holds_numbers(table, i));

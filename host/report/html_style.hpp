@@ -10,7 +10,7 @@ inline constexpr std::string_view page_style = R"(
   --band: #f3f3ed; --link: #0b5394; --good: #1b6e2d; --bad: #a61c1c; }
 @media (prefers-color-scheme: dark) { :root { --ground: #17191b; --ink: #e4e4df; --quiet: #a2a7ab; --rule: #3a3e42;
   --band: #202326; --link: #8ab8ea; --good: #7fcf8e; --bad: #ff9a92; }
-  img.drawing { filter: invert(.9) hue-rotate(180deg); } }
+  img.drawing, .pair img, .strips img { filter: invert(.9) hue-rotate(180deg); } }
 * { box-sizing: border-box; }
 html { scroll-padding-top: 4rem; }
 body { margin: 0; background: var(--ground); color: var(--ink); overflow-wrap: break-word;
@@ -74,12 +74,12 @@ footer { color: var(--quiet); font-size: .86rem; border-top: 1px solid var(--rul
 @media (max-width: 56rem) { .panel { grid-template-columns: minmax(0, 1fr) !important; } .panel:not(:has(.facts)) img { max-width: 15rem; } }
 @media (max-width: 40rem) { .contents ul { columns: 1; } header { position: static; } main, footer { padding: 1rem .8rem; }
   tbody th { max-width: 7.5rem; } .plots figure { overflow-x: auto; } .plots img { min-width: 34rem; } }
-@media print { body { font-size: 9.5pt; } main { max-width: none; padding: 0; } header { position: static; }
+@media print { html { font-size: 9.5pt; } main { max-width: none; padding: 0; } header { position: static; }
   header nav, .contents, .filter, .files { display: none; } h2, h3, h4 { break-after: avoid; } tr, figure { break-inside: avoid; }
-  .panel { grid-template-columns: minmax(0, 1fr) minmax(0, 16rem); } thead { display: table-header-group; }
+  .panel { grid-template-columns: minmax(0, 1fr) minmax(0, 18rem) !important; } thead { display: table-header-group; }
   .wide { overflow: visible; max-height: none; border: 0; } thead th, tbody th { position: static; }
-  table { font-size: 6.5pt; } th, td { padding: .1rem .2rem; min-width: 0 !important; overflow-wrap: anywhere; }
-  td.n { white-space: normal; } pre { max-height: none; white-space: pre-wrap; } }
+  table { font-size: 6.5pt; } th, td { padding: .1rem .2rem; min-width: 0 !important; } thead th { overflow-wrap: anywhere; }
+  .many td { font-size: 5pt; white-space: normal !important; overflow-wrap: anywhere; } pre { max-height: none; white-space: pre-wrap; } }
 )";
 
 }  // namespace sightline::report
