@@ -43,7 +43,6 @@ struct Column {
   std::string key;         // in CSV and JSON: a-z, 0-9, _; once in a table; with its unit: "view_s"
   std::string title;       // in the page
   std::string unit;        // "s", "words of 18 bits"; empty: none
-  bool host_time = false;  // of this computer and this run: left out where equal bytes are asked for
 };
 
 struct Figure {
@@ -53,7 +52,6 @@ struct Figure {
   std::string alternative;  // what is to be seen, for those who cannot
   std::string media_type;   // "image/png", "image/svg+xml"
   base::Bytes bytes;
-  bool host_time = false;  // made of times of this computer: left out where equal bytes are asked for
   bool pixelated = false;  // enlarged without smoothing
 };
 
@@ -74,10 +72,10 @@ struct Paragraph {
   Said text;
 };
 
-// With an id it begins a chapter: what follows, up to the next one, is folded under it.
+// Begins a chapter: what follows, up to the next one, is folded under it.
 struct Heading {
   std::string text;
-  std::string id = {};
+  std::string id;
 };
 
 // A method or a finding: its statement, figures beside each other ("Here", "0.06 to 0.98 s"), text, pictures.
@@ -103,7 +101,6 @@ struct Gallery {
   std::string title;
   std::vector<Figure> figures;
   bool folded = false;
-  bool wide = false;  // one below the other
 };
 
 using Block = std::variant<Paragraph, Heading, Panel, Table, Figure, Gallery, Listing>;

@@ -56,16 +56,19 @@ class Page {
   explicit Page(const Report& report) : report_(report) {}
 
   std::string text() && {
-    head();
-    html_ += "<main>\n";
-    introduction();
-    contents();
     for (const Section& section : report_.sections) {
       html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
                            html_escaped(section.title));
       add(section);
       html_ += "</section>\n";
     }
+    // Written first: it is known then what does not hold.
+    const std::string sections = std::exchange(html_, {});
+    head();
+    html_ += "<main>\n";
+    introduction();
+    contents();
+    html_ += sections;
     html_ += fmt::format("</main>\n<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
                          html_escaped(report_.version));
     return std::move(html_);
@@ -104,35 +107,10 @@ class Page {
 
   void introduction() {
     for (const std::string& paragraph : report_.introduction) add(Paragraph{paragraph});
-    std::size_t failed = 0;
-    for (const Section& section : report_.sections)
-      for (const Block& block : section.blocks)
-        std::visit([&failed](const auto& content) { failed += failures_in(content); }, block);
-    if (failed > 0)
+    if (failed_ > 0)
       html_ += fmt::format("<p class=\"bad\">{} of the page's statements do not hold in this run; each says so where it would "
-                           "stand.</p>\n", failed);
+                           "stand.</p>\n", failed_);
   }
-
-  static std::size_t failures_in(const Paragraph& paragraph) { return paragraph.text.failed.size(); }
-  static std::size_t failures_in(const Figure& figure) { return figure.caption.failed.size(); }
-  static std::size_t failures_in(const Table& table) {
-    std::size_t failed = 0;
-    for (const Said& note : table.notes) failed += note.failed.size();
-    return failed;
-  }
-  static std::size_t failures_in(const Gallery& gallery) {
-    std::size_t failed = 0;
-    for (const Figure& figure : gallery.figures) failed += failures_in(figure);
-    return failed;
-  }
-  static std::size_t failures_in(const Panel& panel) {
-    std::size_t failed = panel.title.failed.size();
-    for (const Said& text : panel.text) failed += text.failed.size();
-    for (const Figure& figure : panel.figures) failed += failures_in(figure);
-    return failed;
-  }
-  static std::size_t failures_in(const Heading&) { return 0; }
-  static std::size_t failures_in(const Listing&) { return 0; }
 
   void contents() {
     html_ += "<details class=\"contents\"><summary>Contents</summary>\n<ol>\n";
@@ -163,12 +141,11 @@ class Page {
       const bool figure = std::holds_alternative<Figure>(block);
       if (figure != in_row) html_ += figure ? "<div class=\"plots\">\n" : "</div>\n";
       in_row = figure;
-      if (const auto* const heading = std::get_if<Heading>(&block); heading != nullptr && !heading->id.empty()) {
+      if (const auto* const heading = std::get_if<Heading>(&block)) {
         if (in_chapter) html_ += "</details>\n";
         in_chapter = true;
         html_ += fmt::format("<details class=\"chapter\" id=\"{}\"><summary><h3>{}</h3></summary>\n", html_escaped(heading->id),
                              html_escaped(heading->text));
-        continue;
       }
       if (const auto* const table = std::get_if<Table>(&block); filter && table != nullptr && !table->cards_name.empty()) {
         add_filter(section);
@@ -186,8 +163,9 @@ class Page {
     if (!said.text.empty() || said.failed.empty()) html_ += fmt::format("<p{}>{}</p>\n", look, html_escaped(said.text));
     for (const std::string& failed : said.failed)
       html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", html_escaped(failed));
+    failed_ += said.failed.size();
   }
-  void add(const Heading& heading) { html_ += "<h4>" + html_escaped(heading.text) + "</h4>\n"; }
+  void add(const Heading&) {}  // see add(Section)
 
   void add(const Panel& panel) {
     html_ += fmt::format("<article class=\"panel\" id=\"{}\">\n<div>\n<h3>{}</h3>\n", html_escaped(panel.id), html_escaped(panel.title.text));
@@ -323,6 +301,7 @@ class Page {
         html_escaped(figure.title), html_escaped(figure.caption.text));
     for (const std::string& failed : figure.caption.failed)
       html_ += fmt::format("<br><span class=\"bad\">Not in this run: {}</span>", html_escaped(failed));
+    failed_ += figure.caption.failed.size();
     html_ += "</figcaption></figure>\n";
   }
 
@@ -335,7 +314,7 @@ class Page {
   void add(const Gallery& gallery) {
     const bool folded = gallery.folded || gallery.figures.size() > most_unfolded;
     begin(html_escaped(gallery.id), gallery.title, folded);
-    html_ += fmt::format("<div class=\"{}\">\n", gallery.wide ? "strips" : "gallery");
+    html_ += "<div class=\"gallery\">\n";
     for (const Figure& figure : gallery.figures) add(figure);
     html_ += "</div>\n";
     if (folded) html_ += "</details>\n";
@@ -353,6 +332,7 @@ class Page {
 
   const Report& report_;
   std::string html_;
+  std::size_t failed_ = 0;  // statements that do not hold
 };
 
 }  // namespace

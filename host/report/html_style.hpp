@@ -10,7 +10,7 @@ inline constexpr std::string_view page_style = R"(
   --band: #f3f3ed; --link: #0b5394; --good: #1b6e2d; --bad: #a61c1c; }
 @media (prefers-color-scheme: dark) { :root { --ground: #17191b; --ink: #e4e4df; --quiet: #a2a7ab; --rule: #3a3e42;
   --band: #202326; --link: #8ab8ea; --good: #7fcf8e; --bad: #ff9a92; }
-  img.drawing, .pair img, .strips img { filter: invert(.9) hue-rotate(180deg); } }
+  img.drawing, .pair img { filter: invert(.9) hue-rotate(180deg); } }
 * { box-sizing: border-box; }
 html { scroll-padding-top: 4rem; }
 body { margin: 0; background: var(--ground); color: var(--ink); overflow-wrap: break-word;
@@ -50,7 +50,7 @@ figcaption { margin-top: .4rem; max-width: 48rem; } figcaption b { color: var(--
 .pixelated { image-rendering: pixelated; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 32rem), 1fr)); gap: 0 1.5rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(15.5rem, 1fr)); gap: 1.1rem; }
-.gallery figure { margin: 0; } .gallery img { width: 100%; } .strips figure { margin: .6rem 0; overflow-x: auto; }
+.gallery figure { margin: 0; } .gallery img { width: 100%; }
 .panel { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 27rem); gap: .5rem 2rem; padding: 1.1rem 0;
   border-bottom: 1px solid var(--rule); break-inside: avoid; }
 .panel h3, .panel p:first-child { margin-top: 0; } .panel .pictures figure { margin: 0 0 .7rem; }

@@ -132,7 +132,6 @@ struct GalleryLayout {
   Text caption;
   Text alternative;
   bool folded = false;
-  bool wide = false;
 };
 
 struct ListingsLayout {
@@ -147,7 +146,7 @@ struct ParagraphLayout {
 };
 struct HeadingLayout {
   Text text;
-  std::string id = {};  // not empty: begins a chapter of the page
+  std::string id;
 };
 
 // Texts may speak of the claim's figure, as those of a ClaimRow.

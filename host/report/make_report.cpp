@@ -141,12 +141,8 @@ Report written(const Layout& layout, std::span<const int> numbers, const Results
 
 }  // namespace
 
-Outcome<std::vector<Part>> all_parts() {
-  return caught([] {
-    std::vector<Part> parts;
-    for (const PartLayout& part : read_layout(layout_files()).parts) parts.push_back({part.number, part.title});
-    return parts;
-  });
+Outcome<std::vector<PartLayout>> all_parts() {
+  return caught([] { return read_layout(layout_files()).parts; });
 }
 
 Outcome<Report> make_report(std::span<const int> parts, const Context& context) {

@@ -11,13 +11,8 @@
 
 namespace sightline::report {
 
-// What people can ask for.
-struct Part {
-  int number = 0;
-  std::string title;
-};
-// Ascending. Error bad_input: a data file that cannot be used.
-[[nodiscard]] Outcome<std::vector<Part>> all_parts();
+// What people can ask for, ascending. Error bad_input: a data file that cannot be used.
+[[nodiscard]] Outcome<std::vector<PartLayout>> all_parts();
 
 // The parts of these numbers, or all of them if there are none; every experiment that they take records of is run once.
 // Those that take times of this computer run alone, the others on all processors. An error of any ends it.

@@ -63,8 +63,6 @@ std::string axis_commands(const Axis& axis, char name, std::optional<double> zer
   const std::string title = axis.unit.empty() ? axis.title : fmt::format("{} [{}]", axis.title, axis.unit);
   std::string text = fmt::format("set {}label {}\n", name, in_quotes(title));
   if (axis.logarithmic) text += fmt::format("set logscale {0}\nset format {0} \"%h\"\n", name);
-  if (axis.range)
-    text += fmt::format("set {}range [{:.17g}:{:.17g}]\n", name, axis.range->first, axis.range->second);
   if (zero) text += fmt::format("set {}tics add (\"0\" {:.17g})\n", name, *zero);
   return text;
 }
@@ -159,21 +157,6 @@ std::string text_of(const files::path& path) {
   return text;
 }
 
-// gnuplot gives up on a plot without a point in it: axes from 0 to 1 then, and words.
-std::string empty_plot(Axis x, Axis y) {
-  for (Axis* axis : {&x, &y}) {
-    axis->logarithmic = false;
-    axis->range = {0, 1};
-  }
-  return axis_commands(x, 'x', std::nullopt) + axis_commands(y, 'y', std::nullopt) +
-         "unset xtics\nunset ytics\nunset key\nset label 'nothing to draw' at graph 0.5,0.5 center\nplot "
-         "NaN\n";
-}
-
-bool in_range(double value, const Axis& axis) {
-  return !axis.range || (value >= axis.range->first && value <= axis.range->second);
-}
-
 }  // namespace
 
 std::string gnuplot_script(const Plot& plot) {
@@ -181,7 +164,6 @@ std::string gnuplot_script(const Plot& plot) {
   const auto zero_y = place_of_zero(plot, plot.y, &PlotPoint::y);
   std::string text;
   std::string curves;
-  bool anything = false;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
     bool labels = false;
@@ -192,7 +174,6 @@ std::string gnuplot_script(const Plot& plot) {
       const auto y = drawn_value(point.y, plot.y, zero_y);
       if (!x || !y) continue;
       empty = false;
-      anything = anything || (in_range(*x, plot.x) && in_range(*y, plot.y));
       labels = labels || !point.label.empty();
       text += fmt::format("{:.17g} {:.17g} {}\n", *x, *y, label_in_data(point.label));
     }
@@ -213,7 +194,6 @@ std::string gnuplot_script(const Plot& plot) {
       "set encoding utf8\nset key {} Left reverse samplen 4\n"
       "set grid xtics ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror\n",
       plot.width, plot.height, legend_place(plot));
-  if (!anything) return text + empty_plot(plot.x, plot.y);
   text += axis_commands(plot.x, 'x', zero_x) + axis_commands(plot.y, 'y', zero_y);
   return text + curves + "\n";
 }
@@ -232,8 +212,7 @@ Outcome<Figure> draw_plot(const Plot& plot) {
   auto bytes = base::read_file(drawing.string());
   if (status != 0 || !bytes || bytes->empty())
     return ReportError{ErrorKind::file, fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said))};
-  return Figure{plot.id,         plot.title,        plot.caption,   plot.alternative,
-                "image/svg+xml", std::move(*bytes), plot.host_time, false};
+  return Figure{plot.id, plot.title, plot.caption, plot.alternative, "image/svg+xml", std::move(*bytes)};
 }
 
 std::optional<ReportError> gnuplot_missing() {

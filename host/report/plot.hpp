@@ -4,9 +4,9 @@
 // which is removed. Equal plots give equal bytes from one version of gnuplot.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "host/report/document.hpp"
@@ -21,7 +21,7 @@ struct Axis {
   // a decade below the least other value, at a mark named 0. Negative values and what is no number are not
   // drawn.
   bool logarithmic = true;
-  std::optional<std::pair<double, double>> range = std::nullopt;  // given, or what the points need
+  [[nodiscard]] bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value >= 0); }
 };
 
 struct PlotPoint {
@@ -38,11 +38,10 @@ struct Curve {
 };
 
 struct Plot {
-  std::string id;  // these five as in the Figure made of it
+  std::string id;  // these four as in the Figure made of it
   std::string title;
   Said caption;
   std::string alternative;
-  bool host_time = false;
   Axis x;
   Axis y;
   std::vector<Curve> curves;
@@ -53,7 +52,7 @@ struct Plot {
 // What gnuplot is given: data blocks and commands, without the line that names the output.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot);
 
-// Error missing_tool: there is no gnuplot; file: it could not be run or did not draw, with what it said.
+// Error missing_tool: there is no gnuplot; file: it could not be run or did not draw, such as a plot without a point.
 [[nodiscard]] Outcome<Figure> draw_plot(const Plot& plot);
 
 // Nothing, if gnuplot can be run: ask before long measurements.

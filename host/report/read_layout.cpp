@@ -241,10 +241,9 @@ PlotLayout plot_of(const Node& node) {
 }
 
 GalleryLayout gallery_of(const Node& node) {
-  node.object({"gallery", "title", "from", "where", "image", "id", "name", "caption", "alternative", "folded", "wide", "host"});
+  node.object({"gallery", "title", "from", "where", "image", "id", "name", "caption", "alternative", "folded", "host"});
   return {node.string("gallery"), node.text("title"),   rows_of(node),           node.string("image"), node.text("id"),
-          node.text("name"),      node.text("caption"), node.text("alternative"), node.flag("folded"),
-          node.flag("wide")};
+          node.text("name"),      node.text("caption"), node.text("alternative"), node.flag("folded")};
 }
 
 ListingsLayout listings_of(const Node& node) {
@@ -278,7 +277,7 @@ BlockLayout block_of(const Node& node) {
   if (node.has("paragraph")) {
     block.content = ParagraphLayout{node.object({"paragraph", "host"}).text("paragraph")};
   } else if (node.has("heading")) {
-    block.content = HeadingLayout{node.object({"heading", "id", "host"}).text("heading"), node.string_or("id", "")};
+    block.content = HeadingLayout{node.object({"heading", "id", "host"}).text("heading"), node.string("id")};
   } else if (node.has("panel")) {
     block.content = panel_of(node);
   } else if (node.has("table")) {

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -41,7 +40,6 @@ class Renderer {
     for (const BlockLayout& block : chapter_.blocks) {
       if (block.host_time && !rendering_.host_times) continue;
       place_ = block.place;
-      host_time_ = block.host_time;
       std::visit([this](const auto& content) { add(content); }, block.content);
     }
     return std::move(blocks_);
@@ -153,7 +151,7 @@ class Renderer {
     for (const ColumnLayout& column : layout.columns) {
       if (column.host_time && !rendering_.host_times) continue;
       columns.push_back(&column);
-      table.columns.push_back({column.key, column.title, column.unit, column.host_time});
+      table.columns.push_back({column.key, column.title, column.unit});
     }
     table.cards_name = layout.cards_name;
     for (const Scope& scope : scopes) {
@@ -177,7 +175,7 @@ class Renderer {
     auto column = std::find_if(table.columns.begin(), table.columns.end(),
                                [&](const Column& known) { return known.key == key; });
     if (column == table.columns.end())
-      column = table.columns.insert(column, {key, pivot.title.words(scope), pivot.unit, false});
+      column = table.columns.insert(column, {key, pivot.title.words(scope), pivot.unit});
     auto row = std::find_if(table.rows.begin(), table.rows.end(), [&](const auto& known) {
       return std::equal(common.begin(), common.end(), known.begin());
     });
@@ -193,11 +191,11 @@ class Renderer {
     table.id = layout.id;
     table.title = layout.title.words(page_);
     table.folded = layout.folded;
-    table.columns = {{"place", "In the paper", "", false},       {"says", "It says", "", false},
-                     {"here_least", "Here", "least", false},     {"here_greatest", "Here", "greatest", false},
-                     {"unit", "Unit", "", false},                {"ratio_least", "Here to paper", "ratio, least", false},
-                     {"ratio_greatest", "Here to paper", "ratio, greatest", false},
-                     {"condition", "Condition here", "", false}, {"comparison", "Comparison", "", false}};
+    table.columns = {{"place", "In the paper", ""},        {"says", "It says", ""},
+                     {"here_least", "Here", "least"},      {"here_greatest", "Here", "greatest"},
+                     {"unit", "Unit", ""},                 {"ratio_least", "Here to paper", "ratio, least"},
+                     {"ratio_greatest", "Here to paper", "ratio, greatest"},
+                     {"condition", "Condition here", ""},  {"comparison", "Comparison", ""}};
     for (const ClaimRow& row : layout.rows) {
       if (row.host_time && !rendering_.host_times) continue;
       table.rows.push_back(claim_cells(row, claim_named(row.claim, row.place)));
@@ -245,9 +243,8 @@ class Renderer {
     plot.id = layout.id;
     plot.title = layout.title.words(page_);
     plot.alternative = layout.alternative.words(page_);
-    plot.host_time = host_time_;
-    plot.x = {layout.x.title, layout.x.unit, layout.x.logarithmic, {}};
-    plot.y = {layout.y.title, layout.y.unit, layout.y.logarithmic, {}};
+    plot.x = {layout.x.title, layout.x.unit, layout.x.logarithmic};
+    plot.y = {layout.y.title, layout.y.unit, layout.y.logarithmic};
     std::set<std::pair<double, double>> points;
     for (const CurveLayout& curve : layout.curves) add_curves(plot, curve, points);
     constexpr std::size_t fewest_points = 3;
@@ -271,12 +268,12 @@ class Renderer {
       if (curve == plot.curves.end()) curve = plot.curves.insert(curve, {name, {}, layout.line, layout.marks});
       if (!x || !y) continue;
       curve->points.push_back({*x, *y, layout.label.empty() ? "" : layout.label.words(scope)});
-      if (std::isfinite(*x) && std::isfinite(*y)) points.emplace(*x, *y);
+      if (plot.x.shows(*x) && plot.y.shows(*y)) points.emplace(*x, *y);
     }
   }
 
   void add(const GalleryLayout& layout) {
-    blocks_.emplace_back(Gallery{layout.id, layout.title.words(page_), figures_of(layout), layout.folded, layout.wide});
+    blocks_.emplace_back(Gallery{layout.id, layout.title.words(page_), figures_of(layout), layout.folded});
   }
 
   [[nodiscard]] std::vector<Figure> figures_of(const GalleryLayout& layout) const {
@@ -285,7 +282,7 @@ class Renderer {
       const Picture* const picture = picture_at(scope, layout.image);
       if (picture == nullptr) throw Wrong(fmt::format("{}: found no picture under \"{}\"", place_, layout.image));
       figures.push_back({layout.figure_id.words(scope), layout.name.words(scope), layout.caption.said(scope),
-                         layout.alternative.words(scope), picture->media_type, picture->bytes, host_time_,
+                         layout.alternative.words(scope), picture->media_type, picture->bytes,
                          picture->pixelated});
     }
     return figures;
@@ -305,7 +302,7 @@ class Renderer {
       const Picture* const picture = picture_at(scope, card.image);
       if (picture == nullptr) continue;
       const std::string name = card.name.words(scope);
-      figures.push_back({{}, name, {}, name, picture->media_type, picture->bytes, host_time_, picture->pixelated});
+      figures.push_back({{}, name, {}, name, picture->media_type, picture->bytes, picture->pixelated});
     }
     return figures;
   }
@@ -324,7 +321,6 @@ class Renderer {
   const Rendering& rendering_;
   Scope page_;
   std::string place_;
-  bool host_time_ = false;
   std::vector<Block> blocks_;
 };
 

@@ -70,7 +70,7 @@ class Checker {
       id(section.id);
       for (const Block& block : section.blocks) {
         if (const auto* const table = std::get_if<Table>(&block)) check(*table);
-        if (const auto* const heading = std::get_if<Heading>(&block); heading != nullptr && !heading->id.empty()) id(heading->id);
+        if (const auto* const heading = std::get_if<Heading>(&block); heading != nullptr) id(heading->id);
         if (const auto* const panel = std::get_if<Panel>(&block)) {
           id(panel->id);
           for (const Figure& figure : panel->figures) id(figure.id);

@@ -4,8 +4,7 @@
 //   failures  the cells that differ or could not be run, with the first difference
 //   scenes    a scene each: size, views, cells listed to run and run
 //   reasons   what does not apply, as listed
-//   pictures  the first view of each scene by every method, side by side
-//   single    each of these by itself
+//   pictures  the first view of each scene by every method
 #include "host/report/experiments/cross_check.hpp"
 
 #include <fmt/core.h>
@@ -18,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/picture/vector_drawing.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/hard_cases/case_images.hpp"
@@ -32,9 +29,6 @@ namespace {
 
 using compare::CrossCheckCell;
 using compare::CrossCheckState;
-
-constexpr int side = 200;  // pixels of one picture
-constexpr int gap = 8;
 
 std::string lower_case(std::string_view text) {
   std::string lower;
@@ -52,57 +46,30 @@ Value verdict_of(const CrossCheckCell& cell) {
   return {};
 }
 
-picture::Image lines_image(const compare::CommonScene& scene, const compare::CrossCheckView& view,
-                           const picture::LinePicture& lines) {
+// Degrees in perspective, else scene units.
+double extent_of(const compare::CrossCheckView& view) {
   const auto window = view.window();
   const double half = window.width / 2.0 / window.scale;
-  picture::DrawingField field;
-  field.extent = view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
-  return picture::image_of(picture::line_drawing(lines, scene.scene, view.camera, field), {side, side, 1.0});
+  return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-picture::Image side_by_side(const std::vector<picture::Image>& images) {
-  const auto count = static_cast<int>(images.size());
-  picture::Image all(count * (side + gap) - gap, side, 3);
-  std::fill(all.pixels.begin(), all.pixels.end(), std::uint8_t{255});
-  for (int i = 0; i < count; ++i) {
-    const picture::Image& image = images[static_cast<std::size_t>(i)];
-    const auto from = [&](int row, int value) {
-      return image.pixels[image.index(value / 3, row) + (image.channels == 3 ? static_cast<std::size_t>(value % 3) : 0)];
-    };
-    for (int row = 0; row < side; ++row)
-      for (int value = 0; value < 3 * side; ++value)
-        all.pixels[all.index(i * (side + gap), row) + static_cast<std::size_t>(value)] = from(row, value);
-  }
-  return all;
-}
-
-void add_pictures(RowSet& pictures, RowSet& single, const compare::CommonScene& scene,
-                  const compare::SceneCrossCheck& agreement) {
-  std::vector<picture::Image> images;
-  std::string names;
-  for (std::size_t who = 0; who < compare::participants().size(); ++who) {
-    const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
-    const auto add = [&](picture::Image image, std::string_view what) {
-      single.add({{"id", fmt::format("{}-{}", lower_case(scene.name), images.size() + 1)},
+void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+  int number = 0;
+  const compare::CrossCheckView& view = scene.views.front();
+  const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
+    pictures.add({{"id", fmt::format("{}-{}", lower_case(scene.name), ++number)},
                   {"scene", scene.name},
                   {"title", scene.title},
-                  {"method", fmt::format("{}{}", compare::participants()[who].name, what)},
+                  {"method", fmt::format("{}{}", who, what)},
                   {"picture", png_picture(image)}});
-      images.push_back(std::move(image));
-      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", compare::participants()[who].name, what);
-    };
-    if (picture.lines) add(lines_image(scene, scene.views.front(), *picture.lines), "");
-    if (picture.faces) add(faces_image(*picture.faces, side), picture.lines ? " (faces)" : "");
+  };
+  for (std::size_t who = 0; who < compare::participants().size(); ++who) {
+    const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
+    const std::string_view name = compare::participants()[who].name;
+    if (picture.lines) add(name, "", lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
+    if (picture.faces) add(name, picture.lines ? " (faces)" : "", faces_image(*picture.faces, case_image_side));
   }
-  if (images.empty())
-    throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
-  pictures.add({{"scene", scene.name},
-                {"id", lower_case(scene.name)},
-                {"title", scene.title},
-                {"methods", names},
-                {"pictures", images.size()},
-                {"strip", png_picture(side_by_side(images))}});
+  if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
 }
 
 }  // namespace
@@ -136,7 +103,7 @@ void add_cross_check(Records& records, const compare::CommonScene& scene,
                          {"listed", listed},
                          {"run", run},
                          {"result", Verdict{good, good ? "all agree" : "not all agree"}}});
-  add_pictures(records["pictures"], records["single"], scene, agreement);
+  add_pictures(records["pictures"], scene, agreement);
 }
 
 Records cross_check(const Context& context) {

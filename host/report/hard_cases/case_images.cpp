@@ -11,9 +11,6 @@ namespace sightline::report {
 
 namespace {
 
-picture::Image image_of(const picture::VectorDrawing& drawing) {
-  return picture::image_of(drawing, {case_image_side, case_image_side, 1.1});
-}
 
 // One value for each pixel, the bottom row of the grid last.
 template <class Value>
@@ -24,14 +21,24 @@ picture::Image greys(int width, int height, Value value) {
   return image;
 }
 
+// Black lines as greys: one byte for each pixel.
+picture::Image image_of(const picture::VectorDrawing& drawing) {
+  const picture::Image colours = picture::image_of(drawing, {case_image_side, case_image_side, 1.1});
+  picture::Image image(colours.width, colours.height, 1);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = colours.pixels[3 * i];
+  return image;
+}
+
 }  // namespace
 
-picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           std::optional<double> extent) {
   const picture::LinePicture edges = picture::wire_frame(scene);
   picture::DrawingField field;
   field.dash = 3;
-  if (camera.perspective) field.extent = picture::usual_angle;
-  return image_of(picture::line_drawing(lines, scene, camera, field, &edges));
+  field.extent = extent;
+  if (!extent && camera.perspective) field.extent = picture::usual_angle;
+  return image_of(picture::line_drawing(lines, scene, camera, field, extent ? nullptr : &edges));
 }
 
 picture::Image screen_image(const std::vector<picture::DrawnPiece>& pieces) {

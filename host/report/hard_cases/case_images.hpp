@@ -1,6 +1,7 @@
 // Small pictures of what a method gives: of lines, of faces and dots, and of pieces on the screen of the Type 340.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host/picture/image.hpp"
@@ -11,11 +12,12 @@
 
 namespace sightline::report {
 
-inline constexpr int case_image_side = 180;  // pixels
+inline constexpr int case_image_side = 160;  // pixels
 
-// What is seen as lines, the rest of the edges as dashes; all of the scene, or 90 degrees of it in perspective.
+// What is seen as lines. With an extent (picture::DrawingField) that part of the image; without one all of it, or 90
+// degrees in perspective, and hidden edges as dashes.
 [[nodiscard]] picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene,
-                                         const scene::PolyCamera& camera);
+                                         const scene::PolyCamera& camera, std::optional<double> extent = {});
 // The pieces on 1024 x 1024 points.
 [[nodiscard]] picture::Image screen_image(const std::vector<picture::DrawnPiece>& pieces);
 // Every face in a light grey of its own, the background white; `side` pixels a side.

@@ -54,11 +54,12 @@ TEST(CrossCheck, FailuresAreNamed) {
   EXPECT_EQ(scenes.at(1, "result"), Value(Verdict{false, "not all agree"}));
 }
 
-TEST(CrossCheck, TheStripShowsEveryPictureThereIs) {
+TEST(CrossCheck, EveryMethodHasAPicture) {
   const RowSet& pictures = two_scenes().at("pictures");
-  EXPECT_EQ(pictures.at(0, "methods"),
-            Value("exact, jones, montani-re, montani-re (faces), oracle, oracle (faces), plantinga, willis"));
-  EXPECT_EQ(pictures.at(0, "pictures"), Value(8));
+  std::string methods;
+  for (std::size_t row = 0; row < pictures.size(); ++row)
+    if (pictures.at(row, "scene") == Value("C5")) methods += std::string(*pictures.at(row, "method").text()) + ";";
+  EXPECT_EQ(methods, "exact;jones;montani-re;montani-re (faces);oracle;oracle (faces);plantinga;willis;");
 }
 
 }  // namespace

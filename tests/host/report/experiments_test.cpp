@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -254,6 +255,51 @@ TEST(ReportRun, StatesNothingThatDoesNotHold) {
   EXPECT_EQ(page.find("Not in this run"), std::string::npos) << page.substr(page.find("Not in this run"), 300);
   EXPECT_EQ(page.find("not in this run"), std::string::npos) << page.substr(page.find("not in this run"), 300);
   EXPECT_LT(page.size(), 4'000'000U);
+}
+
+// Parts choose by kind; the opening page is of the whole report.
+TEST(ReportRun, PartsAreKindsOfChapters) {
+  const auto titles = [](std::span<const int> parts) {
+    std::vector<std::string> found;
+    const auto report = report_of(parts, results(), quiet());
+    if (!report) return found;
+    for (const Section& section : report->sections)
+      for (const Block& block : section.blocks)
+        if (const auto* const heading = std::get_if<Heading>(&block)) found.push_back(section.id + ": " + heading->text);
+    return found;
+  };
+  EXPECT_EQ(titles(std::array{4}), (std::vector<std::string>{"jones: Resource usage", "skala: Resource usage"}));
+  EXPECT_EQ(titles(std::array{5}), (std::vector<std::string>{"agreement: Cross-check"}));
+  const auto whole = report_of({}, results(), quiet());
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->sections.front().id, "overview");
+  std::size_t methods = 0;
+  std::size_t findings = 0;
+  for (const Block& block : whole->sections.front().blocks) {
+    const auto* const panel = std::get_if<Panel>(&block);
+    if (panel == nullptr) continue;
+    EXPECT_FALSE(panel->figures.empty()) << panel->id << ": has no picture";
+    ++(panel->source.empty() ? findings : methods);
+  }
+  EXPECT_EQ(methods, 5U);
+  EXPECT_GE(findings, 8U);
+}
+
+// Every case that is run has a picture of what is right, where there is a picture at all; a wrong one stands beside it.
+TEST(Experiments, HardCasesHavePictures) {
+  const RowSet& runs = set("hard-cases", "runs");
+  std::set<std::string> without;
+  for (std::size_t row = 0; row < runs.size(); ++row) {
+    const bool wrong = runs.at(row, "outcome") == Value("wrong");
+    if (wrong) {
+      EXPECT_FALSE(runs.at(row, "wrong").missing()) << row;
+    }
+    if (runs.at(row, "outcome") == Value("right") && runs.at(row, "correct").missing())
+      without.insert(std::string(*runs.at(row, "input").text()));
+  }
+  // Files that must be refused.
+  for (const std::string& input : without) EXPECT_NE(input.find_first_of("JMWPS"), std::string::npos) << input;
+  EXPECT_LE(without.size(), 12U);
 }
 
 // With other experiments on all processors, and by themselves on one.

@@ -2,6 +2,7 @@
 // what is said of files that cannot be used.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -161,7 +162,7 @@ Figure sketch(const Plot& plot) {
       text += " " + shown_text(Real{point.x}) + "," + shown_text(Real{point.y}) + point.label;
     text += ";";
   }
-  return {plot.id, plot.title, plot.caption, text, "image/svg+xml", {}, plot.host_time, false};
+  return {plot.id, plot.title, plot.caption, text, "image/svg+xml", {}};
 }
 
 std::vector<Block> rendered(const std::string& blocks, bool host_times = true) {
@@ -276,6 +277,64 @@ TEST(ReportGalleries, ShowPicturesOfRows) {
   EXPECT_EQ(gallery.figures[1].bytes.size(), 2U);
 }
 
+constexpr const char* sample_panel_layout = R"({"panel": "finding", "title": "A view takes {views.view_s.max:1} s", "paper": "p",
+  "claim": "p.time", "facts": [["Longest of {views.rows}", "{views.view_s.max / claim.least:0} times"]],
+  "text": ["{if views.view_s.max <= claim.greatest | Within the paper's second.}", {"host": true, "text": "Of this computer."}],
+  "pictures": [
+    {"plot": "small", "title": "T", "caption": "", "alternative": "", "x": {"title": "x"}, "y": {"title": "y"},
+      "curves": [{"from": "views", "by": "here", "x": "words", "y": "view_s"}, {"from": "views", "by": "paper", "x": "words", "y": "claim.least"}]},
+    {"gallery": "g", "title": "", "from": "views", "where": "words = 8000", "image": "screen", "id": "screen-{scene}",
+      "name": "{scene}", "caption": "", "alternative": "A"}]})";
+
+TEST(ReportPanels, HaveTheirPapersFigureBesideOurs) {
+  const auto panel = only<Panel>(rendered(sample_panel_layout));
+  EXPECT_EQ(panel.title, Said("A view takes 2.0 s"));
+  EXPECT_EQ(panel.source, "A. Author: \u201CT\u201D, J, 1971");
+  ASSERT_EQ(panel.facts.size(), 2U);
+  EXPECT_EQ(panel.facts[0], std::pair(std::string("Longest of 3"), std::string("2 times")));
+  EXPECT_EQ(panel.facts[1], std::pair(std::string("The paper (abstract)"), std::string("\"a second\"")));
+  ASSERT_EQ(panel.text.size(), 2U);
+  EXPECT_EQ(panel.text[0].failed.size(), 1U) << "two seconds are not within one";
+  ASSERT_EQ(panel.figures.size(), 2U);
+  EXPECT_EQ(panel.figures[0].alternative, "here: 7000,0.5 7001,2 8000,1.5;paper: 7000,1 7001,1 8000,1;");
+  EXPECT_EQ(panel.figures[1].id, "screen-street");
+  EXPECT_EQ(only<Panel>(rendered(sample_panel_layout, false)).text.size(), 1U);
+}
+
+// The claim's figure is known in the panel and nowhere after it.
+TEST(ReportPanels, KeepTheirClaimToThemselves) {
+  EXPECT_NE(refused(std::string(sample_panel_layout) + R"(, {"paragraph": "{claim.least}"})").find("claim.least"), std::string::npos);
+}
+
+TEST(ReportPanels, SayWhatIsWrong) {
+  EXPECT_NE(refused(R"({"panel": "a", "title": "T", "paper": "q"})").find("a.json: blocks[0]: found no paper \"q\""), std::string::npos);
+  EXPECT_NE(refused(R"({"panel": "a", "title": "T", "claim": "p.size"})").find("a.json: blocks[0]: found no claim \"p.size\""),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"panel": "a", "title": "T", "facts": [["one"]]})")
+                .find("a.json: blocks[0].facts[0]: found 1 texts, expected a label and a value"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"panel": "a", "title": "T", "pictures": [{"table": "t"}]})").find("a.json: blocks[0].pictures[0]"),
+            std::string::npos);
+}
+
+// A card for each row that a pivot leaves, with the pictures that its first row has.
+TEST(ReportCards, HaveThePicturesOfTheirRow) {
+  constexpr const char* cards = R"({"table": "t", "title": "T", "from": "views", "columns": [{"key": "scene", "title": "Scene"}],
+    "pivot": {"key": "eae_{eae}", "title": "{eae}", "value": "view_s"},
+    "cards": {"name": "Some", "pictures": [{"image": "screen", "name": "of {words}"}, {"image": "host_ns", "name": "none"}]}})";
+  const auto table = only<Table>(rendered(cards));
+  EXPECT_EQ(table.cards_name, "Some");
+  ASSERT_EQ(table.rows.size(), 2U);
+  ASSERT_EQ(table.cards.size(), 2U);
+  ASSERT_EQ(table.cards[1].size(), 1U) << "a value that is no picture is left out";
+  EXPECT_EQ(table.cards[0][0].title, "of 7000");
+  EXPECT_EQ(table.cards[1][0].title, "of 8000");
+  EXPECT_NE(refused(R"({"table": "t", "title": "T", "from": "views", "columns": [{"key": "scene", "title": "Scene"}],
+    "cards": {"name": "Some", "pictures": [{"image": "sreen", "name": ""}]}})")
+                .find("a.json: blocks[0]: found no key \"sreen\""),
+            std::string::npos);
+}
+
 TEST(ReportListings, ShowTexts) {
   const auto blocks = rendered(R"({"listings": "eae", "from": "views", "id": "l-{words}", "file": "{scene}.txt"})");
   ASSERT_EQ(blocks.size(), 3U);
@@ -321,8 +380,37 @@ TEST(ReportData, DamagedFilesAreRefused) {
             std::string::npos);
   EXPECT_NE(refused(R"({"paragraph": "{1 +}"})").find("a.json: blocks[0].paragraph: \"1 +\""), std::string::npos);
   EXPECT_NE(refused(R"({"paragraph": "x")").find("a.json"), std::string::npos) << "no JSON";
-  const std::vector<std::pair<std::string_view, std::string_view>> files{{"report.json", report_file}};
-  EXPECT_THROW(static_cast<void>(read_layout(files)), Failure) << "the chapter is not there";
+  EXPECT_NE(refused(R"({"heading": "x"})").find("without \"id\""), std::string::npos);
+}
+
+TEST(ReportData, SectionsNameWhatIsThere) {
+  const auto refusal_of = [](std::string_view section) {
+    const std::string report = R"({"title": "R", "parts": [{"number": 1, "title": "One"}], "sections": [)" + std::string(section) + "]}";
+    const std::vector<std::pair<std::string_view, std::string_view>> files{
+        {"report.json", report}, {"papers.json", papers_file}, {"a.json", R"({"sets": {}, "blocks": []})"}};
+    try {
+      static_cast<void>(read_layout(files));
+    } catch (const Failure& failure) {
+      return failure.error().message;
+    }
+    return std::string("nothing wrong");
+  };
+  EXPECT_EQ(refusal_of(R"({"id": "s", "title": "S", "chapters": [{"chapter": "a"}, {"chapter": "a", "part": 1}]})"), "nothing wrong");
+  EXPECT_EQ(refusal_of(R"({"id": "s", "title": "S", "chapters": [{"chapter": "b", "part": 1}]})"),
+            "report.json: section \"s\": found chapter \"b\", expected a file b.json");
+  EXPECT_EQ(refusal_of(R"({"id": "s", "title": "S", "chapters": [{"chapter": "a", "part": 2}]})"),
+            "report.json: section \"s\": chapter \"a\": found part 2, expected one of \"parts\"");
+  EXPECT_EQ(refusal_of(R"({"id": "s", "title": "S", "paper": "q", "chapters": []})"),
+            "report.json: section \"s\": found paper \"q\", expected one of papers.json");
+}
+
+// Every chapter is in the page, in one place.
+TEST(ReportData, EveryChapterIsShownOnce) {
+  const Layout layout = read_layout(layout_files());
+  std::map<std::string, int> shown;
+  for (const SectionLayout& section : layout.sections)
+    for (const auto& [chapter, part] : section.chapters) ++shown[chapter];
+  for (const auto& [name, chapter] : layout.chapters) EXPECT_EQ(shown[name], 1) << name;
 }
 
 TEST(ReportData, ReadsAndGivesTheSameKeys) {

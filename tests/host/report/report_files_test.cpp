@@ -43,6 +43,7 @@ TEST_F(ReportFiles, AreThePageAndTheTables) {
   const auto written = write_report(sample_report(), (folder_ / "new" / "deep").string());
   ASSERT_TRUE(written);
   EXPECT_EQ(found(), (std::set<std::string>{"new", "new/deep", "new/deep/index.html", "new/deep/tables",
+                                            "new/deep/tables/cards-sample.csv", "new/deep/tables/cards-sample.json",
                                             "new/deep/tables/sample.csv", "new/deep/tables/sample.json"}));
   EXPECT_EQ(written->front(), (folder_ / "new/deep/index.html").string());
   EXPECT_EQ(text_of(folder_ / "new/deep/index.html"), html_page(sample_report()));

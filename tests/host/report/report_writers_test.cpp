@@ -132,6 +132,32 @@ TEST(ReportPage, FoldsWhatIsFolded) {
   EXPECT_EQ(html_page(sample_report()).find("<details><summary><h4"), std::string::npos);
 }
 
+TEST(ReportPage, KeepsHeadingsAndRowNamesInSight) {
+  const std::string page = html_page(sample_report());
+  EXPECT_NE(page.find("thead th { position: sticky; top: 0"), std::string::npos);
+  EXPECT_NE(page.find("tbody th { position: sticky; left: 0"), std::string::npos);
+  EXPECT_NE(page.find("<tr><th scope=\"row\">plain</th><td"), std::string::npos);
+  EXPECT_NE(page.find("<details class=\"chapter\" id=\"chapter\"><summary><h3>A heading</h3></summary>"), std::string::npos);
+}
+
+// Cards stand in the page without a filter's choice; a choice hides those of other tables, by style alone.
+TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
+  const std::string page = html_page(sample_report());
+  EXPECT_NE(page.find("<article class=\"card right\">\n<h4>A</h4>"), std::string::npos);
+  EXPECT_NE(page.find("<article class=\"card wrong\">\n<h4>B</h4>"), std::string::npos);
+  EXPECT_NE(page.find("<dt>Right</dt><dd class=\"bad\">no</dd>"), std::string::npos);
+  EXPECT_NE(page.find("section:has(#show-cards-sample:checked) .cards:not(#cards-cards-sample) { display: none; }"), std::string::npos);
+  EXPECT_NE(page.find("id=\"show-cards-sample\"> &lt;b&gt;"), std::string::npos);
+  std::size_t details = 0;
+  std::size_t ends = 0;
+  for (std::size_t at = page.find("<details"); at != std::string::npos; at = page.find("<details", at + 1)) ++details;
+  for (std::size_t at = page.find("</details>"); at != std::string::npos; at = page.find("</details>", at + 1)) ++ends;
+  EXPECT_EQ(details, ends);
+  Report other = sample_report();
+  other.sections[0].blocks.pop_back();
+  EXPECT_EQ(html_page(other).find("<form"), std::string::npos);
+}
+
 TEST(ReportPage, SaysWhatDoesNotHold) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).notes = {Said("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};

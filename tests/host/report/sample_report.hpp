@@ -15,11 +15,11 @@ inline Table sample_table() {
   Table table;
   table.id = "sample";
   table.title = nasty;
-  table.columns = {{"name", "Name", "", false},
-                   {"count", "Count", "words", false},
-                   {"view_s", "View", "s", false},
-                   {"host_ns", "Host", "ns", true},
-                   {"right", "Right", "", false}};
+  table.columns = {{"name", "Name", ""},
+                   {"count", "Count", "words"},
+                   {"view_s", "View", "s"},
+                   {"host_ns", "Host", "ns"},
+                   {"right", "Right", ""}};
   table.rows = {
       {nasty, std::int64_t{1048576}, Real{0.1, 3}, Real{1e9}, Verdict{true, "yes"}},
       {std::string("plain"), std::int64_t{-12}, std::monostate{}, Real{0.5}, Verdict{false, "no, 3 px"}},
@@ -30,16 +30,33 @@ inline Table sample_table() {
 }
 
 inline Figure sample_figure(const std::string& id) {
-  return {id, nasty, "Caption", "Alt \"text\"", "image/png", {0x89, 'P', 'N', 'G'}, false, true};
+  return {id, nasty, "Caption", "Alt \"text\"", "image/png", {0x89, 'P', 'N', 'G'}, true};
+}
+
+inline Table sample_cards() {
+  Table table;
+  table.id = "cards-sample";
+  table.title = "Cards";
+  table.columns = {{"name", "Name", ""}, {"right", "Right", ""}};
+  table.rows = {{std::string("A"), Verdict{true, "yes"}}, {std::string("B"), Verdict{false, "no"}}};
+  table.cards_name = nasty;
+  table.cards = {{{"", "correct", {}, "correct", "image/png", {1}, false}}, {}};
+  return table;
+}
+
+inline Panel sample_panel() {
+  return {"panel", Said(nasty), nasty, {{nasty, "1 s"}}, {nasty}, {}};
 }
 
 inline Section sample_section() {
   Section section{"sample-part", nasty, {}};
   section.blocks.emplace_back(Paragraph{nasty});
-  section.blocks.emplace_back(Heading{"A heading"});
+  section.blocks.emplace_back(Heading{"A heading", "chapter"});
   section.blocks.emplace_back(sample_table());
   section.blocks.emplace_back(sample_figure("figure"));
   section.blocks.emplace_back(Gallery{"gallery", "Gallery", {sample_figure("small"), sample_figure("smaller")}});
+  section.blocks.emplace_back(sample_panel());
+  section.blocks.emplace_back(sample_cards());
   return section;
 }
 
