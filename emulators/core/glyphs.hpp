@@ -1,7 +1,7 @@
 // Character shapes for the character generators: seven rows of five dots each, top row first, bit 4 of a row its
 // leftmost dot.
 //
-// APPROXIMATE. Neither DEC's stroke tables nor Thomson's character ROM are at hand: the shapes are ours. Known are the
+// APPROXIMATE. DEC's stroke tables and Thomson's character ROM are not available: the shapes are ours. Known are the
 // 5x7 cell of the Type 342, the codes of its first set (DEC trimmed ASCII), that its second set holds the small letters,
 // and that the EF9365 draws ASCII 20h to 7Fh in a 5x8 cell.
 #pragma once

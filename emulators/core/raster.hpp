@@ -1,7 +1,7 @@
-// What a raster board shows: 256 by 256 points of eight colours, one byte a point.
+// The image memory of a raster board: 256 by 256 points of eight colours, one byte per point.
 //
 // y counts UP, as the boards and the paper do: at(0, 0) is the lower left point. In memory the bottom row
-// comes first, each row from left to right, so a writer of image files that want the top row first reads the
+// comes first, each row from left to right, so a writer of image files that begin with the top row reads the
 // rows backwards. The value of a point is 0 (background) to 7; on a colour monitor bit 2 is red, bit 1 green,
 // bit 0 blue, on a grey one the number is the brightness.
 #pragma once

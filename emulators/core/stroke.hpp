@@ -1,11 +1,11 @@
-// What calligraphic display hardware emits, and who takes it.
+// The output of calligraphic display hardware, and the interface of its consumers.
 //
-// One Stroke is one flash of the beam: the Type 340 draws everything out of them. A sink is a type with
+// One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A sink is a type with
 //   static constexpr bool consumes;             false: the display may skip the work of finding single flashes
 //   void begin_pass(Instant);                   the program started the display (IDLA)
 //   void stroke(const Stroke&);                 in the order of time within one display
 //   void end_pass(Instant);                     the display stopped (stop word or edge)
-// Consumers (raster, phosphor, logs, statistics) see nothing else of a display.
+// Consumers (raster, phosphor, logs, statistics) use no other output of a display.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Stroke {
   friend constexpr bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-// Nobody looks at the screen.
+// A sink that discards everything.
 struct NoStrokes {
   static constexpr bool consumes = false;
   void begin_pass(Instant) {}

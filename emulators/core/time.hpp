@@ -1,7 +1,7 @@
 // Emulated time. The PDP-7 and the Type 340 share one clock that counts whole nanoseconds from the start of a
 // run.
 //
-// How long (`Duration`) and when (`Instant`) are types of their own, and so are those of the 8080's clock
+// `Duration` and `Instant` are distinct types, and so are those of the 8080's clock
 // (tstates.hpp): adding or comparing nanoseconds and T-states does not compile. They are not std::chrono's,
 // because <chrono> reads twenty thousand lines of streams into every file that names a time. No emulated time
 // ever comes from the host's clock.
@@ -12,7 +12,7 @@
 
 namespace sightline::core {
 
-// A whole number of ticks, which may be negative. `Tick` names the tick and is never made.
+// A whole number of ticks, which may be negative. `Tick` is a tag type, never instantiated.
 template <class Tick>
 class TickCount {
  public:
@@ -88,7 +88,7 @@ struct Nanosecond;
 using Duration = TickCount<Nanosecond>;
 using Instant = TickInstant<Nanosecond>;
 
-// Later than any instant a run can reach: the deadline of a device that will do nothing by itself.
+// Later than any instant a run can reach: the deadline of a device without a pending event.
 inline constexpr Instant never = Instant::max();
 
 [[nodiscard]] constexpr Instant at_nanoseconds(std::int64_t ns) {

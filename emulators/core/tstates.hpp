@@ -14,7 +14,7 @@ struct TState;
 using TStates = TickCount<TState>;
 using TStateInstant = TickInstant<TState>;
 
-// Later than any instant a run can reach: the deadline of a device that will do nothing by itself.
+// Later than any instant a run can reach: the deadline of a device without a pending event.
 inline constexpr TStateInstant never_t = TStateInstant::max();
 
 [[nodiscard]] constexpr TStateInstant at_t_state(std::int64_t t) { return TStateInstant(TStates(t)); }

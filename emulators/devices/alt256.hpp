@@ -3,11 +3,11 @@
 // Four outputs and one input are documented, their order is not. Chosen here: 0 DATA (bits 2-0; the write
 // draws the dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6
 // horizontal blanking. The board writes one dot a scan line, in horizontal blanking: a dot ordered at any
-// time is written when the next blanking begins, and the board is ready again then. What is written to any
+// time is written when the next blanking begins, and the board is ready again then. A write to any
 // port before that is lost and counted, as on the maker's other boards. 262 lines of 63.5 us make a field (60
 // Hz); 240 of the 256 rows can be seen.
 //
-// Which way Y counts is not known of this board; up is chosen, `y_counts_down` makes it as on its LSI-11
+// The direction of Y is not documented for this board; up is chosen, `y_counts_down` makes it as on its LSI-11
 // sibling, where y = 0 is at the top and the rows lost to the frame's blanking are the first ones. Either way
 // those are the rows above 239 of the Raster, and dots there are counted. The dot is in the raster from its
 // order on, not from its slot. Left out: the blanking's exact place in the line is the standard's (10.9 us at
@@ -70,7 +70,7 @@ class Alt256 {
   }
 
   [[nodiscard]] bool ready(core::TStateInstant at) const { return at >= ready_at_; }
-  // The end of what was ordered last.
+  // The end of the last order.
   [[nodiscard]] core::TStateInstant ready_at() const { return ready_at_; }
   [[nodiscard]] const core::Raster& raster() const { return raster_; }
   [[nodiscard]] const Alt256Counts& counts() const { return counts_; }

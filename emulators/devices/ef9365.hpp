@@ -6,7 +6,7 @@
 // planes.
 //
 // A command takes effect in the raster at once, whole; only its busy time passes afterwards. A command given
-// while the chip is busy is ignored and counted: the chip would do something nobody specified. A register or
+// while the chip is busy is ignored and counted: what the chip would do is not specified. A register or
 // the latch written while the chip is busy is stored at once and counted too, because on the chip it could
 // reach the drawing under way; here it cannot. Status bits 5 and 6 rise with their event when CTRL1 enables
 // it, and fall when status is read; bit 7 and the interrupt line are their sum.
@@ -181,7 +181,7 @@ class Ef9365 {
       busy_until_ = at + rate_.t_states_in(obey(code));
   }
 
-  // Returns the dots. Most of all dots are single, and are spared the line they would be the whole of.
+  // Returns the number of dots. Single dots, the commonest case, do not take the path of a line.
   [[gnu::always_inline]] std::size_t small_vector(std::uint8_t code) {
     if ((code & 0x78U) != 0) return directed(code, (code >> 5) & 3, (code >> 3) & 3);
     drawing_.single_dot();

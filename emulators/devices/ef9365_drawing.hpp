@@ -3,7 +3,7 @@
 //
 // X and Y are 12 bits and wrap; a dot is written only where both are below 256. Both end dots of a vector are
 // drawn, and a vector of no length is one dot. Of two equally near dots a vector takes the one on its
-// starting side, in either direction. A line style starts anew with every vector.
+// starting side, in either direction. A line style starts again with every vector.
 //
 // Not known of the chip, and chosen here: the rounding just named; where the eighth row of a character lies
 // (below, for the tails of g j p q y); that vertical writing is horizontal writing turned by 90 degrees,

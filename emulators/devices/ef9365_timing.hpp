@@ -1,7 +1,7 @@
 // Times of the EF9365 board, all in one place.
 //
-// The chip's clock is 1.75 MHz, 112 of its periods make a line of 64 us. What the data sheet would say is not
-// at hand: marked "chosen" is what a board of the time could have had, and what programs here are measured
+// The chip's clock is 1.75 MHz, 112 of its periods make a line of 64 us. The data sheet is not
+// available: values marked "chosen" are plausible for a board of the time, and programs here are measured
 // against.
 #pragma once
 

@@ -6,7 +6,7 @@
 // RTS, 6 reset, 7 hunt. Status: 0 TxRDY (its place is empty, whatever the enables say), 1 RxRDY, 2 TxEMPTY, 3
 // parity error, 4 overrun, 5 framing error, 6 SYNDET, 7 DSR.
 //
-// A character stands in the receiver at the middle of its first stop bit; if the last one has not been read
+// A character is in the receiver at the middle of its first stop bit; if the last one has not been read
 // by then it is lost and overrun is set. The receiver samples the line in the middle of each of its own bits,
 // so a sender of another speed or format gives the errors it really gives; what is left of a longer foreign
 // character is not taken for a new start bit. CTS is always granted. Left out, and counted where a program

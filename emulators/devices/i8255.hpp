@@ -69,7 +69,7 @@ class I8255 {
   void set_levels(Port port, std::uint8_t levels) { side_of(port).levels = levels; }
   void set_levels_c(std::uint8_t levels) { c_levels_ = levels; }
 
-  // What the outside sees. A line that nobody drives is high.
+  // The lines as seen from outside. A line that is not driven is high.
   [[nodiscard]] bool input_buffer_full(Port port) const {
     const Side& side = side_of(port);
     return side.strobed_input ? side.full : true;

@@ -1,5 +1,5 @@
 // The bytes a device has handed to the outside world, in order: the first of them, up to a bound, so that no
-// program can fill the host's memory. What came later is counted.
+// program can fill the host's memory. Later bytes are only counted.
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 // forward, one less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected.
 // There is no status. A step that follows the last one of its motor too soon is missed, and so is any change
 // of phase by 2 to 6: the motor stays where it is, the program's idea of the place is wrong from then on, and
-// only the count tells. After power on both phases stand at 0 and the pen is up.
+// only the count tells. After power on both phases are 0 and the pen is up.
 //
 // The field is 1500 by 2100 steps; nothing stops the pen at its edge, as the maker warns: steps beyond are
 // made and counted. How fast the motors follow and how long the pen takes is not known (machines of 1985 were

@@ -1,4 +1,4 @@
-// What the incremental plotters share: a place counted in steps, and the mark the pen leaves there.
+// The common part of the incremental plotters: a position counted in steps, and the mark the pen leaves there.
 //
 // A Stroke holds coordinates of 0 to 65535; a place outside cannot be drawn, and the plotter counts it.
 #pragma once

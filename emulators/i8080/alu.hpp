@@ -1,4 +1,4 @@
-// What the 8080's arithmetic does to the accumulator and to F (S Z 0 AC 0 P 1 CY).
+// The effect of the 8080's arithmetic on the accumulator and on F (S Z 0 AC 0 P 1 CY).
 //
 // Source: Intel MCS-80 User's Manual, chapter 4; where it is silent (AC of the logical operations and of DAA, the
 // constant bits of F) the chip itself, as measured on the gate-level model of the KR580VM80A. Not modelled: the NEC
@@ -65,7 +65,7 @@ inline constexpr auto counted_down = [] {
                                    (difference >> 8 & flag::carry))};
 }
 
-// AC is the OR of the operands' bits 3: what the adder's carry chain shows when it is told to AND.
+// AC is the OR of the operands' bits 3: the state of the adder's carry chain during an AND.
 [[nodiscard]] [[gnu::always_inline]] constexpr Result and_(Byte a, Byte operand) {
   const Byte value = a & operand;
   return {value, static_cast<Byte>(detail::sign_zero_parity[value] | ((a | operand) << 1 & flag::auxiliary))};

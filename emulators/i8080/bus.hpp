@@ -1,4 +1,4 @@
-// What an 8080 asks of the rest of the machine: one verb is one machine cycle and moves time by itself.
+// The bus interface of the 8080: one verb is one machine cycle and advances time by itself.
 //
 //   fetch(status, address)          M1, T1 to T4; gives the opcode
 //   read(status, address)           3 T-states; gives the byte taken in T3
@@ -15,9 +15,9 @@
 //   end_acknowledge()               RST, EI and DI end it whatever INT does
 //   attention()                     the next instruction boundary is to be looked at (EI, HLT)
 //
-// READY and HOLD are the bus's own affair: a bus that knows them stretches its verbs and waits before it begins one
+// READY and HOLD are handled by the bus: a bus that knows them stretches its verbs and waits before it begins one
 // (pin_bus.hpp does, T-state by T-state); for a bus without them nothing is asked and nothing is paid. INT is
-// likewise sampled by whoever drives the processor: at the end of each instruction, as the level in the last T-state.
+// likewise sampled by the processor's caller: at the end of each instruction, as the level in the last T-state.
 #pragma once
 
 #include <concepts>

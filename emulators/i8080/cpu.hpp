@@ -44,7 +44,7 @@ class Cpu {
     return dispatch(opcode, Executor<false>{this});
   }
 
-  // The interrupt: one instruction from the device that answers the acknowledge. PC stands still while it is read, so
+  // The interrupt: one instruction from the device that answers the acknowledge. PC does not change while it is read, so
   // a CALL or RST pushes the address of the instruction that was to come next.
   constexpr Outcome acknowledge() {
     Cpu copy = *this;

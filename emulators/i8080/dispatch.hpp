@@ -1,4 +1,4 @@
-// From an opcode at run time to one at compile time, so that each instruction is compiled by itself from its row of the
+// Turns an opcode at run time into one at compile time, so that each instruction is compiled by itself from its row of the
 // table: operands become fixed registers and times become sums. Written out because a switch is what compilers turn
 // into one indirect jump; tables of functions would keep the registers in memory.
 #pragma once

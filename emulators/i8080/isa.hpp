@@ -1,6 +1,6 @@
 // The 8080's instruction set: one table that the processor, the assembler, the disassembler and the trace read.
 //
-// A row stands for the opcodes that differ only in a field its operands name; every opcode matches exactly one row
+// A row describes the opcodes that differ only in a field its operands name; every opcode matches exactly one row
 // (static_assert below). A register field never names M, the byte HL points to: forms with M take other machine cycles
 // and have rows of their own. The twelve opcodes Intel left undefined repeat others, with the same length, time and
 // bus cycles; `duplicate` marks them: a disassembler cannot write them as the instruction and get the same byte back.
@@ -24,7 +24,7 @@ enum class Operation : std::uint8_t {
   rst, push, pop, xthl, sphl, pchl, xchg, in, out, ei, di,
 };
 
-// What stands in the operand column. The operands down to `restart` lie in the opcode; the others
+// The contents of the operand column. The operands down to `restart` lie in the opcode; the others
 // follow it.
 enum class Operand : std::uint8_t {
   none,

@@ -80,7 +80,7 @@ class PinBus {
     pins_ = {};
   }
 
-  // The port number stands on both halves of the address.
+  // The port number is on both halves of the address.
   Byte in(Status cycle, Byte port) { return read(cycle, joined(port, port)); }
   void out(Status cycle, Byte port, Byte byte) { write(cycle, joined(port, port), byte); }
 

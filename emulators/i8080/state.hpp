@@ -1,4 +1,4 @@
-// The registers of the 8080, and what it remembers from one instruction to the next.
+// The registers of the 8080, and its state between instructions.
 //
 // The 8080 keeps its registers in pairs, and so does this; a single register is half of one. Bits 3 and 5 of F read 0
 // and bit 1 reads 1 (measured: POP PSW cannot change them).

@@ -4,7 +4,7 @@
 // Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, a
 // clock tick, the program interrupt. A boundary costs one compare against the nearest instant at which any of
 // them may be due; what the display, the clock or a device does in between is made up for when it is touched.
-// A data break is granted at the first boundary at or after the request and takes one cycle; its word stands
+// A data break is granted at the first boundary at or after the request and takes one cycle; its word is
 // at the display at the end of it.
 //
 // Left out: the single-step keys, data breaks while the processor is halted, and the devices that

@@ -1,4 +1,4 @@
-// How the PDP-7's IOTs reach a Type 340: devices 05, 06, 07 and 10.
+// The PDP-7's IOTs of a Type 340: devices 05, 06, 07 and 10.
 //
 //   700501 IDVE  700504 IDRS  700512 IDRA  700601 IDSI  700606 IDLA  700614 IDRD
 //   700701 IDSP  700704 IDCF  700712 IDRC  701001 IDHE  701012 (347: return address)

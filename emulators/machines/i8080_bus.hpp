@@ -20,7 +20,7 @@ class I8080Bus {
       : machine_(&machine), memory_(machine.memory_.data()), now_(machine.now_) {}
   I8080Bus(const I8080Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never changes in a
-  // run and does not fetch it anew for every instruction.
+  // run and does not fetch it again for every instruction.
   [[gnu::always_inline]] I8080Bus& operator=(const I8080Bus& other) {
     now_ = other.now_;
     deadline_ = other.deadline_;

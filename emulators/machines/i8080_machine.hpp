@@ -1,4 +1,4 @@
-// An 8080 with 64K of RAM and whatever its ports hold.
+// An 8080 with 64K of RAM and the devices on its ports.
 //
 // Everything that is not an instruction happens at an instruction boundary, and a boundary costs one compare against
 // the nearest instant at which anything may be due. Ports are touched with the T-state in which the real device would

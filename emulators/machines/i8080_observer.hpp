@@ -1,4 +1,4 @@
-// Who may watch an 8080 run: hooks chosen at compile time, so that a machine nobody watches has none.
+// Observers of an 8080 run: hooks chosen at compile time, so that a machine without an observer has none.
 //
 // An observer is a type with
 //   static constexpr bool instructions;   true: instruction() is called after every instruction
@@ -22,8 +22,8 @@ namespace sightline::machines {
 struct I8080InstructionRecord {
   core::TStateInstant time;  // T1 of its fetch
   core::TStateInstant end;
-  i8080::Address pc;                  // where it stood; where it would have, for one that a device supplied
-  std::array<i8080::Byte, 3> bytes;   // what stood there; as many count as the instruction is long
+  i8080::Address pc;                  // its address; PC, if a device supplied the instruction
+  std::array<i8080::Byte, 3> bytes;   // the bytes there; as many count as the instruction is long
   bool acknowledged;                  // a device supplied it
   const i8080::State& before;
   const i8080::State& after;

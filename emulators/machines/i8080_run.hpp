@@ -1,4 +1,4 @@
-// What goes into a run of the 8080 and what comes out, and the ports of a machine that has none.
+// The inputs and results of a run of the 8080, and the ports of a machine without devices.
 //
 // Ports are everything outside the processor and its memory. A type of ports has
 //   static constexpr bool waits;                       true: wait_states() is asked in every cycle
@@ -32,7 +32,7 @@ struct I8080Limits {
   core::TStateInstant until = core::never_t;
 };
 
-// Nothing answers: the data bus floats high.
+// No device at this port: the data bus floats high.
 struct NoI8080Ports {
   static constexpr bool waits = false;
   std::uint8_t in(std::uint8_t, core::TStateInstant) { return 0xFF; }

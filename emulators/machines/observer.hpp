@@ -1,4 +1,4 @@
-// Who may watch a PDP-7 run: hooks chosen at compile time, so that a machine nobody watches has none.
+// Observers of a PDP-7 run: hooks chosen at compile time, so that a machine without an observer has none.
 //
 // An observer is a type with
 //   static constexpr bool instructions;   true: instruction() is called after every instruction
@@ -20,8 +20,8 @@ namespace sightline::machines {
 struct InstructionRecord {
   core::Instant time;  // start of its fetch
   core::Instant end;
-  pdp7::Address pc;   // where it stood
-  core::Word18 word;  // what stood there when it was fetched
+  pdp7::Address pc;   // its address
+  core::Word18 word;  // the word that was fetched
   const pdp7::State& before;
   const pdp7::State& after;
 };

@@ -23,7 +23,7 @@ class Pdp7Bus {
       : machine_(&machine), core_(machine.core_.data()), words_(machine.core_.size()), now_(machine.now_) {}
   Pdp7Bus(const Pdp7Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never
-  // changes in a run and does not fetch it anew for every instruction.
+  // changes in a run and does not fetch it again for every instruction.
   [[gnu::always_inline]] Pdp7Bus& operator=(const Pdp7Bus& other) {
     now_ = other.now_;
     deadline_ = other.deadline_;

@@ -21,7 +21,7 @@
 // accesses are counted by port and direction. The constructor enters the devices that are there into one
 // table of 256 ports for each direction, so an absent device costs nothing. The first row is tested first and
 // inlined into OUT: it is for the device that drawing loops write to. Of several interrupt requests the
-// highest restart wins, as an 8214 would have it, and RST 7 is what the bus gives when nobody asks.
+// highest restart wins, as an 8214 would have it, and RST 7 is what the bus gives when no device requests.
 //
 // It is a Ports of the 8080 machine (i8080_run.hpp); a program's environment that has further ports (a CP/M
 // stub) wraps it and forwards in, out and the rest.

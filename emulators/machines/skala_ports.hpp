@@ -1,4 +1,4 @@
-// The input and output ports of Skala's 8080: whichever of the boards, plotters and links a run asks for.
+// The input and output ports of Skala's 8080: the boards, plotters and links that a run selects.
 //
 //   30-33  ALT-256 raster board                      E4-E7  8255, parallel link to the host
 //   40-4F  EF9365 raster board, 50 its colour latch  EC-EF  8251, serial link (data even, control odd)

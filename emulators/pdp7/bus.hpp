@@ -1,4 +1,4 @@
-// What a PDP-7 processor asks of the rest of the machine: one verb is one machine cycle and moves time by
+// The bus interface of the PDP-7 processor: one verb is one machine cycle and advances time by
 // itself.
 //
 //   read(address)     a core cycle that leaves the word as it was (Fetch, Defer, Execute)

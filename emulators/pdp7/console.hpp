@@ -1,4 +1,4 @@
-// The AC switches of the console, and a person who moves them at set times.
+// The AC switches of the console, and a script that moves them at given times.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Core memory of 4096 to 32768 words. An address outside it reads 0 and ignores writes.
 //
-// All 32768 words are there in the host, those outside held at zero, so that a read needs no test.
+// All 32768 words are allocated in the host, those outside held at zero, so that a read needs no test.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,7 @@ namespace detail {
 }
 
 // Bits 0-3, by which the processor branches; from the table, so that they are written down once. The EAE
-// commands share theirs, and so do OPR and LAW, which bit 4 tells apart.
+// commands share theirs, and so do OPR and LAW, which bit 4 distinguishes.
 [[nodiscard]] consteval std::uint32_t code(Operation operation) {
   return row_of(operation).value >> 14;
 }
@@ -78,7 +78,7 @@ class Cpu {
     return outcome;
   }
 
-  // An interrupt may be taken at this boundary, were one asked for. Its being looked at ends the delay of
+  // An interrupt may be taken at this boundary, if one is requested. This test ends the delay of
   // ION.
   [[nodiscard]] constexpr bool interrupts_open() const {
     return registers_.is(mode::interrupts_on) && !registers_.is(mode::interrupts_deferred);
@@ -104,7 +104,7 @@ class Cpu {
  private:
   // The memory references but CAL and XCT, LAW, and OPR without OAS and HLT; false: not one of these, nothing
   // done. `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it. The
-  // indirect bit is told apart first, so that a direct reference goes straight to its operand; among the
+  // indirect bit is tested first, so that a direct reference goes straight to its operand; among the
   // operate words it is the bit of LAW.
   [[gnu::always_inline]] constexpr bool execute_common(std::uint32_t word, Address bank) {
     if ((word & indirect_bit) != 0) return execute_common_as<true>(word, bank);
@@ -149,7 +149,7 @@ class Cpu {
     return false;
   }
 
-  // Everything else, and whatever an XCT leads to. `at` is where the instruction stands.
+  // Everything else, and whatever an XCT leads to. `at` is the address of the instruction.
   [[gnu::noinline]] constexpr Outcome execute_rare(std::uint32_t word, Address at) {
     Address from = at;
     for (int chained = 0; (word >> 14) == detail::code(Operation::xct); ++chained) {
@@ -279,7 +279,7 @@ class Cpu {
   }
 
   // Bit 14 clears AC before the pulses; those of the interrupt system and the memory extension stay in the
-  // processor, the rest goes out. A pulse that nothing answers makes the instruction one that this machine
+  // processor, the rest goes out. A pulse without a device makes the instruction one that this machine
   // does not have.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
     if (registers_.is(mode::trap)) return trap();

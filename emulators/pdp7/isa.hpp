@@ -2,7 +2,7 @@
 //
 // `instructions` has one row for every pattern the machine decodes; every 18-bit word matches exactly one row
 // (static_assert below). `microinstructions` names single words and bits inside the augmented classes (EAE, IOT,
-// OPR): they add no meaning, only names, which is why they stand apart. Cycles are machine cycles of 1.75 us for the
+// OPR): they add no meaning, only names, which is why they are separate. Cycles are machine cycles of 1.75 us for the
 // direct form; an indirect reference adds one Defer cycle, auto-index none. What time goes beyond whole cycles
 // (EAE stepping, slow IOT cycles) is in timing.hpp.
 //

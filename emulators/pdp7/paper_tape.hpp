@@ -59,7 +59,7 @@ class Reader {
     flag_ = true;
   }
 
-  // CAF and START: flag down, transfer abandoned where the tape stands.
+  // CAF and START: flag down, transfer abandoned; the tape does not move.
   void reset() {
     done_ = core::never;
     running_ = flag_ = false;

@@ -1,6 +1,6 @@
 // The registers of the processor in the form its common instructions need: few host words, PC beside its
-// bank, the carry of an addition taken into L without a test. state.hpp has them as the rest of the project
-// sees them.
+// bank, the carry of an addition taken into L without a test. state.hpp has them in the form that other code
+// uses.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ class Registers {
   }
   // To the next word of the same bank: 17777 is followed by 00000.
   [[gnu::always_inline]] constexpr void skip() { pc_ = bank_ | ((pc_ + 1) & in_bank_mask); }
-  // Where PC stood before it stepped on to here.
+  // The value of PC before it stepped to here.
   [[nodiscard]] constexpr Address before() const { return bank_ | ((pc_ - 1) & in_bank_mask); }
 
   [[nodiscard]] constexpr bool link() const { return (link_ & carry) != 0; }

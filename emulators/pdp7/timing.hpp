@@ -1,4 +1,4 @@
-// The times of a PDP-7 that no document at hand settles, in one place, each with its status.
+// The times of a PDP-7 that no available document specifies, each with its status.
 //
 // Everything that is a whole number of core cycles follows from the bus verbs of cpu.hpp and is not here.
 // Status: confirmed (a DEC document), memory (figures remembered from the 1965 users handbook, not verified),

@@ -69,7 +69,7 @@ struct Dot {
   return static_cast<std::int8_t>(from < to ? 1 : (from > to ? -1 : 0));
 }
 
-// Steps from `at` to `to`, all dark but the last; one motionless stroke when it is there already and lit.
+// Steps from `at` to `to`, all dark but the last; one motionless stroke if `at` equals `to` and is lit.
 constexpr void walk(CharacterPath& path, Dot at, Dot to, bool lit) {
   do {
     const Direction d{toward(at.x, to.x), toward(at.y, to.y)};

@@ -1,5 +1,5 @@
 // The delays of the Type 340: one-shots that run side by side, each firing one pulse. Two that fire at the same instant
-// fire in the order of the list: light reaches FIND before the count pulse looks at it.
+// fire in the order of the list: light reaches FIND before the count pulse tests it.
 #pragma once
 
 #include <array>

@@ -2,10 +2,10 @@
 //
 // All eight modes. Without its option a mode hangs the display, no request and no flag, until IDLA: 3 without the Type
 // 342, 7 without the Type 347, and always 2 (the Type 343 is not built; its words decode in words.hpp). An IDLA while a
-// word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which is the sink's affair.
+// word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the sink models.
 //
 // Two shortcuts, both invisible. A word that nothing can disturb is done whole when time passes its end
-// (display_word.hpp). Pulses that nobody outside can notice are made at once (quiet_pulses.hpp). So a vector costs a
+// (display_word.hpp). Pulses without an effect outside are made at once (quiet_pulses.hpp). So a vector costs a
 // handful of operations whatever its length, and a touch in mid-word still finds every register exact.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; IOT actions from the PDP-7 Users
@@ -103,7 +103,7 @@ class Display {
   [[nodiscard]] const BreakRequest* break_request() const {
     return registers_.request || writing_ ? &request_ : nullptr;
   }
-  // The word stands at the inputs; ignored when no read request is up.
+  // The word is at the inputs; ignored when no read request is up.
   void deliver(core::Instant at, core::Word18 word);
   // The write is done; ignored when no write request is up.
   void deposited(core::Instant at);
@@ -124,7 +124,7 @@ class Display {
     advance(now);
     return registers_;
   }
-  // Flags and addresses stand still while a word runs that is to be done whole.
+  // Flags and addresses do not change while a word runs that is to be done whole.
   const Registers& flags_at(core::Instant now) { return whole_ && now < whole_until_ ? registers_ : at(now); }
   void touch(core::Instant now) {
     advance(now);

@@ -1,4 +1,4 @@
-// Display: what the PDP-7 does to it, and the passing of time. Included by display.hpp only.
+// Display: the IOTs of the PDP-7, and the advance of time. Included by display.hpp only.
 #pragma once
 
 #include "display.hpp"

@@ -68,7 +68,7 @@ void Display<Sink>::operate_parameter(core::Instant t) {
   }
 }
 
-// Only a dark Y word does without the deflection time.
+// Only a dark Y word omits the deflection time.
 template <class Sink>
 void Display<Sink>::operate_point(core::Instant t) {
   const PointWord w = decode_point(registers_.br);

@@ -1,7 +1,7 @@
-// Display: a word done whole. Included by display.hpp only.
+// Display: a word executed in one step. Included by display.hpp only.
 //
-// When a word arrives, nothing else is under way, no flag is about to change and no pen could see it, then what it does
-// and when it ends is known at once; if time passes that end before anybody touches the display, only the result is
+// When a word arrives, nothing else is under way, no flag is about to change and no pen could see it, then its result
+// and its end are known at once; if time passes that end before the display is accessed, only the result is
 // made. Anything else goes pulse by pulse. Flashes are the same either way.
 #pragma once
 
@@ -57,7 +57,7 @@ bool Display<Sink>::vector_stays_inside(VectorWord w) const {
   return (end(registers_.x, w.left, w.dx) | end(registers_.y, w.down, w.dy)) <= Registers::screen_mask;
 }
 
-// Time stands at whole_until_.
+// The time is whole_until_.
 template <class Sink>
 void Display<Sink>::do_whole_word() {
   delays_.stop_all();

@@ -1,4 +1,4 @@
-// Count pulses that nothing outside the display can notice: no edge reached, not the last of the word. They can be made
+// Count pulses without an effect outside the display: no edge reached, not the last of the word. They can be made
 // all at once in closed form, and the instant of the first that matters is known when the word begins.
 #pragma once
 

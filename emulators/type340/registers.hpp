@@ -1,4 +1,4 @@
-// Registers and flip-flops of the Type 340, and what one pulse does to them. No time here: display.hpp says when.
+// Registers and flip-flops of the Type 340, and the effect of one pulse on them. Timing is in display.hpp.
 //
 // Flip-flops carry the names of the drawings where programs know them (STOP, HEF, VEF, FIND, LP FLAG, MOVE, HALT, RFD).
 // The Type 347 adds ASR and SAVE, the Type 342 the shift of the character set.
@@ -64,7 +64,7 @@ struct Registers {
     clear_edges();
   }
 
-  // IDLA: everything but position, scale, intensity and the buffer starts afresh.
+  // IDLA: everything but position, scale, intensity and the buffer is cleared.
   void initiate(std::uint16_t start) {
     save = false;
     escape();

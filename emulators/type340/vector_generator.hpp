@@ -1,10 +1,10 @@
 // The vector generator of the Type 340: a seven-stage binary rate multiplier, not a line algorithm.
 //
-// Each count pulse toggles some stages of BRM. A stage going from 0 to 1 lets through the bit of |dx| (and of |dy|)
+// Each count pulse toggles some stages of BRM. A stage going from 0 to 1 passes the bit of |dx| (and of |dy|)
 // whose weight it carries: stage 0 the 64s, stage 6 the units. Leading stages that carry nothing toggle with stage 0,
 // which shortens the run: 127, 63, 31, 15 or 7 pulses, by the larger of the two. The end point is exact; the path
 // wanders up to 1.6 points off the straight line. `RateMultiplier` is the logic, pulse by pulse; the functions below it
-// are the same in closed form, for when nobody watches the path.
+// are the same in closed form, for when the path is not observed.
 //
 // Source: logic of the count levels as drawn, taken before the pulse (as capacitor-diode gates do).
 #pragma once
@@ -24,7 +24,7 @@ namespace sightline::type340 {
 // The seven flip-flops. Bit k of brm is stage k.
 struct RateMultiplier {
  private:
-  // Stage k lets through the bit of weight 2^(6-k).
+  // Stage k passes the bit of weight 2^(6-k).
   static constexpr std::array<std::uint8_t, 128> weights = [] {
     std::array<std::uint8_t, 128> table{};
     for (unsigned stages = 0; stages < 128; ++stages) {

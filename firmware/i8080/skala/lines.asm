@@ -90,7 +90,7 @@ DRAWV1: CMP     B
         CMC
         RET
 
-; The chain goes on with something else: A = command.
+; Another command follows in the chain: A = command.
 VSPILL: MOV     C,A
         CALL    SPILL
         MOV     H,B

@@ -10,7 +10,7 @@ DRAWP:  POP     D
         MOV     B,H
         JMP     PLINE
 
-; The chain goes on with something else: A = command.
+; Another command follows in the chain: A = command.
 PSPILL: MOV     H,B
         SHLD    XYP
         JMP     DISP
