@@ -1,4 +1,4 @@
-// From the pieces of a boundary to its loops: how Montani and Re come from stripes back to outlines and
+// Joins the pieces of a boundary to loops: Montani and Re's way from stripes back to outlines and
 // holes.
 //
 // Every piece is directed so that the inside is to its left. At a point where several pieces go on, the

@@ -40,7 +40,7 @@ class NearnessDifference {
     const double size = (std::abs(l[0] * approximate_[1]) + std::abs(approximate_[0] * l[1])) *
                             (std::abs(y.low) + std::abs(y.high)) +
                         std::abs(l[0] * approximate_[2]) + std::abs(approximate_[0] * l[2]);
-    // An ordinate is known to 2^-30 of itself or better, as a rule to 2^-48.
+    // An ordinate is known to 2^-30 of itself or better, usually to 2^-48.
     const double error =
         size * (0x1p-48 + (y.high - y.low) / std::max(std::abs(y.low) + std::abs(y.high), 0x1p-900));
     if (std::abs(value) > error) return value > 0 ? 1 : -1;

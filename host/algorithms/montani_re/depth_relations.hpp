@@ -1,5 +1,5 @@
-// Which face hides which: six tests of increasing cost on pairs of faces sorted by their lowest X, as Montani
-// and Re have them (1985, section 3 and Table 2), with their misprints mended (NOTES.md).
+// Finds which faces hide each other: six tests of increasing cost on pairs of faces sorted by their lowest X, as Montani
+// and Re have them (1985, section 3 and Table 2), with their misprints corrected (NOTES.md).
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Where on an edge something is seen to begin or end: the parameter s of the point from + s (to - from) of
-// the edge in space whose image is given, in lowest terms.
+// The parameter s of the point from + s (to - from) at which a visible interval begins or ends, for the image of
+// an edge in space, in lowest terms.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace sightline::algorithms::montani_re {
 [[nodiscard]] geometry::Rational zero_between(geometry::Int128 p, geometry::Int128 q);
 
 // The part of the edge before the eye whose image is neither to the west of one line nor to the east of
-// another. Nothing if that is a point or less.
+// another. Empty if that is a point or less.
 [[nodiscard]] std::optional<geometry::Interval> part_between(const Image& image, std::uint32_t edge,
                                                              std::uint32_t west, std::uint32_t east);
 [[nodiscard]] std::optional<geometry::Interval> part_within(const Image& image, std::uint32_t edge,

@@ -1,4 +1,4 @@
-// The faces of a view as list priority wants them: their planes and extents in the camera's frame, their
+// The faces of a view as input of list priority: their planes and extents in the camera's frame, their
 // regions in the image.
 //
 // Left out: faces seen edge-on (no area, so no part in any relation), faces of solids that look away, and
@@ -64,12 +64,12 @@ struct FaceSet {
   std::vector<Face> faces;
   std::vector<picture::LineEdge> edges;  // of each line of the image: vertices of the image
   std::uint64_t edge_on = 0;             // faces left out
-  std::vector<std::uint32_t> lone;       // lines of edges to be held against the faces by themselves
+  std::vector<std::uint32_t> lone;       // lines of edges compared with the faces one by one
   std::optional<Window> window;          // what the regions are clipped to
 };
 
 // What can be told of the images of two faces from the sides of lines that corners are on. Of convex faces,
-// without a window, all that are apart or covered are told.
+// without a window, all that are apart or covered are found.
 enum class Placement {
   apart,    // no area in common
   covered,  // the second has all of the first
@@ -90,8 +90,8 @@ class FaceSetBuilder {
   // False, and nothing added, if the face is seen edge-on or nothing of it is in the window. Without a window
   // all vertices are before the eye (precondition).
   bool add_face(const Rings& rings, std::uint32_t body, std::uint32_t index);
-  // Held against the faces by itself (lone_edges.hpp).
-  void add_lone_edge(std::uint32_t v, std::uint32_t w);
+  // Compared with the faces by itself (isolated_edges.hpp).
+  void add_isolated_edge(std::uint32_t v, std::uint32_t w);
   [[nodiscard]] FaceSet take();
 
  private:

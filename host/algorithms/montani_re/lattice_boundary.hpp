@@ -25,7 +25,7 @@ struct OwnedChain {
   LatticePoint start;
   std::string links;
 };
-// In whole steps, from the first corner. Nothing if a corner is not a lattice point.
+// In whole steps, from the first corner. Empty if a corner is not a lattice point.
 [[nodiscard]] std::optional<OwnedChain> chain_of(const LatticeLoop& loop);
 
 }  // namespace sightline::algorithms::montani_re

@@ -62,14 +62,14 @@ struct LatticePcs {
   friend bool operator==(const LatticePcs&, const LatticePcs&) = default;
 };
 
-// The points inside an odd number of the chains, whatever their direction. Nothing if a chain does not close
+// The points inside an odd number of the chains, whatever their direction. Empty if a chain does not close
 // or has a link that is not a digit 0..7. Coordinates stay below 2^29.
 [[nodiscard]] std::optional<LatticePcs> lattice_pcs(std::span<const FreemanChain> chains);
 // The same from closed polygons whose corners are in half steps and whose lines have lattice directions
 // (precondition; corners of lines that are diagonal have an even x + y).
 [[nodiscard]] LatticePcs lattice_pcs_of_half_steps(std::span<const std::vector<LatticePoint>> loops);
 
-// Stripes of a whole step, as in Table 1. Nothing if a corner of the set is not a lattice point.
+// Stripes of a whole step, as in Table 1. Empty if a corner of the set is not a lattice point.
 [[nodiscard]] std::optional<std::vector<LatticeStripe>> whole_stripes(const LatticePcs& pcs);
 
 // Linear in the number of sides.

@@ -3,7 +3,7 @@
 //
 // At each step the faces that hide none of those left (NMIN = 0, isolated ones among them) go before the BACK
 // list, the others that none of those left hides (NMAX = 0) go behind the FRONT list. Where there is neither,
-// what is left holds cycles, and whoever asked is to delete relations.
+// what is left holds cycles, and the caller has to delete relations.
 #pragma once
 
 #include <cstdint>

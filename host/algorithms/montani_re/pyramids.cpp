@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "host/algorithms/montani_re/lone_edges.hpp"
+#include "host/algorithms/montani_re/isolated_edges.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
@@ -72,7 +72,7 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
     std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
     builder.add_face(rings, static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(f));
   });
-  for (const picture::LineEdge& edge : lone) builder.add_lone_edge(edge.from, edge.to);
+  for (const picture::LineEdge& edge : lone) builder.add_isolated_edge(edge.from, edge.to);
   return builder.take();
 }
 
@@ -95,7 +95,7 @@ std::optional<std::array<std::size_t, 2>> face_past_eye(const scene::PolyScene& 
 
 FaceSet faces_seen(const scene::PolyScene& scene, const scene::PolyCamera& camera, const PyramidFrame& frame,
                    const WindowBounds* window) {
-  return make_set(scene, camera, frame, window, lone_edges(scene, camera));
+  return make_set(scene, camera, frame, window, isolated_edges(scene, camera));
 }
 
 std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
@@ -104,7 +104,7 @@ std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene, const scene
     sets.push_back(faces_seen(scene, camera));
     return sets;
   }
-  const std::vector<picture::LineEdge> lone = lone_edges(scene, camera);
+  const std::vector<picture::LineEdge> lone = isolated_edges(scene, camera);
   for (const Pyramid& pyramid : pyramids) {
     FaceSet set = make_set(scene, camera, pyramid.frame, &pyramid.window, lone);
     if (!set.faces.empty() || !set.lone.empty()) sets.push_back(std::move(set));

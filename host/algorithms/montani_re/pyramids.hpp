@@ -4,7 +4,7 @@
 // what lies on the border of one is well inside another.
 //
 // A pyramid's frame is the camera's with its axes exchanged, so that sizes stay as they are. Frames may be
-// mirrored, which hidden lines do not mind.
+// mirrored, which does not change hidden lines.
 #pragma once
 
 #include <array>

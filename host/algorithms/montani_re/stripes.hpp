@@ -1,7 +1,7 @@
 // Montani and Re's algorithm in image space: stripes of one thickness over the whole picture, one silhouette,
 // pixels from the substripes. Source: Montani and Re (1985), sections 3 and 4.
 //
-// The thickness h is the knob: corners are moved to the nearest line between stripes (their abscissa is kept,
+// The thickness h sets the accuracy: corners are moved to the nearest line between stripes (their abscissa is kept,
 // to 1/65536 pixel), edges are straight between them. Heights inside a stripe are counted in sixteenths of
 // it; where sides cross in a stripe, it is split at the next sixteenth above, so that what is said at whole
 // sixteenths is right, and pixel centres lie at such. The error is of the order of h.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/algorithms/montani_re/edge_parameter.hpp"
-#include "host/algorithms/montani_re/lone_edge_sight.hpp"
+#include "host/algorithms/montani_re/isolated_edge_sight.hpp"
 #include "host/algorithms/montani_re/pyramids.hpp"
 #include "host/base/result.hpp"
 #include "host/geometry/interval_set.hpp"
@@ -20,7 +20,7 @@ using geometry::Rational;
 class EdgePieces {
  public:
   explicit EdgePieces(const FaceSet& set) : set_(set), seen_(set.edges.size()) {
-    for (const std::uint32_t line : set.lone) seen_[line] = seen_of_lone_edge(set, line);
+    for (const std::uint32_t line : set.lone) seen_[line] = seen_of_isolated_edge(set, line);
   }
 
   void add(const Face& face, const TrapezoidPcs& region) {

@@ -1,9 +1,9 @@
-// Montani and Re's algorithm in object space: what is seen of the edges of a polyhedral scene, exactly.
+// Montani and Re's algorithm in object space: the exactly visible parts of the edges of a polyhedral scene.
 //
 // An edge is drawn where it bounds what is seen of one of its faces. Where an edge lies exactly behind the
 // outline of a nearer face, only that outline is drawn: the pictures of `exact` and of this algorithm are
 // then equal as sets of points (picture::image_set), else by ==. Lines that bound no region are added to
-// those of the regions (lone_edges.hpp). Where a face reaches from before the eye to behind it, the pyramids
+// those of the regions (isolated_edges.hpp). Where a face reaches from before the eye to behind it, the pyramids
 // of pyramids.hpp are drawn one by one and their pieces joined.
 #pragma once
 
@@ -26,7 +26,7 @@ struct LineView {
 [[nodiscard]] base::Result<LineView> visible_edges(const scene::PolyScene& scene,
                                                    const scene::PolyCamera& camera);
 
-// The own sides and horizontal edges of the regions and what is seen of lone edges, as pieces of the edges of
+// The own sides and horizontal edges of the regions and what is seen of isolated edges, as pieces of the edges of
 // the set.
 [[nodiscard]] picture::LinePicture edges_of_regions(const FaceSet& set,
                                                     const std::vector<TrapezoidPcs>& regions);

@@ -1,4 +1,4 @@
-// What is seen of every face, by list priority: relations, the priority list with its cycles cut, and every
+// The visible region of every face, by list priority: relations, the priority list with its cycles cut, and every
 // face less those before it. Source: Montani and Re (1985), sections 3 and 5.
 //
 // A cycle is first freed of relations of tests 3 to 5 whose faces do not overlap in the image (they are most

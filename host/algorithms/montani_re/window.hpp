@@ -1,6 +1,6 @@
 // A rectangle of the image plane, and the part of a face's image in it, exactly.
 //
-// In perspective a face that reaches from before the eye to behind it has an image that runs out to infinity:
+// In perspective a face that reaches from before the eye to behind it has an infinite image:
 // an edge with one end before the eye is a ray from the image of that end, and where the face passes beside
 // the eye its image has no side at all. Inside a window all of it is finite: rays end at the borders, and the
 // missing side is a border. Nothing new is computed: every corner is a vertex, a corner of the window or a

@@ -1,4 +1,4 @@
-// What is drawn of a generated scene, held against `exact`.
+// The drawing of a generated scene, compared with `exact`.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Perspective from among the faces: what reaches from before the eye to behind it, held against `exact`.
+// Perspective from among the faces: faces that reach from before the eye to behind it, compared with `exact`.
 #include <gtest/gtest.h>
 
 #include <string_view>

@@ -1,7 +1,7 @@
 // The hard cases M7 to M18 that are regions on the lattice: a region is what lies inside an odd number of its
 // chains. Areas and loops of the exact regions, the same in stripes of a step, and counted square by square.
 //
-// Chains stand in a file one a line: the name of the region, the starting point, links (0 east, 1 north-east,
+// A file has one chain per line: the name of the region, the starting point, links (0 east, 1 north-east,
 // ... 7 south-east).
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Lines that bound no region: walls that end on the back of other walls, sheets seen edge-on. `exact` and the
 // oracle draw them.
-#include "host/algorithms/montani_re/lone_edges.hpp"
+#include "host/algorithms/montani_re/isolated_edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,35 +39,35 @@ void expect_agreement(const scene::PolyScene& scene, const scene::PolyCamera& ca
   EXPECT_EQ(agreement.first_wrong, "");
 }
 
-TEST(LoneEdges, OnTheFarSideOfASheetAreSeenThroughIt) {
-  const auto edges = lone_edges(touching(5), along_z());
+TEST(IsolatedEdges, OnTheFarSideOfASheetAreSeenThroughIt) {
+  const auto edges = isolated_edges(touching(5), along_z());
   EXPECT_EQ(edges, (std::vector<LineEdge>{{3, 4}}));
   EXPECT_EQ(seen_of(drawn(touching(5), along_z()), 3, 4),
             (std::vector<geometry::Interval>{{geometry::Rational{0}, geometry::Rational{1}}}));
   expect_agreement(touching(5), along_z());
 }
 
-TEST(LoneEdges, AreNoneOnTheNearSide) {
-  EXPECT_TRUE(lone_edges(touching(-5), along_z()).empty());
+TEST(IsolatedEdges, AreNoneOnTheNearSide) {
+  EXPECT_TRUE(isolated_edges(touching(-5), along_z()).empty());
   expect_agreement(touching(-5), along_z());
 }
 
-TEST(LoneEdges, AreNoneWhereOnlyOutlinesTouch) {
+TEST(IsolatedEdges, AreNoneWhereOnlyOutlinesTouch) {
   scene::PolyScene scene = touching(5);
   scene.bodies[1].faces[0].outline = {0, 1, 5};
-  EXPECT_TRUE(lone_edges(scene, along_z()).empty());
+  EXPECT_TRUE(isolated_edges(scene, along_z()).empty());
   expect_agreement(scene, along_z());
 }
 
-TEST(LoneEdges, MayCrossTheWholeSheet) {
+TEST(IsolatedEdges, MayCrossTheWholeSheet) {
   scene::PolyScene scene = touching(5);
   scene.vertices[3] = {-4, 2, 0};
   scene.vertices[4] = {40, 2, 0};
-  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  EXPECT_EQ(isolated_edges(scene, along_z()).size(), 1U);
   expect_agreement(scene, along_z());
 }
 
-TEST(LoneEdges, MayRunFromCornerToCornerOfTheSheet) {
+TEST(IsolatedEdges, MayRunFromCornerToCornerOfTheSheet) {
   scene::PolyScene scene = touching(5);
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), {{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}});
@@ -75,21 +75,21 @@ TEST(LoneEdges, MayRunFromCornerToCornerOfTheSheet) {
   scene.vertices[3] = {-1, -1, 0};
   scene.vertices[4] = {9, 9, 0};
   scene.vertices[5] = {4, 2, 5};
-  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  EXPECT_EQ(isolated_edges(scene, along_z()).size(), 1U);
   expect_agreement(scene, along_z());
 }
 
-TEST(LoneEdges, LeaveHolesAlone) {
+TEST(IsolatedEdges, LeaveHolesAlone) {
   scene::PolyScene scene = touching(5);
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), {{-9, -9, 0}, {-9, 30, 0}, {30, 30, 0}, {30, -9, 0}});
   scene.bodies[0].faces[0] = {{first, first + 3, first + 2, first + 1}, {{0, 2, 1}}};
-  EXPECT_TRUE(lone_edges(scene, along_z()).empty());
+  EXPECT_TRUE(isolated_edges(scene, along_z()).empty());
   expect_agreement(scene, along_z());
 }
 
 // A face that is behind the sheet at its edge and reaches round it to the front elsewhere.
-TEST(LoneEdges, AreJudgedByTheFaceBesideThem) {
+TEST(IsolatedEdges, AreJudgedByTheFaceBesideThem) {
   scene::PolyScene scene = touching(5);
   scene.vertices[3] = {1, 2, 0};
   scene.vertices[4] = {3, 2, 0};
@@ -97,19 +97,19 @@ TEST(LoneEdges, AreJudgedByTheFaceBesideThem) {
   scene.vertices.insert(scene.vertices.end(),
                         {{3, 2, 4}, {20, 2, 4}, {20, 2, -4}, {24, 2, -4}, {24, 2, 8}, {1, 2, 8}});
   scene.bodies[1].faces[0] = {{3, 4, first, first + 1, first + 2, first + 3, first + 4, first + 5}, {}};
-  EXPECT_EQ(lone_edges(scene, along_z()).size(), 1U);
+  EXPECT_EQ(isolated_edges(scene, along_z()).size(), 1U);
   expect_agreement(scene, along_z());
 }
 
 // A box standing on the back, too, and something before all of it.
-TEST(LoneEdges, AreHiddenByWhatIsNearer) {
+TEST(IsolatedEdges, AreHiddenByWhatIsNearer) {
   scene::PolyScene scene = touching(5);
   add_sheet(scene, {{2, 0, -3}, {3, 0, -3}, {3, 9, -2}, {2, 9, -2}});
   expect_agreement(scene, along_z());
   EXPECT_EQ(seen_of(drawn(scene, along_z()), 3, 4).size(), 2U);
 }
 
-TEST(LoneEdges, OfASheetSeenEdgeOn) {
+TEST(IsolatedEdges, OfASheetSeenEdgeOn) {
   scene::PolyScene scene;
   scene.name = "edge-on";
   add_sheet(scene, {{-8, 1, 10}, {8, 1, 10}, {8, 1, 30}, {-8, 1, 30}},

@@ -1,4 +1,4 @@
-#include "host/algorithms/montani_re/lone_edge_sight.hpp"
+#include "host/algorithms/montani_re/isolated_edge_sight.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,9 +15,9 @@ using geometry::Int128;
 using geometry::Interval;
 using geometry::Rational;
 
-class LoneEdge {
+class IsolatedEdge {
  public:
-  LoneEdge(const FaceSet& set, std::uint32_t line)
+  IsolatedEdge(const FaceSet& set, std::uint32_t line)
       : set_(set), image_(set.image), line_(line), edge_(set.image.lines()[line]) {
     std::optional<Interval> part = Interval{0, 1};
     if (set.window) part = on_border(*set.window) ? std::nullopt : part_within(image_, line, *set.window);
@@ -151,8 +151,8 @@ class LoneEdge {
 
 }  // namespace
 
-geometry::IntervalSet seen_of_lone_edge(const FaceSet& set, std::uint32_t line) {
-  return LoneEdge(set, line).seen();
+geometry::IntervalSet seen_of_isolated_edge(const FaceSet& set, std::uint32_t line) {
+  return IsolatedEdge(set, line).seen();
 }
 
 }  // namespace sightline::algorithms::montani_re

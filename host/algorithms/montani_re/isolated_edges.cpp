@@ -1,4 +1,4 @@
-#include "host/algorithms/montani_re/lone_edges.hpp"
+#include "host/algorithms/montani_re/isolated_edges.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@ using geometry::Point2;
 using PointRings = std::vector<std::vector<Point2>>;
 
 // A face that can hide.
-struct Hider {
+struct Occluder {
   std::size_t body = 0;
   const scene::PolyFace* face = nullptr;
   geometry::Plane plane;
@@ -83,10 +83,10 @@ bool crosses(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 
 // Some of the segment may be in the inside of the face: an end or the middle, or it crosses the outline, or
 // passes a corner of it.
-bool may_run_inside(const scene::PolyScene& scene, const Hider& hider, const scene::PolyPoint& from,
+bool may_run_inside(const scene::PolyScene& scene, const Occluder& occluder, const scene::PolyPoint& from,
                     const scene::PolyPoint& to) {
-  const std::size_t dropped = geometry::dominant_axis(hider.plane.normal);
-  const PointRings rings = flattened(scene, *hider.face, dropped);
+  const std::size_t dropped = geometry::dominant_axis(occluder.plane.normal);
+  const PointRings rings = flattened(scene, *occluder.face, dropped);
   const Point2 a = doubled(from, dropped);
   const Point2 b = doubled(to, dropped);
   const Point2 middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2};
@@ -101,18 +101,18 @@ bool may_run_inside(const scene::PolyScene& scene, const Hider& hider, const sce
   return false;
 }
 
-class LoneEdges {
+class IsolatedEdges {
  public:
-  LoneEdges(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
+  IsolatedEdges(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       const scene::PolyBody& body = scene.bodies[b];
       for (const scene::PolyFace& face : body.faces) {
-        Hider hider{b, &face, plane_of(face), 0};
-        hider.eye_side = eye_side_of(hider.plane, camera);
-        if (body.sheet && hider.eye_side == 0)
+        Occluder occluder{b, &face, plane_of(face), 0};
+        occluder.eye_side = eye_side_of(occluder.plane, camera);
+        if (body.sheet && occluder.eye_side == 0)
           for_each_edge(face, [this](VertexIndex from, VertexIndex to) { add(from, to); });
-        if (hider.eye_side == 0 || (!body.sheet && hider.eye_side < 0)) continue;
-        hiders_.push_back(hider);
+        if (occluder.eye_side == 0 || (!body.sheet && occluder.eye_side < 0)) continue;
+        occluders_.push_back(occluder);
         boxes_.push_back(box_of(scene, face.outline));
       }
     }
@@ -127,7 +127,7 @@ class LoneEdges {
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       const scene::PolyBody& body = scene_.bodies[b];
       if (body.faces.empty()) continue;
-      const auto may_hide = [&](std::uint32_t number) { return hiders_[number].body != b || body.sheet; };
+      const auto may_hide = [&](std::uint32_t number) { return occluders_[number].body != b || body.sheet; };
       face_boxes.clear();
       for (const scene::PolyFace& face : body.faces) face_boxes.push_back(box_of(scene_, face.outline));
       near.clear();
@@ -138,7 +138,7 @@ class LoneEdges {
       for (std::size_t f = 0; f < body.faces.size(); ++f) {
         const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, body.faces[f].outline);
         const auto add_if_behind = [&](std::uint32_t number) {
-          if (may_hide(number)) add_behind(hiders_[number], body.faces[f], normal);
+          if (may_hide(number)) add_behind(occluders_[number], body.faces[f], normal);
         };
         if (near.size() > few) {
           tree.for_each_touching(face_boxes[f], add_if_behind);
@@ -172,23 +172,23 @@ class LoneEdges {
     return {normal, geometry::dot(normal, geometry::vector_of(scene_.vertices[face.outline[0]]))};
   }
 
-  // Edges of a face that touch the back of a hider.
-  void add_behind(const Hider& hider, const scene::PolyFace& face, const geometry::Vector3& normal) {
+  // Edges of a face that touch the back of a occluder.
+  void add_behind(const Occluder& occluder, const scene::PolyFace& face, const geometry::Vector3& normal) {
     for_each_edge(face, [&](VertexIndex from, VertexIndex to) {
-      if (touches_back(hider, normal, from, to)) add(from, to);
+      if (touches_back(occluder, normal, from, to)) add(from, to);
     });
   }
 
   // The edge lies in the plane, and the face to the left of it is beyond it there.
-  [[nodiscard]] bool touches_back(const Hider& hider, const geometry::Vector3& normal, VertexIndex from,
+  [[nodiscard]] bool touches_back(const Occluder& occluder, const geometry::Vector3& normal, VertexIndex from,
                                   VertexIndex to) const {
     const scene::PolyPoint& a = scene_.vertices[from];
     const scene::PolyPoint& b = scene_.vertices[to];
-    if (hider.plane.side(a) != 0 || hider.plane.side(b) != 0) return false;
+    if (occluder.plane.side(a) != 0 || occluder.plane.side(b) != 0) return false;
     const geometry::Vector3 inward = geometry::cross(normal, geometry::difference(b, a));
     geometry::Int128 beyond = 0;  // 40 and 60 bits
-    for (std::size_t k = 0; k < 3; ++k) beyond += geometry::Int128{inward[k]} * hider.plane.normal[k];
-    return (beyond > 0 ? 1 : beyond < 0 ? -1 : 0) * hider.eye_side < 0 && may_run_inside(scene_, hider, a, b);
+    for (std::size_t k = 0; k < 3; ++k) beyond += geometry::Int128{inward[k]} * occluder.plane.normal[k];
+    return (beyond > 0 ? 1 : beyond < 0 ? -1 : 0) * occluder.eye_side < 0 && may_run_inside(scene_, occluder, a, b);
   }
 
   void add(VertexIndex from, VertexIndex to) {
@@ -196,15 +196,15 @@ class LoneEdges {
   }
 
   const scene::PolyScene& scene_;
-  std::vector<Hider> hiders_;
-  std::vector<Box> boxes_;  // of the hiders
+  std::vector<Occluder> occluders_;
+  std::vector<Box> boxes_;  // of the occluders
   std::vector<picture::LineEdge> edges_;
 };
 
 }  // namespace
 
-std::vector<picture::LineEdge> lone_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
-  LoneEdges edges(scene, camera);
+std::vector<picture::LineEdge> isolated_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+  IsolatedEdges edges(scene, camera);
   edges.add_behind_faces();
   return edges.take();
 }

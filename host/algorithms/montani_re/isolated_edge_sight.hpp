@@ -1,4 +1,4 @@
-// What is seen of an edge that is held against the faces by itself: the edge less the parts that lie behind
+// The visible part of an isolated edge, one that bounds no region: the edge less the parts that lie behind
 // the inside of a face.
 #pragma once
 
@@ -10,6 +10,6 @@
 namespace sightline::algorithms::montani_re {
 
 // In the set's window, if it has one; nothing on its borders. A face through the edge does not hide it.
-[[nodiscard]] geometry::IntervalSet seen_of_lone_edge(const FaceSet& set, std::uint32_t line);
+[[nodiscard]] geometry::IntervalSet seen_of_isolated_edge(const FaceSet& set, std::uint32_t line);
 
 }  // namespace sightline::algorithms::montani_re

@@ -1,9 +1,9 @@
-// Edges that are seen though they bound nothing that is seen of a face.
+// Visible edges that bound no visible region of a face.
 //
 // A face through a point does not hide the point, so where a wall ends on the far side of another, in the
 // midst of it, the line of contact is seen through the wall it touches; so is what a solid holds inside and
 // touches its surface with. And a face of a sheet seen edge-on is a line without a region. Regions have no
-// such lines: they are held against the regions of the faces before them, one by one.
+// such lines: they are compared with the regions of the faces before them, one by one.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@
 namespace sightline::algorithms::montani_re {
 
 // Ascending. Some may be seen as a face's own edges as well. The scene is a checked one (precondition).
-[[nodiscard]] std::vector<picture::LineEdge> lone_edges(const scene::PolyScene& scene,
+[[nodiscard]] std::vector<picture::LineEdge> isolated_edges(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera);
 
 }  // namespace sightline::algorithms::montani_re
