@@ -1,5 +1,5 @@
-// A polyhedral scene laid out for drawing exactly and fast, from any eye: edges numbered, faces as runs of
-// corners, planes worked out once.
+// The data of a polyhedral scene that exact drawing needs, for any eye: numbered edges, faces as runs of
+// corners, precomputed planes.
 //
 // Sizes, coordinates below 2^18: a face normal (twice the area, as a vector) 39 bits, a point against its
 // plane 60 bits.

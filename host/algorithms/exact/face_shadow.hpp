@@ -1,4 +1,4 @@
-// What one face hides of one edge, by signs alone.
+// The part of one edge that one face hides, computed from signs alone.
 //
 // Let e be the edge and x a point of it. The side PQ of a face crosses the plane through the eye and e in Z
 // iff P and Q are on different sides of it, and Z is then seen ahead of x along e iff

@@ -29,7 +29,7 @@ class HiddenPart {
  public:
   void clear() { intervals_.clear(); }
 
-  // Adds (low, high); nothing unless low < high.
+  // Adds (low, high); no effect unless low < high.
   void add(const Fraction& low, const Fraction& high) {
     if (!less(low, high)) return;
     auto first = intervals_.begin();

@@ -1,5 +1,5 @@
-// Which occluders are near which part of the image: a grid of cells over it, each with its occluders in the
-// order given. What lies outside the grid counts as in the cell at its rim.
+// Finds the occluders near a part of the image: a grid of cells over it, each with its occluders in the
+// order given. A point outside the grid belongs to the nearest border cell.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A mesh as one camera sees it: points relative to the eye, planes of sight, the faces that can hide
+// A mesh for one camera: points relative to the eye, planes of sight, the faces that can occlude
 // anything.
 #pragma once
 

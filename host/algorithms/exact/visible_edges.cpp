@@ -45,7 +45,7 @@ class Search {
   const View& view_;
   ImageGrid grid_;
   EdgeShadow shadow_;
-  std::vector<std::uint32_t> met_;  // the edge, plus one, that an occluder was last held against
+  std::vector<std::uint32_t> met_;  // the edge, plus one, that an occluder was last compared with
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Exactly which parts of the edges of a polyhedral scene are seen, fast: for whoever wants a correct
+// Exactly which parts of the edges of a polyhedral scene are visible, fast: for users who need a correct
 // hidden-line drawing of closed polyhedra and sheets, faces with holes included.
 //
 // Rule: a point of an edge is hidden iff it is hidden in the limit from both sides of the image line of the
@@ -6,7 +6,7 @@
 //
 // Method: faces of solids that look away hide nothing that a face in front does not, and edges between such
 // faces are hidden by their own solid. The others go into a grid over the image, nearest first; each edge is
-// held against the faces of the cells it crosses, nearest first, until it is hidden altogether or the faces
+// compared with the faces of the cells it crosses, nearest first, until it is hidden altogether or the faces
 // begin behind it. What a face hides of an edge follows from the signs of integers of 64 bits; its ends are
 // fractions of 60 over 60 bits, compared in 128. The grid alone uses floating point: quotients of exact
 // integers, correctly rounded, which keep their order.

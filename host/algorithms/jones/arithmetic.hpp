@@ -1,7 +1,7 @@
-// The numbers in which masks and lines are computed, in three widths; a view uses the narrowest that holds
+// The integers that masks and lines are computed with, in three widths; a view uses the narrowest that holds
 // all it can meet.
 //
-// A sight plane has components up to m; in perspective it is a triple (line) as it stands, in orthographic
+// A sight plane has components up to m; in perspective it is a triple (line) unchanged, in orthographic
 // views its image is one, with two components up to m and one up to c. Where the images of two planes cross
 // is their cross product (ray), and on which side of a third it lies the sign of a dot product: 6 m m max(m,
 // c). A plane at a vertex of the scene, 2^19 from the eye at most, is below 3 * 2^19 m + c. So:

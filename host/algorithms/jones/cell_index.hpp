@@ -1,7 +1,7 @@
-// Which cells is a point in? A grid of buckets over the outer box, each with the cells that may reach into
-// it, made once for a complex; a question then costs a bucket, not the number of cells.
+// Finds the cells that a point is in: a grid of buckets over the outer box, each with the cells that may reach into
+// it, made once for a complex; a query costs one bucket, whatever the number of cells.
 //
-// A cell goes by the box around it (enclosing_box.hpp): exact for cells parallel to the axes, never too small
+// A cell is represented by the box around it (enclosing_box.hpp): exact for cells parallel to the axes, never too small
 // for others.
 #pragma once
 

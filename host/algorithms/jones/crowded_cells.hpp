@@ -1,5 +1,5 @@
-// Cells with very many lines or openings on them, such as the free space around a large building: trees of
-// boxes over what they hold, so that a view touches only what its mask may meet.
+// Index of cells with very many lines or openings, such as the free space around a large building: trees of
+// boxes over lines and openings, so that a view reads only those that its mask may meet.
 //
 // Without them a view from one room through an outer door would look at every line of the wall outside.
 #pragma once

@@ -1,4 +1,4 @@
-// What has been seen of edges, piece by piece as cells came into view, and the picture it makes.
+// The visible pieces of edges, collected as the search enters cells, and the picture made from them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace sightline::algorithms::jones {
 
-// In lowest terms; nothing if that does not fit 64 bits.
+// In lowest terms; empty if that does not fit 64 bits.
 [[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<std::int64_t>& fraction) {
   return geometry::Rational(fraction.numerator, fraction.denominator);
 }
@@ -44,7 +44,7 @@ class Fragments {
     fragments_.push_back({edge, stretch});
   }
 
-  // The union, without edges whose image is a point or that are nowhere before the eye. Nothing if an end is
+  // The union, without edges whose image is a point or that are nowhere before the eye. Empty if an end is
   // longer than where edges cross, or edges and planes, can be. Of a closed mask, edges exactly beside the
   // eye are not left out yet; here they are.
   [[nodiscard]] std::optional<picture::LinePicture> picture(const scene::CellComplex& complex,

@@ -5,7 +5,7 @@
 // clipped before, no number is longer than in the first mask. The sides go round so that the cross product of
 // one plane's image and the next is the ray of their corner and not its opposite.
 //
-// A mask has an area: what touches it in a side or a corner only leaves nothing. A plane along one of its
+// A mask has an area: clipping to a polygon that only touches a side or corner leaves it empty. A plane along one of its
 // sides changes nothing, so sides in one line do not pile up.
 #pragma once
 

@@ -1,7 +1,7 @@
-// A complex made ready for being looked at from anywhere: what all views of it share.
+// A complex prepared for views from any position: the data that all its views share.
 //
-// Planes in lowest terms, and how long their numbers are; the way in from outside; the edges that lie in the
-// surface of the outer box, which is looked at from outside without passing an opening; the index of cells;
+// Planes in lowest terms, and how long their numbers are; the entrance from outside; the edges that lie in the
+// surface of the outer box, which is viewed from outside without passing an opening; the index of cells;
 // what is where in crowded ones.
 #pragma once
 

@@ -1,10 +1,10 @@
-// The search along avenues of sight: from cell to cell through openings, each with the mask that is left.
+// The search along avenues of sight: from cell to cell through openings, with the mask clipped to each.
 //
-// Cells that wait, with their masks, are on a stack; a cell's mask leaves it when the cell's turn comes, so a
+// Pending cells, with their masks, are on a stack; a cell's mask is popped when the cell is entered, so a
 // passage through any number of rooms keeps one. Openings are put there last to first, which gives the
 // order of the paper: a cell's lines, then what is seen through its first opening, and so on.
 //
-// Planes of sight are worked out when an opening is first looked at, once for a view.
+// Planes of sight are computed when an opening is first reached, once per view.
 #pragma once
 
 #include <algorithm>

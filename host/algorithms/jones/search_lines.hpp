@@ -1,7 +1,7 @@
-// The search's part that draws: lines held against the mask at hand. Included by search.hpp alone.
+// The drawing part of the search: clips lines to the current mask. Included by search.hpp alone.
 //
-// The planes of the mask's sides are put next to each other when a cell's turn comes, since each of its lines
-// goes through them. Most lines are hidden: that is found out first, and nothing else of them is looked at.
+// The planes of the mask's sides are copied to one array when a cell is entered, since each of its lines
+// is tested with all of them. Most lines are hidden: that is tested first.
 #pragma once
 
 #include "host/algorithms/jones/search.hpp"

@@ -1,4 +1,4 @@
-// Where a view begins: the cells the eye is in, or outside.
+// The start cells of a view: the cells that the eye is in, or outside.
 //
 // Around the eye, free space is one piece or several: cells whose closure has the eye are of one piece if an
 // opening that has the eye joins them. In the inside of a cell, in an opening, on its rim, on the surface of
@@ -23,7 +23,7 @@ struct Start {
   std::vector<scene::CellNumber> cells;  // ascending
 };
 
-// Nothing if the eye is inside the outer box, but in no cell.
+// Empty if the eye is inside the outer box, but in no cell.
 [[nodiscard]] std::optional<Start> find_start(const PreparedComplex& prepared,
                                               const scene::PolyCamera& camera);
 

@@ -14,7 +14,7 @@ namespace {
 
 enum class Width : std::uint8_t { narrow, medium, wide };
 
-// Of the numbers a view of the complex can meet (arithmetic.hpp); nothing if no width holds them.
+// Of the numbers a view of the complex can meet (arithmetic.hpp); empty if no width holds them.
 std::optional<Width> width_for(const PreparedComplex& prepared, const scene::PolyCamera& camera) {
   double forward = 0;
   double greatest_forward = 0;

@@ -1,9 +1,9 @@
-// Exactly which parts of the edges of a scene are seen, by the method of Jones (1971) in general position:
+// The exactly visible parts of the edges of a scene, by the method of Jones (1971) in general position:
 // cells and openings of any direction, perspective and orthographic views, the eye anywhere in free space.
 //
 // A cell is seen through a mask, the part of the image left by the openings on the way to it. Its lines are
 // clipped to the mask and drawn; through each of its openings that faces the eye, and of which the mask
-// leaves an area, the next cell is seen. Cells that cannot be seen are never touched, and no work of a view
+// leaves an area, the next cell is seen. Invisible cells are never entered, and no work of a view
 // grows with their number.
 //
 // Why this gives the two-sided rule (host/algorithms/oracle/edge_oracle.hpp), lines lying on the boundary of

@@ -1,25 +1,22 @@
-// Which dots of a picture of slices are lit, found column by column from depths: the reference for programs
+// The lit dots of a picture of slices, computed column by column from depths: the reference for programs
 // in the manner of Skala (1985) that rely on being sent slices from the foreground to the background.
 //
 // The picture is made of chains of straight segments between raster points, each vertex with a depth. In
 // every column of the raster all chains that pass through it are put in order of depth, and the dots of each
-// are held against the hull of everything nearer. Slow and simple; no mask is kept, no line is walked with an
+// are compared with the hull of everything nearer. Slow and simple; no mask is kept, no line is walked with an
 // error term.
 //
 // - A segment's dots: with greater extent L and lesser extent l, dot j (0..L) counted from the left end (from
-// the
-//   given end when the segment is vertical) lies floor((2 j l + L) / (2 L)) on the lesser axis. So a tie goes
-//   away from the left end, and a segment has the same dots in both directions.
-// - What a chain has in one column is one piece of the picture: its dots do not hide each other, and to what
-// lies
-//   behind they are one interval, from the lowest to the highest.
+//   the given end when the segment is vertical) lies floor((2 j l + L) / (2 L)) on the lesser axis. So a tie
+//   goes away from the left end, and a segment has the same dots in both directions.
+// - The part of a chain in one column is one piece of the picture: its dots do not hide each other, and to what
+//   lies behind they are one interval, from the lowest to the highest.
 // - Depth along a segment is linear in j. Two pieces are not ordered by depth if their depths in the column
-// touch,
-//   overlap or are nearer to each other than `depth_tolerance` (shared vertices, slices seen end-on, vertices
-//   rounded to columns), nor if their chains lie beside each other and meet in this column: their true ends
-//   are somewhere in it. Then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
+//   touch, overlap or are nearer to each other than `depth_tolerance` (shared vertices, slices seen end-on,
+//   vertices rounded to columns), nor if their chains lie beside each other and meet in this column: their true
+//   ends are somewhere in it. Then the lesser rank is the nearer, unless a third piece forces the opposite. Ranks
 //   must therefore be right only where depth says nothing.
-// - What is nearer than a test-only piece in a column beside it is told in the same way, as if the piece lay
+// - What is nearer than a test-only piece in a column beside it is decided in the same way, as if the piece lay
 //   there.
 //
 // Left out: colours and levels, gaps, lines beyond the raster.

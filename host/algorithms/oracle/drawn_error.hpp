@@ -1,4 +1,4 @@
-// How wrong a drawing is: lengths of lines missing and of lines that should not be there, on the screen.
+// The error of a drawing: lengths of missing and of extra lines, on the screen.
 //
 // Both drawings are taken as sets of points. A stretch of the one counts as found if some point of the other
 // is within a given distance; so position errors below that distance are forgiven, and drawing a line twice

@@ -1,4 +1,4 @@
-// Exactly which parts of the edges of a polyhedral scene are seen: the reference for general scenes.
+// The exactly visible parts of the edges of a polyhedral scene: the reference for general scenes.
 //
 // Rule: a point of an edge is hidden iff it is hidden in the limit from both sides of the image line of the
 // edge. A face hides a point from one side iff the sight line to it, moved a little to that side, passes the

@@ -1,6 +1,6 @@
-// What a scene is made of, on the grid of its own coordinates: which units of space are solid, which unit
-// faces are covered by a wall, and from that alone the lines there are to see. Cells, openings and cell lines
-// of the scene are not looked at: the oracle must not inherit their mistakes.
+// The matter of a scene, on the grid of its own coordinates: which units of space are solid, which unit
+// faces are covered by a wall, and from that alone the scene's real lines. Cells, openings and cell lines
+// of the scene are not read: the oracle must not inherit their mistakes.
 //
 // Unit i of an axis reaches from its i-th to its (i+1)-th grid coordinate. Everything outside the outer box
 // is solid.
@@ -34,7 +34,7 @@ class Matter {
  public:
   static constexpr std::size_t most_units = std::size_t{1} << 26;
 
-  // Nothing if the grid would have more than most_units units, or a box or wall is empty.
+  // Empty if the grid would have more than most_units units, or a box or wall is empty.
   [[nodiscard]] static std::optional<Matter> of(const scene::CellScene& scene);
 
   [[nodiscard]] const std::vector<std::int32_t>& grid(std::size_t axis) const { return grid_[axis]; }

@@ -1,4 +1,4 @@
-// What a single sight line meets first, exactly: the reference for pictures of faces, pixel by pixel, and for
+// The first face that a single sight line meets, exactly: the reference for pictures of faces, pixel by pixel, and for
 // the visibility of a point.
 //
 // A sight line meets a face where it crosses its plane strictly ahead of the eye, in the inside of its

@@ -1,4 +1,4 @@
-// Exactly which parts of a scene's lines are seen: the reference that programs and algorithms are measured
+// The exactly visible parts of a scene's lines: the reference that programs and algorithms are measured
 // against.
 //
 // A point of a line is visible iff the line is a feature on the side the eye is on (RealLine), and the sight
@@ -44,7 +44,7 @@ struct VisibleLine {
 // the outer box and in no solid (precondition).
 [[nodiscard]] std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,
                                                      const geometry::Point& eye, const Window& window);
-// The same from a scene; nothing if the scene is beyond Matter's limits.
+// The same from a scene; empty if the scene is beyond Matter's limits.
 [[nodiscard]] std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene,
                                                                     const geometry::Point& eye,
                                                                     const Window& window);

@@ -1,8 +1,8 @@
-// Which potential events can change what is seen: a filter in doubles that only drops what it is sure of.
+// Drops potential events that cannot change the picture: a filter in doubles that keeps every uncertain event.
 //
-// A potential event happens at a point of its farthest edge. It changes nothing if that point, with a margin
+// A potential event happens at a point of its farthest edge. It has no effect if that point, with a margin
 // for all rounding, is hidden by another face, or if an edge that should hide is no contour: between two
-// faces that hide on both of its sides, or none (asp specification, section 4). What the filter lets through
+// faces that hide on both of its sides, or none (asp specification, section 4). What the filter passes
 // by mistake is dropped later, when the structures before and after turn out equal.
 #pragma once
 

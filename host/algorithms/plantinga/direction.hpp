@@ -5,8 +5,8 @@
 // Two edges or an edge and a vertex give directions of degree 1 in the coordinates' products (rational),
 // three edges give the roots of a quadratic form. A direction is kept in a canonical form, so that equal
 // directions have equal parts and == is exact: coprime integers, or a primitive irreducible form with the
-// number of its root. Order is by angle: doubles first, and where those are too near each other, exactly
-// (Plantinga, Seales and Dyer 1990, section 3; D: the paper does not say how equal events are told).
+// number of its root. Order is by angle: compared in doubles first, and exactly if those are too close
+// (Plantinga, Seales and Dyer 1990, section 3; D: the paper does not say how equal events are recognised).
 //
 // Sizes: linear forms below 2^52, quadratic forms and the parts of a rational direction below 2^104:
 // coordinates below 2^23.
@@ -86,7 +86,7 @@ struct Sight {
 inline constexpr std::int64_t sight_limit = std::int64_t{1} << 21;  // of |x| and |z|, not reached
 
 // A direction strictly between two others, the second after the first (round by pi if its angle is not
-// greater). Nothing if none was found whose parts keep below sight_limit.
+// greater). Empty if none was found whose parts keep below sight_limit.
 [[nodiscard]] std::optional<Sight> sight_between(const Direction& a, const Direction& b);
 
 // A direction of sight in numbers so long that there is one between any two directions (direction.cpp has the

@@ -1,4 +1,4 @@
-// The directions at which the structure of one edge may change, all it needs and few more.
+// The directions at which the structure of one edge may change: all of them, and few others.
 //
 //   the edge's own faces edge-on, and planes of the edge and one that meets it in a vertex;
 //   a nearer vertex on the edge, an end of the edge behind a nearer edge (EV);

@@ -11,7 +11,7 @@
 // same point, the least names it, so that equal views have equal structures.
 //
 // From scratch (the paper's "standard hidden-line removal"): every face that may hide some of the edge is
-// held against it; what the faces hide is united; the rest is seen. Exact: 64 and 128 bits for directions
+// compared with it; what the faces hide is united; the rest is seen. Exact: 64 and 128 bits for directions
 // below sight_limit, WideIntegers beyond.
 #pragma once
 

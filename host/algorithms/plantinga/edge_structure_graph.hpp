@@ -1,7 +1,7 @@
 // The edge structure graph (ESG) of one view and its steps through the events of a turn: the on-line phase of
 // Plantinga, Seales and Dyer (1990), section 4.
 //
-// Pieces stand in one array with holes, those of an edge linked; a step touches only the edges that change.
+// Pieces are in one array with holes, those of an edge linked; a step touches only the edges that change.
 // Every step checks that what it removes is there: a list from which an event was lost is found out.
 #pragma once
 

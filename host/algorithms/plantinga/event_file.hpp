@@ -19,7 +19,7 @@
 namespace sightline::algorithms::plantinga {
 
 [[nodiscard]] base::Bytes encode_events(const EventList& list);
-// `name` stands for the file in errors, which say where, what was found and what was expected.
+// `name` names the file in errors, which say where, what was found and what was expected.
 [[nodiscard]] base::Result<EventList> decode_events(const base::Bytes& bytes, const std::string& name,
                                                     const RotationModel& model);
 

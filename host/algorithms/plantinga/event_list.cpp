@@ -22,7 +22,7 @@ class Study {
   Study(const RotationModel& model, const BuildOptions& options)
       : model_(model), options_(options), parts_(model), histories_(model.edges().size()) {}
 
-  // Nothing if a limit was reached.
+  // Empty if a limit was reached.
   std::optional<base::Error> run() {
     const unsigned wanted = options_.threads != 0 ? options_.threads : std::thread::hardware_concurrency();
     std::vector<std::thread> others;

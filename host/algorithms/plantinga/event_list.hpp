@@ -1,7 +1,7 @@
 // The visual events of a full turn about the y axis: what the preprocessing phase of Plantinga, Seales and
 // Dyer (1990) makes and the on-line phase reads.
 //
-// An event is a direction at which the structure of one or more edges changes; with every change stand the
+// An event is a direction at which the structure of one or more edges changes; with every change are the
 // pieces that go and the pieces that come, so that it can be undone. The list is circular: before the first
 // event and after the last the structure is the same.
 //

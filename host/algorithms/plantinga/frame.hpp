@@ -27,7 +27,7 @@ class FrameMaker {
   explicit FrameMaker(const RotationModel& model);
 
   // The graph's view at an angle between the events around it. T-junctions of edges that are nearly parallel
-  // in the image are kept within their edge. `lines` is filled anew.
+  // in the image are kept within their edge. `lines` is overwritten.
   void visible(const EdgeStructureGraph& graph, double angle, std::vector<ImageLine>& lines);
   void wire(double angle, std::vector<ImageLine>& lines);
   // The same pieces before they are turned, for a display that turns and projects them itself (the paper's

@@ -4,7 +4,7 @@
 // Occlusion: only parts on the front of a face's plane may hide the face, and nothing behind it does (the
 // paper's sentence has it the wrong way round, its figure right); so a face f may hide of an edge e only what
 // of e is behind the plane of f, and that does not change as the scene turns. Faces of solids hide by their
-// front, which is enough for closed ones; faces of sheets by either side and stand here twice.
+// front, which is enough for closed ones; faces of sheets by either side and are here twice.
 //
 // Sizes, coordinates below 2^18: face normals 39 bits, a point against a plane 60 bits.
 #pragma once

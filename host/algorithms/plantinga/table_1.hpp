@@ -24,7 +24,7 @@ struct Table1Row {
   std::size_t directions = 0;  // different ones
 };
 
-// seconds: whoever built the list measured them.
+// seconds, as measured by the caller that built the list.
 [[nodiscard]] Table1Row table_1_row(std::string_view name, const RotationModel& model, const EventList& list,
                                     double seconds);
 

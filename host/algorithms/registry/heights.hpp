@@ -3,7 +3,7 @@
 // alone.
 //
 // All draw the same view. On the 256 by 256 points of Skala's raster board a point counts as lit or not;
-// colours and greys are not told apart. The native algorithm draws vectors: these are put on the same points.
+// colours and greys are not distinguished. The native algorithm draws vectors: these are put on the same points.
 #pragma once
 
 #include <optional>
@@ -36,7 +36,7 @@ struct HeightPicture {
 struct HeightMethod {
   std::string_view name;
   std::string_view description;  // and its source
-  // Why the method has no picture of it; nothing if it has.
+  // Why the method cannot draw it; empty if it can.
   std::optional<std::string> (*why_not)(const scene::HeightGrid& grid, const HeightView& view);
   // A picture, of what the method has one of (precondition).
   HeightPicture (*draw)(const scene::HeightGrid& grid, const HeightView& view);

@@ -47,18 +47,18 @@ struct PreparedScene {
 struct LineAlgorithm {
   std::string_view name;
   std::string_view description;  // and its source
-  // Why the algorithm does not apply to the scene; nothing if it does.
+  // Why the algorithm does not apply to the scene; empty if it does.
   std::optional<std::string> (*why_not)(const scene::PolyScene& scene);
   // What all views of a scene share. The scene is a checked one, to which the algorithm applies
   // (preconditions), and outlives what is prepared.
   base::Result<PreparedScene> (*prepare)(const scene::PolyScene& scene);
-  // Of edges that lie on each other in the image it draws the nearest only: its picture is held against
+  // Of edges that lie on each other in the image it draws the nearest only: its picture is compared with
   // others as the set of points it draws (picture::image_set), not piece by piece.
   bool same_by_image = false;
   // Why it does not apply to a view of a scene to which it applies; null if it applies to all.
   std::optional<std::string> (*why_not_view)(const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera) = nullptr;
-  // `prepare` of a scene whose cells are there already; null if it has no use for them. The complex is a
+  // `prepare` of a scene that already has cells; null if it does not use them. The complex is a
   // checked one (precondition).
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
 
@@ -68,7 +68,7 @@ struct LineAlgorithm {
   }
 };
 
-// Every one, `exact` first: what the others are held against.
+// All, `exact` first: the others are compared with it.
 [[nodiscard]] std::span<const LineAlgorithm> line_algorithms();
 // Whether a picture of an algorithm is the right one, given that of `exact`.
 [[nodiscard]] bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,

@@ -32,7 +32,7 @@ struct TurnLine {
   double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
 };
 
-// Angles are radians. `lines` is filled anew. One view at a time.
+// Angles are radians. `lines` is overwritten. One view at a time.
 struct PreparedTurn {
   std::function<void(double angle, std::vector<TurnLine>& lines)> visible;
   std::function<void(double angle, std::vector<TurnLine>& lines)> whole;  // every edge, hidden or not
@@ -43,7 +43,7 @@ struct PreparedTurn {
 struct TurnMethod {
   std::string_view name;
   std::string_view description;  // and its source
-  // Why the method does not apply to the scene; nothing if it does.
+  // Why the method does not apply to the scene; empty if it does.
   std::optional<std::string> (*why_not)(const scene::PolyScene& scene);
   // Of a checked scene to which it applies (preconditions). Errors: a limit was reached, or the file is
   // damaged or of another scene or tolerance.

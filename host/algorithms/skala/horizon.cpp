@@ -9,7 +9,7 @@ namespace {
 
 // A column nothing has been drawn in: everything is above its top and below its bottom.
 constexpr float untouched = 1e30F;
-// A point between columns stands against masks that cut the corners of what was drawn there.
+// A point between columns is compared with masks that cut the corners of what was drawn there.
 constexpr float corner_slack = 1.0F / 64;
 
 // Columns that a segment crosses: those in (left, right], so that of two joined segments one has the column

@@ -3,7 +3,7 @@
 // Horizon::draw goes, most time is lost on loops too short to be foreseen.
 //
 // No two of a chain's segments have a column in common, so that raising the masks can wait until the end;
-// what a segment between two columns is held against is then what was there before the chain.
+// a segment between two columns is then compared with the masks from before the chain.
 #include <algorithm>
 #include <array>
 

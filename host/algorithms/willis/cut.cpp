@@ -12,7 +12,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// The middle, or the point of the lattice between a and b that is nearest to it; nothing if there is none.
+// The middle, or the point of the lattice between a and b that is nearest to it; empty if there is none.
 std::optional<Point> middle(const Point& a, const Point& b) {
   const Vector3 d = between(b, a);
   const std::int64_t steps = std::gcd(std::gcd(d[0], d[1]), d[2]);

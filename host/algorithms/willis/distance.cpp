@@ -114,7 +114,7 @@ bool polygon_within_exactly(const Point& p, const std::vector<Point>& polygon, c
   return within;
 }
 
-// What can differ from the truth by rounding, as a part of the squared lengths that went in: the formulas
+// A bound of the rounding error, as a part of the squared lengths that went in: the formulas
 // take some twenty roundings, each of which may be off by 2^-53.
 constexpr double rounding = 64 * 0x1p-53;
 // Between lines that are not too near to being parallel (flat_angle), the normal loses half of the digits.
@@ -141,7 +141,7 @@ Limit exact(std::uint64_t limit) {
   return Limit(Int128{limit});
 }
 
-// Nothing if the common perpendicular of the lines does not meet both segments; `unsure` is set if the lines
+// Empty if the common perpendicular of the lines does not meet both segments; `unsure` is set if the lines
 // are too nearly parallel to say.
 std::optional<double> across(const Point& a, const Point& b, const Point& c, const Point& d, bool& unsure) {
   const auto e = approximate_difference(b, a);

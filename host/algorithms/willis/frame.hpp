@@ -13,10 +13,10 @@
 
 namespace sightline::algorithms::willis {
 
-// Which corner of each piece its distance is measured to. Any will do; nothing stands for the first ones.
+// Which corner of each piece its distance is measured to. Empty span: the first vertex of each.
 using Representatives = std::span<const std::uint32_t>;
 
-// Why a model in plan cannot be looked at by this camera: a roof or a floor would be seen. Nothing if it can.
+// Why this camera cannot view a model in plan: a roof or a floor would be visible. Empty if it can.
 [[nodiscard]] std::optional<std::string> plan_error(const Model& model, const scene::PolyCamera& camera);
 
 // One model, many frames. A frame's order is written over the last one's; several threads need one each.
@@ -26,7 +26,7 @@ class Frames {
   explicit Frames(const Model& model);
 
   // The pieces turned to the eye, the least priority first: the place in the order is the priority. Within a
-  // cell the priority falls as the distance grows; pieces that are equally far are told apart by number,
+  // cell the priority falls as the distance grows; pieces that are equally far are ordered by number,
   // which may be done as they cannot overlap. The camera's eye is below poly_coordinate_limit.
   [[nodiscard]] std::span<const std::uint32_t> order(const scene::PolyCamera& camera,
                                                      Representatives representatives = {});

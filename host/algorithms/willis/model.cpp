@@ -60,7 +60,7 @@ class Unclustering {
     return std::min(a, b);
   }
 
-  // Why the larger of a pair cannot be cut; nothing if it can.
+  // Why the larger of a pair cannot be cut; empty if it can.
   [[nodiscard]] std::optional<ResidualReason> obstacle(std::uint32_t a, std::uint32_t b) const {
     const Surface& s = model_.pieces[larger(a, b)];
     const Limits& limits = options_.limits;

@@ -18,7 +18,7 @@ namespace {
 
 enum Part : std::size_t { before = 0, in = 1, behind = 2 };
 
-// Where a surface is with respect to a plane; nothing if on both sides.
+// Where a surface is with respect to a plane; empty if on both sides.
 std::optional<Part> part_of(const Surface& s, const SurfacePlane& plane) {
   bool positive = false;
   bool negative = false;
@@ -44,7 +44,7 @@ struct Place {
   std::uint32_t number = 0;
 };
 
-// Nothing if a cut would leave the lattice.
+// Empty if a cut would leave the lattice.
 std::optional<Division> divided(const Set& set, const SurfacePlane& plane) {
   Division division;
   std::vector<std::array<std::optional<Place>, 2>> places(set.surfaces.size());

@@ -46,7 +46,7 @@ struct SurfaceSpans {
   std::uint32_t face = 0;
   std::uint32_t priority = 0;  // from 1
   std::uint32_t first_line = 0;
-  std::uint32_t first_span = 0;  // one a line
+  std::uint32_t first_span = 0;  // one per line
   std::uint32_t line_count = 0;
 };
 

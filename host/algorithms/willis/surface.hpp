@@ -65,7 +65,7 @@ struct Surface {
   SurfacePlane plane;
   std::uint32_t face = 0;  // number in the scene, bodies one after the other
   std::uint32_t body = 0;
-  std::uint32_t cell = 0;  // order cell: only surfaces of the same cell are told apart by distance
+  std::uint32_t cell = 0;  // order cell: only surfaces of the same cell are ordered by distance
   std::int32_t low = 0;    // in plan: heights, in scene units
   std::int32_t high = 0;
   int depth = 0;  // cuts between the scene's face and this piece

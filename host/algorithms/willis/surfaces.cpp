@@ -28,7 +28,7 @@ class FacePieces {
 
   [[nodiscard]] const SurfacePlane& plane() const { return plane_; }
 
-  // Nothing if the face has too many corners.
+  // Empty if the face has too many corners.
   [[nodiscard]] std::optional<std::vector<Ring>> convex(const scene::PolyFace& face) const {
     if (face.holes.empty() && is_convex(face.outline)) return std::vector<Ring>{without_rows(face.outline)};
     const auto triangles = scene::triangulate(scene_.vertices, face);
@@ -123,7 +123,7 @@ base::Error error_at(std::size_t body, std::size_t face, std::string message) {
   return {"", "body " + std::to_string(body) + " face " + std::to_string(face), std::move(message)};
 }
 
-// The wall over its plan; nothing if the face is no rectangle with vertical sides.
+// The wall over its plan; empty if the face is no rectangle with vertical sides.
 std::optional<Surface> wall_of(const scene::PolyScene& scene, const Ring& corners, const SurfacePlane& plane,
                                std::size_t vertical) {
   if (corners.size() != 4 || plane.normal[vertical] != 0) return std::nullopt;

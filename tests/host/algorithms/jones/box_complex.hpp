@@ -24,7 +24,7 @@ struct BoxOpening {
   scene::CellNumber above = 0;
 };
 
-// The part of the segment between two points that is in a closed box; nothing if that is a point or less.
+// The part of the segment between two points that is in a closed box; empty if that is a point or less.
 inline std::optional<std::pair<geometry::Rational, geometry::Rational>> part_in_box(
     const scene::PolyPoint& from, const scene::PolyPoint& to, const geometry::Box& box) {
   geometry::Rational low = 0;

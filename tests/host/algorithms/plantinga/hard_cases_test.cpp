@@ -3,7 +3,7 @@
 // model_turns_test.cpp. Pictures of the turning scenes are in the report
 // (host/report/hard_cases/data/manifest.json).
 //
-// Edges and vertices stand in a file one a line: "edge x y z  x y z", "vertex x y z"; "#" begins a remark.
+// A file has one edge or vertex per line: "edge x y z  x y z", "vertex x y z"; "#" begins a remark.
 #include <gtest/gtest.h>
 
 #include <algorithm>

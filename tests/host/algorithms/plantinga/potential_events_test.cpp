@@ -1,4 +1,4 @@
-// Potential events as exact directions: order and equality of directions that doubles cannot tell apart. The
+// Potential events as exact directions: order and equality of directions that doubles cannot distinguish. The
 // hard cases P1 to P19: hard_cases_test.cpp.
 #include "host/algorithms/plantinga/potential_events.hpp"
 

@@ -1,6 +1,6 @@
 // What is visible of a height grid at one place of the screen, by depth alone: everything that crosses a
-// vertical of the screen is put in order of depth, and each is held against the extremes of what is nearer.
-// It shares nothing with the program under test but the formulas of the projection, written anew.
+// vertical of the screen is put in order of depth, and each is compared with the extremes of what is nearer.
+// It shares nothing with the program under test but the formulas of the projection, written again.
 #pragma once
 
 #include <algorithm>
