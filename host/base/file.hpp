@@ -1,6 +1,6 @@
-// Whole files in, and files out that are there completely or not at all.
+// Reads whole files, and writes files atomically: completely or not at all.
 //
-// An AtomicFile writes beside its target and takes the target's name only in commit(); given up or destroyed
+// An AtomicFile writes beside its target and renames to the target only in commit(); abandoned or destroyed
 // before that it removes what it wrote, and an older file of that name stays as it was. A target that exists
 // and is no regular file (a pipe, /dev/null) cannot be replaced and is written directly.
 #pragma once

@@ -1,4 +1,4 @@
-// A JSON value: what the commands print with --json and what scene files hold.
+// A JSON value, as printed by --json and as stored in scene files.
 //
 // Objects keep the order in which their members were added. dump() writes the same bytes as
 // nlohmann::ordered_json, because people compare these documents byte for byte with earlier ones.

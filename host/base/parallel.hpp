@@ -1,4 +1,4 @@
-// Many pieces of work on several threads, their results taken one by one in order.
+// Runs many tasks on several threads and delivers their results in order.
 #pragma once
 
 #include <chrono>
@@ -62,7 +62,7 @@ void run_in_order(const OrderedWork<Value>& work) {
   };
 
   std::vector<std::thread> threads;
-  // Whatever is thrown, the threads are told to stop and waited for.
+  // If an exception is thrown, the threads are stopped and joined.
   struct Join {
     std::mutex& mutex;
     std::condition_variable& changed;

@@ -1,4 +1,4 @@
-// What a person in front of a long run sees and can do: a line of progress on a terminal, and Ctrl-C.
+// User interface of a long run: a line of progress on a terminal, and Ctrl-C.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ class InterruptKey {
   [[nodiscard]] static bool pressed();
 };
 
-// Rewrites one line on standard error a few times a second, beginning after one second; nothing unless
+// Rewrites one line on standard error a few times a second, beginning after one second; no effect unless
 // standard error is a terminal that can. Host time decides when it is shown, never what the run does.
 class ProgressLine {
  public:

@@ -1,6 +1,6 @@
 // One way to fail, for everything in host/ and tools/: a Result is a value, or the Error that says why there is
 // none. An Error names the file, the place in it, what was found there, what would be accepted and what to do,
-// so that a person can mend the input without reading code.
+// so that a person can correct the input without reading code.
 //
 // The interface is a part of tl::expected's and C++23 std::expected's. Neither is used: tl/expected.hpp includes
 // <functional>, which makes each source 21,500 lines longer than <variant> does (g++ 12).

@@ -1,4 +1,4 @@
-// Which of many boxes meet something: a binary tree over them, each node with the box around what is below
+// Finds the boxes that intersect something: a binary tree over them, each node with the bounds of what is below
 // it.
 //
 // Law: what is visited is what a test of every box one by one finds, each once.

@@ -25,11 +25,11 @@ class IntervalSet {
   // [low, high]; empty unless low < high.
   IntervalSet(const Rational& low, const Rational& high);
 
-  // Takes the open interval (low, high) away; nothing if it is empty.
+  // Subtracts the open interval (low, high); no effect if it is empty.
   void subtract(const Rational& low, const Rational& high);
   // Keeps what lies in [low, high]; nothing is left if low >= high.
   void intersect(const Rational& low, const Rational& high);
-  // Adds [low, high]; nothing if low >= high.
+  // Adds [low, high]; no effect if low >= high.
   void unite(const Rational& low, const Rational& high);
 
   [[nodiscard]] const std::vector<Interval>& intervals() const { return intervals_; }

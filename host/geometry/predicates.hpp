@@ -1,26 +1,23 @@
-// Signs of determinants of integer points: on which side, in which turn, do they cross.
+// Signs of determinants of integer points: side of a plane, turn, crossing of segments.
 //
 // Limit: every |coordinate| is below 2^18 (predicate_coordinate_limit), so that the components of a
 // difference are below 2^19, of a cross product of two differences at most 2^39, a determinant of three
 // differences below 2^60: all in int64. determinant(Vector...) takes three such cross products (normals) and
 // stays below 2^120: Int128. Nothing rounds and there is no tolerance: zero means exactly on.
 //
-// Laws (tests/host/geometry/predicates_test.cpp holds them at random and at the limits):
-//   alternating   swapping two arguments of cross, turn, orientation, normal_of or determinant changes the
-//   sign and
-//                 nothing else; turn and orientation of points two of which are equal are 0
-//   moved         what takes points does not change, an offset apart, when all are moved by the same vector
-//   additive      turn(a, b, c) = turn(p, a, b) + turn(p, b, c) + turn(p, c, a) for every p, and so does
-//   orientation
-//                 of the four faces of a tetrahedron
+// Laws (tests/host/geometry/predicates_test.cpp tests them at random and at the limits):
+//   alternating   swapping two arguments of cross, turn, orientation, normal_of or determinant changes the sign
+//                 and nothing else; turn and orientation of points two of which are equal are 0
+//   translation   functions of points do not change, an offset apart, when all points move by the same vector
+//   additive      turn(a, b, c) = turn(p, a, b) + turn(p, b, c) + turn(p, c, a) for every p; the same holds for
+//                 orientation and the four faces of a tetrahedron
 //   planes        plane_through(a, b, c) is 0 at a, b and c, and orientation(a, b, c, d) at d
 //   flattened     turn(flattened a, b, c along an axis) is that component of normal_of(a, b, c)
 //   segments      on_segment and segments_meet do not depend on the order of a segment's ends or of the
-//   segments;
-//                 segments_meet(a, b, p, p) is on_segment(a, b, p)
-//   rings         doubled_area and locate_in_ring do not depend on where a ring starts; reversed, the area
-//   changes its
-//                 sign and the place stays. A point is on the ring iff it is on one of its sides.
+//                 segments; segments_meet(a, b, p, p) is on_segment(a, b, p)
+//   rings         doubled_area and locate_in_ring do not depend on where a ring starts; for the reversed ring
+//                 the area changes its sign and the location does not. A point is on the ring iff it is on one
+//                 of its sides.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
-// Animated PNG: pictures of one size, one after the other, each for the same time, over and over.
+// Animated PNG: pictures of one size, one after the other, each for the same time, repeated forever.
 //
 // The first picture is also what a reader without animation shows. Every frame is whole: nothing is said of
 // what stayed the same. No time stamp, no host name: equal pictures give equal bytes.
 // Source: PNG specification, third edition (W3C), sections 11.3.6 (acTL, fcTL, fdAT) and 5.6 (order); the
-// pictures themselves are encoded as png.hpp does. The libpng at hand has no animation of its own.
+// pictures themselves are encoded as png.hpp does. Debian's libpng does not write animations.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class ApngWriter {
   // The text is written once. `plays` 0: without end.
   explicit ApngWriter(FrameTime time = {}, std::uint32_t plays = 0, TextEntries text = {});
 
-  // An error if the picture is none that encode_png takes, or not of the size and channels of the first one.
+  // An error if encode_png does not accept the picture, or it is not of the size and channels of the first one.
   [[nodiscard]] base::Result<base::Done> add(const Image& image);
 
   // The file: an error if there is no frame.

@@ -12,7 +12,7 @@ namespace sightline::picture {
 namespace {
 
 constexpr double sample_distance = 0.25;
-constexpr double tau = 1;  // pixels: what is nearer than this is not told apart
+constexpr double tau = 1;  // pixels: a smaller distance is not distinguished
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t steps_of(double length) {

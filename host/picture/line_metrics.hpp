@@ -1,11 +1,11 @@
-// How wrong a line drawing is, against exact visibility: lengths missing and extra, distance, wrong
+// The error of a line drawing, compared with exact visibility: lengths missing and extra, distance, wrong
 // visibility at random points, pieces that differ.
 //
 // Every straight line of a scene has a number. The truth is a list of lines with the parts of them that are
 // seen, a drawing a list of pieces that say which line they are of. A piece is measured where it belongs: its
 // ends are put on the true line by orthogonal projection, so a piece that lies half a pixel beside its line
 // is no error of length, and one that ends half a pixel too late is one of half a pixel. Pieces of one line
-// are united first: drawing twice is no error. A piece of a line the truth has not counts whole, as extra.
+// are united first: drawing twice is no error. A piece of a line that is not in the truth counts whole, as extra.
 //
 // Laws, all tested: a drawing of what is seen gives 0 everywhere; exchanging truth and drawing (where both
 // lie on the same lines) exchanges missing and extra and leaves distance and pieces as they are; nothing
@@ -73,7 +73,7 @@ struct HausdorffDistance {
   double greatest = 0;
   double usual = 0;
 };
-// Samples every 0.25 pixels on both sets, held against the other set's segments themselves. A segment of no
+// Samples every 0.25 pixels on both sets, compared with the other set's segments. A segment of no
 // length is a point.
 [[nodiscard]] HausdorffDistance hausdorff_distance(const std::vector<PixelSegment>& a,
                                                    const std::vector<PixelSegment>& b);

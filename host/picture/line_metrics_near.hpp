@@ -1,4 +1,4 @@
-// Which segment is nearest to a point of the screen: segments sorted into squares, looked at from the
+// Finds the segment nearest to a point of the screen: segments sorted into squares, searched from the
 // point's own square outwards.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is seen of the edges of a polyhedral scene, exactly: the picture that line algorithms are compared by.
+// The exactly visible parts of the edges of a polyhedral scene: the picture by which line algorithms are compared.
 //
 // An edge is a pair of vertices that follow each other on the outline or a hole of some face, named once, the
 // lower vertex first. A piece is a closed interval of s, the point being from + s (to - from). Law: pieces

@@ -1,5 +1,5 @@
-// Two pictures over each other: what both have in grey, what the drawing lacks in orange, what it has too
-// much in blue, with a legend. The colours are told apart by colour-blind people as well.
+// Two pictures over each other: common parts in grey, parts missing in the drawing in orange, extra parts
+// in blue, with a legend. Colour-blind people can distinguish the colours, too.
 //
 // Missing and extra lie over what agrees, so an extra stretch on a line that is seen anyhow is shown. The
 // result is a VectorDrawing, for an image, an SVG with a layer each, or a page.

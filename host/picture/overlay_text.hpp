@@ -1,4 +1,4 @@
-// Writing in a drawing, made of lines: legends look the same in an image, an SVG and on a plotter, and need
+// Text in a drawing, made of lines: legends look the same in an image, an SVG and on a plotter, and need
 // no font.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace sightline::picture {
 
 // `height` is that of a capital; the text begins at (x, y), its baseline. Printable ASCII, small letters as
-// capitals, a box for what there is no sign for. Returns where the text ends.
+// capitals, a box for a character without a sign. Returns the end of the text.
 double append_text(VectorDrawing& drawing, std::uint32_t layer, double x, double y, double height,
                    std::string_view text);
 // Of the same text.

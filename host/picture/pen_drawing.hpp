@@ -17,7 +17,7 @@ namespace sightline::picture {
 [[nodiscard]] Image pen_image(std::span<const PenPath> paths, const PlotterPaper& paper, int scale);
 
 // One user unit is one millimetre, one polyline a path, all in one Inkscape layer with the pen's number first
-// ("1 pen"), as plotter programs that pick layers by number want it; step (0, 0) stands a margin of 10 mm
+// ("1 pen"), as plotter programs that pick layers by number want it; step (0, 0) is a margin of 10 mm
 // from the left and from the bottom. A dot becomes a dash of 0.02 mm, because many programs do not draw a
 // path of no length.
 [[nodiscard]] std::string pen_svg(std::span<const PenPath> paths, const PlotterPaper& paper,

@@ -1,4 +1,4 @@
-// Lines a pen draws on paper, in whole steps of its plotter, and the paper they stand on.
+// Lines that a pen draws on paper, in whole steps of its plotter, and the size of the paper.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How many pixels of two rasters differ (PMR), apart near the images of edges and elsewhere.
+// The number of pixels in which two rasters differ (PMR), counted separately near the images of edges and elsewhere.
 //
 // A pixel has a number: of the face seen there, a grey, or 1 and 0 for lit and dark. Column c, row r has its
 // middle at (c, r), rows from the bottom, as points of a screen have. A pixel is a boundary pixel iff its

@@ -30,7 +30,7 @@ struct PngFile {
 [[nodiscard]] base::Result<base::Done> write_png(const std::string& path, const Image& image,
                                                  const TextEntries& text = {});
 
-// `name` stands for the file in error messages.
+// `name` names the file in error messages.
 [[nodiscard]] base::Result<PngFile> decode_png(const base::Bytes& bytes, const std::string& name);
 [[nodiscard]] base::Result<PngFile> read_png(const std::string& path);
 

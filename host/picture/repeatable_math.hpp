@@ -1,4 +1,4 @@
-// The few functions a photograph needs beyond + - * / and sqrt, made of nothing else.
+// The functions that a photograph needs beyond + - * / and sqrt, computed from these alone.
 //
 // The C library's exp and pow choose different code on different processors, and their last bits may differ;
 // IEEE basic operations may not. Loops run a fixed number of turns, so equal arguments always give equal

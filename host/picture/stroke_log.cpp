@@ -33,7 +33,7 @@ constexpr Field y_field{"y from 0 to 1023", 10, screen_points - 1};
 constexpr Field intensity_field{"intensity from 0 to 7", 10, intensity_levels - 1};
 constexpr Field address_field{"an address of five octal digits", 8, 077777};
 
-// What stands in an unknown file may be anything: quote it short and printable.
+// An unknown file may contain anything: quote it short and printable.
 std::string quoted(std::string_view text) {
   std::string shown = "'";
   for (const char c : text.substr(0, longest_quotation)) shown += c >= ' ' && c <= '~' ? c : '?';

@@ -1,6 +1,6 @@
 // The stroke log: a text line for every flash, `t_ns x y intensity address`.
 //
-// Time, coordinates and intensity are counts and stand in decimal; the address is a core address and stands
+// Time, coordinates and intensity are decimal counts; the address is a core address and stands
 // in octal, five digits. One space between fields, one line feed after each line, nothing else. Passes are
 // not marked.
 #pragma once
@@ -47,7 +47,7 @@ class StrokeLogWriter {
   std::string buffer_;
 };
 
-// `name` stands for the file in error messages. Every line must be exactly as written above; values must fit
+// `name` names the file in error messages. Every line must be exactly as written above; values must fit
 // the display (x and y 0..1023, intensity 0..7, address up to 77777 octal).
 [[nodiscard]] base::Result<std::vector<core::Stroke>> parse_stroke_log(std::string_view text,
                                                                        const std::string& name);

@@ -1,6 +1,6 @@
 // Consumers that keep or count what a display emits (sinks as in emulators/core/stroke.hpp).
 //
-// All of them are bounded: a display file that never stops must not eat the host's memory.
+// All of them are bounded: a display file that never stops must not exhaust the host's memory.
 #pragma once
 
 #include <array>
@@ -124,7 +124,7 @@ struct StrokeStatistics {
   void end_pass(core::Instant) { ++passes_complete; }
 };
 
-// Several consumers of one display; a null pointer is one that nobody asked for.
+// Several consumers of one display; a null pointer is a consumer that is not wanted.
 template <typename... Sinks>
 class StrokeFan {
  public:

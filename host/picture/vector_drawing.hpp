@@ -2,7 +2,7 @@
 // millimetres with Inkscape layers, HP-GL with a pen a layer, and an image of any size.
 //
 // Coordinates run from (0, 0) at the bottom left to (width, height). Facets are painted first, each over
-// those before it; then the lines, which are not in the facets' way: whoever makes the drawing has removed
+// those before it; then the lines, which the facets do not cover: the caller has removed
 // what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG), a plotter unit (HP-GL)
 // or not at all (image: coverage by the distance of a pixel's middle from the line).
 #pragma once

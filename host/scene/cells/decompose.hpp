@@ -1,4 +1,4 @@
-// A scene of polyhedra cut into cells, by whichever way suits it.
+// Cuts a scene of polyhedra into cells, by a grid or by a BSP tree.
 #pragma once
 
 #include "host/base/result.hpp"

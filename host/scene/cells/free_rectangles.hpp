@@ -1,4 +1,4 @@
-// A rectangle without others, as rectangles.
+// The difference of a rectangle and others, as rectangles.
 #pragma once
 
 #include <array>

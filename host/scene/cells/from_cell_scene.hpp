@@ -1,7 +1,7 @@
 // The hand-made cells of a cell scene as a cell complex.
 //
 // Cells and openings are the scene's, in its order. After them come the openings to `outside`: what of the
-// cells' faces on the outer box no wall covers. The outer box is thus opaque only to who stands inside and
+// cells' faces on the outer box no wall covers. The outer box is thus opaque only to an eye that is inside and
 // looks for lines: beyond it there is nothing to see, and a walk that starts inside may stop there, as in the
 // paper. From outside, and for orthographic views, it hides nothing.
 //

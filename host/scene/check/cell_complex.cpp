@@ -167,7 +167,7 @@ geometry::Vector3 outward(const CellComplex& complex, const HalfSpace& half) {
   return half.turned ? geometry::negated(normal) : normal;
 }
 
-// Corner i is where sides i and i + 1 meet. Nothing if the sides do not turn counterclockwise.
+// Corner i is where sides i and i + 1 meet. Empty if the sides do not turn counterclockwise.
 std::optional<std::vector<Corner>> corners_of(const CellComplex& complex, const ComplexOpening& opening) {
   const auto sides = complex.sides_of(opening);
   std::vector<Corner> corners;

@@ -1,4 +1,4 @@
-// Is a cell complex a possible one, and of this scene? Every question is decided exactly, on integers.
+// Checks that a cell complex is valid and belongs to this scene. Every test is exact, on integers.
 //
 // Checked: all numbers are within their arrays; vertices and edges are the scene's; every opening is on the
 // low side's and the high side's bounds and listed by its cells, once; its sides go round counterclockwise,

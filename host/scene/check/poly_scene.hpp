@@ -1,4 +1,4 @@
-// Is a PolyScene a possible one? Every question is decided exactly, on integers.
+// Checks that a PolyScene is valid. Every test is exact, on integers.
 //
 // Checked: there is a face; coordinates and the eye are below poly_coordinate_limit; the camera's vectors are
 // orthogonal, not zero and below 2^15; no two vertices are equal, each is used; every outline and hole is a
@@ -20,7 +20,7 @@
 namespace sightline::scene {
 
 // Everything that is wrong (at most most_scene_errors), named by body, face and vertex from 0; empty if
-// nothing is. Faces are looked at when their vertices exist and are within the limit, solids when their faces
+// nothing is. Faces are checked when their vertices exist and are within the limit, solids when their faces
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
 

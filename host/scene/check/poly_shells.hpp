@@ -1,4 +1,4 @@
-// The edges of a body's faces, and which faces hang together by them.
+// The edges of a body's faces, and which faces they connect.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ inline constexpr const char* axis_names = "xyz";
 
 class Problems {
  public:
-  // Nothing is added beyond most_scene_errors, nor what is there already (a face has two sides).
+  // Nothing is added beyond most_scene_errors, and no error twice (a face has two sides).
   void add(std::string place, std::string cause) {
     base::Error error{"", std::move(place), std::move(cause)};
     if (!full() && std::find(errors_.begin(), errors_.end(), error) == errors_.end()) {

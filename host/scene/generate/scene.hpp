@@ -3,20 +3,20 @@
 // vertex for vertex.
 //
 // boxes, edgeon: one box in each of n shuffled cells of 1000, K = ceil(cbrt n) cells a side, never touching;
-//   edgeon is looked at from exactly the plane of a face.
-// touch, aligned: n^3 cubes of 1000 that share faces, or of 500 in the middle of their cells; eye on the
-// diagonal. town: buildings on the ground y = 0, G = ceil(sqrt n) plots a side.    triangles: one in each of
-// n cells. bricks: small boxes at small coordinates that may touch but not overlap: the degenerate family. A
-// brick for which
-//   1000 tries find no room is left out.
+//   the camera of edgeon is exactly in the plane of a face.
+// touch, aligned: n^3 cubes of 1000 that share faces, or of 500 in the middle of their cells; eye on the diagonal.
+// town: buildings on the ground y = 0, G = ceil(sqrt n) plots a side.
+// triangles: one in each of n cells.
+// bricks: small boxes at small coordinates that may touch but not overlap: the degenerate family. A brick that
+//   finds no room in 1000 tries is left out.
 // rooms: n x n rooms of 1000 x 1000 x 600 with walls without thickness, one sheet; edges of neighbours in one
-// plane
-//   are edges all the same.    big_rooms: the same, all lengths divided by 5 (and rounded down).
+//   plane are edges all the same.
+// big_rooms: the same, all lengths divided by 5 (and rounded down).
 // corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
-// are the built-in scenes of that name.
+//   are the built-in scenes of that name.
 // prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35,
-// of as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
-// splitting is measured. Looked at from its edge, below the tops of the walls.
+//   of as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
+//   splitting is measured. The camera is at its edge, below the tops of the walls.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,7 @@ inline constexpr std::size_t prisms_in_block = 35;
 [[nodiscard]] std::vector<std::string_view> generator_names();
 // 0 if there is no such family.
 [[nodiscard]] std::size_t largest_generated_size(std::string_view family);
-// An unknown family or a size that is 0 or too large is an error that says what there is.
+// An unknown family or a size that is 0 or too large is an error that lists the families and sizes.
 [[nodiscard]] base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size,
                                                      std::uint64_t seed = 1);
 

@@ -1,12 +1,12 @@
-// Reading a HeightGrid from a text file. Three forms, told apart by content:
+// Reading a HeightGrid from a text file. Three forms, recognised by their content:
 //
-//   CSV      some line has a comma or a semicolon: that separates the fields (if both, the semicolon). A line
-//   is
-//            a slice, the first one nearest to an eye that looks along +z.
-//   matrix   fields separated by blanks or tabs, a line a slice: gnuplot's `matrix` (not `nonuniform
-//   matrix`). points   three fields on every line and blank lines between blocks: gnuplot's x y z grid data,
-//   a block a
-//            curve of constant x or of constant y, where y is our z. Curves may be in either direction and at
+//   CSV      some line has a comma or a semicolon, which separates the fields (if both, the semicolon). Each
+//            line is a slice, the first one nearest to an eye that looks along +z.
+//
+//   matrix   fields separated by blanks or tabs, one line per slice: gnuplot's `matrix` (not `nonuniform matrix`).
+//
+//   points   three fields on every line and blank lines between blocks: gnuplot's x y z grid data. A block is
+//            a curve of constant x or of constant y, where y is our z. Curves may be in either direction and at
 //            unequal distances; every block has the same places.
 //
 // A # starts a comment, lines of blanks only are empty (between matrix rows they mean nothing), line ends are

@@ -1,5 +1,5 @@
-// Cameras that look where they are told to: three orthogonal integer vectors below 2^15, as PolyCamera wants
-// them, as near to a wanted direction as such vectors come.
+// Cameras with a given direction of view: three orthogonal integer vectors below 2^15, as PolyCamera needs
+// them, as near to the given direction as such vectors come.
 //
 // With the horizontal part of the direction as whole numbers (p, q) and r = p p + q q, the vectors
 // forward = (p m, n, q m), right = (q, 0, -p) and up = (-p n, r m, -q n), y vertical, are orthogonal for any

@@ -7,7 +7,7 @@
 // parallel to the axes.
 //
 // Edges are those of the scene of polyhedra the complex was made from (picture::edges_of: every side of every
-// face, once). A cell names the parts of them that lie on its closure, so a line may stand in several cells.
+// face, once). A cell names the parts of them that lie on its closure, so a line may be in several cells.
 //
 // The complex fills a box, the outer box. From outside it is entered through the openings one of whose cells
 // is `outside`; the outer box hides nothing and draws nothing. All arrays are flat: a cell's and an opening's

@@ -7,7 +7,7 @@
 // are actual lines (F = 1) and which only artificial edges (F = 0). Scenes of general polyhedra will be a
 // type beside this one.
 //
-// A CellScene as such promises nothing: check_scene (host/scene/check/cell_scene.hpp) says whether it
+// A CellScene is not necessarily valid: check_scene (host/scene/check/cell_scene.hpp) says whether it
 // describes a possible scene, and all that draws or encodes scenes expects a checked one.
 #pragma once
 

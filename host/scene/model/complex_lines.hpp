@@ -2,7 +2,7 @@
 //
 // There are many lines and few different parts: most are whole edges, and in a building the others repeat. A
 // line is kept as the numbers of its edge and of its part, 8 bytes for 40: a building of a million rooms has
-// 24 million lines. A part that was met lately is found again, others are kept anew.
+// 24 million lines. A part that was added lately is found again, others are added.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class ComplexLines {
     std::size_t at_;
   };
 
-  // Lines that stand together.
+  // Consecutive lines.
   class Rows {
    public:
     Rows(const ComplexLines& lines, std::size_t first, std::size_t count)

@@ -1,9 +1,9 @@
-// Where an eye is with respect to the bodies of a scene: in free space, on a face, or inside a solid.
+// The position of an eye relative to the bodies of a scene: in free space, on a face, or inside a solid.
 //
 // Decided exactly: a ray is sent along +x, moved aside by an infinitely small amount (less in y than in z) so
 // that it meets no edge and no vertex; the eye is inside a solid iff the ray crosses the solid's faces an odd
-// number of times. A cavity is therefore outside its solid, and solids that overlap are each asked for
-// themselves. Sheets have no inside.
+// number of times. A cavity is therefore outside its solid, and solids that overlap are each tested
+// separately. Sheets have no inside.
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 // and so are cells and openings. The camera is the eye of the default view looking along z, y up. Edges: a
 // PolyScene has the edges of its faces and nothing else. Where two solids touch face to face, or two walls
 // lie side by side in one plane, their joint line stays an edge of both, which a drawing of the union has
-// not; whoever wants the union's lines leaves out the stretches where coplanar faces meet from both sides.
+// not; a caller that needs the union's lines leaves out the stretches where coplanar faces meet from both sides.
 #pragma once
 
 #include "host/scene/model/cell_scene.hpp"

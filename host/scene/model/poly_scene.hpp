@@ -1,8 +1,8 @@
 // A scene of general polyhedra: closed solids and open sheets with planar faces, in integer coordinates.
 //
 // Left out: what only one algorithm needs (cells and openings: cell_scene.hpp; heights:
-// host/scene/heights/grid.hpp). A PolyScene as such promises nothing: check_poly_scene
-// (host/scene/check/poly_scene.hpp) says whether it is a possible scene, and everything that draws expects a
+// host/scene/heights/grid.hpp). A PolyScene is not necessarily valid: check_poly_scene
+// (host/scene/check/poly_scene.hpp) says whether it is valid, and everything that draws expects a
 // checked one.
 #pragma once
 

@@ -11,7 +11,7 @@ namespace sightline::scene {
 // In the order in which they are shown.
 [[nodiscard]] std::vector<std::string_view> builtin_scene_names();
 
-// The scene's JSON text; nothing if there is no scene of that name.
+// The scene's JSON text; empty if there is no scene of that name.
 [[nodiscard]] std::optional<std::string_view> builtin_scene_text(std::string_view name);
 
 }  // namespace sightline::scene

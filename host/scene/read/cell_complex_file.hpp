@@ -1,6 +1,6 @@
-// A cell complex as a file: to be looked at, kept, or made by another program, and drawn without being cut
+// A cell complex as a file: to be inspected, kept, or made by another program, and drawn without being cut
 // again. It saves the choice of cuts, not time: with all checks a file of 2000 boxes is read in about three
-// times what cutting them anew takes.
+// times what cutting them again takes.
 //
 // Format, JSON: {"schema": "sightline/cell-complex/2", "method": "grid"|"bsp", "outer": [low, high], "edges",
 // "planes", "cells", "openings", "polyhedra"}, the schema first. "polyhedra" is the scene the cells were made

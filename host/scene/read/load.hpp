@@ -1,6 +1,6 @@
-// A scene as a user names it, whatever it is: built in, generated, or the text of a file of any kind.
+// Loads the scene that a user names: built in, generated, or the text of a file of any kind.
 //
-// Two steps. named_scene finds what a name stands for without reading a file; the text of a file or of
+// Two steps. named_scene resolves a name without reading a file; the text of a file or of
 // standard input comes from the caller, who knows how to fail. read_scene or load_scene then makes a scene of
 // it.
 #pragma once
@@ -27,7 +27,7 @@ struct SceneFile {
 };
 
 // A built-in scene, or a generated one: FAMILY-SIZE or FAMILY-SIZE-SEED, such as boxes-100-7, if no file has
-// that name. Nothing if the name is neither. An error for a generated scene of an impossible size.
+// that name. Empty if the name is neither. An error for a generated scene of an impossible size.
 [[nodiscard]] std::optional<base::Result<SceneFile>> named_scene(const std::string& name);
 
 enum class SceneKind {
@@ -35,7 +35,7 @@ enum class SceneKind {
   polyhedra,     // OFF or OBJ by its name or beginning, JSON with bodies, or generated
   cell_complex,  // a cell decomposition: JSON that names its schema
 };
-// OFF and OBJ have damage that can be mended; JSON, built-in and generated scenes are taken as they are.
+// OFF and OBJ have damage that can be repaired; JSON, built-in and generated scenes are taken as they are.
 [[nodiscard]] bool can_be_mended(const SceneFile& file);
 
 struct LoadedScene {

@@ -43,7 +43,7 @@ class ObjReader {
     } else if (word == "g") {
       group_ = name();
     } else if (word == "l" || word == "p") {
-      error_ = lines_.unexpected(word, "faces only: what has no area can be drawn but cannot hide");
+      error_ = lines_.unexpected(word, "faces only: lines and points cannot occlude");
     }
   }
 

@@ -66,7 +66,7 @@ base::Result<std::string> write_off(const PolyScene& scene) {
   return text + faces;
 }
 
-// What reads as the same name: a # would begin a comment, a \ at the end go on with the next line, and words
+// What reads as the same name: a # would begin a comment, a \ at the end continue on the next line, and words
 // are one blank apart. It must not be empty nor another body's, or the two become one.
 std::string obj_name(std::string_view name, std::size_t body, std::set<std::string>& taken) {
   std::string text;

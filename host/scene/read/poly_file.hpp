@@ -17,7 +17,7 @@ enum class PolyFormat { off, obj, json };
 // As above, and for any other name by what the text begins with: OFF, or a line of OBJ; else JSON.
 [[nodiscard]] PolyFormat poly_format_of(std::string_view file, std::string_view text);
 
-// The scene is not checked. JSON is not quantised, nor mended.
+// The scene is not checked. JSON is not quantised, nor repaired.
 [[nodiscard]] base::Result<PolyImport> read_poly(std::string_view text, std::string_view source,
                                                  PolyFormat format, const PolyImportOptions& options = {});
 
@@ -27,8 +27,8 @@ enum class PolyFormat { off, obj, json };
 // The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
 // which hide the same; the diagonals are seams. An error names a face for which that cannot be done. Neither
-// keeps the camera. OFF has no names, nor which faces make a body: read again, parts that hang together are
-// the bodies. In OBJ names that could not be told apart or read again are changed.
+// keeps the camera. OFF has no names, nor which faces make a body: read again, connected parts are
+// the bodies. In OBJ names that are ambiguous or could not be read again are changed.
 [[nodiscard]] base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format);
 
 }  // namespace sightline::scene

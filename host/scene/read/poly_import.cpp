@@ -83,7 +83,7 @@ class Import {
     if (report().merged_vertices > 0) renumber(keep, target);
   }
 
-  // Leaves out vertices; `target` says what stands in for each of them.
+  // Leaves out vertices; `target` is the replacement of each of them.
   void renumber(const std::vector<bool>& keep, const std::vector<VertexIndex>& target) {
     std::vector<VertexIndex> number(keep.size());
     VertexIndex count = 0;
@@ -165,7 +165,7 @@ class Import {
     return true;
   }
 
-  // Parts that hang together by edges become bodies of their own, cavities those of the body around them.
+  // Parts connected by edges become bodies of their own, cavities those of the body around them.
   void separate() {
     std::vector<PolyBody> parts;
     for (PolyBody& body : scene().bodies) {

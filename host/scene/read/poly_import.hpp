@@ -10,7 +10,7 @@
 // that lost their area are left out; faces of four and more vertices that are no longer planar are split into
 // triangles along their own vertices. Triangles are always planar. All of it is counted. Damage that was in
 // the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to name,
-// unless mending is asked for.
+// unless the option asks for repair.
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 // true|false, "faces": [face...]}...], "camera": {"perspective": true|false, "eye", "forward", "right", "up":
 // [x,y,z]}}. A face is an array of vertices, [0,1,2], or {"outline": [...], "holes": [[...]...]}; vertices
 // count from 0. Required are "vertices", "bodies" and a body's "faces"; without "sheet" a body is a sheet
-// unless it is closed; without "camera" the scene is looked at from above, right and in front; within one,
+// unless it is closed; without "camera" the camera is above, right and in front; within one,
 // "perspective" is true unless said. Everything else is ignored. Coordinates are integers, and "step" says
 // what one unit stands for (default 1); "origin" is added before that. Names are up to 200 printable ASCII
 // characters. Reading checks form only: check_poly_scene the rest.

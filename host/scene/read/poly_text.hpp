@@ -1,5 +1,5 @@
-// The lines of a text file as fields, and the numbers in them: what the readers of OFF and OBJ have in
-// common.
+// The lines of a text file as fields, and the numbers in them: the common part of
+// the readers of OFF and OBJ.
 #pragma once
 
 #include <cstddef>

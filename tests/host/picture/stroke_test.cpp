@@ -61,7 +61,7 @@ TEST(PassRecorder, KeepsTheLastCompletePassAndTheRunningOne) {
   EXPECT_EQ(recorder.complete().strokes, std::vector{flash(110, 1, 1)});
   EXPECT_EQ(recorder.running().begin, core::at_nanoseconds(300));
   EXPECT_EQ(recorder.running().strokes.size(), 2U);
-  // Started anew before the stop: what was drawn is no complete pass.
+  // Started again before the stop: what was drawn is no complete pass.
   recorder.begin_pass(core::at_nanoseconds(400));
   EXPECT_TRUE(recorder.running().strokes.empty());
   recorder.end_pass(core::at_nanoseconds(500));

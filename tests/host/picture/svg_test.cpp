@@ -1,4 +1,4 @@
-// The one writer of SVG: what it writes is held against lines written by hand.
+// The one writer of SVG: its output is compared with lines written by hand.
 #include "host/picture/svg.hpp"
 
 #include <gtest/gtest.h>

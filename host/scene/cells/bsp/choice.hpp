@@ -1,4 +1,4 @@
-// Which plane to split a part of space by.
+// Chooses the plane that splits a part of space.
 #pragma once
 
 #include <cstdint>

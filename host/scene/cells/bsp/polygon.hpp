@@ -2,8 +2,8 @@
 //
 // Its sides are the lines where other planes cross its own; a corner is where two neighbouring sides meet. A
 // corner that is an integer point is remembered as such, because most are and a plane's side of it is then
-// one scalar product; of the others only the three planes are known. No side is ever without a length, no
-// polygon without an area: what has none is the empty polygon, without sides.
+// one scalar product; of the others only the three planes are known. Every side has a length, every
+// polygon an area, except the empty polygon, which has no sides.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace sightline::scene {
 
-using Planes = std::vector<geometry::Plane>;  // all there are, by number
+using Planes = std::vector<geometry::Plane>;  // all of them, by number
 
 // Side i goes from corner i to corner i + 1, counterclockwise as seen from where the plane's normal points
 // to.

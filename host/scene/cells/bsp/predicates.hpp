@@ -1,4 +1,4 @@
-// On which side of a plane do three others meet: the one question that cutting space by planes asks.
+// The side of a plane on which three others meet: the predicate that cutting space by planes needs.
 //
 // Limits: components of normals below 2^40, so that determinants of normals, of six products of three, stay
 // below 2^123; offsets below 2^61. Nothing rounds: 0 means exactly on.

@@ -1,4 +1,4 @@
-// Which leaves of the tree are free, and which parts of its portals are open.
+// Finds the free leaves of the tree, and the open parts of its portals.
 #pragma once
 
 #include <cstdint>

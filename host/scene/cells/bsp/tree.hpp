@@ -42,7 +42,7 @@ struct BspTree {
 // The half-spaces whose common part a leaf is, each once.
 [[nodiscard]] std::vector<HalfSpace> bounds_of(const BspTree& tree, std::uint32_t node);
 
-// Nothing if there would be more than `most_leaves`.
+// Empty if there would be more than `most_leaves`.
 [[nodiscard]] std::optional<BspTree> build_bsp_tree(std::vector<FacePiece> faces, CellComplexBuilder& builder,
                                                     std::size_t most_leaves);
 

@@ -28,7 +28,7 @@ struct GridOptions {
 };
 
 // Why a scene cannot be cut by a grid: a face or a side of one that is not parallel to the axes (named as
-// "body 0, face 0"), or more units than allowed. Nothing if it can.
+// "body 0, face 0"), or more units than allowed. Empty if it can.
 [[nodiscard]] std::optional<base::Error> why_no_grid(const PolyScene& scene, const GridOptions& options = {});
 
 // Of a checked scene. The outer box is the one of outer_box_of. Fails as why_no_grid says, or if one

@@ -1,4 +1,4 @@
-// What sheets leave free of the rectangle in which two boxes of a grid meet, as rectangles.
+// The portals between two boxes of a grid: their common rectangle less the sheets on it, as rectangles.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class GridOpenings {
   GridOpenings(const GridSpace& space, std::size_t most_parts) : space_(space), most_parts_(most_parts) {}
 
   // The openings where `above` meets `below` on the high face of `below` on `axis`: disjoint, and together
-  // all that is free there. Valid until the next call. Nothing if there are too many parts.
+  // all that is free there. Valid until the next call. Empty if there are too many parts.
   [[nodiscard]] std::optional<std::span<const geometry::Rectangle>> between(const GridCell& below,
                                                                             const GridCell& above,
                                                                             std::size_t axis);

@@ -35,7 +35,7 @@ class Prober {
     return p;
   }
 
-  // How many cells have the point inside; nothing if it is on the surface of one.
+  // How many cells have the point inside; empty if it is on the surface of one.
   [[nodiscard]] std::optional<int> cells_with(const PolyPoint& p) const {
     int count = 0;
     for (const ComplexCell& cell : complex_.cells) {
@@ -50,7 +50,7 @@ class Prober {
     return count;
   }
 
-  // How many solids the point is in, by a line to somewhere beyond the box; nothing if the line is a special
+  // How many solids the point is in, by a line to somewhere beyond the box; empty if the line is a special
   // one.
   [[nodiscard]] std::optional<int> solids_with(const PolyPoint& p) {
     PolyPoint far = random_point();
@@ -93,7 +93,7 @@ class Prober {
     return count;
   }
 
-  // How often the segment meets faces, and nothing if it meets one at its rim.
+  // How many faces the segment crosses; empty if it meets one at its rim.
   [[nodiscard]] std::optional<int> faces_met(const Segment& segment) const {
     int count = 0;
     for (const SceneTriangle& triangle : triangles_) {

@@ -74,7 +74,7 @@ PolyScene crossed() {
   return builder.take();
 }
 
-// Small ones are made larger, for whoever looks for points that are not special.
+// Small ones are made larger, for tests that look for points that are not special.
 PolyScene enlarged(PolyScene scene, std::int32_t factor) {
   for (PolyPoint& p : scene.vertices)
     for (std::int32_t& c : p) c *= factor;

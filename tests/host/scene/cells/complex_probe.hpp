@@ -1,5 +1,5 @@
 // A complex questioned from outside, by points and straight lines through it, with arithmetic of its own:
-// what a decomposition is held against without knowing how it was made.
+// checks of a decomposition without knowing how it was made.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +74,7 @@ inline std::vector<SceneTriangle> triangles_of(const PolyScene& scene) {
 }
 
 // 1: the segment goes through the triangle against the way it faces, into a solid; -1: out of one; 0: it
-// misses it. Nothing if it touches the rim or the plane, so that hardly anything can be said.
+// misses it. Empty if it touches the rim or the plane, so that hardly anything can be said.
 inline std::optional<int> crossing(const SceneTriangle& triangle, const Segment& segment) {
   const auto& [a, b, c] = triangle.corners;
   const int from = geometry::sign(geometry::orientation(a, b, c, segment.from));

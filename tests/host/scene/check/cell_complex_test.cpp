@@ -126,7 +126,7 @@ TEST_F(CheckComplex, CellsAndLines) {
   });
 }
 
-// Lists the openings by cell anew.
+// Lists the openings by cell again.
 void list_openings(CellComplex& complex) {
   complex.opening_numbers.clear();
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {

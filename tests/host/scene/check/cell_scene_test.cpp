@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                "opening 1: the vectors do not close: they end at (270, 205, 400), expected (270, 0, 400)"},
         Change{"off_the_outline", [](CellScene& s) { s.openings[1].vectors[1].magnitude = 206; },
                "opening 1: vector 1 ends at (400, 206, 400), off the outline"},
-        Change{"once_more_round",
+        Change{"twice_round",
                [](CellScene& s) {
                  s.openings[1].vectors.push_back({true, 0, 130});
                },

@@ -1,4 +1,4 @@
-// Every kind of damage to a scene of polyhedra is found and named; scenes that are in order are let through.
+// Every kind of damage to a scene of polyhedra is found and named; scenes without damage are accepted.
 #include "host/scene/check/poly_scene.hpp"
 
 #include <gtest/gtest.h>

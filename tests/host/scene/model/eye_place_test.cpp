@@ -1,4 +1,4 @@
-// Where an eye is, held against boxes whose inside is known, and cameras that look where they are told to.
+// Where an eye is, compared with boxes whose inside is known, and cameras aimed at a direction.
 #include "host/scene/model/eye_place.hpp"
 
 #include <gtest/gtest.h>

@@ -125,7 +125,7 @@ TEST(ReadPoly, DamageIsNamedByLine) {
       {PolyFormat::obj, "v 0 0\n", "test: line 1: found 2 numbers, expected x, y and z"},
       {PolyFormat::obj, "v 0 0 inf\n", "test: line 1: found \"inf\", expected a number"},
       {PolyFormat::obj, "v 0 0 0\nl 1 1\n",
-       "test: line 2: found \"l\", expected faces only: what has no area can be drawn but cannot hide"},
+       "test: line 2: found \"l\", expected faces only: lines and points cannot occlude"},
       {PolyFormat::obj, "v 0 0 0\nf 1 1\n", "test: line 2: found 2 vertices, expected 3 or more"},
       {PolyFormat::obj, "v 0 0 0\nf 1 0 1\n",
        "test: line 2: found \"0\", expected a vertex 1..1 or the same from behind, -1..-1"},

@@ -23,7 +23,7 @@ TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
     PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
     EXPECT_EQ(obj.vertices, scene.vertices) << family;
     EXPECT_EQ(obj.bodies, scene.bodies) << family;
-    // OFF has no bodies: what touches hangs together, what does not is apart.
+    // OFF has no bodies: touching parts become one body, others are separate.
     if (family == "touch" || family == "bricks" || family == "corridors") continue;
     PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
     EXPECT_EQ(off.vertices, scene.vertices) << family;
