@@ -32,7 +32,7 @@ namespace sightline::guests::jones {
 
 inline constexpr std::size_t scene_header_words = 11;
 
-// Where the eye stands: its cell, and the box in which it may move, ends included, near_z inside the cell.
+// The eye's position: its cell, and the box in which it may move, ends included, near_z inside the cell.
 struct Viewpoint {
   geometry::Point eye{};
   std::size_t cell = 0;

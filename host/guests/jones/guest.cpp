@@ -52,7 +52,7 @@ class Watch {
   bool stop_ = false;
   View current_;
   View view_;
-  std::vector<std::int32_t> cell_of_;  // by core address: the cell whose element stands there, or -1
+  std::vector<std::int32_t> cell_of_;  // by core address: the cell whose element is there, or -1
   std::vector<bool> seen_;             // by cell
 };
 
@@ -94,7 +94,7 @@ Watch::Watch(const Program& program, bool immediate)
       immediate_(immediate),
       cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
-  // Cell-elements stand one after the other; the first opening-element ends the last of them.
+  // Cell-elements follow each other; the first opening-element ends the last of them.
   const auto& cells = program.scene.cell_addresses;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const std::uint32_t end = cell + 1 < cells.size()

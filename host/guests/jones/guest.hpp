@@ -1,8 +1,8 @@
-// Runs Jones's program on the emulated PDP-7 with its Type 340 and reports each view: what was drawn, how
-// long the machine took, and what it looked at.
+// Runs Jones's program on the emulated PDP-7 with its Type 340 and reports each view: its lines, how
+// long the machine took, and which cells it entered.
 //
 // A view's time runs from the fetch at `search` to the store into `file` (jones.md section 7); where lines
-// are added at once, to the count of complete views. Everything is watched from outside: nothing is added to
+// are added at once, to the count of complete views. An observer measures it: nothing is added to
 // the program.
 #pragma once
 

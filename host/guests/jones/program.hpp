@@ -1,8 +1,8 @@
-// Jones's program with a scene, assembled from its source tapes: what goes into the machine's core, and where
+// Jones's program with a scene, assembled from its source tapes: the words for the machine's core, and where
 // its labels are.
 //
 // The program's tapes (firmware/pdp7/jones) are embedded, so that the command needs no files. The sources are
-// assembled anew for each scene, as the paper describes ("assembled and loaded into core together with the
+// assembled again for each scene, as the paper describes ("assembled and loaded into core together with the
 // program").
 #pragma once
 

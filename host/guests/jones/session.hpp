@@ -2,7 +2,7 @@
 // place of the scene on the emulated PDP-7, and compared with its twin word for word.
 //
 // Another eye changes the header of the scene in core and nothing else (SPECIFICATION.md section 7), so the
-// program is not assembled again. Another scene is another session: the constants stand behind the scene, and
+// program is not assembled again. Another scene is another session: the constants follow the scene, and
 // their addresses are all over the program.
 #pragma once
 

@@ -35,7 +35,7 @@ using machines::DeviceKind;
 constexpr core::TStates time_between_questions{1 << 25};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
-// What stands in memory for CP/M, and where PC is behind an OUT there.
+// The contents of memory for CP/M, and PC after an OUT there.
 constexpr std::array<std::pair<i8080::Address, i8080::Byte>, 7> cpm_stub{{{0x0000, 0xD3},
                                                                           {0x0001, 0x00},
                                                                           {0x0005, 0xD3},
@@ -114,8 +114,8 @@ struct StubCall {
 
 // The machine's devices, and before them the two ports of the CP/M stub and the watch of --strict.
 //
-// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; whoever
-// drives the machine looks at the registers there, and goes on. An OUT to 0 or 1 that turns out to be none of
+// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; the
+// caller then reads the registers there and continues the run. An OUT to 0 or 1 that turns out to be none of
 // the stub's is handed back to the devices.
 class RunPorts {
  public:
@@ -178,7 +178,7 @@ class Recorder {
     bus_.finish();
   }
 
-  // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT stands before an
+  // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT is before an
   // instruction that a device supplied, * before an opcode that Intel left undefined and that does the same
   // as another.
   void instruction(const machines::I8080InstructionRecord& record) {
@@ -473,10 +473,10 @@ class I8080Run final : public Machine {
     each_unanswered([&warnings](std::size_t port, const machines::UnansweredPort& counts) {
       const auto warn = [&](std::uint64_t count, std::string_view what) {
         if (count != 0)
-          warnings.push_back(fmt::format("port {:02X}: nothing answers, {}", port, times(count, what)));
+          warnings.push_back(fmt::format("port {:02X}: no device at this port, {}", port, times(count, what)));
       };
       warn(counts.reads, "read as FF");
-      warn(counts.writes, "written in vain");
+      warn(counts.writes, "written without effect");
     });
     if (console_left_out_ != 0) {
       warnings.push_back(
@@ -516,9 +516,9 @@ class I8080Run final : public Machine {
     ports_.pass_on(call);
     return ports_.unanswered() ? unanswered() : std::nullopt;
   }
-  // The IN or OUT stands before PC.
+  // The IN or OUT is before PC.
   std::optional<Stop> unanswered() const {
-    return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: nothing answers at that port",
+    return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
                                       static_cast<i8080::Address>(processor_->registers().pc - 2))};
   }
 

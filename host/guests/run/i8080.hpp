@@ -1,7 +1,7 @@
-// An 8080 put together for one run, with the devices on its ports that the run asks for. Without a trace and
+// An 8080 configured for one run, with the devices that the run needs on its ports. Without a trace and
 // a bus log no observer is compiled in.
 //
-// For CP/M programs two entries of the operating system stand in memory as the programs that check and time
+// For CP/M programs two entries of the operating system are in memory as the programs that check and time
 // 8080s have them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005,
 // where BDOS functions are called. The host does their work between the OUT and the RET, in no time; so a
 // call costs 20 T-states and the end 10, and the published T-states of such programs are met. A program may
@@ -25,7 +25,7 @@ struct I8080Setup {
   machines::SkalaConfiguration machine;    // the links' bytes are views of `sent`
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
   bool cpm = false;                        // puts the entries into memory
-  bool strict = false;                     // a port that nothing answers ends the run
+  bool strict = false;                     // an access to a port without a device ends the run
   bool observed = false;                   // take("--trace") or take("--bus") is to come
   bool keep_console = false;               // what is printed goes into the report
   bool drawing = false;                    // keep the lines the plotter draws

@@ -245,7 +245,7 @@ std::vector<Option> run_options() {
        "Set A, F, B, C, D, E, H, L, SP, PC or INTE before the run, in hexadecimal"},
       {text, "--max-instructions", "N", "Stop after this many instructions"},
       {text, "--max-states", "N", "Stop at the first instruction at or after this T-state"},
-      {flag, "--strict", {}, "Stop at a port that nothing answers (exit code 3)"},
+      {flag, "--strict", {}, "Stop at a port without a device (exit code 3)"},
       {text, "--board", "BOARD", "Attach a raster board", choices<DeviceKind::raster_board>()},
       {text, "--plotter", "PLOTTER", "Attach a plotter", choices<DeviceKind::plotter>()},
       {.name = "--plotter-start",

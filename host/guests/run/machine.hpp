@@ -3,7 +3,7 @@
 // (here), and one row in machines(). CONTRIBUTING.md walks through it.
 //
 // The engine (engine.hpp) does what is the same for all: options, loading, registers, running, dump and
-// report. Speed is the machine's own affair: the engine calls it once a slice of many instructions.
+// report. Speed depends on the machine alone: the engine calls it once a slice of many instructions.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ enum class OptionKind : std::uint8_t {
 struct Option {
   OptionKind kind = OptionKind::text;
   std::string name = {};  // "--memory", "-o,--output"; its values are found under the last of the names
-  std::string_view argument = {};  // what stands for it in the help: "FILE"
+  std::string_view argument = {};  // its name in the help: "FILE"
   std::string help = {};
   std::vector<std::string_view> choices = {};  // empty: any text
   bool any_case = false;                       // of the choices
@@ -122,7 +122,7 @@ struct Format {
   std::string_view name;    // "hex", for --format
   std::string_view ending;  // ".hex" decides before the content does; empty: only the content
   bool (*recognise)(std::span<const std::uint8_t> bytes);
-  // `address`: what stands behind @.
+  // `address`: the value after @.
   Result<Program> (*read)(std::span<const std::uint8_t> bytes, const std::string& file,
                           std::optional<std::uint32_t> address);
   Result<Bytes> (*write)(const Program& program, const std::string& file);
@@ -139,7 +139,7 @@ struct Assembled {
   std::string symbol_table;
 };
 
-// The text of a file, or nothing if it cannot be read.
+// The text of a file, or empty if it cannot be read.
 using TextReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 struct Assembler {

@@ -308,14 +308,14 @@ class Pdp7Machine final : public Machine {
   Sink sink_;
   Observer observer_;
   machines::Pdp7<Sink, Observer> machine_;
-  core::Word18 switches_;  // as they stand
+  core::Word18 switches_;  // their current setting
   std::span<const PenMove> pen_script_;
 };
 
 }  // namespace
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  // A screen that nobody asked for costs a trace next to nothing.
+  // A screen without outputs costs a trace almost nothing.
   if (setup.trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
   if (setup.screen) return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
   return std::make_unique<Pdp7Machine<NoScreen, NoTracer>>(std::move(setup));

@@ -1,5 +1,5 @@
-// A PDP-7 put together for one run: what a run asks for and nothing else. Without a trace no observer is
-// compiled in, without a taker of strokes the display never looks for single flashes.
+// A PDP-7 configured for one run, with the devices that the run needs. Without a trace no observer is
+// compiled in, without a consumer of strokes the display does not compute single flashes.
 #pragma once
 
 #include <cstdint>

@@ -66,7 +66,7 @@ Result<Done> each_line(const Input& script, bool ordered, Take take) {
   return Done{};
 }
 
-// One key of `typed`, which begins after it then; nothing if an escape is none of ours.
+// One key of `typed`, which begins after it then; empty if the escape is unknown.
 std::optional<std::uint8_t> take_key(std::string_view& typed) {
   const char first = typed.front();
   typed.remove_prefix(1);
@@ -84,7 +84,7 @@ std::optional<std::uint8_t> take_key(std::string_view& typed) {
   return code;
 }
 
-// The field of view that `X Y [RADIUS]` means; nothing if it means none.
+// The field of view that `X Y [RADIUS]` means; empty if it is malformed.
 std::optional<type340::LightPen> parse_field_of_view(std::string_view text) {
   static constexpr std::uint32_t last_point = type340::Registers::screen_mask;
   constexpr std::uint32_t usual_radius = 4;

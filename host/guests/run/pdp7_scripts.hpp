@@ -1,7 +1,7 @@
-// What a person does at the console of a PDP-7 in time: scripts.
+// Scripts of console actions: switches, keys and the light pen of a PDP-7 at given times.
 //
 // A script is a text of lines `SECONDS WHAT`; SECONDS is emulated time from the start of the run, a decimal
-// number. Empty lines and lines that begin with # are passed over. What is no script is refused with its file
+// number. Empty lines and lines that begin with # are passed over. A malformed script is refused with its file
 // and line.
 #pragma once
 
@@ -28,7 +28,7 @@ struct PenMove {
   std::optional<type340::LightPen> pen;  // nullopt: taken away
 };
 
-// To the nearest nanosecond; nothing if the text is not what is expected.
+// To the nearest nanosecond; empty if the text is malformed.
 [[nodiscard]] std::optional<core::Instant> parse_seconds(std::string_view text);
 inline constexpr std::string_view seconds_expected = "a decimal number of seconds from 0 to 9000000000";
 

@@ -1,4 +1,4 @@
-// What a run keeps of the strokes of its display: a sink (emulators/core/stroke.hpp) that does only what was
+// The strokes that a run keeps of its display: a sink (emulators/core/stroke.hpp) that does only what was
 // asked for.
 //
 // A picture shows the last complete pass. A program that never completes one is shown by the newest strokes

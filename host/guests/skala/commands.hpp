@@ -1,5 +1,5 @@
 // The bytes of the Skala program's command stream and the status it ends with: sections 1 and 9 of
-// firmware/i8080/skala/SPECIFICATION.md. Nothing here says what the commands do.
+// firmware/i8080/skala/SPECIFICATION.md. The semantics of the commands are in the twin.
 #pragma once
 
 #include <array>

@@ -1,11 +1,11 @@
 // Runs Skala's program on the emulated 8080 with one output device and one link to its host computer, and
-// reports the picture and what it took.
+// reports the picture and its costs.
 //
-// Drawing time is counted from the first instruction at DRAWIT, when a block of commands stands in memory, to
+// Drawing time is counted from the first instruction at DRAWIT, when a block of commands is in memory, to
 // the end of the last dot on the EF9365 board or of the last movement of the CalComp; on the other two
 // devices, which do not say when they are done, to the halt. The receipt of commands is not in it: the paper
 // measures the programs, not the line. A picture of several blocks has several such stretches, each up to the
-// next look at the link. Nothing is added to the program; without a plotter nothing watches the run but the
+// next look at the link. Nothing is added to the program; without a plotter the only observer of the run is the
 // link's port.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Skala's resident program for the 8080, assembled from its source: what goes into memory, and where its
+// Skala's resident program for the 8080, assembled from its source: the bytes for memory, and where its
 // labels are.
 //
 // The source (firmware/i8080/skala) is embedded, so that the command needs no files. One program draws every

@@ -1,4 +1,4 @@
-// Where the points of a grid lie on the screen, and in which order they are drawn: rotation about the
+// The screen positions of the points of a grid, and the order of drawing: rotation about the
 // vertical, parallel projection from an elevation, fit to the 256 x 256 raster. Verticals stay vertical,
 // which Skala's masks rely on (Skala 1985, section 3).
 //

@@ -2,7 +2,7 @@
 // not included, because a host computer was used". A grid and a view become the bytes that the Skala program
 // on the 8080 draws.
 //
-// What the 8080 cannot know is decided here: the order from near to far, the rims (the domain's edges
+// The host decides what the 8080 cannot know: the order from near to far, the rims (the domain's edges
 // between the ends of slices, without which farther curves would show through beside the surface), which
 // columns a hole leaves undefined, where contour lines run. Every chain between two COMMITs is monotone in x.
 #pragma once

@@ -7,7 +7,7 @@
 namespace sightline::guests::skala {
 namespace {
 
-// The counts of CURVE, SURFACE and GAP are bytes in which 0 stands for 256.
+// The counts of CURVE, SURFACE and GAP are bytes in which 0 means 256.
 constexpr std::size_t most_items = 256;
 // A CURVE of three dots is no longer than two DRAWs.
 constexpr std::size_t shortest_curve = 3;

@@ -1,5 +1,5 @@
-// Chains as the bytes of the Skala program (firmware/i8080/skala/SPECIFICATION.md, section 1), in the fewest
-// that say the same: no MOVE to where the pen is, no COLOUR that is on already, dots in consecutive columns
+// Chains as the bytes of the Skala program (firmware/i8080/skala/SPECIFICATION.md, section 1), in the shortest
+// encoding: no MOVE to where the pen is, no COLOUR that is on already, dots in consecutive columns
 // as CURVE.
 #pragma once
 
@@ -30,7 +30,7 @@ class StreamWriter {
   // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
   // last colours a dot; on a plotter, if the view is serpentine, always the one nearest to the pen.
   void test_chains(std::vector<ColouredChain> chains);
-  // The slice just sent is undefined in these columns; cut to the raster, nothing if none are left.
+  // The slice just sent is undefined in these columns; cut to the raster, no effect if none are left.
   void gap(int first_column, int last_column);
   void outline();
   // END. The writer is empty afterwards.

@@ -1,4 +1,4 @@
-// What is wanted of a picture of a function of two variables: which algorithm of Skala (1985), seen from
+// The options of a picture of a function of two variables: which algorithm of Skala (1985), seen from
 // where, on which device.
 #pragma once
 

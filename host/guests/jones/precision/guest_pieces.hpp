@@ -2,7 +2,7 @@
 // which vector word, where the piece lies in the program's own fraction of a point, and between which points
 // of the screen.
 //
-// No display stands at the machine, and the clock is off. Source of the labels: firmware/pdp7/jones/NOTES.md.
+// The machine has no display, and the clock is off. Source of the labels: firmware/pdp7/jones/NOTES.md.
 #pragma once
 
 #include <cstdint>

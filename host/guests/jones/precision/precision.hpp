@@ -1,5 +1,5 @@
 // Jones's program in other arithmetic: the search of the twin with words of 12 to 36 bits, 0 to 8 fraction
-// bits, rounding or cutting off, or in floating point. With 18 bits it is the twin, with up to 3 fraction
+// bits, rounding or truncating, or in floating point. With 18 bits it is the twin, with up to 3 fraction
 // bits also the program on the machine; so what a view loses by its arithmetic alone can be measured.
 //
 // What does not fit a word ends the view with "arithmetic overflow"; a scene is not scaled down to fit.
@@ -64,7 +64,7 @@ struct PreciseView {
 [[nodiscard]] PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
                                         const Parameters& parameters, const Precision& precision);
 
-// A scene in core without the program, its header at 0, and which line each vector word stands for.
+// A scene in core without the program, its header at 0, and which line each vector word represents.
 struct SceneInCore {
   std::vector<core::Word18> core;
   std::vector<std::optional<SceneLine>> lines;  // by address

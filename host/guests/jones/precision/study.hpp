@@ -1,8 +1,8 @@
-// What arithmetic costs Jones's program in truth: the error of every scene's six views against exact
+// The errors that arithmetic causes in Jones's program: the error of every scene's six views, compared with exact
 // visibility, for the builds of the program on the emulated PDP-7 and for arithmetic of any other kind.
 //
-// Two measures of one run: its pieces as they left the clip, with their fraction of a point, which is what
-// fraction bits buy; and the same pieces between the whole points of the display, which is what one saw.
+// Two measures of one run: its pieces after the clip, with their fraction of a point, which
+// fraction bits improve; and the same pieces between the whole points of the display, as a user saw them.
 #pragma once
 
 #include <array>
@@ -110,7 +110,7 @@ struct Measured {
 // One scene seen from some places; the exact visibility is worked out once.
 class PrecisionStudy {
  public:
-  // Error: an eye at which the program cannot stand; or the scene is beyond the limits of the oracle.
+  // Error: an eye that the program does not accept; or the scene is beyond the limits of the oracle.
   [[nodiscard]] static base::Result<PrecisionStudy> of(const scene::CellScene& scene,
                                                        std::span<const geometry::Point> eyes);
 
@@ -120,7 +120,7 @@ class PrecisionStudy {
   // the program and the scene do not fit into core.
   [[nodiscard]] base::Result<Measured> measure_on_machine(int fraction_bits, bool truncate,
                                                           bool eae = true) const;
-  // The first length of a word, 12..36, with which every view is complete; nothing if there is none.
+  // The first length of a word, 12..36, with which every view is complete; empty if there is none.
   [[nodiscard]] std::optional<int> shortest_complete_word(int fraction_bits, bool truncate) const;
 
  private:
@@ -136,7 +136,7 @@ class PrecisionStudy {
   std::vector<View> views_;
 };
 
-// The table of jones.md section 5, anew.
+// The table of jones.md section 5, computed.
 struct ErrorTableRow {
   std::string scene;
   std::vector<geometry::Point> eyes;

@@ -67,7 +67,7 @@ struct Operations {
   Work projection, line_box, line_sloped, mask_box, mask_sloped, mask_area, display;
 };
 
-// floor((a b + floor(c/2)) / c) for a, b in 0..2^18-1, c in 1..2^18-1; nothing if the quotient does not fit
+// floor((a b + floor(c/2)) / c) for a, b in 0..2^18-1, c in 1..2^18-1; empty if the quotient does not fit
 // 18 bits (the divide overflow of the machine).
 [[nodiscard]] std::optional<std::int32_t> muldiv(std::int32_t a, std::int32_t b, std::int32_t c);
 
@@ -80,7 +80,7 @@ inline constexpr std::int32_t largest_word = 131071;
 // The least z of the near plane or beyond at which a coordinate of this magnitude is inside the bound.
 [[nodiscard]] std::int32_t depth_inside(std::int32_t magnitude, std::int32_t bound_factor);
 
-// The part of the axis-parallel vector p-q inside z >= near_z, |x| <= B(z), |y| <= B(z); nothing if no length
+// The part of the axis-parallel vector p-q inside z >= near_z, |x| <= B(z), |y| <= B(z); empty if no length
 // is left.
 [[nodiscard]] std::optional<SpaceSegment> seg3(const SpaceSegment& vector, Axis axis,
                                                std::int32_t bound_factor,

@@ -1,4 +1,4 @@
-// What Jones's program reads and writes in core: the data elements of a scene with the outline of an opening,
+// The data of Jones's program in core: the data elements of a scene with the outline of an opening,
 // and the display file. Source: Jones (1971) Fig. 6; firmware/pdp7/jones/SPECIFICATION.md sections 2, 4, 5
 // and 7.
 #pragma once
@@ -82,7 +82,7 @@ class RingBound {
 
   // rho: a corner of the ring, moved into the bound.
   [[nodiscard]] SpacePoint into_bound(SpacePoint corner) const;
-  // Where a vector along k, between its ends' moved places, leaves the side of the bound; nothing if it does
+  // Where a vector along k, between its ends' moved places, leaves the side of the bound; empty if it does
   // not.
   [[nodiscard]] std::optional<SpacePoint> bend(const SpaceSegment& vector) const;
 

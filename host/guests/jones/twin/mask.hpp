@@ -117,7 +117,7 @@ class MaskClip {
 
   MaskClip(Number& number, Operations& operations) : number_(number), operations_(operations) {}
 
-  // The visible part of the line a-b; nothing if none. A line on the boundary of the mask is kept.
+  // The visible part of the line a-b; empty if none. A line on the boundary of the mask is kept.
   [[nodiscard]] std::optional<BasicScreenSegment<Coordinate>> clip2(
       const BasicMask<Coordinate>& mask, const BasicScreenSegment<Coordinate>& line);
   // ring: counter-clockwise, 3..16 points.

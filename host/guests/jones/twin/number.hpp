@@ -69,7 +69,7 @@ class FixedPoint {
   }
   [[nodiscard]] Double double_word(Double value) { return limited(value, Double{1} << (2 * word_bits_ - 1)); }
 
-  // MULDIV of the specification, for a, b >= 0, c > 0, none above 2^word_bits; nothing if the quotient needs
+  // MULDIV of the specification, for a, b >= 0, c > 0, none above 2^word_bits; empty if the quotient needs
   // more than a word (the divide overflow of the machine).
   [[nodiscard]] std::optional<Single> muldiv(Single a, Single b, Single c) const {
     const Double dividend = Double{a} * b + (truncate_ ? 0 : c / 2);

@@ -158,7 +158,7 @@ bool Search<Number>::add_to_file(BasicPiece<Coordinate>& piece) {
   return true;
 }
 
-// The opening's part: which side the eye is on, what of it shows through the mask, the way in.
+// The opening's part: which side the eye is on, its part inside the mask, the entrance.
 
 template <class Number>
 bool Search<Number>::opening(std::uint32_t far_word_address) {

@@ -106,7 +106,7 @@ void TwinDrawing::curve(std::span<const std::uint8_t> arguments) {
   for (const std::uint8_t y : heights) line_to({x++, y}, Mode::draw);
 }
 
-// Ends a slice. A shaded column of the next slice is entered anew, with visibility or without.
+// Ends a slice. A shaded column of the next slice is entered again, with visibility or without.
 void TwinDrawing::commit() {
   shaded_column_.reset();
   if (visibility_) plot_folds(masks_.fold());

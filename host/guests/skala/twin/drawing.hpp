@@ -1,4 +1,4 @@
-// What the Skala program's twin does with each command once it is drawn. Source:
+// The execution of each drawing command in the twin of the Skala program. Source:
 // firmware/i8080/skala/SPECIFICATION.md sections 2 to 8.
 #pragma once
 

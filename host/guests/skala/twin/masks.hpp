@@ -1,6 +1,6 @@
 // The masks of the Skala program: in every column of the screen the strip [MB, MT] behind which nothing is
 // seen, and the one column that is being visited. Source: firmware/i8080/skala/SPECIFICATION.md sections 2
-// and 4; the strip is the paper's MaskTop and MaskBottom, the pending column stands for its M1T and M1B.
+// and 4; the strip is the paper's MaskTop and MaskBottom, the pending column is its M1T and M1B.
 #pragma once
 
 #include <cstdint>

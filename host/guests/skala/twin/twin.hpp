@@ -32,7 +32,7 @@ struct Columns {
 
 enum class PlotterAction : std::uint8_t { step, pen_up, pen_down };
 
-// One movement a plotter is told to make. x and y are where the pen stands after it, in steps from (0, 0); a
+// One movement a plotter is told to make. x and y are the position of the pen after it, in steps from (0, 0); a
 // step changes each by at most one.
 struct PlotterMove {
   PlotterAction action = PlotterAction::step;
@@ -73,7 +73,7 @@ struct Equipment {
 };
 
 // What has happened when the program has taken all bytes of `stream` it ever will. A stream without END ends
-// in status `running`, and what stands in the buffer then is not drawn.
+// in status `running`, and the contents of the buffer are not drawn then.
 [[nodiscard]] TwinPicture run_twin(std::span<const std::uint8_t> stream, const Equipment& equipment = {});
 
 }  // namespace sightline::guests::skala

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
                                   (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae");
                          });
 
-// Of a row of rooms only those are looked at that are seen, however many there are.
+// Of a row of rooms the search enters only the visible ones, however many there are.
 TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
   GuestRun runs[2];
   for (int i = 0; i < 2; ++i) {

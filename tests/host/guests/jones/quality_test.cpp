@@ -30,7 +30,7 @@ constexpr int views = 1000;
 constexpr double a_point = 1.0;
 constexpr double allowed_share = 0.01;
 
-// The scene in core with the eye there; nothing if no eye can stand there.
+// The scene in core with the eye there; empty if no eye can stand there.
 std::optional<std::vector<core::Word18>> core_of(const scene::CellScene& scene, const geometry::Point& eye) {
   const auto encoded = guests::jones::encode(scene, {eye}, TestCore::header);
   if (!encoded) return std::nullopt;

@@ -142,7 +142,7 @@ TEST(RunI8080, StrictStopsAtAPortThatNothingAnswers) {
     EXPECT_EQ(run_of(program).go().stop.name, "halt");
     const Left left = run_of(program).set("--strict").set("--cpm").go();
     EXPECT_EQ(left.stop.name, "strict") << program;
-    EXPECT_EQ(left.stop.complaint, "PC 0101: stopped by --strict: nothing answers at that port") << program;
+    EXPECT_EQ(left.stop.complaint, "PC 0101: stopped by --strict: no device at that port") << program;
     EXPECT_EQ(left.text("registers", "pc"), "0103") << program;
     EXPECT_EQ(left.number("t_states"), 14) << program;
   }

@@ -1,4 +1,4 @@
-// The oracle's chains as command streams, and the twin's picture held against the oracle's.
+// The oracle's chains as command streams, and the twin's picture compared with the oracle's.
 #pragma once
 
 #include <gtest/gtest.h>

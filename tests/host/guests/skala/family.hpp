@@ -65,7 +65,7 @@ class SliceFamily {
   }
   // A short segment on the surface halfway between a slice and the next, a column at least inside what they
   // share: beyond that there are only rims, one drawn before all slices and one after them, whatever their
-  // depth. Nothing if there is no such column.
+  // depth. Empty if there is no such column.
   [[nodiscard]] std::optional<Chain> piece(int behind_slice) {
     const int first = left_ + std::max(behind_slice * shift_, (behind_slice + 1) * shift_) + 1;
     const int last =

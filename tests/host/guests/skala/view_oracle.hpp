@@ -1,4 +1,4 @@
-// A view as the host sends it and the twin draws it, held against the column oracle.
+// A view as the host sends it and the twin draws it, compared with the column oracle.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -35,7 +35,7 @@ void expect_as_oracle(const std::vector<Chain>& chains, std::uint32_t seed) {
   expect_same_masks(picture.columns, expected);
 }
 
-// Every dot where the surface turns away is lit, and what is lit besides hangs together with one: how far a
+// Every dot where the surface turns away is lit, and every other lit dot is connected with one: how far a
 // fold reaches towards its neighbour depends on what has been drawn there by then, which depth alone does not
 // tell.
 void expect_folds(const core::Raster& raster, const ColumnPicture& expected) {

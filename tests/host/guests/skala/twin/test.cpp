@@ -197,7 +197,7 @@ TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
   EXPECT_EQ(drawn.columns.mask_bottom[3], 255);
 }
 
-// Along: L = 4, D = 5, g from -2. Levels 2 and 4 stand beside each other: two are stepped where the term
+// Along: L = 4, D = 5, g from -2. Levels 2 and 4 are next to each other: two are stepped where the term
 // allows it.
 TEST(SkalaTwinSurface, LevelsGoAlongTheSlice) {
   EXPECT_EQ(window(picture().surface({{0, 1, 1}, {4, 1, 6}}), 0, 1, 4, 1), (Rows{"12456"}));
