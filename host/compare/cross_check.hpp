@@ -1,6 +1,6 @@
 // All algorithms compared with each other on the common scenes: one cell for each pair and scene.
 //
-// Every algorithm of the registries takes part. What does not apply is listed here, with its reason. Everything
+// Every algorithm of the registries takes part. Exceptions are listed here, with their reasons. Everything
 // else is run, and a cell that is not listed but cannot be run is a failure: an algorithm that begins to refuse
 // scenes does not go unnoticed. The exact edges and the oracle take part like the algorithms they are to check.
 //

@@ -1,4 +1,4 @@
-// Pictures that say which face is seen at each point, against the nearest face found for every point by
+// Compares item buffers (the visible face at each point) with the nearest face found for every point by
 // itself (host/algorithms/oracle/face_raster.hpp).
 //
 // Left out: scenes of very many faces, for which that oracle has no answer in time, and parallel views along

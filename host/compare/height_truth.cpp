@@ -168,16 +168,16 @@ class HeightLines::Hidden {
         extent_(line.b.point.x - line.a.point.x),
         upright_(std::abs(extent_) < rounding) {}
 
-  void hold_against(const Edge& edge) {
+  void hide_behind(const Edge& edge) {
     const double width = edge.b.point.x - edge.a.point.x;
     const double x = line_.a.point.x;
     if (upright_ && std::abs(width) < rounding) {
       if (std::abs(edge.a.point.x - x) > rounding) return;
-      hold_against({0, 1}, edge.a, edge.a);
-      hold_against({0, 1}, edge.b, edge.b);
+      hide_behind({0, 1}, edge.a, edge.a);
+      hide_behind({0, 1}, edge.b, edge.b);
     } else if (upright_) {
       const double place = (x - edge.a.point.x) / width;
-      if (place >= 0 && place <= 1) hold_against({0, 1}, on(edge, place), on(edge, place));
+      if (place >= 0 && place <= 1) hide_behind({0, 1}, on(edge, place), on(edge, place));
     } else if (std::abs(width) >= rounding) {
       const double from = (edge.a.point.x - x) / extent_;
       const double to = (edge.b.point.x - x) / extent_;
@@ -185,7 +185,7 @@ class HeightLines::Hidden {
       const auto opposite = [&](double place) {
         return on(edge, (x + place * extent_ - edge.a.point.x) / width);
       };
-      hold_against(part, opposite(part.low), opposite(part.high));
+      hide_behind(part, opposite(part.low), opposite(part.high));
     }
   }
 
@@ -201,7 +201,7 @@ class HeightLines::Hidden {
             edge.a.depth + place * (edge.b.depth - edge.a.depth)};
   }
   // Something nearer, or not, that is at `begin` and `end` where `part` of the line begins and ends.
-  void hold_against(const LinePart& part, const Ends& begin, const Ends& end) {
+  void hide_behind(const LinePart& part, const Ends& begin, const Ends& end) {
     if (!(part.low < part.high)) return;
     const Ends here = on(line_, part.low);
     const Ends there = on(line_, part.high);
@@ -229,7 +229,7 @@ std::vector<LinePart> HeightLines::seen_of(const Edge& line) const {
       const Edge& edge = hiding_[number];
       // Each once: in the first column both have.
       if (column == std::max(first, columns_of(edge.a.point.x, edge.b.point.x).first))
-        hidden.hold_against(edge);
+        hidden.hide_behind(edge);
     }
   }
   return std::move(hidden).seen();

@@ -1,11 +1,11 @@
-// What is truly seen of the lines of a height picture, as vectors: the reference for native pictures by the
+// The truly visible parts of the lines of a height picture, as vectors: the reference for native pictures by the
 // line metrics, where the column oracle (host/algorithms/oracle/column_oracle.hpp) is the one for rasters.
 //
 // A line of the picture is a side of a cell, or a contour's way across half a cell; where it is seen is
 // found by depth alone, with no order, mask or column: at a place of the screen it is hidden iff of the
 // lines of the surface that are nearer on the same vertical one lies above it and one lies below. In between
 // everything is linear, so the hidden parts are intervals, found pair by pair. On a surface without holes
-// this is exactly what hides; of slices it is what Skala's method takes to hide.
+// this is exactly the occluder; of slices it is the occluder of Skala's method.
 //
 // In floating point, without rounding to dots or columns: for measuring. Left out: holes, silhouettes, nets.
 #pragma once
@@ -55,7 +55,7 @@ class HeightLines {
   class Hidden;
 
   [[nodiscard]] static Ends ends_of(const guests::skala::Vertex& vertex);
-  // Sides of cells, and halves of cells with the contours on them: what hides is kept, what is inked
+  // Sides of cells, and halves of cells with the contours on them: occluders are kept, what is inked
   // returned.
   std::vector<LevelEdge> add_sides(const guests::skala::Projection& projection,
                                    const guests::skala::View& view);

@@ -50,7 +50,7 @@ struct HeightComparison {
   [[nodiscard]] bool agrees() const { return guest_difference.empty(); }
 };
 
-// Nothing if it can be compared.
+// Empty if it can be compared.
 [[nodiscard]] std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                                             const guests::skala::View& view);
 

@@ -1,4 +1,4 @@
-// What every kind of line picture is for the metrics (host/picture/line_metrics.hpp): lines of the scene on
+// Converts every kind of line picture for the metrics (host/picture/line_metrics.hpp): lines of the scene on
 // the screen with what is seen of them, and the pieces a program or algorithm drew.
 //
 // Exact pictures of polyhedra: a line is an edge of the scene, in the order of picture::edges_of. Pictures of
@@ -99,7 +99,7 @@ class SeenEdge {
   SeenEdge(const SeenPoint& from, const SeenPoint& to) : from_(from), to_(to) {}
   SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera);
 
-  // The part in the frame, in the parameter along the edge in space; nothing if it has no length.
+  // The part in the frame, in the parameter along the edge in space; empty if it has no length.
   [[nodiscard]] std::optional<picture::LinePart> part_in(const ScreenFrame& frame) const;
   [[nodiscard]] picture::PixelPoint pixel_at(double s, const ScreenFrame& frame) const;
   [[nodiscard]] picture::PixelSegment pixels_of(const picture::LinePart& part,

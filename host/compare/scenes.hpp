@@ -1,4 +1,4 @@
-// One view of a scene by everything that can draw it, each compared with the oracle: Jones's program on its
+// One view of a scene, drawn by every applicable method and compared with the oracle: Jones's program on its
 // machine, its native twin, every line algorithm of the table, and every algorithm of faces by points.
 //
 // Guest and twin draw the lines of a cell scene (the outer box's too) on the screen of the Type 340; their

@@ -56,10 +56,10 @@ struct GuestResult {
 
 class Sweep::Guest {
  public:
-  // Nothing if the scene is beyond what the oracle can hold. It outlives this.
+  // Empty if the scene is beyond what the oracle can hold. It outlives this.
   [[nodiscard]] static std::optional<Guest> of(const scene::CellScene& scene, bool eae);
 
-  // An error if the program cannot stand there, or the scene does not fit into core.
+  // An error if the program does not accept that eye, or the scene does not fit into core.
   [[nodiscard]] base::Result<GuestResult> view(const geometry::Point& eye) const;
 
  private:
@@ -69,7 +69,7 @@ class Sweep::Guest {
 
   const scene::CellScene* scene_;
   guests::jones::ProgramOptions options_;
-  // Nothing if the program cannot stand in the scene's own view: it is assembled for every view then.
+  // Empty if the program does not accept the scene's own view: it is assembled for every view then.
   std::optional<guests::jones::Session> session_;
   algorithms::oracle::Matter matter_;
   std::vector<algorithms::oracle::RealLine> lines_;
@@ -238,7 +238,7 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
   if (options.guest && cells != nullptr) {
     auto guest = Guest::of(*cells, options.eae);
     if (!guest)
-      return base::Error{source, "", "too many grid coordinates for the oracle the guest is held against"};
+      return base::Error{source, "", "too many grid coordinates for the oracle that checks the guest"};
     sweep.guest_ = std::make_shared<const Guest>(std::move(*guest));
   }
   return sweep;
