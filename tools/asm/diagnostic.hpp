@@ -1,4 +1,4 @@
-// What an assembler has to say about a source: errors and warnings with their place, what was found, what was expected.
+// Diagnostics of an assembler: errors and warnings with their place, what was found, what was expected.
 #pragma once
 
 #include <span>

@@ -7,7 +7,7 @@
 //   $PRINT                         other lines with `$` in column 1, controls of the listing, are skipped;
 //                                  $INCLUDE(file) is an error: the directive is INCLUDE
 //   10 10D 0FFH 17O 17Q 1010B 0x3A $3A
-//   $                              the address of the statement; also `*`, where a value must stand
+//   $                              the address of the statement; also `*`, where a value is expected
 //   ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR
 //                                  16 bits, unsigned; true is 0FFFFH
 //   ORG EQU SET DB DW DS DC END
@@ -17,16 +17,16 @@
 //   REPT n, IRP p,<a,b>, IRPC p,text
 //   & <...> %expr ^c ;; NUL        in macros and their arguments
 //
-// Decisions where the assemblers differ or trap the unwary:
+// Decisions where the assemblers differ or are error-prone:
 // - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
-//   an expression is its opcode: MVI A,(RET). LXI HL and the like are taken for LXI H.
+//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are taken for LXI H and LXI D.
 // - A byte is -128 to 255; a pattern made by NOT may also have FF above it, in parentheses and by way of an
 //   EQU too (ANI NOT 80H).
 // - A lone string of any length is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
 //   4142H. DC adds 80H to the last character.
 // - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
 // - A second byte for one address draws a warning and replaces the first.
-// - END ends the file it stands in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but
+// - END ends the file it is in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but
 //   to use an external is an error: there is no linker.
 // - `!` in a comment belongs to the comment.
 // - A name of a directive is free as a label written with its colon. One that changes nothing (NAME, TITLE,
@@ -62,7 +62,7 @@ struct I8080Define {
 // "NAME=VALUE", VALUE a number as in a source, with a leading minus allowed; else "found ..., expected ...".
 [[nodiscard]] base::Result<I8080Define> parse_i8080_define(std::string_view text);
 
-// The text of a file, or nothing if it cannot be read. It is asked for the name in INCLUDE beside the
+// The text of a file, or empty if it cannot be read. It is asked for the name in INCLUDE beside the
 // including file first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.
 using IncludeReader = std::function<std::optional<std::string>(const std::string& path)>;
 

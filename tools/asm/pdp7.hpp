@@ -10,24 +10,19 @@
 // them). A word such as START or TEXT is a pseudo-operation only as the first word of a statement and not
 // before `,` or `=`.
 //
-// Decisions where the manuals leave room or trap the unwary:
+// Decisions where the manuals leave room or are error-prone:
 // - Numbers are one's complement: -1 is 777776 (Options::twos_complement for 777777). The difference of two
-// equal
-//   terms is +0; -0 is 777777. IFZERO takes both for zero.
+//   equal terms is +0; -0 is 777777. IFZERO takes both for zero.
 // - Microinstructions of one class (EAE, IOT, OPR) side by side are ORed, as the machine reads them; a sum
-// would make
-//   711101 of `spa cla`. Mixing skips of opposite sense warns: bit 1000 inverts all of them.
+//   would make 711101 of `spa cla`. Mixing skips of opposite sense warns: bit 1000 inverts all of them.
 // - What does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which
-// a plain
-//   sum would turn into an OPR), a step count above 77.
+//   a plain sum would turn into an OPR), a step count above 77.
 // - An undefined symbol is an error; `#x` or `x#` at one of its uses makes it a variable.
 //   Options::undefined_are_variables gives DEC's rule, under which a typing error is a variable.
 // - Literals are pooled by value. They are placed at CONSTANTS, variables at VARIABLES (in alphabetical
-// order), what is
-//   left at the end: literals, then variables.
+//   order), the rest at the end: literals, then variables.
 // - TEXT packs three characters of trimmed ASCII (lower case as upper) to a word, high first, filled up with
-// 00: the
-//   code of the Type 342. What follows START or PAUSE in a file is not read.
+//   00: the code of the Type 342. What follows START or PAUSE in a file is not read.
 // - -D NAME=VALUE wins over the source's own NAME=..., which so becomes its default.
 // Left out: the FORTRAN pseudo-operations EXTERNAL, INTERNAL, LIBFRM, and the Cambridge dialect.
 #pragma once

@@ -1,4 +1,4 @@
-// What a tape or an octal text leaves in core: words at 15-bit addresses, and where to start.
+// The core memory that a tape or an octal text loads: words at 15-bit addresses, and the start address.
 //
 // Sparse, because a loader writes only what it is given: a word that is absent keeps what core held before. A start
 // address belongs to the tape (a RIM tape ends with JMP start), not to core; the octal text has none.

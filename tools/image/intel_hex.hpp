@@ -1,4 +1,4 @@
-// Intel HEX, the form in which 8080 programs travelled as text (Intel, "Hexadecimal Object File Format",
+// Intel HEX, the text format of 8080 programs (Intel, "Hexadecimal Object File Format",
 // 1988).
 //
 //   :LLAAAATT<data>CC   LL data bytes at address AAAA, type TT, CC the two's complement of the sum of all

@@ -3,7 +3,7 @@
 // on it.
 //
 // RIM (read-in mode): pairs DAC address, data, then JMP start or HLT (P4-65). The loader sits in 17762-17776
-// and is started at 17770; it starts the reader once more before it obeys the last word, so one more word is
+// and is started at 17770; it starts the reader again before it executes the last word, so one more word is
 // punched after it. Only bank 0 can be addressed, and words 17762-17776 would overwrite the loader while it
 // runs.
 //

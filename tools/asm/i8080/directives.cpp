@@ -1,4 +1,4 @@
-// Directives that stand for themselves: data, location, symbols, files. Those that enclose lines are in
+// Directives of a single statement: data, location, symbols, files. Those that enclose lines are in
 // i8080_blocks.
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint8_t last_character_mark = 0x80;
 
-// A name in INCLUDE is relative to the file it stands in.
+// A name in INCLUDE is relative to the file it is in.
 std::string beside(std::string_view including, std::string_view name) {
   const std::size_t slash = including.find_last_of("/\\");
   if (slash == std::string_view::npos || name.starts_with('/')) return std::string(name);
@@ -185,7 +185,7 @@ void I8080Pass::include(bool library) {
   error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
 }
 
-// Where the file is among those read; nothing if it cannot be. Each is read once for all passes.
+// Where the file is among those read; empty if it cannot be. Each is read once for all passes.
 std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
   const auto known = program_.included.find(path);
   if (known != program_.included.end()) return known->second;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t word_mask = 0xFFFF;
 constexpr int deepest_nesting = 100;
 
-// Loosest first. NOT stands between AND and the relations and has one operand.
+// Loosest first. NOT is between AND and the relations and has one operand.
 constexpr int not_level = 2;
 constexpr int relation_level = 3;
 constexpr int sum_level = 4;
@@ -35,7 +35,7 @@ int precedence(Operator operation) {
     case Operator::mod:
     case Operator::shl:
     case Operator::shr: return tightest_level;
-    default: return -1;  // these stand before their operand
+    default: return -1;  // these precede their operand
   }
 }
 

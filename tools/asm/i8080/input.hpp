@@ -1,4 +1,4 @@
-// Where the lines of an 8080 assembly come from: files, and the expansions of macros and repeats inside them,
+// The sources of the lines of an 8080 assembly: files, and the expansions of macros and repeats inside them,
 // stacked.
 #pragma once
 

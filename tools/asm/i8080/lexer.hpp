@@ -2,7 +2,7 @@
 //
 // Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM), so is
 // a line number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment
-// that reaches to the end of the line: unlike CP/M ASM, `!` does not end it, because comments that shout are
+// that reaches to the end of the line: unlike CP/M ASM, `!` does not end it, because exclamation marks in comments are
 // more common.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Macros of the 8080 assembler as texts: bodies, arguments, and the replacing of names by texts.
 //
-// A name is replaced wherever it stands as a whole name outside strings and comments, inside a string only
-// next to `&`. One `&` on either side of it goes away: that joins the text to what stands there.
+// A name is replaced wherever it is a whole name outside strings and comments, inside a string only
+// next to `&`. One `&` on either side of it goes away: that joins the text to its neighbour.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct BodyLine {
   Position at;  // of its first character
 };
 
-// What stands between MACRO, REPT, IRP or IRPC and its ENDM.
+// The lines between MACRO, REPT, IRP or IRPC and its ENDM.
 struct Body {
   std::vector<BodyLine> lines;
   std::vector<std::string> locals;  // names, folded

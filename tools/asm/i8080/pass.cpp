@@ -208,7 +208,7 @@ void I8080Pass::warning(std::size_t at, std::string found, std::string expected)
   if (final_) say(Severity::warning, place(at), std::move(found), std::move(expected));
 }
 
-// Inside an expansion the place is that of the macro's text; where it was called stands behind.
+// Inside an expansion the place is that of the macro's text; the place of the call follows.
 std::string I8080Pass::where_from() const {
   std::string text;
   std::size_t shown = 0;

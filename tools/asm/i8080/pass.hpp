@@ -1,6 +1,6 @@
-// One reading of all 8080 sources. Layout passes settle the value of every symbol; they are repeated while an
-// EQU that refers forward still finds something out. Then one more pass makes the bytes, and only that one
-// speaks.
+// One reading of all 8080 sources. Layout passes compute the value of every symbol; they are repeated while an
+// EQU with a forward reference changes a value. Then a last pass makes the bytes, and only that pass
+// reports diagnostics.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ struct I8080Program {
 struct I8080Value {
   std::uint32_t bits = 0;
   bool known = true;
-  bool forward = false;  // not the same at its place in every pass: unfit for ORG and the like
+  bool forward = false;  // not the same at its place in every pass: unfit for ORG and others that need a value in pass 1
   bool pattern = false;  // made by NOT: as a byte, FF above it is no overflow
 };
 

@@ -43,7 +43,7 @@ class Pdp7Lexer {
   Pdp7Lexer(std::string_view text, std::size_t file) : text_(text), file_(file) {}
 
   [[nodiscard]] Token next();
-  // TEXT: what stands between the next character that is not blank and its second occurrence on the line. The token
+  // TEXT: the characters between the next character that is not blank and its second occurrence on the line. The token
   // is of kind name and spans the inside, or of kind bad if there is no such pair.
   [[nodiscard]] Token delimited();
   void skip_line();

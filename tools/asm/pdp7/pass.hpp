@@ -1,6 +1,6 @@
-// One reading of all sources. Layout passes settle what every symbol is and how many literals each pool holds; they
+// One reading of all sources. Layout passes compute every symbol and the number of literals in each pool; they
 // are repeated until nothing changes (a forward reference inside a literal needs a third one), then one more pass makes
-// the words. Only that last pass speaks, so that nothing is said twice.
+// the words. Only that last pass reports diagnostics, so that none is reported twice.
 #pragma once
 
 #include <cstdint>

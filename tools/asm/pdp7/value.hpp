@@ -1,4 +1,4 @@
-// Values of PDP-7 expressions: 18-bit arithmetic, and what an instruction does with its operand.
+// Values of PDP-7 expressions: 18-bit arithmetic, and the combination of an instruction with its operand.
 //
 // A value keeps the instruction part (head) and what is added to it (operand) apart until the expression is complete,
 // because only then can one say whether the operand fits the field that the instruction has for it.
