@@ -1,4 +1,4 @@
-# Reads the #include lines of emulators/, host/ and tools/ and holds them against the list below.
+# Reads the #include lines of emulators/, host/ and tools/ and compares them with the list below.
 # Each rule: a folder, then what its files may include from the repository. A folder may always include itself.
 # A file goes by the rule of the innermost folder that has one. FOLDER/* is each folder in it that has no rule of its own.
 cmake_minimum_required(VERSION 3.25)
@@ -96,7 +96,7 @@ foreach(rule IN LISTS RULES)
       endif()
       if(folder MATCHES "^emulators/" AND line MATCHES "<([^>]*)>")
         if(CMAKE_MATCH_1 IN_LIST FORBIDDEN_IN_EMULATORS)
-          string(APPEND problems "  ${source} includes <${CMAKE_MATCH_1}>: machines do without\n")
+          string(APPEND problems "  ${source} includes <${CMAKE_MATCH_1}>: not allowed in machines\n")
         endif()
       endif()
       foreach(library_rule IN LISTS LIBRARY_RULES)
