@@ -203,7 +203,7 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
   }
 }
 
-// A view that cannot be completed: its status, what there is of it on the screen, and the next view.
+// A view that cannot be completed: its status, the part of it on the screen, and the next view.
 class JonesStatus : public testing::TestWithParam<bool> {
  protected:
   void expect(Program program, Status status, std::size_t least_pieces) const {

@@ -1,4 +1,4 @@
-// What firmware/i8080/skala/SPECIFICATION.md says, said once more in plain C++ for the tests of the program's
+// What firmware/i8080/skala/SPECIFICATION.md says, written again in plain C++ for the tests of the program's
 // routines: one step after the other, signed numbers, no device and no time. It shares nothing with the
 // program but the page.
 #pragma once

@@ -1,5 +1,5 @@
-// Any bytes as a PDP-7 with a Type 340: how it is put together, its registers, its tape and keys, and what
-// stands in its core. It is run twice: once with nobody looking, in one piece; once with every cycle and
+// Any bytes as a PDP-7 with a Type 340: its configuration, its registers, its tape and keys, and the
+// words in its core. It is run twice: once without an observer, in one piece; once with every cycle and
 // flash watched, in many pieces. Both must end in the same state at the same instant, and what was watched
 // must keep the machine's laws.
 //
@@ -41,7 +41,7 @@ class Bytes {
   const std::uint8_t* end_;
 };
 
-// Members are in the order of the input's bytes; the number of bytes stands beside each.
+// Members are in the order of the input's bytes; the number of bytes is next to each.
 struct Header {
   explicit Header(Bytes& in)
       : machine(in.take(1)),

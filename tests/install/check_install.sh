@@ -82,7 +82,7 @@ if command -v pkg-config > /dev/null; then
   check_example "$work/pkg-config/i8080_hello"
 fi
 
-# The headers do without exceptions and run-time types, and read no streams, files, threads or clocks.
+# The headers do not use exceptions and run-time types, and read no streams, files, threads or clocks.
 find "$tree/include" -name '*.hpp' | sort | sed 's/.*/#include "&"/' > "$work/all.cpp"
 quietly "$cxx" -std=c++20 -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only "$work/all.cpp"
 heavy=$("$cxx" -std=c++20 -M "$work/all.cpp" | tr -s ' ' '\n' |

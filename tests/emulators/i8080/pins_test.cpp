@@ -1,4 +1,4 @@
-// INT, READY and HOLD against the gate-level model: random programs, every pin at the end of every T-state.
+// INT, READY and HOLD, compared with the gate-level model: random programs, every pin at the end of every T-state.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -159,7 +159,7 @@ TEST(UnwatchedDisplay, AgreesWithTheWatchedOneAtEveryTouch) {
   EXPECT_GT(flashes, tests::effort(10'000U, 1500U));
 }
 
-// Any words, started anew twenty times a file.
+// Any words, started again twenty times per file.
 TEST(Display, RandomWordsNeitherHangNorLeaveTheScreen) {
   Random random(7);
   CountFlashes sink;
