@@ -4,12 +4,19 @@
 # that it names with -o or > must not be empty. Two kinds are tried without their work: of `ninja` that the targets exist, of
 # `ctest` that the filter finds tests. What not_run.txt lists is not run; what is neither run nor listed is an error.
 #
-#   run_commands.sh TEXT BINARY REPOSITORY BUILD_FOLDER
+#   run_commands.sh TEXT BINARY REPOSITORY BUILD_FOLDER [LEAST PICTURES]
+#
+# Of a page of the manual: LEAST is the least number of commands it must have; its other indented lines are examples of what
+# files hold. PICTURES is a folder of approved pictures: each that the page shows as pictures/NAME is one of them, and the
+# commands must make a file NAME of the same bytes. SIGHTLINE_APPROVE=1 replaces the approved ones by those that were made;
+# look at them before you commit them.
 set -u
 text=$1
 binary=$2
 repository=$3
 build=$4
+least=${5:-1}
+pictures=${6:-}
 list=$(cd "$(dirname "$0")" && pwd)/not_run.txt
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -45,7 +52,11 @@ while read -r line; do
     build/release/host/app/sightline\ *) command=${line#build/release/host/app/} ;;
     ninja\ -C\ build/release\ *) command="ninja -n -C $build ${line#ninja -C build/release }" ;;
     ctest\ --test-dir\ build/re*) command="ctest --test-dir $build -N ${line#ctest --test-dir build/re* } | grep 'Total Tests: [1-9]'" ;;
-    *) fail "$line" "is neither a known kind of command nor in tests/readme/not_run.txt"; continue ;;
+    *)
+      [ -n "$pictures" ] && continue
+      fail "$line" "is neither a known kind of command nor in tests/readme/not_run.txt"
+      continue
+      ;;
   esac
   run=$((run + 1))
   touch before
@@ -60,6 +71,20 @@ while read -r line; do
     [ -s "$output" ] || fail "$line" "leaves $output empty, or does not write it"
   done
 done < commands
-if [ "$run" -eq 0 ]; then fail "$text" "has no command that can be run: is its form another?"; fi
+rm -f before
+if [ "$run" -lt "$least" ]; then fail "$text" "has $run commands that can be run, expected at least $least: is its form another?"; fi
+if [ -n "$pictures" ]; then
+  grep -oE '"pictures/[^"]+"|\(pictures/[^)]+\)' "$text" | sed 's/^.pictures.//; s/.$//' | sort -u > shown
+  while read -r picture; do
+    made=$(find . -name "$picture" -type f | head -1)
+    if [ -z "$made" ]; then
+      fail "$picture" "is shown, but no command makes it"
+    elif [ "${SIGHTLINE_APPROVE:-}" = 1 ]; then
+      cp "$made" "$pictures/$picture"
+    elif ! cmp "$made" "$pictures/$picture"; then
+      fail "$picture" "is another than the commands make; SIGHTLINE_APPROVE=1 replaces it, after a look"
+    fi
+  done < shown
+fi
 echo "$text: $run commands run, $listed not"
 exit $failed

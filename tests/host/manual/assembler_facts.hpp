@@ -1,0 +1,16 @@
+// Sections on the assemblers: their words, and what they refuse with the message that they give.
+#pragma once
+
+#include <string>
+
+#include "host/base/result.hpp"
+
+namespace sightline::manual {
+
+[[nodiscard]] base::Result<std::string> pdp7_refused();
+[[nodiscard]] base::Result<std::string> i8080_refused();
+// From the source of the assembler, because its tables are not in a header. An error names a word without description.
+[[nodiscard]] base::Result<std::string> pdp7_pseudo_operations(const std::string& source);
+[[nodiscard]] base::Result<std::string> i8080_directives(const std::string& source);
+
+}  // namespace sightline::manual
