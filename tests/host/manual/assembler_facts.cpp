@@ -13,7 +13,7 @@
 namespace sightline::manual {
 namespace {
 
-// A source of one to three lines; `\n` is shown as " / " would be misread, so each line has its own code mark.
+// A source of one or more lines, and why it is refused. The manual shows each line as code of its own.
 struct Refused {
   std::string_view source;
   std::string_view why;
@@ -52,7 +52,8 @@ base::Result<std::string> refused(const auto& cases, Assemble assemble) {
 }
 
 constexpr std::array pdp7_cases{
-    Refused{"lac nowhere", "an undefined name is most often a typing error; `--undefined-are-variables` gives DEC's rule"},
+    Refused{"lac nowhere",
+            "an undefined name is most often a typing error; `--undefined-are-variables` gives DEC's rule"},
     Refused{"lac 8", "numbers are octal; DECIMAL reads 8 and 9"},
     Refused{"1000000", "a word has 18 bits"},
     Refused{"law -3", "the sum would be no LAW: write `lam -2` or `law 17775`"},

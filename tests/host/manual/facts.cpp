@@ -28,9 +28,18 @@ Text read(const std::string& root, const std::string& path) {
   return text;
 }
 
-Text source(const std::string& root, const std::string& path) {
+// "PATH", or "PATH from WORD": the file from the line that begins with WORD.
+Text source(const std::string& root, const std::string& what) {
+  constexpr std::string_view from = " from ";
+  const std::string path = what.substr(0, what.find(from));
   auto text = read(root, path);
   if (!text) return text;
+  if (path.size() < what.size()) {
+    const std::string word = what.substr(path.size() + from.size());
+    const std::size_t line = text.value().find("\n" + word);
+    if (line == std::string::npos) return base::Error{.file = path, .found = "no line that begins with " + word};
+    text = text.value().substr(line + 1);
+  }
   const std::string language = path.ends_with(".cpp") ? "cpp" : path.ends_with(".txt") ? "cmake" : "";
   return "```" + language + "\n" + text.value() + "```\n";
 }
@@ -87,6 +96,7 @@ const std::map<std::string, std::function<Text(const std::string& root)>, std::l
       {"type340-modes", plain(type340_modes)},
       {"type340-times", plain(type340_times)},
       {"type340-codes", plain(type340_codes)},
+      {"i8080-effects", plain(i8080_effects)},
       {"i8080-instructions", plain(i8080_instructions)},
       {"i8080-ports", plain(i8080_ports)},
       {"ef9365-status", plain(ef9365_status)},
@@ -124,7 +134,7 @@ Text section(std::string_view name, const std::string& root) {
     return type340_words(static_cast<std::size_t>(name.back() - '0'));
   const auto found = sections().find(name);
   if (found != sections().end()) return found->second(root);
-  std::string names = "source PATH, type340-word-0 to type340-word-7";
+  std::string names = "source PATH, source PATH from WORD, type340-word-0 to type340-word-7";
   for (const auto& [known, make] : sections()) names += ", " + known;
   return base::Error{.found = "section \"" + std::string(name) + "\"", .expected = "one of " + names};
 }

@@ -5,6 +5,7 @@
 
 namespace sightline::manual {
 
+[[nodiscard]] std::string i8080_effects();
 [[nodiscard]] std::string i8080_instructions();
 [[nodiscard]] std::string i8080_ports();
 [[nodiscard]] std::string ef9365_status();

@@ -185,7 +185,8 @@ std::string type340_codes() {
   };
   table.row({"00", "nothing; takes no room"});
   table.row({fmt::format("01-{:02o}", 032), "A to Z; after shift out a to z"});
-  row(c::line_feed, fmt::format("line feed: {} dark steps down (decimal)", type340::path_of(c::line_feed, false).size()));
+  row(c::line_feed,
+      fmt::format("line feed: {} dark steps down (decimal)", type340::path_of(c::line_feed, false).size()));
   row(c::carriage_return, "carriage return: X = 0");
   row(c::shift_in, "shift in: capital letters");
   row(c::shift_out, "shift out: small letters");
