@@ -110,14 +110,13 @@ void add_report_command(const Command& app) {
   command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command
       .option("--cache", arguments->cache,
-              "Folder where events of turning scenes are kept for the next report; what is there and is of "
-              "no use is made anew")
+              "Folder where events of rotating scenes are kept for the next report; unusable files are rebuilt")
       .default_value("cache in the report's folder")
       .value("DIR");
   command.flag("--full", arguments->full, "Measure longer, where that makes figures better");
   command.flag("--no-host-times", arguments->no_host_times,
                "Leave out times of this computer: the same bytes in every run");
-  command.flag("-q,--quiet", arguments->quiet, "No progress, no talk");
+  command.flag("-q,--quiet", arguments->quiet, "No progress and no summary");
   command.run([arguments] { return run_report(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-// The last part of `sightline demo`: what both machines drew, held against the oracles and beside the native
+// The last part of `sightline demo`: what both machines drew, compared with the oracles and beside the native
 // algorithms.
 #pragma once
 

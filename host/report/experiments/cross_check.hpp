@@ -6,7 +6,7 @@
 
 namespace sightline::report {
 
-// Adds what there is to say of one scene: to cells, failures, scenes and pictures.
+// Adds the records of one scene: to cells, failures, scenes and pictures.
 void add_cross_check(Records& records, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement);
 
 }  // namespace sightline::report

@@ -46,7 +46,7 @@ scene::CellComplex decomposed(const scene::PolyScene& scene) {
   return *std::move(cut);
 }
 
-// A house beside a building, ready to be looked at. Stays where it is, since views point into it.
+// A house beside a building, ready for views. Stays where it is, since views point into it.
 struct Building {
   explicit Building(std::size_t rooms_a_side)
       : Building(rooms_a_side, scene::generate_house_beside(rooms_a_side)) {}

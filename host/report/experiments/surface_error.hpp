@@ -1,4 +1,4 @@
-// Pictures of surfaces held against a finer picture of the same surface: dots on a square raster, or vectors.
+// Pictures of surfaces compared with a finer picture of the same surface: dots on a square raster, or vectors.
 //
 // The picture's coordinates c run from 0 to 255, as Skala's do. On a raster of n by n dots, the middle of the
 // dots is the middle of the picture, and n dots are 256 units: c = 127.5 + (i - (n - 1) / 2) * 256 / n. That
@@ -26,7 +26,7 @@ struct SurfaceError {
   double usual = 0;      // exceeded by one sample in a thousand
 };
 
-// What other pictures of the same view are held against.
+// The picture with which others of the same view are compared.
 class FinePicture {
  public:
   explicit FinePicture(picture::VectorDrawing drawing);

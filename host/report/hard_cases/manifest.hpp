@@ -74,7 +74,7 @@ struct HardCase {
   std::vector<std::string> run;  // methods
   MethodOptions options;
   std::vector<scene::PolyCamera> cameras;         // none: the scene's own
-  bool turn = false;                              // looked at from all sides around the vertical
+  bool turn = false;                              // seen from all sides around the vertical
   std::string baseline = "oracle";                // line algorithm whose pictures are right
   std::vector<algorithms::oracle::Chain> chains;  // what commands (.txt) draw, nearest first by depth
   Expectation expect;

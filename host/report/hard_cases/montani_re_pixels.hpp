@@ -1,4 +1,4 @@
-// Rasters of faces for Montani and Re's stripes, and the truth they are held against: the face met first by
+// Rasters of faces for Montani and Re's stripes, and the correct ones: the face met first by
 // the exact sight line through the middle of each pixel. Frames are chosen so that these sight lines have
 // integer directions. Values of a grid: number of the face over all bodies + 1, 0 where there is none.
 #pragma once

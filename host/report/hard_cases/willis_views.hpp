@@ -1,4 +1,4 @@
-// Pictures of faces in Willis's order, held against the nearest face of every point (host/algorithms/oracle).
+// Pictures of faces in Willis's order, compared with the nearest face of every point (host/algorithms/oracle).
 //
 // Views are square, 90 degrees wide and high, of cameras whose vectors have one length, so that the sight
 // line of every point is one of integers.
@@ -37,7 +37,7 @@ struct FaceErrors {
   [[nodiscard]] double inside_per_cent() const;  // PMR of the interior
 };
 
-// What pictures are held against, found once.
+// The correct faces of some views, found once.
 class TrueFaces {
  public:
   TrueFaces(const scene::PolyScene& scene, std::vector<scene::PolyCamera> cameras, int size);

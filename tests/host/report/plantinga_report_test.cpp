@@ -41,19 +41,19 @@ TEST_F(PlantingaCache, KeepsListsAndMakesAnewWhatIsOfNoUse) {
   const base::Bytes good = bytes();
   EXPECT_TRUE(study().from_cache);
   EXPECT_EQ(native::encode_events(study().list), good);
-  const auto made_anew = [&](const base::Bytes& found) {
+  const auto rebuilt = [&](const base::Bytes& found) {
     EXPECT_TRUE(base::write_file_atomically(file(), std::span(found)));
     EXPECT_FALSE(study().from_cache);
     EXPECT_EQ(bytes(), good);
   };
   base::Bytes damaged = good;
   damaged[good.size() / 2] ^= 1;
-  made_anew(damaged);
-  made_anew(base::Bytes(good.begin(), good.begin() + 100));
-  made_anew({});
+  rebuilt(damaged);
+  rebuilt(base::Bytes(good.begin(), good.begin() + 100));
+  rebuilt({});
   native::EventList of_another = study().list;
   of_another.fingerprint ^= 1;
-  made_anew(native::encode_events(of_another));
+  rebuilt(native::encode_events(of_another));
 }
 
 TEST_F(PlantingaCache, IsNotNeeded) {
