@@ -101,7 +101,8 @@ int main(int argc, char** argv) {
     }
   }
   if (count == 0) return complain("no generated section in these files");
-  if (different != 0) return complain("rewrite them with `ninja write_manual` in the build folder, and read the change");
+  if (different != 0)
+    return complain("rewrite them with `ninja write_manual` in the build folder, and read the change");
   std::printf("%d generated sections\n", count);
   return 0;
 }
