@@ -83,7 +83,7 @@ class SkalaMachine {
     return configuration;
   }
 
-  // Runs to the halt; the status, or empty if it does not end.
+  // Runs to the halt; the status; empty if it does not end.
   std::optional<std::uint8_t> run() {
     machines::I8080Limits limits;
     limits.until = core::at_t_state(100'000'000'000);

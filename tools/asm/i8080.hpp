@@ -62,7 +62,7 @@ struct I8080Define {
 // "NAME=VALUE", VALUE a number as in a source, with a leading minus allowed; else "found ..., expected ...".
 [[nodiscard]] base::Result<I8080Define> parse_i8080_define(std::string_view text);
 
-// The text of a file, or empty if it cannot be read. It is asked for the name in INCLUDE beside the
+// The text of a file; empty if it cannot be read. It is asked for the name in INCLUDE beside the
 // including file first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.
 using IncludeReader = std::function<std::optional<std::string>(const std::string& path)>;
 

@@ -139,7 +139,7 @@ struct Assembled {
   std::string symbol_table;
 };
 
-// The text of a file, or empty if it cannot be read.
+// The text of a file; empty if it cannot be read.
 using TextReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 struct Assembler {

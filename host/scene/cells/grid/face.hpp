@@ -16,7 +16,7 @@ struct GridFace {
   std::vector<geometry::Rectangle> rectangles;  // disjoint; together the face without its holes
 };
 
-// The axis of a face's normal, or empty if it lies in no plane x, y or z = constant.
+// The axis of a face's normal; empty if it lies in no plane x, y or z = constant.
 [[nodiscard]] std::optional<std::size_t> grid_axis_of(const PolyScene& scene, const PolyFace& face);
 
 // Every side of the face is parallel to an axis.
