@@ -1,8 +1,8 @@
 // Times of the EF9365 board, all in one place.
 //
 // The chip's clock is 1.75 MHz, 112 of its periods make a line of 64 us. The data sheet is not
-// available: values marked "chosen" are plausible for a board of the time, and programs here are measured
-// against.
+// available: values marked "chosen" are plausible for a board of the time. Measured times of programs depend
+// on them.
 #pragma once
 
 #include <cstdint>

@@ -64,7 +64,7 @@ struct Registers {
     clear_edges();
   }
 
-  // IDLA: everything but position, scale, intensity and the buffer is cleared.
+  // IDLA: everything but position, scale, intensity and the buffer is initialised.
   void initiate(std::uint16_t start) {
     save = false;
     escape();
