@@ -74,7 +74,7 @@ struct TableLayout {
   std::vector<CardPicture> cards = {};
 };
 
-// A claim of a paper, and the figures here that stand beside it.
+// A claim of a paper, and the measured figures shown with it.
 struct ClaimRow {
   std::string claim;  // "PAPER.CLAIM" of papers.json
   std::string place;  // in the data file, for errors

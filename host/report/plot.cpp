@@ -44,7 +44,7 @@ std::string label_in_data(std::string text) {
   return "\"" + text + "\"";
 }
 
-// Where 0 stands on a logarithmic axis: nothing if no point is there.
+// The place of 0 on a logarithmic axis; empty if no point has it.
 std::optional<double> place_of_zero(const Plot& plot, const Axis& axis, double PlotPoint::*value) {
   if (!axis.logarithmic) return std::nullopt;
   bool found = false;
@@ -77,7 +77,7 @@ std::optional<double> drawn_value(double value, const Axis& axis, std::optional<
 constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                   "#000000", "#E69F00", "#56B4E9"};
 
-// And curves are told apart without colour: by dashes, of which gnuplot has five, and by points.
+// And curves are distinguished without colour: by dashes, of which gnuplot has five, and by points.
 constexpr std::size_t dash_types = 5;
 constexpr std::size_t point_types = 13;
 constexpr std::size_t first_point_type = 4;

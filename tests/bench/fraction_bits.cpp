@@ -34,7 +34,7 @@ struct Views {
   int left_out = 0;              // eyes that the program refuses, and views that do not fit
 };
 
-// Nothing if a build cannot complete the view, or nothing is visible.
+// False if a build cannot complete the view, or no line is visible.
 bool measure(const scene::CellScene& scene, const geometry::Point& eye, Views& views) {
   const auto study = jones::PrecisionStudy::of(scene, std::array<geometry::Point, 1>{eye});
   if (!study) return false;

@@ -365,7 +365,7 @@ std::vector<std::size_t> dumped_registers(const MachineDescription& description)
   return numbers;
 }
 
-// Nothing unless it has all the digits of `bits` bits and is within them.
+// Empty if the word does not have all the digits of `bits` bits, or is larger.
 std::optional<std::uint32_t> dump_number(const MachineDescription& description, std::string_view word, unsigned bits) {
   if (word.size() != digits(description, 0, bits).size()) return std::nullopt;
   const auto value = base::unsigned_number(word, description.radix);

@@ -53,7 +53,7 @@ struct SkalaOrder {
   guests::skala::PictureKind picture = guests::skala::PictureKind::lines;
   scene::GridSize size{33, 60};
   double rotation = 30;
-  bool compare_plain = false;  // run once more without the visibility test
+  bool compare_plain = false;  // run again without the visibility test
 };
 
 struct SkalaRun {

@@ -62,7 +62,7 @@ std::optional<StudyTimes> read_times(const std::string& path) {
   return times;
 }
 
-// Nothing if any of what is wanted is not there or not as it should be.
+// False if a file is missing or is not of this model.
 bool read_cache(const Context& context, const CacheFiles& files, StudiedModel& studied) {
   auto list = native::read_events(files.events, studied.model);
   if (!list || list->tolerance != 0) return false;

@@ -385,7 +385,7 @@ std::size_t longest_axis(const SceneSegment& segment) {
   return longest;
 }
 
-// The coordinate from + s (to - from); nothing if the fraction is too long to be held.
+// The coordinate from + s (to - from); empty if the fraction is too long.
 std::optional<geometry::Rational> coordinate(std::int64_t from, std::int64_t to,
                                              const geometry::Rational& s) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();

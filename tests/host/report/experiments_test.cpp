@@ -285,7 +285,7 @@ TEST(ReportRun, PartsAreKindsOfChapters) {
   EXPECT_GE(findings, 8U);
 }
 
-// Every case that is run has a picture of what is right, where there is a picture at all; a wrong one stands beside it.
+// Every case that is run has a picture of what is right, where there is a picture at all; a wrong one has its own.
 TEST(Experiments, HardCasesHavePictures) {
   const RowSet& runs = set("hard-cases", "runs");
   std::set<std::string> without;
