@@ -1,6 +1,9 @@
 // `sightline demo`: both machines on everything they come with, as a table and as JSON. Each run takes seconds.
+#include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
 
 #include "tests/host/app/command_line.hpp"
 
@@ -26,6 +29,26 @@ TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
   for (const char* text : {"Jones 1971 on the PDP-7", "a few seconds", "Skala 1985 on the 8080", "about 2 s",
                            "about 15 %", "CalComp 565"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
+  // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
+  // of the point.
+  struct {
+    double added = 0, point = 0;
+    char function[32] = "";
+  } least, most;
+  const std::string line = ran.out.substr(std::min(ran.out.find("Why not"), ran.out.size()));
+  ASSERT_EQ(std::sscanf(line.c_str(),
+                        "Why not 15 %%: the test adds %lf T-states to the %lf of a point of %31s (%*f %% are hidden, not drawn), "
+                        "%lf to the %lf of %31s",
+                        &least.added, &least.point, least.function, &most.added, &most.point, most.function),
+            6)
+      << ran.out;
+  for (const auto& said : {least, most}) {
+    double percent = 0;
+    const std::size_t row = ran.out.find(std::string("\n") + said.function);
+    ASSERT_NE(row, std::string::npos) << said.function;
+    ASSERT_EQ(std::sscanf(ran.out.c_str() + row, " %*s %*f %lf %%", &percent), 1) << ran.out;
+    EXPECT_NEAR(said.added / said.point, percent / 100, 0.015) << said.function;
+  }
   for (const char* name : {"sinc", "rogers", "peaks", "franke", "saddle", "cosr", "step", "rosen"}) {
     EXPECT_TRUE(has(ran.out, std::string("\n") + name));
     for (const char* picture : {"-lines.png", "-surface.png", "-contours.png"})

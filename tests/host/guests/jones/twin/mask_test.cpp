@@ -61,7 +61,7 @@ double doubled_area(std::span<const ScreenPoint> ring) {
 
 TEST(JonesClip2, CutsAtTheWindow) {
   Operations operations;
-  const auto piece = clip2(mask_of(Window()), {{-2000, 0}, {2000, 500}}, operations);
+  const auto piece = clip2(mask_of(window_of(Pass::mono, 512, 1)), {{-2000, 0}, {2000, 500}}, operations);
   // y = 500 * 976 / 4000 = 122; then 122 + 378 * 2046 / 3024 = 377.75
   EXPECT_EQ(piece, (ScreenSegment{{-1024, 122}, {1022, 378}}));
   EXPECT_EQ(operations.line_box.muldivs, 2U);
