@@ -11,7 +11,6 @@ namespace sightline::report {
 
 namespace {
 
-
 // One value for each pixel, the bottom row of the grid last.
 template <class Value>
 picture::Image greys(int width, int height, Value value) {
