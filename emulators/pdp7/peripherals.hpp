@@ -193,6 +193,7 @@ class Peripherals {
   void keyboard_pulses(std::uint32_t word, IotReply& reply, std::uint32_t elsewhere) {
     if (present_.teletype) {
       test(word, keyboard.flag(), reply);
+      if ((word & 01U) != 0 && !keyboard.flag()) keyboard.ask();
       if ((word & 02U) != 0) {
         collect(reply, keyboard.buffer());
         keyboard.clear_flag();

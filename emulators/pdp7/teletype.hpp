@@ -21,9 +21,12 @@ class Keyboard {
 
   // Someone presses a key (7-bit code) at `when`, not before any key already pressed; it is in the buffer one
   // character time later.
-  void press(core::Instant when, std::uint8_t code) {
+  void press(core::Instant when, std::uint8_t code) { send(when, static_cast<std::uint8_t>(code | 0200U)); }
+  // The same for a terminal that is no KSR 33: the eight bits as they are.
+  void send(core::Instant when, std::uint8_t code) {
     const core::Instant line_free = keys_.empty() ? when : keys_.back().arrives;
-    keys_.push_back({std::max(when, line_free) + character_, static_cast<std::uint8_t>(code | 0200U)});
+    keys_.push_back({std::max(when, line_free) + character_, code});
+    asked_ = false;
   }
 
   void advance(core::Instant now) {
@@ -40,6 +43,12 @@ class Keyboard {
   void clear_flag() { flag_ = false; }
   [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
 
+  // A skip test that found the flag down: the program waits for a key.
+  void ask() { asked_ = true; }
+  [[nodiscard]] bool asked() const { return asked_; }
+  // Every key pressed has been sent and read.
+  [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
+
  private:
   struct Key {
     core::Instant arrives;
@@ -51,6 +60,7 @@ class Keyboard {
   std::size_t next_ = 0;
   std::uint8_t buffer_ = 0;
   bool flag_ = false;
+  bool asked_ = false;  // since the last key was pressed
 };
 
 class Printer {

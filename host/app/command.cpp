@@ -32,11 +32,12 @@ base::Bytes read_stdin() {
 
 }  // namespace
 
+// A terminal that is gone is no failure of the command: its files are still to be put in their places.
 void complain(std::string_view text) {
-  fmt::print(stderr, "sightline: {}\n", text);
+  static_cast<void>(std::fputs(fmt::format("sightline: {}\n", text).c_str(), stderr));
 }
 void warn(std::string_view text) {
-  fmt::print(stderr, "sightline: warning: {}\n", text);
+  complain("warning: " + std::string(text));
 }
 
 std::string shown_name(const std::string& path) {

@@ -319,6 +319,11 @@ template Option Command::option(const std::string&, std::optional<std::size_t>&,
 template Option Command::option(const std::string&, std::vector<std::string>&, std::string_view) const;
 template Option Command::option(const std::string&, std::vector<int>&, std::string_view) const;
 
+Option Command::in_order(const std::string& names, std::function<void(const std::string&)> each,
+                         std::string_view help) const {
+  return Option(app_->add_option_function<std::string>(names, each, std::string(help))->trigger_on_parse());
+}
+
 Option Command::flag(const std::string& names, bool& variable, std::string_view help) const {
   return Option(app_->add_flag(names, variable, std::string(help)));
 }

@@ -86,6 +86,9 @@ class Command {
   template <class Value>
   Option option(const std::string& names, Value& variable, std::string_view help) const;
   Option flag(const std::string& names, bool& variable, std::string_view help) const;
+  // An option that may be given several times: `each` has its values in the order of the command line, also among those of
+  // other such options.
+  Option in_order(const std::string& names, std::function<void(const std::string&)> each, std::string_view help) const;
   // A flag that says what is so without it.
   Option flag(const std::string& names, std::string_view help) const;
   // An option that was added before.

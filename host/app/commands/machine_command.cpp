@@ -10,12 +10,17 @@ namespace {
 using guests::run::Arguments;
 using guests::run::OptionKind;
 
-Option add(const Command& command, const guests::run::Option& option, Arguments::Value& value) {
+Option add(const Command& command, const guests::run::Option& option, Arguments& arguments) {
+  Arguments::Value& value = arguments.value(option.key());
   switch (option.kind) {
     case OptionKind::flag:
       // One that is only there to be said has nothing to set.
       return command.flag(option.name, value.flag, option.help);
     case OptionKind::list: return command.option(option.name, value.list, option.help).one_at_a_time();
+    case OptionKind::step:
+      return command.in_order(
+          option.name, [&arguments, key = option.key()](const std::string& text) { arguments.add_step(key, text); },
+          option.help);
     case OptionKind::files: return command.option(option.name, value.list, option.help);
     case OptionKind::positions: return command.option(option.name, value.list, option.help).required();
     case OptionKind::position: return command.option(option.name, value.text, option.help).required();
@@ -34,7 +39,7 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
   const Command command = parent.add_command(std::string(name), help);
   const auto arguments = std::make_shared<Arguments>(options);
   for (const guests::run::Option& option : options) {
-    const Option added = add(command, option, arguments->value(option.key()));
+    const Option added = add(command, option, *arguments);
     const std::vector<std::string> choices(option.choices.begin(), option.choices.end());
     if (!choices.empty())
       static_cast<void>(option.any_case ? added.one_of_any_case(choices) : added.one_of(choices));

@@ -1,4 +1,7 @@
 // `sightline run`: any program on an emulated machine, with the devices it asks for.
+#include <fmt/core.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <list>
 #include <optional>
@@ -9,6 +12,8 @@
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
+#include "host/base/terminal.hpp"
+#include "host/live/console.hpp"
 
 namespace sightline::app {
 
@@ -30,7 +35,7 @@ class RunOutputs {
     for (const guests::run::Option& option : description.options) {
       if (option.kind != OptionKind::output && option.kind != OptionKind::stream) continue;
       std::string path = arguments.text(option.key());
-      if (path.empty() && !json && arguments.given(option.stdout_with)) {
+      if (path.empty() && !json && !arguments.given("--console") && arguments.given(option.stdout_with)) {
         path = "-";
         stdout_twice = "-: standard output has " + std::string(option.content) + "; " + option.name +
                        " FILE puts that elsewhere";
@@ -40,6 +45,8 @@ class RunOutputs {
     std::vector<NamedOutput> named;
     for (File& file : files_) named.push_back({&file.path, &file.output});
     uses_stdout_ = open_outputs(named, json, stdout_twice);
+    if (uses_stdout_ && arguments.given("--console"))
+      throw Failure(ExitCode::usage, "--console needs standard output; an output cannot be `-`");
   }
 
   // The streams go to their files; this object outlives the run.
@@ -85,18 +92,44 @@ guests::run::Stop run_to_stop(const guests::run::Prepared& prepared) {
       });
 }
 
+struct Ended {
+  guests::run::Stop stop;
+  int signal = 0;  // that ended it
+};
+
+// A person at a terminal, a pipe, or a script. What the program prints goes to standard output, with --json to standard
+// error.
+Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arguments) {
+  const bool terminal = base::stdin_is_terminal();
+  const live::ConsoleOptions options = accepted(live::console_options(arguments, terminal));
+  const bool person = terminal && options.script.empty();
+  const base::EndSignals signals;
+  std::optional<base::RawTerminal> raw;
+  if (person) {
+    static_cast<void>(std::fputs("Ctrl-E ends the run.\n", stderr));
+    raw.emplace();
+  }
+  const auto operator_ = live::standard_operator(
+      arguments.given("--json") ? STDERR_FILENO : STDOUT_FILENO, person);
+  guests::run::Stop stop = live::run_console(*prepared.machine, prepared.limits, options, *operator_);
+  if (person) static_cast<void>(base::write_now(STDERR_FILENO, "\r\n"));
+  return {std::move(stop), base::EndSignals::received()};
+}
+
 ExitCode run(const MachineDescription& description, const Arguments& arguments) {
   const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
   outputs.attach(machine);
-  const guests::run::Stop stop = run_to_stop(prepared);
+  const bool console = arguments.given("--console");
+  const Ended ended = console ? run_on_console(prepared, arguments) : Ended{run_to_stop(prepared)};
+  const guests::run::Stop& stop = ended.stop;
   for (const std::string& warning : machine.warnings()) warn(warning);
   outputs.write(description, machine);
   if (arguments.given("--json")) {
     print_json(json_report(description, machine, stop));
-  } else if (!outputs.uses_stdout()) {
+  } else if (!outputs.uses_stdout() && !console) {
     write_stdout(table_report(description, machine, stop));
   } else {
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
@@ -104,6 +137,10 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
   if (stop.name == guests::run::interrupted) {
     complain("stopped by Ctrl-C; all outputs hold what was done so far");
     return ExitCode::interrupted;
+  }
+  if (ended.signal != 0) {
+    complain(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
+    return static_cast<ExitCode>(128 + ended.signal);
   }
   if (stop.complaint.empty()) return ExitCode::ok;
   complain(stop.complaint);

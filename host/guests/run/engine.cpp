@@ -228,9 +228,37 @@ const Arguments::Value& Arguments::find(std::string_view key) const {
   return found == values_.end() ? none : found->second;
 }
 
+void Arguments::add_step(std::string_view option, const std::string& text) {
+  value(option).flag = true;
+  steps_.push_back({std::string(option), text});
+}
+
 bool Arguments::given(std::string_view key) const {
   const Value& value = find(key);
   return value.flag || !value.text.empty() || !value.list.empty();
+}
+
+std::vector<Option> console_options(std::string_view device) {
+  return {{.name = "--console",
+           .argument = "MODE",
+           .help = fmt::format("{} is your terminal, or standard input and output; MODE is what its keys send: ascii, "
+                               "parity, unix or upper",
+                               device)},
+          {.name = "--speed",
+           .argument = "real|max|N",
+           .help = "Run in real time, as fast as possible, or N times as fast as the machine; needs --console",
+           .shown_initial = "real at a terminal, else max",
+           .needs = "--console"},
+          {.kind = OptionKind::step,
+           .name = "--expect",
+           .argument = "PRINTED",
+           .help = "Wait until the program has printed this; --expect and --send in the order of the session",
+           .needs = "--console"},
+          {.kind = OptionKind::step,
+           .name = "--send",
+           .argument = "KEYS",
+           .help = "Type this as the program asks for keys",
+           .needs = "--console"}};
 }
 
 Result<std::uint32_t> number_argument(std::string_view option, std::string_view text, int radix,

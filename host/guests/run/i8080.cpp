@@ -7,6 +7,7 @@
 #include <array>
 #include <bitset>
 #include <cstdlib>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -376,7 +377,7 @@ class I8080Run final : public Machine {
   }
 
   void take(std::string_view option, TextTaker taker) override {
-    if (option == "--console") {
+    if (option == "--console-out") {
       console_ = std::move(taker);
     } else if (option == "--strokes") {
       plotter_.take(std::move(taker));
@@ -387,6 +388,7 @@ class I8080Run final : public Machine {
 
   // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
+    if (waiting_ && !finish_waiting()) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
         asked ? std::min(limit, processor_->now() + time_between_questions) : limit;
@@ -395,7 +397,7 @@ class I8080Run final : public Machine {
       case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case machines::I8080StopReason::time_limit:
         if (processor_->now() < limit) return std::nullopt;
-        return Stop{"state_limit", {}};
+        return Stop{"state_limit", {}, true};
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
         return call ? answer(*call) : unanswered();
@@ -409,10 +411,20 @@ class I8080Run final : public Machine {
     plotter_.finish();
   }
 
+  void type(std::uint8_t code) override {
+    keys_.push_back(code);
+    asked_ = false;
+  }
+  [[nodiscard]] bool wants_key() const override { return keys_.empty() && (waiting_ || asked_); }
+  [[nodiscard]] bool waits_for_key() const override { return keys_.empty() && waiting_; }
+  [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
+
   [[nodiscard]] std::uint64_t instructions() const override { return processor_->instructions(); }
   [[nodiscard]] core::Instant now() const override {
     return setup_.machine.clock.to_nanoseconds(processor_->now());
   }
+  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(processor_->now()); }
+  [[nodiscard]] std::int64_t ticks_a_second() const override { return setup_.machine.clock.hertz; }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const core::ClockRate clock = setup_.machine.clock;
@@ -480,7 +492,7 @@ class I8080Run final : public Machine {
     });
     if (console_left_out_ != 0) {
       warnings.push_back(
-          fmt::format("the report's \"console\" lacks the last {} bytes printed; --console FILE takes all",
+          fmt::format("the report's \"console\" lacks the last {} bytes printed; --console-out FILE takes all",
                       console_left_out_));
     }
     if (plotter_.left_out() != 0)
@@ -539,16 +551,131 @@ class I8080Run final : public Machine {
             fmt::format("PC {:04X}: stopped: found no $ in memory for BDOS function 9, expected one to end "
                         "the text",
                         *bdos_caller_)};
-      default:
-        bdos_caller_ = caller();
-        return Stop{"unknown_bdos",
-                    fmt::format("PC {:04X}: stopped: found a call of BDOS function {}, expected 0, 2 or 9",
-                                *bdos_caller_, bdos_function_)};
+      case 1:
+      case 10:
+        if (!setup_.console) break;
+        waiting_ = true;
+        line_.clear();
+        static_cast<void>(finish_waiting());
+        return std::nullopt;
+      case 6:
+        if (setup_.console) return direct_input_output(i8080::low(registers.de));
+        break;
+      case 11:
+        if (!setup_.console) break;
+        give_back(key_is_there() ? 0xFF : 0x00);
+        return std::nullopt;
+      default: break;
     }
+    bdos_caller_ = caller();
+    return Stop{"unknown_bdos",
+                fmt::format("PC {:04X}: stopped: found a call of BDOS function {}, expected {}", *bdos_caller_,
+                            bdos_function_,
+                            setup_.console ? "0, 1, 2, 6, 9, 10 or 11"
+                                           : "0, 2 or 9 (and 1, 6, 10 or 11 with --console MODE)")};
+  }
+
+  // --- Input from the console ---
+
+  void give_back(i8080::Byte value) {
+    i8080::State& registers = processor_->registers();
+    registers.a = value;
+    registers.hl = value;
+    registers.bc = i8080::joined(0, i8080::low(registers.bc));
+  }
+  bool key_is_there() {
+    if (keys_.empty()) asked_ = true;
+    return !keys_.empty();
+  }
+  i8080::Byte take_key() {
+    const i8080::Byte key = keys_.front();
+    keys_.pop_front();
+    return key;
+  }
+
+  // Function 6: E is FF for a key or 0, FE for whether there is one, else what to print.
+  std::optional<Stop> direct_input_output(i8080::Byte e) {
+    if (e < 0xFE) {
+      print(std::string(1, static_cast<char>(e)));
+    } else {
+      const bool there = key_is_there();
+      give_back(!there ? 0 : e == 0xFF ? take_key() : 0xFF);
+    }
+    return std::nullopt;
+  }
+
+  // Functions 1 and 10, as far as the keys last. True: the program goes on.
+  bool finish_waiting() {
+    while (waiting_ && !keys_.empty()) {
+      const i8080::Byte key = take_key();
+      if (bdos_function_ == 1) {
+        waiting_ = false;
+        echo(key);
+        give_back(key);
+      } else {
+        edit_line(key);
+      }
+    }
+    return !waiting_;
+  }
+
+  // As CP/M echoes: control characters other than those that move the carriage are not sent.
+  void echo(i8080::Byte key) {
+    constexpr std::string_view carriage = "\r\n\t\b";
+    const char c = static_cast<char>(key & 0x7FU);
+    if (c >= ' ' || carriage.find(c) != std::string_view::npos) print(std::string(1, c));
+  }
+
+  // Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, behind it the
+  // number of characters read and the characters.
+  void edit_line(i8080::Byte key) {
+    const i8080::Address buffer = processor_->registers().de;
+    const auto at = [&](std::size_t n) -> i8080::Byte& {
+      return processor_->memory()[static_cast<i8080::Address>(buffer + n)];
+    };
+    constexpr i8080::Byte ctrl_c = 3, backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24,
+                          rubout = 127;
+    const std::size_t most = at(0);
+    switch (key & 0x7FU) {
+      case ctrl_c:
+        if (!line_.empty()) break;
+        waiting_ = false;
+        print("^C\r\n");
+        processor_->registers().pc = 0;
+        return;
+      case backspace:
+      case rubout:
+        if (line_.empty()) return;
+        line_.pop_back();
+        print("\b \b");
+        return;
+      case ctrl_u:
+      case ctrl_x:
+        line_.clear();
+        print("#\r\n");
+        return;
+      case line_feed:
+      case carriage_return:
+        print("\r");
+        store_line(at);
+        return;
+      default: break;
+    }
+    line_.push_back(key);
+    echo(key);
+    if (line_.size() >= most) store_line(at);
+  }
+  template <class At>
+  void store_line(At at) {
+    const std::size_t count = std::min<std::size_t>(line_.size(), at(0));
+    at(1) = static_cast<i8080::Byte>(count);
+    for (std::size_t n = 0; n < count; ++n) at(2 + n) = line_[n];
+    waiting_ = false;
   }
 
   void print(std::string_view text) {
     if (console_) console_(text);
+    if (setup_.console) printed_ += text;
     if (!setup_.keep_console) return;
     const std::string_view kept = text.substr(0, most_kept_of_console - kept_console_.size());
     kept_console_ += kept;
@@ -617,6 +744,12 @@ class I8080Run final : public Machine {
   TextTaker console_;
   std::string kept_console_;
   std::uint64_t console_left_out_ = 0;  // bytes
+  // The console: keys to be read, what was printed and not yet handed out.
+  std::deque<i8080::Byte> keys_;
+  std::string printed_;
+  std::vector<i8080::Byte> line_;  // of function 10, under way
+  bool waiting_ = false;           // function 1 or 10 waits for a key
+  bool asked_ = false;             // since the last key was typed, by function 6 or 11
   // The last BDOS function called, and where, if it ended the run; 0005 if that cannot be told.
   std::uint8_t bdos_function_ = 0;
   std::optional<i8080::Address> bdos_caller_;

@@ -7,7 +7,8 @@
 // call costs 20 T-states and the end 10, and the published T-states of such programs are met. A program may
 // begin with SP = 0000: a RET at the top level then takes the two bytes of the OUT 0 for its address, 00D3,
 // where a second OUT 0 ends the run for the same time. Functions 0 (ends like a jump to 0000), 2 and 9 are
-// there; registers come back as they were.
+// there; registers come back as they were. With a console there are 1, 6, 10 and 11 too, which return in A and
+// L with B and H 0 (CP/M 2.2 Interface Guide); one that waits for a key does so in no time.
 //
 // Left out: the rest of CP/M, HOLD.
 #pragma once
@@ -28,6 +29,7 @@ struct I8080Setup {
   bool strict = false;                     // an access to a port without a device ends the run
   bool observed = false;                   // take("--trace") or take("--bus") is to come
   bool keep_console = false;               // what is printed goes into the report
+  bool console = false;                    // with cpm: keys can be typed, take_printed() has what is printed
   bool drawing = false;                    // keep the lines the plotter draws
   bool grey = false;                       // --png
 };

@@ -139,7 +139,9 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.cpm = arguments.given("--cpm");
   setup.strict = arguments.given("--strict");
   setup.observed = arguments.given("--trace") || arguments.given("--bus");
-  setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console");
+  setup.console = arguments.given("--console");
+  if (setup.console && !setup.cpm) return usage("--console: needs --cpm: the console is that of CP/M");
+  setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console-out");
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
   return make_i8080(std::move(setup));
@@ -261,7 +263,7 @@ std::vector<Option> run_options() {
       {stream, "--trace", "FILE", "Every instruction"},
       {stream, "--bus", "FILE", "Every machine cycle"},
       {.kind = stream,
-       .name = "--console",
+       .name = "--console-out",
        .argument = "FILE",
        .help = "What the CP/M program prints",
        .needs = "--cpm",
@@ -297,6 +299,8 @@ std::vector<Option> run_options() {
                           .needs = option});
     }
   });
+  const auto console = console_options("The console of CP/M");
+  options.insert(options.end(), console.begin(), console.end());
   options.insert(options.end(), rest.begin(), rest.end());
   options.insert(options.end(), received.begin(), received.end());
   options.push_back({flag, "--json", {}, "The report as one JSON document"});

@@ -51,6 +51,7 @@ enum class OptionKind : std::uint8_t {
   text,
   flag,
   list,       // may be given several times
+  step,       // the same; Arguments::steps has all of this kind in the order of the command line
   files,      // the same, and several after one name
   stream,     // a file that is written while the machine runs
   output,     // a file that is written after the run
@@ -88,6 +89,14 @@ class Arguments {
   // Every option has its initial value.
   explicit Arguments(std::span<const Option> options);
 
+  // Of options of the kind `step`: its name and its value.
+  struct Step {
+    std::string option;
+    std::string text;
+  };
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  void add_step(std::string_view option, const std::string& text);
+
   // Of an option that there is; references stay valid.
   [[nodiscard]] Value& value(std::string_view key);
   [[nodiscard]] const std::string& text(std::string_view key) const { return find(key).text; }
@@ -99,6 +108,7 @@ class Arguments {
   [[nodiscard]] const Value& find(std::string_view key) const;
 
   std::map<std::string, Value, std::less<>> values_;
+  std::vector<Step> steps_;
 };
 
 // A whole number in the radix, up to `most`; else "OPTION: found TEXT, expected WHAT, octal, 0 to MOST". In
@@ -191,6 +201,7 @@ struct Limits {
 struct Stop {
   std::string_view name;  // "instruction_limit", for reports
   std::string complaint;  // not empty: the program has failed
+  bool at_until = false;  // by Limits::until: it could run on
 };
 
 // A file read for a run.
@@ -230,6 +241,9 @@ struct ReportLine {
   std::string text;
 };
 
+// --console, --speed, --expect and --send, the same for every machine.
+[[nodiscard]] std::vector<Option> console_options(std::string_view device);
+
 // A machine put together for one run. Nothing here is called while an instruction is obeyed.
 class Machine {
  public:
@@ -261,8 +275,20 @@ class Machine {
   // After the last slice: hands out what is left of the streams.
   virtual void finish() {}
 
+  // The console, with --console: the PDP-7's teletype, the terminal of CP/M. Codes have eight bits.
+  virtual void type(std::uint8_t) {}
+  // All keys typed have been read, and the program has asked for another.
+  [[nodiscard]] virtual bool wants_key() const { return false; }
+  // It cannot run on without one: run() comes back at once, and emulated time does not pass.
+  [[nodiscard]] virtual bool waits_for_key() const { return false; }
+  // What has been printed since the last call.
+  [[nodiscard]] virtual std::string take_printed() { return {}; }
+
   [[nodiscard]] virtual std::uint64_t instructions() const = 0;
   [[nodiscard]] virtual core::Instant now() const = 0;
+  // The same in the machine's unit, that of Limits::until, and how many of them are a second.
+  [[nodiscard]] virtual std::int64_t ticks() const = 0;
+  [[nodiscard]] virtual std::int64_t ticks_a_second() const = 0;
 
   // The report: rows of its table, and members of its JSON document before and after the registers.
   [[nodiscard]] virtual std::vector<ReportLine> lines() const = 0;

@@ -95,7 +95,7 @@ Stop stop_of(machines::StopReason reason, pdp7::Address pc) {
   switch (reason) {
     case machines::StopReason::halt: return {"halt", {}};
     case machines::StopReason::instruction_limit: return {"instruction_limit", {}};
-    case machines::StopReason::time_limit: return {"time_limit", {}};
+    case machines::StopReason::time_limit: return {"time_limit", {}, true};
     case machines::StopReason::xct_chain:
       return {"xct_chain", fmt::format("PC {:05o}: stopped: a chain of more than {} XCT instructions",
                                        before(pc), pdp7::longest_xct_chain)};
@@ -178,6 +178,7 @@ class Pdp7Machine final : public Machine {
     const auto reason =
         machine_.run({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
     switches_ = machine_.console().switches(machine_.now());
+    listen_to_printer();
     const bool slice_done = reason == machines::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
     const bool pen_due = reason == machines::StopReason::time_limit && machine_.now() < limit;
@@ -189,8 +190,30 @@ class Pdp7Machine final : public Machine {
     sink_.finish();
   }
 
+  void type(std::uint8_t code) override {
+    machine_.devices().keyboard.send(machine_.now(), code);
+    quiet_since_ = machine_.now() + setup_.machine.configuration.timing.teletype_character;
+  }
+  // A program that takes keys by interrupt alone asks for none: it gets the next when all is quiet for longer.
+  [[nodiscard]] bool wants_key() const override {
+    const pdp7::Keyboard& keyboard = machine_.devices().keyboard;
+    if (!keyboard.all_read()) return false;
+    const core::Duration quiet = machine_.now() - quiet_since_;
+    const core::Duration character = setup_.machine.configuration.timing.teletype_character;
+    return (keyboard.asked() && quiet >= character) ||
+           (machine_.registers().interrupts_on && quiet >= 2 * character);
+  }
+  [[nodiscard]] std::string take_printed() override {
+    const auto& printed = machine_.devices().printer.printed();
+    std::string text(printed.begin() + static_cast<std::ptrdiff_t>(taken_of_printed_), printed.end());
+    taken_of_printed_ = printed.size();
+    return text;
+  }
+
   [[nodiscard]] std::uint64_t instructions() const override { return machine_.counts().instructions; }
   [[nodiscard]] core::Instant now() const override { return machine_.now(); }
+  [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(machine_.now()); }
+  [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const machines::Counts counts = machine_.counts();
@@ -277,6 +300,13 @@ class Pdp7Machine final : public Machine {
   }
 
  private:
+  void listen_to_printer() {
+    const pdp7::Printer& printer = machine_.devices().printer;
+    if (printer.deadline() != core::never || printer.printed().size() != heard_of_printed_)
+      quiet_since_ = std::max(quiet_since_, machine_.now());
+    heard_of_printed_ = printer.printed().size();
+  }
+
   // Moves the pen as far as the script has come, and says when it goes on. The display stands at the
   // machine's own time between runs, which is what its pen asks for.
   core::Instant move_pen() {
@@ -310,6 +340,11 @@ class Pdp7Machine final : public Machine {
   machines::Pdp7<Sink, Observer> machine_;
   core::Word18 switches_;  // their current setting
   std::span<const PenMove> pen_script_;
+  // For the console: how much the printer has printed, of which how much was handed out, and since when neither it nor
+  // the keyboard has been at work.
+  std::size_t heard_of_printed_ = 0;
+  std::size_t taken_of_printed_ = 0;
+  core::Instant quiet_since_{};
 };
 
 }  // namespace

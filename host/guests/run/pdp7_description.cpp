@@ -264,7 +264,7 @@ std::string disassemble(const Program& program) {
 using enum OptionKind;
 
 std::vector<Option> run_options() {
-  return {
+  std::vector<Option> options{
       {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Tapes and core images, in order; @ADDRESS in octal"},
       {text, "--start", "ADDRESS", "Press START at this address"},
       {.name = "--memory",
@@ -304,6 +304,11 @@ std::vector<Option> run_options() {
       {output, "--teletype", "FILE", "What was typed, seven-bit codes"},
       {flag, "--json", {}, "The report as one JSON document"},
   };
+  const auto console = console_options("The teletype");
+  const auto keyboard = std::find_if(options.begin(), options.end(),
+                                     [](const Option& option) { return option.name == "--keyboard"; });
+  options.insert(keyboard + 1, console.begin(), console.end());
+  return options;
 }
 
 MachineDescription described() {

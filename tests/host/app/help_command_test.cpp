@@ -73,7 +73,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"run", "i8080"},
               {"--load",         "--start",      "--cpm",     "--clock",          "--set",     "--max-instructions",
                "--max-states",   "--strict",     "--board",   "--plotter",        "--dump",    "--trace",
-               "--bus",          "--console",    "--png",     "--grey",           "--strokes", "--parallel", "--svg",
+               "--bus",          "--console-out", "--console", "--png",     "--grey",           "--strokes", "--parallel", "--svg",
                "--parallel-out", "--serial",     "--serial-out", "--interrupt",   "--json",    "--plotter-start",
                "T SS AAAA DD"});
   expect_help({"run"}, {"pdp7", "i8080", "--cpm", "sightline run SUBCOMMAND --help"});

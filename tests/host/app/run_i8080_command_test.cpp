@@ -89,7 +89,7 @@ TEST_F(RunI8080Command, CpmProgramPrintsOnStandardOutput) {
   EXPECT_EQ(r.at("stop_reason"), "exit");
   EXPECT_EQ(r.at("t_states"), 74);
   EXPECT_EQ(r.at("registers").at("sp"), "0000");
-  EXPECT_FALSE(report({"--cpm", "--load", "hello.com", "--console", "out"}).contains("console"));
+  EXPECT_FALSE(report({"--cpm", "--load", "hello.com", "--console-out", "out"}).contains("console"));
   EXPECT_EQ(read("out"), "Hello\r\n");
 }
 
@@ -313,7 +313,13 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--png", "p"}, "--png: needs --board");
   refused({"--strokes", "s"}, "--strokes: needs --plotter");
   refused({"--svg", "s"}, "--svg: needs --plotter");
-  refused({"--console", "c"}, "--console: needs --cpm");
+  refused({"--console-out", "c"}, "--console-out: needs --cpm");
+  refused({"--console", "ascii"}, "--console: needs --cpm");
+  refused({"--cpm", "--console", "c.txt"}, "--console: found \"c.txt\", expected ascii, parity, unix or upper");
+  refused({"--cpm", "--console", "ascii", "--speed", "fast"}, "--speed: found \"fast\"");
+  refused({"--cpm", "--console", "ascii", "--send", "\\q"}, "--send: found \"\\q\", expected \\r");
+  refused({"--cpm", "--console", "ascii", "--dump", "-"}, "--console needs standard output");
+  refused({"--cpm", "--speed", "max"}, "--speed: needs --console");
   refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
   refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");
   refused({"--plotter", "calcomp", "--plotter-start", "1"}, "--plotter-start");
@@ -321,7 +327,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--board", "vdu"}, "--board");
   refused({"--dump", "x", "--trace", "x"}, "x: named for two outputs");
   refused({"--dump", "-", "--json"}, "--json needs standard output");
-  refused({"--cpm", "--dump", "-"}, "--console FILE puts that elsewhere");
+  refused({"--cpm", "--dump", "-"}, "--console-out FILE puts that elsewhere");
   EXPECT_EQ(files(), std::vector<std::string>{"small.bin"});
 }
 

@@ -31,11 +31,11 @@ MachineRun run_of(const std::string& text, const char* most_instructions = "1000
 }
 
 MachineRun cpm_run_of(const std::string& text) {
-  return run_of(text).set("--cpm").set("--console");
+  return run_of(text).set("--cpm").set("--console-out");
 }
 
 const std::string& console(const Left& left) {
-  return left.streams.at("--console");
+  return left.streams.at("--console-out");
 }
 
 constexpr const char* hello =
@@ -115,7 +115,7 @@ TEST(CpmRun, AProgramThatPrintsAllTheTimeCanBeInterrupted) {
   int asked = 0;
   const Left left = run_of("LOOP: MVI C,2\n  CALL 5\n  JMP LOOP\n", "1000000")
                         .set("--cpm")
-                        .set("--console")
+                        .set("--console-out")
                         .ask([&asked](const run::Progress&) { return ++asked < 10; })
                         .go();
   EXPECT_EQ(left.stop.name, run::interrupted);

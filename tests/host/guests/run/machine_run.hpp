@@ -50,6 +50,7 @@ class MachineRun {
     EXPECT_NE(found, machine_->options.end()) << option;
     if (found == machine_->options.end()) return *this;
     switch (found->kind) {
+      case run::OptionKind::step: arguments_.add_step(option, std::string(text)); break;
       case run::OptionKind::flag: value.flag = true; break;
       case run::OptionKind::list:
       case run::OptionKind::files: value.list.emplace_back(text); break;

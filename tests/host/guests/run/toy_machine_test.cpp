@@ -39,6 +39,8 @@ class Toy final : public run::Machine {
   }
 
   [[nodiscard]] std::uint64_t instructions() const override { return instructions_; }
+  [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(now()); }
+  [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
   [[nodiscard]] core::Instant now() const override {
     return core::at_nanoseconds(static_cast<std::int64_t>(instructions_) * 1000);
   }

@@ -1,0 +1,125 @@
+#include "host/base/terminal.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+
+namespace sightline::base {
+
+namespace {
+
+constexpr std::array end_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+// What signal handlers need; tcsetattr, signal and raise may be called in one.
+volatile std::sig_atomic_t signal_received = 0;
+volatile std::sig_atomic_t terminal_is_raw = 0;
+termios terminal_before;
+termios terminal_raw;
+
+void restore_terminal() {
+  if (terminal_is_raw == 0) return;
+  static_cast<void>(tcsetattr(STDIN_FILENO, TCSANOW, &terminal_before));
+}
+
+extern "C" void end_with(int number) {
+  restore_terminal();
+  static_cast<void>(std::signal(number, SIG_DFL));
+  static_cast<void>(std::raise(number));
+}
+
+extern "C" void remember_signal(int number) {
+  if (signal_received != 0) {
+    end_with(number);
+    return;
+  }
+  signal_received = number;
+}
+
+extern "C" void stop_for_a_while(int) {
+  const int error = errno;
+  restore_terminal();
+  static_cast<void>(raise(SIGSTOP));
+  if (terminal_is_raw != 0) static_cast<void>(tcsetattr(STDIN_FILENO, TCSANOW, &terminal_raw));
+  errno = error;
+}
+
+void handle(int number, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  static_cast<void>(sigaction(number, &action, nullptr));
+}
+
+// Programs that crash: the terminal is put in order first.
+constexpr std::array crash_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+
+}  // namespace
+
+bool stdin_is_terminal() {
+  return isatty(STDIN_FILENO) != 0;
+}
+
+RawTerminal::RawTerminal() {
+  if (tcgetattr(STDIN_FILENO, &terminal_before) != 0) return;
+  terminal_raw = terminal_before;
+  cfmakeraw(&terminal_raw);
+  if (tcsetattr(STDIN_FILENO, TCSADRAIN, &terminal_raw) != 0) return;
+  terminal_is_raw = 1;
+  handle(SIGTSTP, &stop_for_a_while);
+  for (const int number : crash_signals) handle(number, &end_with);
+}
+
+RawTerminal::~RawTerminal() {
+  if (terminal_is_raw == 0) return;
+  for (const int number : crash_signals) static_cast<void>(std::signal(number, SIG_DFL));
+  static_cast<void>(std::signal(SIGTSTP, SIG_DFL));
+  restore_terminal();
+  terminal_is_raw = 0;
+}
+
+EndSignals::EndSignals() {
+  signal_received = 0;
+  for (const int number : end_signals) handle(number, &remember_signal);
+}
+
+EndSignals::~EndSignals() {
+  for (const int number : end_signals) static_cast<void>(std::signal(number, SIG_DFL));
+}
+
+int EndSignals::received() {
+  return signal_received;
+}
+
+std::optional<std::string> read_stdin_within(int milliseconds) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  const int ready = poll(&input, 1, milliseconds);
+  if (ready <= 0) return std::string();
+  std::string text(4096, '\0');
+  const ssize_t n = read(STDIN_FILENO, text.data(), text.size());
+  if (n < 0 && errno == EINTR) return std::string();
+  if (n <= 0) return std::nullopt;
+  text.resize(static_cast<std::size_t>(n));
+  return text;
+}
+
+bool write_now(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = write(descriptor, text.data(), text.size());
+    if (n < 0) {
+      if (errno == EINTR) continue;
+      if (errno != EAGAIN) return false;
+      pollfd output{descriptor, POLLOUT, 0};
+      static_cast<void>(poll(&output, 1, -1));
+      continue;
+    }
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+}  // namespace sightline::base

@@ -1,0 +1,379 @@
+// See console.hpp.
+#include "host/live/console.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "host/base/number.hpp"
+#include "host/base/terminal.hpp"
+
+namespace sightline::live {
+
+namespace {
+
+using guests::run::Arguments;
+using guests::run::Limits;
+using guests::run::Machine;
+using guests::run::Result;
+using guests::run::Stop;
+using guests::run::usage;
+
+// The program and its console exchange characters at the ends of slices of emulated time: a fifth of the time of a
+// teletype's character, so that no program notices, and long enough to cost nothing.
+constexpr std::int64_t slices_a_second = 50;
+// How long a program that waits for a key without getting one is left alone, in emulated time: after the end of the input, and when
+// the script expects it to print.
+constexpr std::int64_t slices_after_the_end = slices_a_second;
+constexpr std::int64_t slices_of_patience = 60 * slices_a_second;
+// A host that was busy is not made up for beyond this.
+constexpr std::chrono::milliseconds most_behind{500};
+
+constexpr char ctrl_e = 5;
+constexpr std::string_view mode_names = "ascii, parity, unix or upper";
+
+std::optional<KeyCodes> codes_named(std::string_view name) {
+  if (name == "ascii") return KeyCodes::ascii;
+  if (name == "parity") return KeyCodes::parity;
+  if (name == "unix") return KeyCodes::unix;
+  if (name == "upper") return KeyCodes::upper;
+  return std::nullopt;
+}
+
+// The end of a line of a file is the RETURN key.
+std::string as_keys(std::string_view text, bool& after_return) {
+  std::string keys;
+  for (const char c : text) {
+    const bool second_half = c == '\n' && after_return;
+    after_return = c == '\r';
+    if (!second_half) keys.push_back(c == '\n' ? '\r' : c);
+  }
+  return keys;
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown = "\"";
+  for (const char c : text) {
+    if (c == '\r') {
+      shown += "\\r";
+    } else if (c == '\n') {
+      shown += "\\n";
+    } else if (c == '\t') {
+      shown += "\\t";
+    } else if (c == '\\' || c == '"') {
+      shown += std::string("\\") + c;
+    } else if (c < ' ') {
+      shown += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    } else {
+      shown.push_back(c);
+    }
+  }
+  return shown + '"';
+}
+
+// --- One session ---
+
+// What is typed next, and whether the script is done.
+class Session {
+ public:
+  Session(Machine& machine, const ConsoleOptions& options, Operator& person)
+      : machine_(machine), options_(options), person_(person) {
+    scripted_ = !options.script.empty();
+    steps_.assign(options.script.begin(), options.script.end());
+    send_next();
+  }
+
+  // What the program has printed goes out; nothing: nobody reads it.
+  [[nodiscard]] bool pass_on_printed() {
+    const std::string text = shown_text(machine_.take_printed());
+    if (text.empty()) return true;
+    waited_ = 0;
+    if (scripted_) look_for(text);
+    return person_.print(text);
+  }
+
+  // Keys from the person, for so many milliseconds.
+  [[nodiscard]] std::optional<Stop> listen(int milliseconds) {
+    if (scripted_ || ended_) {
+      // Nobody to listen to, but the pace is to be kept.
+      if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      return std::nullopt;
+    }
+    const auto text = person_.keys(milliseconds);
+    ended_ = !text;
+    if (!person_.at_terminal()) {
+      for (const char key : as_keys(text.value_or(""), after_return_)) keys_.push_back(key);
+      return std::nullopt;
+    }
+    if (!text) return Stop{end_of_input, {}};
+    const std::size_t end = text->find(ctrl_e);
+    for (const char key : text->substr(0, end)) machine_.type(code_of_key(options_.codes, key));
+    return end == std::string::npos ? std::nullopt : std::optional(Stop{stopped_by_ctrl_e, {}});
+  }
+
+  // Types the next key that waits, if the program asks for one.
+  void type() {
+    if (keys_.empty() || !machine_.wants_key()) return;
+    machine_.type(code_of_key(options_.codes, keys_.front()));
+    keys_.pop_front();
+    waited_ = 0;
+    if (keys_.empty()) send_next();
+  }
+
+  // The program wants a key, and there is none to type: one slice more.
+  [[nodiscard]] std::optional<Stop> wait_for_keys() {
+    if (!keys_.empty() || !machine_.wants_key()) return std::nullopt;
+    ++waited_;
+    if (machine_.waits_for_key()) waited_ = std::max(waited_, slices_of_patience);
+    if (!steps_.empty()) {
+      if (waited_ < slices_of_patience) return std::nullopt;
+      return Stop{end_of_input, missing("the program waits for a key")};
+    }
+    if (scripted_ || ended_) {
+      if (waited_ < slices_after_the_end) return std::nullopt;
+      return Stop{end_of_input, {}};
+    }
+    return std::nullopt;
+  }
+
+  // A pipe that has nothing yet for a program that asks: it is waited for, and emulated time with it.
+  [[nodiscard]] bool must_wait_for_input() const {
+    return !scripted_ && !ended_ && keys_.empty() && machine_.wants_key() &&
+           (machine_.waits_for_key() || (!person_.at_terminal() && !options_.speed));
+  }
+
+  [[nodiscard]] bool script_done() const { return done_; }
+  // Empty, or what of the script did not happen before the run ended.
+  [[nodiscard]] std::string missing(std::string_view why) const {
+    const std::string left(keys_.begin(), keys_.end());
+    if (scripted_ && !left.empty()) return not_typed(left, why);
+    if (steps_.empty()) return {};
+    if (steps_.front().kind == Step::Kind::send) return not_typed(steps_.front().text, why);
+    constexpr std::size_t most_shown = 60;
+    const std::string_view last =
+        std::string_view(printed_).substr(printed_.size() - std::min(printed_.size(), most_shown));
+    return fmt::format("--expect {}: {}, and the text was not printed; printed since the last match: {}{}",
+                       quoted(steps_.front().text), why, printed_.size() > most_shown ? "..." : "", quoted(last));
+  }
+
+ private:
+  [[nodiscard]] static std::string not_typed(std::string_view text, std::string_view why) {
+    return fmt::format("--send {}: {} before it was typed", quoted(text), why);
+  }
+
+  // What is printed while keys are still to be typed counts for the text that is expected after them.
+  void look_for(std::string_view text) {
+    printed_ += text;
+    while (keys_.empty() && !steps_.empty()) {
+      const std::size_t found = printed_.find(steps_.front().text);
+      if (found == std::string::npos) break;
+      printed_.erase(0, found + steps_.front().text.size());
+      steps_.pop_front();
+      done_ = steps_.empty();
+      send_next();
+    }
+    constexpr std::size_t most_kept = std::size_t{1} << 20;
+    if (printed_.size() > most_kept) printed_.erase(0, printed_.size() - most_kept / 2);
+  }
+  void send_next() {
+    while (!steps_.empty() && steps_.front().kind == Step::Kind::send) {
+      for (const char key : steps_.front().text) keys_.push_back(key);
+      steps_.pop_front();
+    }
+  }
+
+  Machine& machine_;
+  const ConsoleOptions& options_;
+  Operator& person_;
+  std::deque<Step> steps_;
+  std::string printed_;    // of a script: since the last text that was found
+  std::deque<char> keys_;  // to be typed when the program asks
+  std::int64_t waited_ = 0;
+  bool scripted_ = false;
+  bool after_return_ = false;
+  bool ended_ = false;
+  bool done_ = false;
+};
+
+// Emulated time beside the host's.
+class Pace {
+ public:
+  Pace(const Machine& machine, std::optional<double> speed) : machine_(machine), speed_(speed) { begin(); }
+
+  // How many milliseconds the machine is ahead.
+  [[nodiscard]] int ahead() {
+    if (!speed_) return 0;
+    const double emulated =
+        static_cast<double>(machine_.ticks() - ticks_) / static_cast<double>(machine_.ticks_a_second()) / *speed_;
+    const auto due = since_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                  std::chrono::duration<double>(emulated));
+    const auto now = std::chrono::steady_clock::now();
+    if (now - due > most_behind) begin();
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - now).count();
+    return static_cast<int>(std::clamp<std::int64_t>(left, 0, 1000));
+  }
+  void begin() {
+    since_ = std::chrono::steady_clock::now();
+    ticks_ = machine_.ticks();
+  }
+
+ private:
+  const Machine& machine_;
+  std::optional<double> speed_;
+  std::chrono::steady_clock::time_point since_;
+  std::int64_t ticks_ = 0;
+};
+
+class StandardOperator final : public Operator {
+ public:
+  StandardOperator(int output, bool terminal) : output_(output), terminal_(terminal) {}
+  std::optional<std::string> keys(int milliseconds) override { return base::read_stdin_within(milliseconds); }
+  bool print(std::string_view text) override { return base::write_now(output_, text); }
+  bool at_terminal() const override { return terminal_; }
+
+ private:
+  int output_;
+  bool terminal_;
+};
+
+}  // namespace
+
+namespace {
+
+Stop ended(Machine& machine, Stop stop) {
+  machine.finish();
+  return stop;
+}
+
+}  // namespace
+
+std::uint8_t code_of_key(KeyCodes codes, char key) {
+  const auto code = static_cast<std::uint8_t>(key & 0177);
+  constexpr std::uint8_t marked = 0200;
+  switch (codes) {
+    case KeyCodes::ascii: return code;
+    case KeyCodes::parity: return code | marked;
+    case KeyCodes::upper: return (code >= 'a' && code <= 'z' ? code - 040 : code) | marked;
+    case KeyCodes::unix: break;
+  }
+  switch (code) {
+    case '\r': return 0212;
+    case '\n': return 0215;
+    case 033: return 0375;
+    default: return code | marked;
+  }
+}
+
+std::string shown_text(std::string_view codes) {
+  constexpr char rubout = 0177;
+  std::string text;
+  for (const char code : codes) {
+    const char c = static_cast<char>(code & 0177);
+    if (c != 0 && c != rubout) text.push_back(c);
+  }
+  return text;
+}
+
+Result<std::string> plain_text(std::string_view option, std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') {
+      plain.push_back(text[i]);
+      continue;
+    }
+    const std::string_view rest = text.substr(i + 1);
+    const auto numbered = [&](std::size_t first, std::size_t digits, int radix) -> bool {
+      const auto code = base::unsigned_number(rest.substr(std::min(first, rest.size()), digits), radix);
+      if (!code || *code > 0xFF || rest.size() < first + digits) return false;
+      plain.push_back(static_cast<char>(*code));
+      i += first + digits;
+      return true;
+    };
+    constexpr std::string_view letters = "rnte\\";
+    constexpr std::string_view meanings = "\r\n\t\033\\";
+    const std::size_t letter = rest.empty() ? std::string_view::npos : letters.find(rest.front());
+    if (letter != std::string_view::npos) {
+      plain.push_back(meanings[letter]);
+      ++i;
+    } else if (!(rest.starts_with('x') ? numbered(1, 2, 16) : numbered(0, 3, 8))) {
+      return usage(fmt::format("{}: found \"\\{}\", expected \\r \\n \\t \\e \\\\, \\NNN in octal or \\xHH", option,
+                               rest.substr(0, 3)));
+    }
+  }
+  return plain;
+}
+
+Result<ConsoleOptions> console_options(const Arguments& arguments, bool terminal) {
+  ConsoleOptions options;
+  const std::string& mode = arguments.text("--console");
+  const auto codes = codes_named(mode);
+  if (!codes) {
+    return usage(fmt::format("--console: found \"{}\", expected {}; a file for what is printed is named by "
+                             "--console-out on the 8080, by --teletype on the PDP-7",
+                             mode, mode_names));
+  }
+  options.codes = *codes;
+  for (const Arguments::Step& step : arguments.steps()) {
+    const auto plain = plain_text(step.option, step.text);
+    if (!plain) return plain.error();
+    if (plain->empty()) return usage(step.option + ": found an empty text, expected one");
+    options.script.push_back({step.option == "--expect" ? Step::Kind::expect : Step::Kind::send, *plain});
+  }
+  const std::string& speed = arguments.text("--speed");
+  if (speed.empty()) {
+    if (terminal && options.script.empty()) options.speed = 1.0;
+  } else if (speed == "real") {
+    options.speed = 1.0;
+  } else if (speed != "max") {
+    char* end = nullptr;
+    const double times = std::strtod(speed.c_str(), &end);
+    if (end != speed.c_str() + speed.size() || !std::isfinite(times) || times < 0.001 || times > 1000)
+      return usage(fmt::format("--speed: found \"{}\", expected real, max or a number from 0.001 to 1000", speed));
+    options.speed = times;
+  }
+  return options;
+}
+
+std::unique_ptr<Operator> standard_operator(int output_descriptor, bool terminal) {
+  return std::make_unique<StandardOperator>(output_descriptor, terminal);
+}
+
+Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& options, Operator& person) {
+  Session session(machine, options, person);
+  Pace pace(machine, options.speed);
+  const std::int64_t slice = std::max<std::int64_t>(1, machine.ticks_a_second() / slices_a_second);
+  std::optional<Stop> stop;
+  while (!stop) {
+    const std::int64_t now = machine.ticks();
+    const std::int64_t end = limits.until - now > slice ? now + slice : limits.until;
+    Limits part = limits;
+    part.until = end;
+    while (!stop && machine.ticks() < end && !machine.waits_for_key()) stop = machine.run(part, false);
+    if (stop && stop->at_until && end < limits.until) stop.reset();
+    if (!session.pass_on_printed() && !stop) stop = Stop{guests::run::interrupted, {}};
+    if (stop) break;
+    if (session.script_done()) return ended(machine, {end_of_input, {}});
+    // Waited for in short turns: a signal that comes just before would not end a long one.
+    constexpr int turn = 200;
+    const bool waits = session.must_wait_for_input();
+    do {
+      stop = session.listen(waits ? turn : pace.ahead());
+      if (base::EndSignals::received() != 0) return ended(machine, {stopped_by_signal, {}});
+    } while (!stop && session.must_wait_for_input());
+    if (waits) pace.begin();
+    session.type();
+    if (!stop) stop = session.wait_for_keys();
+  }
+  if (stop->name == stopped_by_ctrl_e) return ended(machine, *stop);
+  if (stop->complaint.empty()) stop->complaint = session.missing("the run ended");
+  return ended(machine, *stop);
+}
+
+}  // namespace sightline::live

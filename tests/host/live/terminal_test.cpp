@@ -1,0 +1,175 @@
+// A person at a terminal: the built command on a pseudo terminal. Its settings are restored on every way out.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+#include <utmp.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace sightline::test {
+namespace {
+
+using std::chrono::steady_clock;
+constexpr std::chrono::seconds patience{30};
+
+class Terminal : public CommandLine {
+ protected:
+  void SetUp() override {
+    // Types back what is typed; ! ends.
+    write("echo.s",
+          "100/\nbegin, lac (252\n  jms type\nwait, 700301\n  jmp wait\n  700312\n  jms type\n  and (177\n  sad (41\n  hlt\n"
+          "  jmp wait\ntype, 0\n  700406\n  700401\n  jmp .-1\n  jmp i type\n  start begin\n");
+    ASSERT_EQ(sightline({"asm", "pdp7", "echo.s", "-o", "echo.rim"}).exit_code, 0);
+    ASSERT_EQ(openpty(&master_, &slave_, nullptr, nullptr, nullptr), 0);
+    // The terminal goes away when the test closes it, not when the command does.
+    ASSERT_EQ(fcntl(master_, F_SETFD, FD_CLOEXEC), 0);
+    ASSERT_EQ(tcgetattr(slave_, &before_), 0);
+  }
+  void TearDown() override {
+    if (child_ > 0) static_cast<void>(kill(child_, SIGKILL));
+    hang_up();
+    if (slave_ >= 0) close(slave_);
+  }
+
+  void start(std::vector<std::string> arguments) {
+    const std::string command = SIGHTLINE_COMMAND;
+    child_ = fork();
+    ASSERT_GE(child_, 0);
+    if (child_ == 0) {
+      static_cast<void>(chdir(path(".").c_str()));
+      static_cast<void>(login_tty(slave_));
+      std::vector<char*> words{const_cast<char*>(command.c_str())};
+      for (std::string& argument : arguments) words.push_back(argument.data());
+      words.push_back(nullptr);
+      execv(command.c_str(), words.data());
+      _exit(127);
+    }
+  }
+  void type(std::string_view keys) { ASSERT_EQ(write_to(master_, keys), keys.size()); }
+  // Reads until the text has been shown.
+  [[nodiscard]] bool shows(std::string_view text) {
+    const auto end = steady_clock::now() + patience;
+    while (shown_.find(text) == std::string::npos) {
+      if (steady_clock::now() > end) return false;
+      pollfd input{master_, POLLIN, 0};
+      if (poll(&input, 1, 100) <= 0) continue;
+      std::array<char, 1024> buffer{};
+      const ssize_t n = ::read(master_, buffer.data(), buffer.size());
+      if (n <= 0) return shown_.find(text) != std::string::npos;
+      shown_.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+    return true;
+  }
+  // The exit code, 1000 + signal if a signal ended it, -1 if it does not end.
+  [[nodiscard]] int ends() {
+    const auto end = steady_clock::now() + patience;
+    int status = 0;
+    while (waitpid(child_, &status, WNOHANG) == 0) {
+      if (steady_clock::now() > end) return -1;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    child_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  }
+  void send_signal(int number) { ASSERT_EQ(kill(child_, number), 0); }
+  void hang_up() {
+    if (master_ >= 0) close(master_);
+    master_ = -1;
+  }
+  [[nodiscard]] bool restored() const {
+    termios now{};
+    return tcgetattr(slave_, &now) == 0 && now.c_iflag == before_.c_iflag && now.c_oflag == before_.c_oflag &&
+           now.c_lflag == before_.c_lflag && now.c_cflag == before_.c_cflag;
+  }
+  [[nodiscard]] bool raw() const {
+    termios now{};
+    return tcgetattr(slave_, &now) == 0 && (now.c_lflag & (ICANON | ECHO | ISIG)) == 0;
+  }
+  void start_echo() {
+    start({"run", "pdp7", "echo.rim", "--console", "parity", "--dump", "d"});
+    ASSERT_TRUE(shows("*")) << shown_;
+    ASSERT_TRUE(raw());
+  }
+
+  std::string shown_;
+
+ private:
+  static std::size_t write_to(int descriptor, std::string_view text) {
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    return n < 0 ? 0 : static_cast<std::size_t>(n);
+  }
+
+  int master_ = -1;
+  int slave_ = -1;
+  pid_t child_ = 0;
+  termios before_{};
+};
+
+TEST_F(Terminal, KeysAreEchoedByTheProgramAlone) {
+  start_echo();
+  type("a\003b!");
+  ASSERT_TRUE(shows("stopped by      halt")) << shown_;
+  EXPECT_NE(shown_.find("*a\003b!\r\n"), std::string::npos) << shown_;
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+}
+
+TEST_F(Terminal, CtrlEEndsTheRun) {
+  start_echo();
+  type("a\005");
+  ASSERT_TRUE(shows("stopped by      operator")) << shown_;
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+  EXPECT_TRUE(exists("d"));
+}
+
+TEST_F(Terminal, SignalsEndItInOrder) {
+  for (const int number : {SIGTERM, SIGINT, SIGQUIT}) {
+    shown_.clear();
+    start_echo();
+    send_signal(number);
+    EXPECT_TRUE(shows("all outputs hold")) << shown_;
+    EXPECT_EQ(ends(), 128 + number);
+    EXPECT_TRUE(restored());
+    EXPECT_TRUE(exists("d"));
+    std::filesystem::remove(path("d"));
+  }
+}
+
+TEST_F(Terminal, AStopGivesTheTerminalBackForAsLongAsItLasts) {
+  start_echo();
+  send_signal(SIGTSTP);
+  const auto end = steady_clock::now() + patience;
+  while (!restored() && steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(restored());
+  send_signal(SIGCONT);
+  while (!raw() && steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(raw());
+  type("!");
+  EXPECT_TRUE(shows("halt")) << shown_;
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+}
+
+TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
+  start_echo();
+  hang_up();
+  const int code = ends();
+  EXPECT_TRUE(code == 128 + SIGHUP || code == 0) << code;
+  EXPECT_TRUE(exists("d"));
+}
+
+}  // namespace
+}  // namespace sightline::test
