@@ -20,6 +20,7 @@ void add_commands(const Command& program) {
   add_asm_command(program);
   add_disasm_command(program);
   add_run_command(program);
+  add_monitor_command(program);
   add_scene_command(program);
 }
 

@@ -1,5 +1,7 @@
 #include "host/base/text.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -8,6 +10,26 @@ namespace sightline::base {
 
 void append_formatted(std::string& text, fmt::string_view format, fmt::format_args arguments) {
   fmt::vformat_to(std::back_inserter(text), format, arguments);
+}
+
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
+std::string_view take_word(std::string_view& text) {
+  text = without_blanks(text);
+  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+  text = without_blanks(text.substr(word.size()));
+  return word;
 }
 
 }  // namespace sightline::base

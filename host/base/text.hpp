@@ -29,4 +29,11 @@ template <class Range>
   return text;
 }
 
+// Without blanks, tabs and line ends at both ends.
+[[nodiscard]] std::string_view without_blanks(std::string_view text);
+// What comes before the next line end, or all; `text` goes on behind it.
+std::string_view take_line(std::string_view& text);
+// The first word, up to a blank; `text` goes on behind the blanks that follow it.
+std::string_view take_word(std::string_view& text);
+
 }  // namespace sightline::base

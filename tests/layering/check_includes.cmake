@@ -36,6 +36,7 @@ set(LIBRARY_RULES
   "nlohmann/=host/base"
   "muParser=host/scene"
   "CLI/=host/app"
+  "editline/=host/app"
   "gtest/=tests"
   "benchmark/=tests")
 

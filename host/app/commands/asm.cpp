@@ -58,17 +58,6 @@ void refuse_clashing_files(const Arguments& arguments) {
   }
 }
 
-// The assembler tries several names and says itself that none of them could be read. A source says nothing
-// about standard input: `-` is a name like any other, and no such file is there.
-std::optional<std::string> read_include(const std::string& path) {
-  if (path == "-") return std::nullopt;
-  try {
-    return read_input_text(path);
-  } catch (const Failure&) {
-    return std::nullopt;
-  }
-}
-
 // Of --format, else by the name of the output.
 const Format& output_format(const MachineDescription& machine, const Arguments& arguments) {
   const Format* const by_name = format_by_name(machine, arguments.text("--output"));

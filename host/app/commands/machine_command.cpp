@@ -64,4 +64,15 @@ guests::run::Input read_named(const std::string& path) {
   return {shown_name(path), read_input(path)};
 }
 
+// The assembler tries several names and says itself that none of them could be read. A source says nothing
+// about standard input: `-` is a name like any other, and no such file is there.
+std::optional<std::string> read_include(const std::string& path) {
+  if (path == "-") return std::nullopt;
+  try {
+    return read_input_text(path);
+  } catch (const Failure&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace sightline::app

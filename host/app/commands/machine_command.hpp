@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,5 +29,8 @@ template <class T>
 
 // Reads a file whole; Failure io.
 [[nodiscard]] guests::run::Input read_named(const std::string& path);
+
+// The text of a source that another includes; nothing if it cannot be read.
+[[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
 }  // namespace sightline::app

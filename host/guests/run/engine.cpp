@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "host/base/number.hpp"
+#include "host/base/text.hpp"
 
 namespace sightline::guests::run {
 
@@ -96,13 +97,6 @@ Result<Program> read_as(const MachineDescription& machine, const Format* format,
   if (format != nullptr) return format->read(input.bytes, input.name, file.address);
   if (file.address) return usage(fmt::format("{}: found an address, expected none: a dump begins at 0", input.name));
   return read_dump(machine, input);
-}
-
-// What assemblers read; no format of a program ends like this.
-bool named_as_source(std::string_view path) {
-  constexpr std::array<std::string_view, 4> endings{".s", ".asm", ".mac", ".pal"};
-  return std::any_of(endings.begin(), endings.end(),
-                     [path](std::string_view ending) { return path.ends_with(ending); });
 }
 
 // How a machine goes on after its programs are in memory.
@@ -213,6 +207,12 @@ Result<Done> check_needs(const MachineDescription& description, const Arguments&
 }
 
 }  // namespace
+
+bool named_as_source(std::string_view path) {
+  constexpr std::array<std::string_view, 4> endings{".s", ".asm", ".mac", ".pal"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [path](std::string_view ending) { return path.ends_with(ending); });
+}
 
 Arguments::Arguments(std::span<const Option> options) {
   for (const Option& option : options) values_[std::string(option.key())].text = option.initial;
@@ -369,17 +369,10 @@ namespace {
 std::vector<std::string_view> dump_words(std::string_view line) {
   std::vector<std::string_view> words;
   while (true) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-    if (line.empty()) return words;
-    words.push_back(line.substr(0, line.find_first_of(" \t\r")));
-    line.remove_prefix(words.back().size());
+    const std::string_view word = base::take_word(line);
+    if (word.empty()) return words;
+    words.push_back(word);
   }
-}
-
-std::string_view take_line(std::string_view& text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(line.size() + 1, text.size()));
-  return line;
 }
 
 std::string_view text_of(std::span<const std::uint8_t> bytes) {
@@ -406,12 +399,12 @@ std::optional<std::uint32_t> dump_number(const MachineDescription& description, 
 bool is_dump(const MachineDescription& description, std::span<const std::uint8_t> bytes) {
   constexpr std::size_t longest_line = 400;
   std::string_view text = text_of(bytes.first(std::min(bytes.size(), 2 * longest_line)));
-  const auto registers = dump_words(take_line(text));
+  const auto registers = dump_words(base::take_line(text));
   const auto numbers = dumped_registers(description);
   if (registers.size() != numbers.size()) return false;
   for (std::size_t n = 0; n < numbers.size(); ++n)
     if (!dump_number(description, registers[n], description.registers[numbers[n]].bits)) return false;
-  const auto words = dump_words(take_line(text));
+  const auto words = dump_words(base::take_line(text));
   return words.size() == description.words_a_line &&
          std::all_of(words.begin(), words.end(), [&](std::string_view word) {
            return dump_number(description, word, description.word_bits).has_value();
@@ -434,7 +427,7 @@ Result<Program> read_dump(const MachineDescription& description, const Input& in
   };
   Program program;
   const auto numbers = dumped_registers(description);
-  const auto registers = dump_words(take_line(text));
+  const auto registers = dump_words(base::take_line(text));
   if (registers.size() != numbers.size())
     return refused(fmt::format("{} numbers", registers.size()), fmt::format("{} registers", numbers.size()));
   for (std::size_t n = 0; n < numbers.size(); ++n) {
@@ -446,7 +439,7 @@ Result<Program> read_dump(const MachineDescription& description, const Input& in
   const std::uint32_t most = 1U << description.address_bits;
   while (!text.empty()) {
     ++line;
-    for (const std::string_view word : dump_words(take_line(text))) {
+    for (const std::string_view word : dump_words(base::take_line(text))) {
       const auto value = dump_number(description, word, description.word_bits);
       if (!value) return refused(fmt::format("\"{}\"", word), expected("a word", description.word_bits));
       const auto address = static_cast<std::uint32_t>(program.words.size());

@@ -39,6 +39,9 @@ struct Prepared {
 [[nodiscard]] Result<Prepared> prepare(const MachineDescription& machine, const Arguments& arguments,
                                        const FileReader& read);
 
+// What assemblers read; no format of a program ends like this.
+[[nodiscard]] bool named_as_source(std::string_view path);
+
 struct Progress {
   std::uint64_t instructions = 0;
   core::Instant now;

@@ -243,6 +243,62 @@ class Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
+// The observer of a monitor.
+class I8080Prober {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  void instruction(const machines::I8080InstructionRecord& record) {
+    entry_.time = core::t_states_of(record.time);
+    entry_.pc = record.pc;
+    entry_.word = record.bytes[0] | static_cast<std::uint32_t>(record.bytes[1]) << 8 |
+                  static_cast<std::uint32_t>(record.bytes[2]) << 16;
+    entry_.accumulator = record.after.a;
+    entry_.link = record.after.f;
+    entry_.supplied = record.acknowledged;
+    probe.remember(entry_);
+    if (record.acknowledged) probe.interrupt(record.pc);
+    entry_.has_address = false;
+    begin(record.after.pc);
+    probe.access(Probe::Kind::execution, Probe::executed, here_, 0);
+  }
+  void cycle(const machines::I8080Cycle& cycle) {
+    namespace status = i8080::status;
+    const auto number = static_cast<std::uint8_t>(cycle.address);
+    if ((cycle.status & status::first) != 0 || (cycle.status & status::halt) != 0) return;
+    if ((cycle.status & status::input) != 0) {
+      probe.port(Probe::Kind::port_read, Probe::is_read, number, cycle.data);
+    } else if ((cycle.status & status::output) != 0) {
+      probe.port(Probe::Kind::port_write, Probe::is_written, number, cycle.data);
+    } else {
+      // The bytes of the instruction itself are read too.
+      const bool own = static_cast<i8080::Address>(cycle.address - here_) <= 2;
+      const bool reads = (cycle.status & status::read) != 0;
+      if (!own || !reads) {
+        entry_.has_address = true;
+        entry_.address = cycle.address;
+        entry_.value = cycle.data;
+      }
+      if (reads) {
+        if (!own) probe.access(Probe::Kind::read, Probe::is_read, cycle.address, cycle.data);
+      } else {
+        probe.written(cycle.address, {core::t_states_of(cycle.time), here_, cycle.data, false});
+        probe.access(Probe::Kind::write, Probe::is_written, cycle.address, cycle.data);
+      }
+    }
+  }
+  [[nodiscard]] bool stop() const { return probe.stops(); }
+  void begin(i8080::Address pc) { here_ = pc; }
+
+  Probe probe{0x10000, 0x100};
+
+ private:
+  Probe::Entry entry_;
+  i8080::Address here_ = 0;
+};
+
 // --- Texts ---
 
 // Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
@@ -312,7 +368,10 @@ class I8080Run final : public Machine {
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
         ports_(devices_, setup_.cpm, setup_.strict) {
-    if (setup_.observed) {
+    if (setup_.monitored) {
+      prober_.emplace();
+      processor_ = std::make_unique<ProcessorOf<I8080Prober>>(ports_, *prober_);
+    } else if (setup_.observed) {
       recorder_.emplace();
       processor_ = std::make_unique<ProcessorOf<Recorder>>(ports_, *recorder_);
     } else {
@@ -392,7 +451,11 @@ class I8080Run final : public Machine {
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
         asked ? std::min(limit, processor_->now() + time_between_questions) : limit;
-    switch (processor_->run({limits.instructions - processor_->instructions(), until})) {
+    if (prober_) prober_->begin(processor_->registers().pc);
+    const auto reason = processor_->run({limits.instructions - processor_->instructions(), until});
+    // A call of CP/M is answered before a monitor looks at the machine.
+    if (prober_ && prober_->probe.stops() && reason != machines::I8080StopReason::ports) return Stop{"event", {}};
+    switch (reason) {
       case machines::I8080StopReason::halt: return Stop{"halt", {}};
       case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case machines::I8080StopReason::time_limit:
@@ -410,6 +473,24 @@ class I8080Run final : public Machine {
     if (recorder_) recorder_->finish();
     plotter_.finish();
   }
+
+  [[nodiscard]] Probe* probe() override { return prober_ ? &prober_->probe : nullptr; }
+  [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
+    const auto at = [&](std::uint32_t n) { return processor_->memory()[static_cast<i8080::Address>(address + n)]; };
+    const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({at(0), at(1), at(2)});
+    return {(line.duplicate ? "*" : "") + line.text, static_cast<unsigned>(line.bytes)};
+  }
+  [[nodiscard]] std::string history_line(const Probe::Entry& entry) const override {
+    const auto byte = [&entry](unsigned n) { return static_cast<std::uint8_t>(entry.word >> (8 * n)); };
+    const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({byte(0), byte(1), byte(2)});
+    std::string bytes;
+    for (unsigned n = 0; n < static_cast<unsigned>(line.bytes); ++n) bytes += fmt::format("{:02X}", byte(n));
+    const std::string used =
+        entry.has_address ? fmt::format("{:04X}={:02X}", entry.address, entry.value) : std::string();
+    return fmt::format("{:>12} {:04X} {:<6} {:<20} {:<7} {:02X} {:02X}", entry.time, entry.pc, bytes,
+                       (entry.supplied ? "INT " : "") + line.text, used, entry.accumulator, entry.link);
+  }
+  [[nodiscard]] std::vector<ReportLine> device_lines() const override { return lines(); }
 
   void type(std::uint8_t code) override {
     keys_.push_back(code);
@@ -738,6 +819,7 @@ class I8080Run final : public Machine {
   Devices devices_;
   RunPorts ports_;
   std::optional<Recorder> recorder_;
+  std::optional<I8080Prober> prober_;
   machines::NoI8080Observer nobody_;
   std::unique_ptr<Processor> processor_;
   std::bitset<0x100> loaded_below_;

@@ -28,6 +28,7 @@ struct I8080Setup {
   bool cpm = false;                        // puts the entries into memory
   bool strict = false;                     // an access to a port without a device ends the run
   bool observed = false;                   // take("--trace") or take("--bus") is to come
+  bool monitored = false;                  // it has a probe; instead of a trace and a bus log
   bool keep_console = false;               // what is printed goes into the report
   bool console = false;                    // with cpm: keys can be typed, take_printed() has what is printed
   bool drawing = false;                    // keep the lines the plotter draws

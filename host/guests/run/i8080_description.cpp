@@ -142,6 +142,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.console = arguments.given("--console");
   if (setup.console && !setup.cpm) return usage("--console: needs --cpm: the console is that of CP/M");
   setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console-out");
+  setup.monitored = arguments.given("--monitor");
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
   return make_i8080(std::move(setup));

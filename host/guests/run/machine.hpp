@@ -22,6 +22,7 @@
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
+#include "host/guests/run/probe.hpp"
 #include "tools/asm/diagnostic.hpp"
 #include "tools/asm/source.hpp"
 
@@ -284,6 +285,25 @@ class Machine {
   // What has been printed since the last call.
   [[nodiscard]] virtual std::string take_printed() { return {}; }
 
+  // Of a machine made with --monitor; else null.
+  [[nodiscard]] virtual Probe* probe() { return nullptr; }
+  // For a monitor: the instruction at an address, and how many words it has.
+  struct Instruction {
+    std::string text;
+    unsigned words = 1;
+  };
+  [[nodiscard]] virtual Instruction instruction_at(std::uint32_t) const { return {}; }
+  // A line of the history: the fields of the trace.
+  [[nodiscard]] virtual std::string history_line(const Probe::Entry&) const { return {}; }
+  // Puts something into a device (a tape into the reader), or takes it out; a complaint if there is no such device.
+  [[nodiscard]] virtual Result<Done> attach(std::string_view device, const Input&) {
+    return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
+  }
+  // Flags of devices that a monitor can stop at: the names are in lower case.
+  [[nodiscard]] virtual std::vector<std::pair<std::string_view, bool>> conditions() { return {}; }
+  // What the devices do, one to a line.
+  [[nodiscard]] virtual std::vector<ReportLine> device_lines() const { return {}; }
+
   [[nodiscard]] virtual std::uint64_t instructions() const = 0;
   [[nodiscard]] virtual core::Instant now() const = 0;
   // The same in the machine's unit, that of Limits::until, and how many of them are a second.
@@ -303,6 +323,7 @@ struct MachineDescription {
   std::string_view name;  // "pdp7", of the subcommands
   std::string_view help;  // of `sightline run NAME`
   std::string more_help;  // at the end of what `sightline run NAME --help` explains
+  std::int64_t ticks_a_cycle = 1;  // of memory, in the unit of Limits::until
   int radix = 8;          // of addresses, words and registers: 8 or 16
   unsigned address_bits = 0;
   unsigned word_bits = 0;

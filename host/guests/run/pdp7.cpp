@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
+#include <type_traits>
 
 #include "host/base/text.hpp"
 #include "host/picture/phosphor.hpp"
@@ -67,6 +68,91 @@ struct NoTracer : machines::NoObserver {
   static void finish() {}
 };
 
+// The observer of a monitor.
+class Prober {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  static void take(const TextTaker&) {}
+  static void finish() {}
+
+  void instruction(const machines::InstructionRecord& record) {
+    entry_.time = core::nanoseconds_of(record.time);
+    entry_.pc = record.pc;
+    entry_.word = record.word.value();
+    entry_.accumulator = record.after.ac.value();
+    entry_.link = record.after.link ? 1 : 0;
+    probe.remember(entry_);
+    entry_.has_address = false;
+    fetched_ = false;
+    arrive(record.after.pc);
+  }
+  void cycle(const pdp7::Cycle& cycle) {
+    switch (cycle.verb) {
+      case pdp7::Verb::read:
+        if (!fetched_) {
+          fetched_ = true;
+          return;
+        }
+        use(cycle);
+        probe.access(Probe::Kind::read, Probe::is_read, cycle.address, cycle.data.value());
+        return;
+      case pdp7::Verb::modify:
+        use(cycle);
+        probe.access(Probe::Kind::read, Probe::is_read, cycle.address, (cycle.data - core::Word18(1)).value());
+        write(cycle, false);
+        return;
+      case pdp7::Verb::write:
+        // Only the program interrupt writes before an instruction was fetched.
+        if (!fetched_) {
+          probe.interrupt(here_);
+          write(cycle, false);
+          arrive(1);
+          return;
+        }
+        use(cycle);
+        write(cycle, false);
+        return;
+      case pdp7::Verb::iot: {
+        const std::uint32_t device = (cycle.address >> 6) & 077U;
+        probe.port(Probe::Kind::port_write, Probe::executed, device, cycle.address | 0700000U);
+        return;
+      }
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify: write(cycle, true); return;
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::idle: return;
+    }
+  }
+  [[nodiscard]] bool stop() const { return probe.stops(); }
+
+  // The next instruction is the one at `pc`, wherever the last one led.
+  void begin(pdp7::Address pc) { here_ = pc; }
+
+  Probe probe{std::size_t{pdp7::address_mask} + 1, 0100};
+
+ private:
+  void arrive(pdp7::Address pc) {
+    here_ = pc;
+    probe.access(Probe::Kind::execution, Probe::executed, pc, 0);
+  }
+  void use(const pdp7::Cycle& cycle) {
+    entry_.has_address = true;
+    entry_.address = cycle.address;
+    entry_.value = cycle.data.value();
+  }
+  void write(const pdp7::Cycle& cycle, bool device) {
+    probe.written(cycle.address, {core::nanoseconds_of(cycle.time), here_, cycle.data.value(), device});
+    probe.access(Probe::Kind::write, Probe::is_written, cycle.address, cycle.data.value());
+  }
+
+  Probe::Entry entry_;
+  pdp7::Address here_ = 0;
+  bool fetched_ = false;
+};
+
 // A run without a taker of strokes.
 struct NoScreen : core::NoStrokes {
   explicit NoScreen(const Screen::Wishes&) {}
@@ -113,6 +199,8 @@ Bytes bytes_of(std::string_view text) {
 
 template <class Sink, class Observer>
 class Pdp7Machine final : public Machine {
+  static constexpr bool monitored = std::is_same_v<Observer, Prober>;
+
  public:
   explicit Pdp7Machine(Pdp7Setup setup)
       : setup_(std::move(setup)),
@@ -175,10 +263,14 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
     const std::uint64_t left = limits.instructions - machine_.counts().instructions;
     const core::Instant limit = core::at_nanoseconds(limits.until);
+    if constexpr (monitored) observer_.begin(machine_.registers().pc);
     const auto reason =
         machine_.run({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
+    if constexpr (monitored) {
+      if (observer_.probe.stops()) return Stop{"event", {}};
+    }
     const bool slice_done = reason == machines::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
     const bool pen_due = reason == machines::StopReason::time_limit && machine_.now() < limit;
@@ -188,6 +280,54 @@ class Pdp7Machine final : public Machine {
   void finish() override {
     observer_.finish();
     sink_.finish();
+  }
+
+  [[nodiscard]] Probe* probe() override {
+    if constexpr (monitored) return &observer_.probe;
+    return nullptr;
+  }
+  [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
+    return {disassembler::disassemble_word(machine_.peek(address), address), 1};
+  }
+  [[nodiscard]] std::string history_line(const Probe::Entry& entry) const override {
+    std::string used = entry.has_address ? fmt::format("{:05o}={:06o}", entry.address, entry.value) : std::string();
+    return fmt::format("{:>12} {:05o} {:06o}  {:<18} {:<12} {:06o} {:o}", entry.time, entry.pc, entry.word,
+                       disassembler::disassemble_word(core::Word18(entry.word), entry.pc), used, entry.accumulator,
+                       entry.link);
+  }
+  [[nodiscard]] Result<Done> attach(std::string_view device, const Input& input) override {
+    if (device != "reader")
+      return usage(fmt::format("attach: found device \"{}\", expected reader", device));
+    machine_.devices().reader.load(input.bytes);
+    return Done{};
+  }
+  [[nodiscard]] std::vector<std::pair<std::string_view, bool>> conditions() override {
+    const pdp7::Peripherals& devices = machine_.devices();
+    std::vector<std::pair<std::string_view, bool>> flags{{"clock", devices.clock.flag()},
+                                                         {"reader", devices.reader.flag()},
+                                                         {"punch", devices.punch.flag()},
+                                                         {"keyboard", devices.keyboard.flag()},
+                                                         {"printer", devices.printer.flag()}};
+    if (auto* display = machine_.display()) {
+      // The display has come to the machine's own time: to ask it changes nothing.
+      flags.emplace_back("edge", display->vertical_edge(now()) || display->horizontal_edge(now()));
+      flags.emplace_back("pen", display->light_pen_flag(now()));
+      flags.emplace_back("stop", display->stop_interrupt(now()));
+    }
+    return flags;
+  }
+  [[nodiscard]] std::vector<ReportLine> device_lines() const override {
+    const pdp7::Peripherals& devices = machine_.devices();
+    const auto flag = [](bool up) { return up ? "flag up" : "flag down"; };
+    std::vector<ReportLine> lines{
+        {"clock", fmt::format("{}, {}", devices.clock.on() ? "on" : "off", flag(devices.clock.flag()))},
+        {"reader", fmt::format("{}, buffer {:06o}{}", flag(devices.reader.flag()), devices.reader.buffer().value(),
+                               devices.reader.out_of_tape() ? ", waits for tape" : "")},
+        {"punch", fmt::format("{}, {} lines punched", flag(devices.punch.flag()), devices.punch.tape().size())},
+        {"keyboard", fmt::format("{}, buffer {:03o}", flag(devices.keyboard.flag()), devices.keyboard.buffer())},
+        {"printer", fmt::format("{}, {} characters typed", flag(devices.printer.flag()),
+                                devices.printer.printed().size())}};
+    return lines;
   }
 
   void type(std::uint8_t code) override {
@@ -350,7 +490,8 @@ class Pdp7Machine final : public Machine {
 }  // namespace
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  // A screen without outputs costs a trace almost nothing.
+  // A screen without outputs costs a monitor or a trace almost nothing.
+  if (setup.monitored) return std::make_unique<Pdp7Machine<Screen, Prober>>(std::move(setup));
   if (setup.trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
   if (setup.screen) return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
   return std::make_unique<Pdp7Machine<NoScreen, NoTracer>>(std::move(setup));

@@ -25,6 +25,7 @@ struct Pdp7Setup {
   std::vector<KeyPress> keys;            // not before one another
   std::vector<PenMove> pen_script;       // likewise; nothing without a display
   bool trace = false;                    // take("--trace") is to come
+  bool monitored = false;                // it has a probe; instead of a trace
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
 };
 

@@ -156,6 +156,7 @@ void choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   setup.machine.display = type340::Options{};
   setup.machine.display->subroutines_347 = has("347");
   setup.machine.display->characters_342 = has("342");
+  if (arguments.given("--monitor")) setup.screen = Screen::Wishes{.picture = true, .photograph = true};
 }
 
 // An octal word, or a script of who moves the switches when.
@@ -181,6 +182,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   if (auto done = set_timing(arguments.list("--timing"), setup); !done) return done.error();
   choose_display(arguments, setup);
   setup.trace = arguments.given("--trace");
+  setup.monitored = arguments.given("--monitor");
   if (auto done = set_switches(arguments.text("--switches"), read, setup); !done) return done.error();
   if (arguments.given("--reader")) setup.reader_tape = read(arguments.text("--reader")).bytes;
   if (arguments.given("--keyboard")) {
@@ -316,6 +318,7 @@ MachineDescription described() {
   pdp7.name = "pdp7";
   pdp7.help = "Run a program on the PDP-7";
   pdp7.radix = 8;
+  pdp7.ticks_a_cycle = sightline::pdp7::machine_cycle.count();
   pdp7.address_bits = 15;
   pdp7.word_bits = 18;
   pdp7.words_a_line = 8;

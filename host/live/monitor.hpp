@@ -1,0 +1,70 @@
+// The monitor: an emulated machine stopped, looked into, changed, and run on, one line of text at a time.
+//
+// Verbs and abbreviations are those that users of SIMH have in their fingers; `help` lists them from the one table in
+// monitor.cpp. Addresses and words are in the radix of the machine. Nothing here knows of terminals: the caller reads
+// lines, and hands in how a run waits for the operator.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/guests/run/engine.hpp"
+#include "host/live/symbols.hpp"
+
+namespace sightline::live {
+
+// What the monitor cannot do by itself.
+struct MonitorHost {
+  // Runs to a stop, showing what the program prints and handing it what is typed; `heard` is told what is printed too.
+  std::function<guests::run::Stop(guests::run::Machine&, const guests::run::Limits&,
+                                  const std::function<void(std::string_view)>& heard)>
+      run;
+  // Asked now and then by runs that go instruction by instruction; true: stop.
+  std::function<bool()> interrupted;
+  // What the program has printed, outside `run`.
+  std::function<void(std::string_view)> print;
+  std::function<guests::run::Result<guests::run::Input>(const std::string& path)> read;
+  // All of the file or nothing.
+  std::function<guests::run::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
+  // "real", "max" or a number; a complaint if it is none.
+  std::function<guests::run::Result<base::Done>(const std::string&)> speed;
+};
+
+struct Answer {
+  enum class Kind : std::uint8_t {
+    done,
+    wrong,   // the line was not understood, or a file could not be read
+    failed,  // assert or expect: what was claimed is not so
+    quit,
+  };
+  Kind kind = Kind::done;
+  std::string text;  // whole lines, or empty
+};
+
+class Monitor {
+ public:
+  // All must outlive the monitor; the machine was made with --monitor.
+  Monitor(const guests::run::MachineDescription& description, guests::run::Machine& machine,
+          const guests::run::Limits& limits, Symbols symbols, MonitorHost host);
+  ~Monitor();
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  // One line as typed; several commands between `;`.
+  [[nodiscard]] Answer execute(std::string_view line);
+  // Where the machine is and what it does next.
+  [[nodiscard]] std::string status() const;
+  // What the word under the cursor may become: verbs at the beginning of a line, else names.
+  [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
+  // The last stop of the machine by itself, for a report.
+  [[nodiscard]] const guests::run::Stop& last_stop() const;
+
+ private:
+  class Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace sightline::live

@@ -1,0 +1,43 @@
+// The symbols of a program and the lines of its source, as our assemblers write them with --symbols and --listing.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/base/result.hpp"
+
+namespace sightline::live {
+
+class Symbols {
+ public:
+  explicit Symbols(int radix) : radix_(radix) {}
+
+  // Lines `NAME VALUE`. A later file wins. An error names the line.
+  [[nodiscard]] base::Result<base::Done> add_table(std::string_view text);
+  // Lines `ADDRESS CODE SOURCE`, others are passed over.
+  void add_listing(std::string_view text);
+
+  // Any case; on the PDP-7 the assembler's own rule, the first six characters.
+  [[nodiscard]] std::optional<std::uint32_t> value(std::string_view name) const;
+  // "begin", "begin+5", or nothing if no symbol is near. A symbol may be a number of any meaning: only those that
+  // belong to an address of the listing count, if there is one.
+  [[nodiscard]] std::string near(std::uint32_t address) const;
+  // The line of the source that made the word, without blanks around it.
+  [[nodiscard]] std::string_view source(std::uint32_t address) const;
+  [[nodiscard]] const std::map<std::string, std::uint32_t, std::less<>>& all() const { return values_; }
+
+ private:
+  [[nodiscard]] std::string key(std::string_view name) const;
+
+  int radix_;
+  std::map<std::string, std::uint32_t, std::less<>> values_;  // as written
+  std::map<std::string, std::uint32_t, std::less<>> keys_;
+  std::map<std::uint32_t, std::string> by_value_;
+  std::map<std::uint32_t, std::string> sources_;
+};
+
+}  // namespace sightline::live
