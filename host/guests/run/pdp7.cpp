@@ -426,6 +426,7 @@ class Pdp7Machine final : public Machine {
       return codes;
     }
     if constexpr (Sink::consumes) {
+      if (machine_.display() == nullptr) return {};
       if (option == "--phosphor") return photograph();
       const auto strokes = sink_.picture_strokes();
       if (option == "--svg")

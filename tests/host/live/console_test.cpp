@@ -78,17 +78,17 @@ class Typist final : public live::Operator {
   bool terminal_;
 };
 
-struct Session {
+struct Ended {
   run::Stop stop;
   std::string printed;
   std::unique_ptr<run::Machine> machine;
 };
 
-Session session(const MachineRun& of, Typist typist, const live::ConsoleOptions& options) {
+Ended session(const MachineRun& of, Typist typist, const live::ConsoleOptions& options) {
   auto ready = of.prepared();
   EXPECT_TRUE(ready.has_value()) << of.refusal();
   if (!ready) return {};
-  Session done;
+  Ended done;
   done.stop = live::run_console(*ready->machine, ready->limits, options, typist);
   done.printed = typist.printed;
   done.machine = std::move(ready->machine);
@@ -139,14 +139,14 @@ MachineRun i8080_run(const std::string& text) {
 
 TEST(ConsolePipe, KeysAreTypedWhenTheProgramAsks) {
   for (const MachineRun& program : {pdp7_echo(), pdp7_interrupts()}) {
-    const Session done = session(program, Typist("Hello there\nsecond line!"), {KeyCodes::parity, {}, {}});
+    const Ended done = session(program, Typist("Hello there\nsecond line!"), {KeyCodes::parity, {}, {}});
     EXPECT_EQ(done.stop.name, "halt");
     EXPECT_EQ(done.printed, "*Hello there\rsecond line!");
   }
 }
 
 TEST(ConsolePipe, CodesOfTheModeReachTheProgram) {
-  const Session done = session(pdp7_run("wait, 700301\n  jmp wait\n  700312\n  dac i 10\n  isz count\n  jmp wait\n  hlt\n"
+  const Ended done = session(pdp7_run("wait, 700301\n  jmp wait\n  700312\n  dac i 10\n  isz count\n  jmp wait\n  hlt\n"
                                         "count, 777774\n  10/\n  277\n"),
                                Typist("a\rZ\033"), {KeyCodes::unix, {}, {}});
   ASSERT_EQ(done.stop.name, "halt");
@@ -158,7 +158,7 @@ TEST(ConsolePipe, CodesOfTheModeReachTheProgram) {
 
 TEST(ConsolePipe, EndsWhenTheProgramWaitsForMore) {
   for (const MachineRun& program : {pdp7_echo(), pdp7_interrupts()}) {
-    const Session done = session(program, Typist("ab"), {});
+    const Ended done = session(program, Typist("ab"), {});
     EXPECT_EQ(done.stop.name, "end_of_input");
     EXPECT_EQ(done.stop.complaint, "");
     EXPECT_EQ(done.printed, "*ab");
@@ -171,14 +171,14 @@ TEST(ConsolePipe, LineEndsOfFilesAreReturns) {
 }
 
 TEST(ConsolePipe, TheSameInputTakesTheSameTime) {
-  const Session a = session(pdp7_echo(), Typist("some text!"), {});
-  const Session b = session(pdp7_echo(), Typist("some text!"), {});
+  const Ended a = session(pdp7_echo(), Typist("some text!"), {});
+  const Ended b = session(pdp7_echo(), Typist("some text!"), {});
   EXPECT_EQ(core::nanoseconds_of(a.machine->now()), core::nanoseconds_of(b.machine->now()));
   EXPECT_EQ(a.machine->instructions(), b.machine->instructions());
 }
 
 TEST(ConsoleTerminal, KeysAreTypedAsTheyComeAndCtrlEEnds) {
-  const Session done = session(pdp7_run("  jmp .\n"), Typist("abc", true), {});
+  const Ended done = session(pdp7_run("  jmp .\n"), Typist("abc", true), {});
   EXPECT_EQ(done.stop.name, "operator");
   EXPECT_EQ(done.stop.complaint, "");
 }
@@ -186,7 +186,7 @@ TEST(ConsoleTerminal, KeysAreTypedAsTheyComeAndCtrlEEnds) {
 TEST(ConsoleTerminal, TheSpeedIsThatOfTheMachineTimesTheNumber) {
   Typist person("", false);
   const auto begun = std::chrono::steady_clock::now();
-  const Session done = session(pdp7_run("  jmp .\n").set("--max-time", "1"), Typist(""), {KeyCodes::ascii, 4.0, {}});
+  const Ended done = session(pdp7_run("  jmp .\n").set("--max-time", "1"), Typist(""), {KeyCodes::ascii, 4.0, {}});
   const auto taken = std::chrono::steady_clock::now() - begun;
   EXPECT_EQ(done.stop.name, "time_limit");
   // Never early; how late it is depends on the host.
@@ -194,11 +194,11 @@ TEST(ConsoleTerminal, TheSpeedIsThatOfTheMachineTimesTheNumber) {
 }
 
 TEST(ConsoleLimits, AreThoseOfTheRun) {
-  const Session by_time = session(pdp7_run("  jmp .\n").set("--max-time", "0.123456789"), Typist(""), {});
+  const Ended by_time = session(pdp7_run("  jmp .\n").set("--max-time", "0.123456789"), Typist(""), {});
   EXPECT_EQ(by_time.stop.name, "time_limit");
   EXPECT_GE(core::nanoseconds_of(by_time.machine->now()), 123'456'789);
   EXPECT_LT(core::nanoseconds_of(by_time.machine->now()), 123'456'789 + 1750);
-  const Session by_count = session(pdp7_run("  jmp .\n").set("--max-instructions", "100000"), Typist(""), {});
+  const Ended by_count = session(pdp7_run("  jmp .\n").set("--max-instructions", "100000"), Typist(""), {});
   EXPECT_EQ(by_count.stop.name, "instruction_limit");
   EXPECT_EQ(by_count.machine->instructions(), 100000U);
 }
@@ -216,14 +216,14 @@ live::ConsoleOptions script(std::vector<live::Step> steps) {
 }
 
 TEST(ConsoleScript, TypesAfterWhatItExpects) {
-  const Session done = session(pdp7_echo(), Typist("not read"), script({expect("*"), send("abc"), expect("abc"), send("!")}));
+  const Ended done = session(pdp7_echo(), Typist("not read"), script({expect("*"), send("abc"), expect("abc"), send("!")}));
   EXPECT_EQ(done.stop.name, "halt");
   EXPECT_EQ(done.stop.complaint, "");
   EXPECT_EQ(done.printed, "*abc!");
 }
 
 TEST(ConsoleScript, EndsWithTheLastTextExpected) {
-  const Session done = session(pdp7_echo(), Typist(""), script({expect("*"), send("abc"), expect("bc")}));
+  const Ended done = session(pdp7_echo(), Typist(""), script({expect("*"), send("abc"), expect("bc")}));
   EXPECT_EQ(done.stop.name, "end_of_input");
   EXPECT_EQ(done.stop.complaint, "");
   EXPECT_EQ(done.printed, "*abc");
@@ -234,13 +234,13 @@ TEST(ConsoleScript, WithoutTextsToExpectTypesAtOnce) {
 }
 
 TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
-  const Session waits = session(pdp7_echo(), Typist(""), script({expect("*"), send("ab"), expect("#"), send("c")}));
+  const Ended waits = session(pdp7_echo(), Typist(""), script({expect("*"), send("ab"), expect("#"), send("c")}));
   EXPECT_EQ(waits.stop.complaint,
             "--expect \"#\": the program waits for a key, and the text was not printed; printed since the last match: "
             "\"ab\"");
-  const Session halts = session(pdp7_echo(), Typist(""), script({expect("*"), send("!"), expect("#")}));
+  const Ended halts = session(pdp7_echo(), Typist(""), script({expect("*"), send("!"), expect("#")}));
   EXPECT_NE(halts.stop.complaint.find("--expect \"#\": the run ended, and the text was not printed"), std::string::npos);
-  const Session unsent = session(pdp7_echo(), Typist(""), script({expect("*"), send("!"), send("more")}));
+  const Ended unsent = session(pdp7_echo(), Typist(""), script({expect("*"), send("!"), send("more")}));
   EXPECT_EQ(unsent.stop.complaint, "--send \"more\": the run ended before it was typed");
 }
 
@@ -248,7 +248,7 @@ TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
 
 // Calls of BDOS by the CP/M 2.2 Interface Guide.
 TEST(CpmConsole, FunctionOneWaitsEchoesAndReturnsTheKey) {
-  const Session done = session(i8080_run("  MVI C,1\n  CALL 5\n  STA 200H\n  MOV A,L\n  STA 201H\n  MVI C,1\n  CALL 5\n"
+  const Ended done = session(i8080_run("  MVI C,1\n  CALL 5\n  STA 200H\n  MOV A,L\n  STA 201H\n  MVI C,1\n  CALL 5\n"
                                          "  STA 202H\n  JMP 0\n"),
                                Typist("x\033"), {});
   EXPECT_EQ(done.stop.name, "exit");
@@ -260,7 +260,7 @@ TEST(CpmConsole, FunctionOneWaitsEchoesAndReturnsTheKey) {
 
 TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
   const auto line = [](const char* keys, const char* size = "10") {
-    const Session done = session(i8080_run("  LXI D,200H\n  MVI A," + std::string(size) +
+    const Ended done = session(i8080_run("  LXI D,200H\n  MVI A," + std::string(size) +
                                            "\n  STAX D\n  MVI C,10\n  CALL 5\n  JMP 0\n"),
                                  Typist(keys), {});
     EXPECT_EQ(done.stop.name, "exit") << keys;
@@ -281,7 +281,7 @@ TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
 }
 
 TEST(CpmConsole, FunctionsSixAndElevenAskWithoutWaiting) {
-  const Session done = session(i8080_run("POLL: MVI C,11\n  CALL 5\n  ORA A\n  JZ POLL\n  STA 200H\n"
+  const Ended done = session(i8080_run("POLL: MVI C,11\n  CALL 5\n  ORA A\n  JZ POLL\n  STA 200H\n"
                                          "  MVI C,6\n  MVI E,0FEH\n  CALL 5\n  STA 201H\n"
                                          "  MVI C,6\n  MVI E,0FFH\n  CALL 5\n  STA 202H\n"
                                          "  MVI C,6\n  MVI E,0FFH\n  CALL 5\n  STA 203H\n"
@@ -296,13 +296,13 @@ TEST(CpmConsole, FunctionsSixAndElevenAskWithoutWaiting) {
 }
 
 TEST(CpmConsole, WaitingTakesNoTime) {
-  const Session done = session(i8080_run("  MVI C,1\n  CALL 5\n  JMP 0\n"), Typist("x"), {});
+  const Ended done = session(i8080_run("  MVI C,1\n  CALL 5\n  JMP 0\n"), Typist("x"), {});
   // MVI 7, CALL 17, OUT 10, RET 10, JMP 10, OUT 10
   EXPECT_EQ(done.machine->ticks(), 64);
 }
 
 TEST(CpmConsole, TheEndOfTheInputEndsTheRun) {
-  const Session done = session(i8080_run("LOOP: MVI C,1\n  CALL 5\n  JMP LOOP\n"), Typist("ab"), {});
+  const Ended done = session(i8080_run("LOOP: MVI C,1\n  CALL 5\n  JMP LOOP\n"), Typist("ab"), {});
   EXPECT_EQ(done.stop.name, "end_of_input");
   EXPECT_EQ(done.printed, "ab");
 }

@@ -67,6 +67,11 @@ class MachineRun {
     files_[name] = {text.begin(), text.end()};
     return set(option, name);
   }
+  // The machine of a monitor.
+  MachineRun& monitored() {
+    arguments_.value("--monitor").flag = true;
+    return *this;
+  }
   MachineRun& ask(run::KeepRunning keep_running) {
     keep_running_ = std::move(keep_running);
     return *this;

@@ -1,0 +1,546 @@
+// Each verb of the monitor on small programs of both machines. What a line answers follows from the program: addresses and
+// words from its source, times from the machine's cycle of 1.75 us and the 8080's T-states.
+#include "host/live/monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "host/live/console.hpp"
+#include "host/live/expression.hpp"
+#include "tests/host/guests/run/machine_run.hpp"
+#include "tools/asm/i8080.hpp"
+#include "tools/asm/pdp7.hpp"
+#include "tools/image/intel_hex.hpp"
+#include "tools/image/tape.hpp"
+
+namespace sightline::test {
+namespace {
+
+using Kind = live::Answer::Kind;
+
+// --- Expressions ---
+
+live::Names names(int radix) {
+  return {radix,
+          [](std::string_view name) -> std::optional<std::int64_t> {
+            if (name == "ac") return 5;
+            if (name == "begin") return 0100;
+            return std::nullopt;
+          },
+          [](std::int64_t address) -> std::optional<std::int64_t> {
+            if (address < 0 || address > 7) return std::nullopt;
+            return address * address;
+          }};
+}
+
+// -999: it was refused.
+std::int64_t value_or_none(std::string_view text, int radix) {
+  const auto value = live::evaluate(text, names(radix));
+  return value ? *value : -999;
+}
+
+TEST(Expression, HasTheOperatorsOfC) {
+  const auto value = [](std::string_view text) { return value_or_none(text, 8); };
+  EXPECT_EQ(value("10"), 8);
+  EXPECT_EQ(value("10."), 10);
+  EXPECT_EQ(value("0x10"), 16);
+  EXPECT_EQ(value("0o10"), 8);
+  EXPECT_EQ(value("1+2*3"), 7);
+  EXPECT_EQ(value("(1+2)*3"), 9);
+  EXPECT_EQ(value("10-3-2"), 3);
+  EXPECT_EQ(value("ac==5 && begin>77"), 1);
+  EXPECT_EQ(value("ac=5"), 1);
+  EXPECT_EQ(value("ac!=5||0"), 0);
+  EXPECT_EQ(value("1<<3|1"), 9);
+  EXPECT_EQ(value("6&3^1"), 3);
+  EXPECT_EQ(value("-1"), -1);
+  EXPECT_EQ(value("~0"), -1);
+  EXPECT_EQ(value("!0 + !7"), 1);
+  EXPECT_EQ(value("[2]+[1+2]"), 13);
+  EXPECT_EQ(value("[[2]]"), 16);
+  EXPECT_EQ(value("7/2"), 3);
+  EXPECT_EQ(value("7%4"), 3);
+  EXPECT_EQ(value("1>=1"), 1);
+  EXPECT_EQ(value("2<=1"), 0);
+}
+
+TEST(Expression, HexadecimalNumbersBeginWithADigit) {
+  const auto value = [](std::string_view text) { return value_or_none(text, 16); };
+  EXPECT_EQ(value("0FF"), 255);
+  EXPECT_EQ(value("10H"), 16);
+  EXPECT_EQ(value("ac"), 5);
+  EXPECT_EQ(value("0ac"), 0xAC);
+}
+
+TEST(Expression, SaysWhatIsWrong) {
+  const auto error = [](std::string_view text) {
+    const auto value = live::evaluate(text, names(8));
+    return value ? std::string("nothing") : value.error().message();
+  };
+  EXPECT_EQ(error("8"), "found \"8\", expected a number in octal");
+  EXPECT_EQ(error("nobody"), "found \"nobody\", expected a register, a condition or a symbol");
+  EXPECT_EQ(error("1+"), "found the end, expected a number or a name");
+  EXPECT_EQ(error("(1"), "found the end, expected \")\"");
+  EXPECT_EQ(error("1 2"), "found \"2\", expected an operator or the end");
+  EXPECT_EQ(error("1/0"), "found a division by 0, expected a divisor other than 0");
+  EXPECT_EQ(error("[10]"), "found address 8, expected an address in memory");
+  EXPECT_NE(error(std::string(1000, '(')), "nothing");
+  EXPECT_NE(error(""), "nothing");
+}
+
+// --- A session ---
+
+class Session {
+ public:
+  Session(const run::MachineDescription& description, MachineRun of, live::Symbols symbols)
+      : prepared_([&of] {
+          of.monitored();
+          auto ready = of.prepared();
+          EXPECT_TRUE(ready.has_value()) << of.refusal();
+          return std::move(*ready);
+        }()),
+        monitor_(description, *prepared_.machine, prepared_.limits, std::move(symbols), host()) {}
+
+  // The text of the answer, which must be of that kind.
+  std::string operator()(std::string_view line, Kind kind = Kind::done) {
+    const live::Answer answer = monitor_.execute(line);
+    EXPECT_EQ(answer.kind, kind) << line << "\n" << answer.text;
+    return answer.text;
+  }
+  run::Machine& machine() { return *prepared_.machine; }
+  live::Monitor& monitor() { return monitor_; }
+
+  std::map<std::string, std::string> files;
+  std::string printed;
+  int most_slices = 1000000;  // of the host's time; then somebody presses Ctrl-C
+
+ private:
+  live::MonitorHost host() {
+    return {[this](run::Machine& machine, const run::Limits& limits,
+                   const std::function<void(std::string_view)>& heard) {
+              std::optional<run::Stop> stop;
+              run::Limits some = limits;
+              if (most_slices == 0) some.instructions = std::min(limits.instructions, machine.instructions() + 5000);
+              for (int slices = 0; !stop; ++slices) {
+                stop = machine.run(some, true);
+                if (!stop && slices == most_slices) stop = run::Stop{run::interrupted, {}};
+                const std::string text = live::shown_text(machine.take_printed());
+                printed += text;
+                heard(text);
+                if (!stop && machine.waits_for_key()) stop = run::Stop{live::end_of_input, {}};
+              }
+              return *stop;
+            },
+            [this] { return most_slices == 0; },
+            [this](std::string_view text) { printed += text; },
+            [this](const std::string& path) -> run::Result<run::Input> {
+              const auto found = files.find(path);
+              if (found == files.end()) return run::bad_input(path + ": no such file");
+              return run::Input{path, {found->second.begin(), found->second.end()}};
+            },
+            [this](const std::string& path, std::span<const std::uint8_t> bytes) -> run::Result<base::Done> {
+              files[path] = {bytes.begin(), bytes.end()};
+              return base::Done{};
+            },
+            [](const std::string&) -> run::Result<base::Done> { return run::usage("there is no console"); }};
+  }
+
+  run::Prepared prepared_;
+  live::Monitor monitor_;
+};
+
+std::unique_ptr<Session> pdp7_session(const std::string& source, const char* option = nullptr) {
+  const std::vector<assembler::SourceFile> sources{{"test.s", "100/\n" + source}};
+  const auto assembly = assembler::assemble_pdp7(sources, {});
+  for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
+  live::Symbols symbols(8);
+  EXPECT_TRUE(symbols.add_table(assembler::write_symbols(assembly.symbols)));
+  symbols.add_listing(assembler::write_listing(assembly.listing));
+  const auto tape = image::write_rim(assembly.image, "test.rim");
+  MachineRun of(run::pdp7());
+  of.set_file("--load", "test.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()}).set("--start", "100");
+  if (option != nullptr) of.set(option);
+  return std::make_unique<Session>(run::pdp7(), of, std::move(symbols));
+}
+
+std::unique_ptr<Session> pdp7_program() {
+  return pdp7_session(
+      "begin,  lac (3\n"      // 100
+      "        jms store\n"   // 101
+      "        lac (5\n"      // 102
+      "        jms store\n"   // 103
+      "        hlt\n"         // 104
+      "store,  0\n"           // 105
+      "        dac place\n"   // 106
+      "        jmp i store\n" // 107
+      "place,  0\n"           // 110
+      "        start begin\n");
+}
+
+TEST(MonitorPdp7, ExaminesAndDeposits) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_NE(s("examine pc").find("PC 00100\n"), std::string::npos);
+  EXPECT_EQ(s("e 110"), "00110 000000  place: cal  ; place,  0\n");
+  EXPECT_EQ(s("d 110 123456; e 110"), "00110 123456  place: jms i 3456  ; place,  0\n");
+  EXPECT_EQ(s("d place 1 2 3; evaluate [place+2]"), "3 = 3.\n");
+  EXPECT_EQ(s("d 200 \"dac place\"; ev [200]"), "40110 = 16456.\n");
+  EXPECT_EQ(s("d ac 777777; e ac"), "AC 777777\n");
+  EXPECT_EQ(s("ev ac"), "777777 = 262143. = -1. as a word with a sign\n");
+  s("d ac 1000000", Kind::wrong);
+  s("d 110 1000000", Kind::wrong);
+  s("d 77777 1", Kind::wrong);
+  s("d 200 \"nonsense here\"", Kind::wrong);
+  s("d", Kind::wrong);
+  s("e 20000", Kind::wrong);
+  s("e 5-2", Kind::wrong);
+  s("e 0-17777", Kind::wrong);
+}
+
+TEST(MonitorPdp7, Steps) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  // A direct LAC is two cycles of 1.75 us.
+  EXPECT_EQ(s("step"), "00101 begin+1: jms 105  ; jms store  AC 000003  L 0  MQ 000000  SC 00  0.000003500 s\n");
+  s("s 2");
+  EXPECT_EQ(s("ev pc"), "107 = 71. = store+2\n");
+  EXPECT_NE(s("s 100").find("stopped by halt"), std::string::npos);
+  EXPECT_EQ(s("ev [place]"), "5 = 5.\n");
+}
+
+TEST(MonitorPdp7, NextRunsASubroutineToItsReturn) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("next");
+  EXPECT_EQ(s("ev pc"), "101 = 65. = begin+1\n");
+  EXPECT_NE(s("next").find("00102 begin+2"), std::string::npos);
+  EXPECT_EQ(s("ev [place]"), "3 = 3.\n");
+  EXPECT_EQ(s("show breaks"), "no breakpoints\n");
+}
+
+TEST(MonitorPdp7, BreaksBeforeAnInstruction) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_EQ(s("break store+1"), "breakpoint 1: store+1\n");
+  EXPECT_NE(s("continue").find("breakpoint 1\n00106"), std::string::npos);
+  EXPECT_EQ(s("ev ac"), "3 = 3.\n");
+  EXPECT_NE(s("c").find("breakpoint 1\n00106"), std::string::npos);
+  EXPECT_EQ(s("ev ac"), "5 = 5.\n");
+  EXPECT_EQ(s("show breaks"), "1: store+1, passed 2 times\n");
+  EXPECT_NE(s("c").find("stopped by halt\n00105"), std::string::npos);
+}
+
+TEST(MonitorPdp7, BreaksIfAndAfterACount) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("break 106 if ac==5");
+  s("c");
+  EXPECT_EQ(s("ev ac"), "5 = 5.\n");
+  auto again = pdp7_program();
+  (*again)("break 106 count 2");
+  (*again)("c");
+  EXPECT_EQ((*again)("ev ac"), "5 = 5.\n");
+  s("delete 1");
+  s("delete 1", Kind::wrong);
+  s("break 106 if nothing", Kind::wrong);
+  s("break 106 count many", Kind::wrong);
+  s("break 100000", Kind::wrong);
+}
+
+TEST(MonitorPdp7, WatchesMemory) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("watch place");
+  EXPECT_NE(s("c").find("breakpoint 1: 00110 place written with 000003\n00107"), std::string::npos);
+  s("del; watch place value 5");
+  EXPECT_NE(s("c").find("written with 000005\n00107"), std::string::npos);
+  auto reading = pdp7_program();
+  (*reading)("watch 105 r");
+  EXPECT_NE((*reading)("c").find("00105 store read, it is 000102"), std::string::npos);
+  s("watch 5 x", Kind::wrong);
+  s("watch", Kind::wrong);
+}
+
+TEST(MonitorPdp7, KnowsWhoWroteAWord) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_EQ(s("who place"), "00110: nothing has written there since the monitor began\n");
+  s("c");
+  // LAC 2, JMS 2, DAC 2, JMP I 2, LAC 2, JMS 2 cycles; the DAC writes in its second.
+  EXPECT_EQ(s("who place"), "00110: 000005 was written at 0.000022750 s by 00106 store+1: dac 110  ; dac place\n");
+}
+
+TEST(MonitorPdp7, HistoryShowsWhatWasUsed) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_EQ(s("history"), "no instruction has been obeyed yet\n");
+  s("step 3");
+  const std::string history = s("history 2");
+  EXPECT_NE(history.find("00101 100105  jms 105            00105=000102"), std::string::npos) << history;
+  EXPECT_NE(history.find("00106 040110  dac 110            00110=000003"), std::string::npos) << history;
+  auto xct = pdp7_session("  xct 104\n  hlt\n  0\n  0\n  lac 106\n  0\n  1234\n");
+  (*xct)("step");
+  EXPECT_NE((*xct)("history 1").find("xct 104            00106=001234"), std::string::npos);
+}
+
+TEST(MonitorPdp7, RunsToGoals) {
+  auto m = pdp7_session("  isz 200\n  jmp 100\n  hlt\n");
+  Session& s = *m;
+  s("run for 10 instructions");
+  EXPECT_EQ(s.machine().instructions(), 10U);
+  s("run for 1ms");
+  EXPECT_GE(s.machine().ticks(), 1'000'000);
+  s("run until 2ms");
+  EXPECT_GE(s.machine().ticks(), 2'000'000);
+  EXPECT_LT(s.machine().ticks(), 2'010'000);
+  EXPECT_EQ(s("run until [200]==2000").substr(0, 11), "[200]==2000");
+  EXPECT_EQ(s("ev [200]==2000"), "1 = 1.\n");
+  const std::int64_t before = s.machine().ticks();
+  s("cycle 4");
+  EXPECT_GE(s.machine().ticks() - before, 4 * 1750);
+  s("run for", Kind::wrong);
+  s("run for ever", Kind::wrong);
+  s("run until nobody", Kind::wrong);
+  s("break when [200]==3000");
+  EXPECT_NE(s("c").find("breakpoint 1: [200]==3000"), std::string::npos);
+}
+
+TEST(MonitorPdp7, BreaksOnIotsAndInterrupts) {
+  auto m = pdp7_session("  lac (jmp 200\n  dac 1\n  700406\n  700042\n  jmp .\n");
+  Session& s = *m;
+  s("break iot 4");
+  EXPECT_NE(s("c").find("breakpoint 1: IOT 700406\n00103"), std::string::npos);
+  s("break interrupt");
+  EXPECT_NE(s("c").find("breakpoint 2: interrupt before 00104\n00001"), std::string::npos);
+  EXPECT_EQ(s("ev [0]&7777"), "104 = 68.\n");
+}
+
+TEST(MonitorPdp7, StopsWhenAFlagRises) {
+  auto m = pdp7_session("  700406\n  jmp .\n");
+  Session& s = *m;
+  s("break printer");
+  EXPECT_NE(s("c").find("breakpoint 1: printer"), std::string::npos);
+  // TLS is one cycle; the flag rises a character's time, 100 ms, after it.
+  EXPECT_GE(s.machine().ticks(), 100'000'000);
+  EXPECT_LT(s.machine().ticks(), 100'010'000);
+  EXPECT_NE(s("show conditions").find("printer      1\n"), std::string::npos);
+  EXPECT_NE(s("show devices").find("printer      flag up, 1 characters typed"), std::string::npos);
+}
+
+constexpr const char* echo =
+    "wait, 700301\n  jmp wait\n  700312\n  700406\n  700401\n  jmp .-1\n  and (177\n  sad (41\n  hlt\n  jmp wait\n";
+
+TEST(MonitorPdp7, SendsAndExpects) {
+  auto m = pdp7_session(echo);
+  Session& s = *m;
+  s("send \"Hi there\"");
+  s("expect \"there\"");
+  EXPECT_EQ(s.printed, "Hi there");
+  s("assert keyboard==0");
+  EXPECT_NE(s("assert keyboard==1", Kind::failed).find("assert: keyboard==1 is not true"), std::string::npos);
+  EXPECT_NE(s("expect \"never\"", Kind::failed).find("not printed in 60 s"), std::string::npos);
+  s("send \"!\"");
+  EXPECT_NE(s("c").find("stopped by halt"), std::string::npos);
+  s("expect \"\"", Kind::wrong);
+  s("send \"\\q\"", Kind::wrong);
+}
+
+TEST(MonitorPdp7, AttachesATape) {
+  auto m = pdp7_session("  700104\n  700101\n  jmp .-1\n  700112\n  hlt\n");
+  Session& s = *m;
+  s.files["tape"] = "\377";
+  s("attach reader tape");
+  s("c");
+  EXPECT_EQ(s("ev ac"), "377 = 255.\n");
+  s("detach reader");
+  s("attach reader missing", Kind::wrong);
+  s("attach drum tape", Kind::wrong);
+  s("attach", Kind::wrong);
+}
+
+TEST(MonitorPdp7, TracesToAFile) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("trace t");
+  s("step 2");
+  s("trace off");
+  EXPECT_NE(s.files["t"].find("00100 200111  lac 111"), std::string::npos) << s.files["t"];
+  EXPECT_EQ(std::count(s.files["t"].begin(), s.files["t"].end(), '\n'), 2);
+  s("trace off", Kind::wrong);
+  s("trace", Kind::wrong);
+}
+
+TEST(MonitorPdp7, TakesPictures) {
+  auto m = pdp7_session("  hlt\n", "--display");
+  (*m)("screenshot a.png");
+  EXPECT_EQ(m->files["a.png"].substr(1, 3), "PNG");
+  auto without = pdp7_session("  hlt\n");
+  (*without)("screenshot a.png", Kind::wrong);
+}
+
+TEST(MonitorPdp7, ReadsCommandsFromFiles) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s.files["a"] = "# to the subroutine\nbreak store+1\ncontinue\n\nassert ac==3\n";
+  s("do a");
+  EXPECT_EQ(s("ev pc"), "106 = 70. = store+1\n");
+  s.files["b"] = "e pc\nnonsense\ne ac\n";
+  EXPECT_NE(s("do b", Kind::wrong).find("b: line 2: unknown command \"nonsense\""), std::string::npos);
+  s.files["c"] = "do c\n";
+  EXPECT_NE(s("do c", Kind::wrong).find("within 8 others"), std::string::npos);
+  s("do missing", Kind::wrong);
+}
+
+TEST(MonitorPdp7, ListsHelpsAndShows) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  const std::string list = s("list 100-102");
+  EXPECT_EQ(list.substr(0, list.find('\n')), ">00100 200111  begin: lac 111  ; begin,  lac (3");
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 3);
+  EXPECT_NE(s("help").find("e[xamine]"), std::string::npos);
+  EXPECT_NE(s("help watch").find("w[atch]"), std::string::npos);
+  s("help nonsense", Kind::wrong);
+  EXPECT_NE(s("show symbols").find("store            00105"), std::string::npos);
+  EXPECT_NE(s("show time").find("0.000000000 s, 0 instructions"), std::string::npos);
+  EXPECT_NE(s("show registers").find("MQ 000000"), std::string::npos);
+  s("show nonsense", Kind::wrong);
+  s("speed real", Kind::wrong);
+  EXPECT_EQ(s("quit", Kind::quit), "");
+  EXPECT_NE(s("exmaine", Kind::wrong).find("unknown command \"exmaine\""), std::string::npos);
+  EXPECT_EQ(s(""), "");
+  EXPECT_EQ(s("# nothing"), "");
+}
+
+TEST(MonitorPdp7, GoPressesStart) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_NE(s("go 102").find("stopped by halt"), std::string::npos);
+  EXPECT_EQ(s("ev [place]"), "5 = 5.\n");
+}
+
+TEST(MonitorPdp7, CompletesVerbsAndNames) {
+  auto m = pdp7_program();
+  EXPECT_EQ(m->monitor().completions("ex", "ex"), (std::vector<std::string>{"examine", "expect", "exit"}));
+  EXPECT_EQ(m->monitor().completions("break st", "st"), std::vector<std::string>{"store"});
+}
+
+TEST(MonitorPdp7, LookingChangesNothing) {
+  const auto typed = [](std::initializer_list<std::string> lines) {
+    auto m = pdp7_session(echo);
+    for (const char key : std::string("some text!")) m->machine().type(static_cast<std::uint8_t>(key));
+    for (const std::string& line : lines) (*m)(line);
+    EXPECT_NE((*m)("c").find("stopped by halt"), std::string::npos);
+    return std::make_pair(m->machine().ticks(), m->machine().instructions());
+  };
+  const auto plain = typed({});
+  EXPECT_EQ(typed({"break wait count 1000000", "watch 0-7777 rw if 0"}), plain);
+  EXPECT_EQ(typed({"break when 0"}), plain);
+  EXPECT_EQ(typed({"step 1000", "run for 123us", "trace t"}), plain);
+}
+
+// --- The 8080 ---
+
+std::unique_ptr<Session> i8080_session(const std::string& text) {
+  const std::vector<assembler::SourceFile> sources{{"test.asm", "\tORG 100H\n" + text}};
+  const auto assembly = assembler::assemble_i8080(sources);
+  for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
+  live::Symbols symbols(16);
+  EXPECT_TRUE(symbols.add_table(assembler::write_i8080_symbols(assembly.symbols)));
+  MachineRun of(run::i8080());
+  of.set_file("--load", "test.hex", image::write_intel_hex(assembly.image))
+      .set("--start", "100")
+      .set("--cpm")
+      .set("--console", "ascii");
+  return std::make_unique<Session>(run::i8080(), of, std::move(symbols));
+}
+
+std::unique_ptr<Session> i8080_program() {
+  return i8080_session(
+      "BEGIN: LXI H,200H\n"  // 0100, 10 T-states
+      "  MVI M,5AH\n"        // 0103, 10
+      "  CALL SUBR\n"        // 0105, 17
+      "  OUT 33H\n"          // 0108, 10
+      "  HLT\n"              // 010A
+      "SUBR: MOV A,M\n"      // 010B, 7
+      "  RET\n");            // 010C, 10
+}
+
+TEST(MonitorI8080, ExaminesDepositsAndSteps) {
+  auto m = i8080_program();
+  Session& s = *m;
+  const std::string bytes = s("e 100-102");
+  EXPECT_EQ(bytes.substr(0, 14), "0100  21 00 02");
+  EXPECT_EQ(bytes.substr(bytes.size() - 5), " !..\n");
+  EXPECT_EQ(s("e 100"), "0100 21  BEGIN: LXI     H,0200H\n");
+  EXPECT_EQ(s("step"), "0103 BEGIN+3: MVI     M,5AH  A 00  F 02  B 00  C 00  D 00  E 00  H 02  L 00  SP 0000  INTE 0  0.000003333 s\n");
+  EXPECT_EQ(s("ev hl").substr(0, 10), "200 = 512.");
+  s("d 300 \"MVI A,12H\"");
+  EXPECT_EQ(s("ev [300]*100+[301]"), "3E12 = 15890.\n");
+  s("d 300 100", Kind::wrong);
+  s("d a 100", Kind::wrong);
+  EXPECT_EQ(s("d a 0FF; e a"), "A FF\n");
+}
+
+TEST(MonitorI8080, BreaksAndWatches) {
+  auto m = i8080_program();
+  Session& s = *m;
+  s("break SUBR");
+  EXPECT_NE(s("c").find("breakpoint 1\n010B"), std::string::npos);
+  s("del");
+  s("watch 200 rw");
+  EXPECT_NE(s("c").find("breakpoint 2: 0200"), std::string::npos);
+  s("watch port 33");
+  EXPECT_NE(s("c").find("breakpoint 3: port 33 written with 5A"), std::string::npos);
+  EXPECT_NE(s("c").find("stopped by halt"), std::string::npos);
+  EXPECT_EQ(s("who 200").substr(0, 51), "0200: 5A was written at 0.000005666 s by 0103 BEGIN");
+}
+
+TEST(MonitorI8080, NextAndHistory) {
+  auto m = i8080_program();
+  Session& s = *m;
+  s("step 2");
+  EXPECT_NE(s("next").find("0108"), std::string::npos);
+  const std::string history = s("history 2");
+  EXPECT_NE(history.find("010B 7E     MOV     A,M"), std::string::npos) << history;
+  EXPECT_NE(history.find("0200=5A"), std::string::npos) << history;
+}
+
+TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
+  auto m = i8080_session("LOOP: MVI C,1\n  CALL 5\n  CPI '!'\n  JNZ LOOP\n  JMP 0\n");
+  Session& s = *m;
+  s("send \"abc\"");
+  s("expect \"abc\"");
+  EXPECT_NE(s("c").find("stopped by end of input"), std::string::npos);
+  s("send \"!\"");
+  EXPECT_NE(s("c").find("stopped by exit"), std::string::npos);
+}
+
+// --- Lines of any bytes ---
+
+TEST(MonitorLines, OfAnyBytesAreAnswered) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s.most_slices = 0;  // runs may have no end
+  const std::vector<std::string> words{"e",  "d",    "s",    "b",     "watch", "h",  "l",  "ev",  "show", "who", "(",
+                                       ")",  "[",    "]",    "100",   "-",     "+",  "ac", "if",  "count", "\"", "value",
+                                       ";",  "port", "iot",  "when",  "del",   "==", "/",  "0",   "777777", "trace", "send",
+                                       "go", "\377", "cycle", "assert", "interrupt", "attach", "run", "for", "1us", "until"};
+  std::mt19937 engine(20261123);
+  const auto below = [&engine](std::size_t n) { return engine() % n; };
+  for (int round = 0; round < 2000; ++round) {
+    std::string line;
+    for (std::size_t n = below(8); n > 0; --n) {
+      line += words[below(words.size())];
+      if (below(4) != 0) line += ' ';
+      if (below(20) == 0) line += static_cast<char>(below(256));
+    }
+    static_cast<void>(s.monitor().execute(line));
+  }
+}
+
+}  // namespace
+}  // namespace sightline::test
