@@ -9,6 +9,7 @@
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
+#include "host/live/snapshot.hpp"
 
 namespace sightline::app {
 
@@ -50,11 +51,13 @@ class RunOutputs {
     }
   }
   // Writes what the run left behind, and puts all files in their places. Failure io.
-  void write(const MachineDescription& description, const Machine& machine) {
+  void write(const MachineDescription& description, Machine& machine) {
     for (File& file : files_) {
       if (file.option->kind != OptionKind::output) continue;
       if (file.option->key() == "--dump") {
         file.output->write(dump_text(description, machine));
+      } else if (file.option->key() == "--save") {
+        file.output->write(std::span<const std::uint8_t>(live::save_snapshot(description.name, machine)));
       } else {
         file.output->write(std::span<const std::uint8_t>(machine.output(file.option->key())));
       }
@@ -86,7 +89,13 @@ guests::run::Stop run_to_stop(const guests::run::Prepared& prepared) {
 }
 
 ExitCode run(const MachineDescription& description, const Arguments& arguments) {
-  const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named));
+  const auto restore = [&description](Machine& machine,
+                                      const guests::run::Input& snapshot) -> guests::run::Result<base::Done> {
+    const auto done = live::restore_snapshot(description.name, machine, snapshot.bytes, snapshot.name);
+    if (!done) return guests::run::bad_input(done.error().message());
+    return base::Done{};
+  };
+  const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named, restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);

@@ -14,7 +14,9 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/machine.hpp"
@@ -26,6 +28,7 @@ struct I8080Setup {
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
   bool cpm = false;                        // puts the entries into memory
   bool strict = false;                     // an access to a port without a device ends the run
+  std::vector<std::string> configuration;  // see Machine
   bool observed = false;                   // take("--trace") or take("--bus") is to come
   bool keep_console = false;               // what is printed goes into the report
   bool drawing = false;                    // keep the lines the plotter draws

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
-#include <span>
 
 #include "host/base/text.hpp"
 #include "host/picture/phosphor.hpp"
@@ -71,6 +71,7 @@ struct NoTracer : machines::NoObserver {
 struct NoScreen : core::NoStrokes {
   explicit NoScreen(const Screen::Wishes&) {}
   static void take_log(const TextTaker&) {}
+  static void forget_after(core::Instant) {}
   static void finish() {}
 };
 
@@ -123,7 +124,7 @@ class Pdp7Machine final : public Machine {
     for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
-    if (machine_.display() != nullptr) pen_script_ = setup_.pen_script;
+    if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
   }
 
   [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
@@ -173,7 +174,8 @@ class Pdp7Machine final : public Machine {
 
   // A slice ends where the engine is to be asked or the light pen moves.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
-    const std::uint64_t left = limits.instructions - machine_.counts().instructions;
+    const std::uint64_t done = machine_.counts().instructions;
+    const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
     const auto reason =
         machine_.run({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
@@ -191,6 +193,20 @@ class Pdp7Machine final : public Machine {
 
   [[nodiscard]] std::uint64_t instructions() const override { return machine_.counts().instructions; }
   [[nodiscard]] core::Instant now() const override { return machine_.now(); }
+
+  [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
+  [[nodiscard]] MachineState save() override {
+    StateWriter writer;
+    visit_state(writer);
+    return writer.take();
+  }
+  [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
+    const auto done = restore_state(state, [this](auto& visit) { visit_state(visit); });
+    if (!done) return done;
+    switches_ = machine_.console().switches(machine_.now());
+    sink_.forget_after(machine_.now());
+    return done;
+  }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const machines::Counts counts = machine_.counts();
@@ -277,14 +293,26 @@ class Pdp7Machine final : public Machine {
   }
 
  private:
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    machine_.visit_state(visit);
+    pen_script_.erase(pen_script_.begin(), pen_script_.begin() + static_cast<std::ptrdiff_t>(next_move_));
+    next_move_ = 0;
+    if (machine_.display() == nullptr) return;
+    visit.section("light pen script", [this](auto& fields) {
+      fields.list("moves", pen_script_, [&fields](PenMove& move) {
+        fields("time", move.time);
+        fields.present("pen", move.pen, [&fields](type340::LightPen& pen) { pen.visit_state(fields); });
+      });
+    });
+  }
+
   // Moves the pen as far as the script has come, and says when it goes on. The display stands at the
   // machine's own time between runs, which is what its pen asks for.
   core::Instant move_pen() {
-    while (!pen_script_.empty() && pen_script_.front().time <= machine_.now()) {
-      machine_.display()->point_light_pen(pen_script_.front().pen);
-      pen_script_ = pen_script_.subspan(1);
-    }
-    return pen_script_.empty() ? core::never : pen_script_.front().time;
+    while (next_move_ < pen_script_.size() && pen_script_[next_move_].time <= machine_.now())
+      machine_.display()->point_light_pen(pen_script_[next_move_++].pen);
+    return next_move_ < pen_script_.size() ? pen_script_[next_move_].time : core::never;
   }
 
   // What a picture of so many strokes shows.
@@ -309,7 +337,8 @@ class Pdp7Machine final : public Machine {
   Observer observer_;
   machines::Pdp7<Sink, Observer> machine_;
   core::Word18 switches_;  // their current setting
-  std::span<const PenMove> pen_script_;
+  std::vector<PenMove> pen_script_;
+  std::size_t next_move_ = 0;  // of pen_script_
 };
 
 }  // namespace
