@@ -104,7 +104,10 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
   for (const std::string& warning : machine.warnings()) warn(warning);
   outputs.write(description, machine);
   if (arguments.given("--json")) {
-    print_json(json_report(description, machine, stop));
+    base::Json report = json_report(description, machine, stop);
+    if (arguments.given("--restore")) report["restored_from"] = arguments.text("--restore");
+    if (arguments.given("--save")) report["saved_to"] = arguments.text("--save");
+    print_json(report);
   } else if (!outputs.uses_stdout()) {
     write_stdout(table_report(description, machine, stop));
   } else {
