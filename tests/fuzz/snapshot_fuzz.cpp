@@ -23,7 +23,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-std::unique_ptr<run::Machine> pdp7() {
+std::unique_ptr<run::Machine> pdp7_machine() {
   run::Pdp7Setup setup;
   setup.machine.configuration.core_words = 4096;
   setup.machine.display = type340::Options{true, true, true};
@@ -44,7 +44,7 @@ std::unique_ptr<run::Machine> pdp7() {
   return machine;
 }
 
-std::unique_ptr<run::Machine> i8080() {
+std::unique_ptr<run::Machine> i8080_machine() {
   run::I8080Setup setup;
   machines::SkalaConfiguration& configuration = setup.machine;
   configuration.ef9365 = configuration.calcomp565 = configuration.minigraf0507 = true;
@@ -79,7 +79,7 @@ void run_on(run::Machine& machine) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   require(!live::decode_snapshot({data, size}, "fuzz").has_value());
   if (size == 0) return 0;
-  const auto machine = (data[0] & 1U) == 0 ? pdp7() : i8080();
+  const auto machine = (data[0] & 1U) == 0 ? pdp7_machine() : i8080_machine();
   run_on(*machine);
   const run::Bytes before = saved(*machine);
   auto snapshot = live::decode_snapshot(before, "fuzz");

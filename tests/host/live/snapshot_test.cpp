@@ -169,7 +169,7 @@ TEST(Snapshot, AnotherTapeIsRefused) {
   const auto other = run::make_pdp7(std::move(setup));
   EXPECT_EQ(refusal(saved(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with the CRC-32 "
-            "A28F8A1F; name the file that the snapshot was made with");
+            "90C54618; name the file that the snapshot was made with");
 }
 
 }  // namespace
