@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "host/guests/run/i8080.hpp"
-#include "host/guests/run/pdp7.hpp"
 #include "host/live/snapshot.hpp"
+#include "tests/host/live/small_pdp7.hpp"
 
 namespace {
 
@@ -21,27 +21,6 @@ namespace run = guests::run;
 
 void require(bool holds) {
   if (!holds) std::abort();
-}
-
-std::unique_ptr<run::Machine> pdp7_machine() {
-  run::Pdp7Setup setup;
-  setup.machine.configuration.core_words = 4096;
-  setup.machine.display = type340::Options{true, true, true};
-  setup.reader_tape = run::Bytes(40, 0277);
-  setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(0), 'B'}};
-  setup.switch_script = {{core::at_nanoseconds(1'000'000'000), core::Word18(1)}};
-  setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
-                      {core::at_nanoseconds(2'000'000'000), std::nullopt}};
-  setup.screen = run::Screen::Wishes{true, true};
-  auto machine = run::make_pdp7(std::move(setup));
-  // LAC 107, IDLA, RSB, PLS, TLS, CLON, JMP 106; the file at 200: mode 1, Y, X to mode 4, long vectors.
-  std::uint32_t at = 0100;
-  for (const std::uint32_t word : {0200107, 0700606, 0700144, 0700206, 0700406, 0700044, 0600106, 0000200})
-    machine->put(at++, word);
-  at = 0200;
-  for (const std::uint32_t word : {0020117, 0220400, 0102400, 0237577, 0237777}) machine->put(at++, word);
-  machine->start(0100);
-  return machine;
 }
 
 std::unique_ptr<run::Machine> i8080_machine() {
@@ -79,7 +58,7 @@ void run_on(run::Machine& machine) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   require(!live::decode_snapshot({data, size}, "fuzz").has_value());
   if (size == 0) return 0;
-  const auto machine = (data[0] & 1U) == 0 ? pdp7_machine() : i8080_machine();
+  const auto machine = (data[0] & 1U) == 0 ? test::small_pdp7() : i8080_machine();
   run_on(*machine);
   const run::Bytes before = saved(*machine);
   auto snapshot = live::decode_snapshot(before, "fuzz");

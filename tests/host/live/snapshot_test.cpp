@@ -4,38 +4,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/base/crc32.hpp"
 #include "host/guests/run/pdp7.hpp"
-#include "tests/host/guests/run/machine_run.hpp"
+#include "tests/host/live/small_pdp7.hpp"
+#include "tests/support/approve.hpp"
 #include "tests/support/effort.hpp"
 
 namespace sightline::test {
 namespace {
 
-// The smallest machine with everything on it, stopped within a vector; `steps` instructions have been executed.
+namespace run = guests::run;
+
 std::unique_ptr<run::Machine> small_machine(std::uint64_t steps) {
-  run::Pdp7Setup setup;
-  setup.machine.configuration.core_words = 4096;
-  setup.machine.display = type340::Options{true, true, true};
-  setup.configuration = {"--memory 4k", "--eae", "--display"};
-  setup.reader_tape = run::Bytes(40, 0277);
-  setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(0), 'B'}};
-  setup.switch_script = {{core::at_nanoseconds(1'000'000'000), core::Word18(1)}};
-  setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
-                      {core::at_nanoseconds(2'000'000'000), std::nullopt}};
-  setup.screen = run::Screen::Wishes{true, true};
-  auto machine = run::make_pdp7(std::move(setup));
-  // LAC 107, IDLA, RSB, PLS, TLS, CLON, JMP 106; the file at 200: mode 1, Y, X to mode 4, long vectors.
-  std::uint32_t at = 0100;
-  for (const std::uint32_t word : {0200107, 0700606, 0700144, 0700206, 0700406, 0700044, 0600106, 0000200})
-    machine->put(at++, word);
-  at = 0200;
-  for (const std::uint32_t word : {0020117, 0220400, 0102400, 0237577, 0237777}) machine->put(at++, word);
-  machine->start(0100);
-  EXPECT_FALSE(machine->run({steps}, true).has_value() && steps == 0);
+  auto machine = small_pdp7();
+  const run::Limits limits{steps};
+  while (!machine->run(limits, true)) {
+  }
   return machine;
 }
 
@@ -81,6 +69,23 @@ TEST(Snapshot, ReadsWhatItWrites) {
   EXPECT_EQ(snapshot->configuration.front(), "--memory 4k");
   EXPECT_EQ(live::encode_snapshot(*snapshot), bytes);
   EXPECT_LT(bytes.size(), 20'000U);
+}
+
+// A file of version 1, the same from every compiler, and what it becomes after 500 instructions. Another format needs
+// another version and another file: SIGHTLINE_APPROVE=1 writes it.
+TEST(Snapshot, ReadsAFileOfThisVersion) {
+  const std::string name = "snapshot/pdp7-4k.snap";
+  const auto machine = small_machine(40);
+  const run::Bytes now = saved(*machine);
+  EXPECT_TRUE(tests::matches_approved({reinterpret_cast<const char*>(now.data()), now.size()}, name));
+  const auto file = base::read_file(tests::approved_path(name).string());
+  ASSERT_TRUE(file.has_value());
+  const auto other = small_machine(3);
+  EXPECT_EQ(refusal(*file, *other), "nothing was refused");
+  static_cast<void>(other->run({540}, true));
+  static_cast<void>(machine->run({540}, true));
+  EXPECT_TRUE(saved(*other) == saved(*machine));
+  EXPECT_EQ(other->ticks(), 1'018'500);
 }
 
 TEST(Snapshot, EveryDamagedByteIsFound) {
