@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "host/base/crc32.hpp"
@@ -16,7 +15,7 @@ namespace {
 using guests::run::Machine;
 using guests::run::StateSection;
 
-constexpr std::array<std::uint8_t, 8> signature{0x89, 'S', 'L', 'S', 'N', 'A', 'P', 0x0A};
+constexpr auto& signature = guests::run::snapshot_signature;
 constexpr std::size_t length_at = 12;
 constexpr std::size_t shortest = 16;  // signature, version, length
 constexpr std::size_t checksum_bytes = 4;

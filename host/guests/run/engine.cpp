@@ -125,6 +125,12 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
                                    "sightline asm {} {} -o PROGRAM",
                                    input.name, description.name, file->path));
     }
+    if (input.bytes.size() >= snapshot_signature.size() &&
+        std::equal(snapshot_signature.begin(), snapshot_signature.end(), input.bytes.begin())) {
+      return bad_input(fmt::format("{}: found a snapshot, expected a program; continue from it with: sightline run {} "
+                                   "--restore {}",
+                                   input.name, description.name, file->path));
+    }
     const Format* const format = find_format(description, *file, input, {}, &arguments);
     const auto program = read_as(description, format, *file, input);
     if (!program) return program.error();

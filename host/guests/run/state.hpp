@@ -13,6 +13,7 @@
 // All are little-endian. host/live/snapshot.hpp makes a file of the sections.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -39,6 +40,9 @@ struct StateSection {
   friend bool operator==(const StateSection&, const StateSection&) = default;
 };
 using MachineState = std::vector<StateSection>;
+
+// The first bytes of a file with a state. No program begins like this.
+inline constexpr std::array<std::uint8_t, 8> snapshot_signature{0x89, 'S', 'L', 'S', 'N', 'A', 'P', 0x0A};
 
 // How a member is stored: as an unsigned integer of `bytes` bytes, whose value is 0 to `most`.
 template <class T>

@@ -76,6 +76,13 @@ TEST_F(RunSnapshot, RefusesWhatContradictsIt) {
           "a.snap: configuration: found a machine with --memory 4k --no-eae and without --memory 8k --eae, expected that of "
           "the snapshot; add --memory 8k --eae, leave out --no-eae");
   refused({"--display"}, 4, "found a machine with --display, expected that of the snapshot; leave out --display");
+  for (const char* const machine : {"pdp7", "i8080"}) {
+    const Ran ran = sightline({"run", machine, "a.snap"});
+    EXPECT_EQ(ran.exit_code, 4);
+    EXPECT_TRUE(has(ran.err, "a.snap: found a snapshot, expected a program; continue from it with: sightline run " +
+                                 std::string(machine) + " --restore a.snap"))
+        << ran.err;
+  }
   write("tape", "x");
   refused({"--reader", "tape"}, 4, "found another input: 1 bytes");
   write("a.snap", read("a.snap") + "x");
