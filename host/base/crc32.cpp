@@ -14,7 +14,8 @@ constexpr Tables make_tables() {
   Tables tables{};
   for (std::uint32_t b = 0; b < 256; ++b) {
     std::uint32_t remainder = b;
-    for (int bit = 0; bit < 8; ++bit) remainder = (remainder & 1U) != 0 ? 0xEDB88320U ^ (remainder >> 1) : remainder >> 1;
+    for (int bit = 0; bit < 8; ++bit)
+      remainder = (remainder & 1U) != 0 ? 0xEDB88320U ^ (remainder >> 1) : remainder >> 1;
     tables[0][b] = remainder;
   }
   for (std::size_t k = 1; k < tables.size(); ++k) {

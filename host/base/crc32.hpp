@@ -1,4 +1,5 @@
-// CRC-32 as in PNG, gzip and Ethernet: polynomial 04C11DB7 reflected, initial value and final inversion FFFFFFFF.
+// CRC-32 as in PNG, gzip and Ethernet: polynomial 04C11DB7 reflected, initial value and final inversion
+// FFFFFFFF.
 #pragma once
 
 #include <cstdint>

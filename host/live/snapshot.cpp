@@ -48,9 +48,11 @@ class Parser {
       snapshot.configuration.push_back(text("a line of the configuration"));
     for (std::uint32_t left = count("sections"); left > 0 && !error_; --left) {
       StateSection section{text("a section's name"), {}};
-      const auto taken = std::find_if(snapshot.state.begin(), snapshot.state.end(),
-                                      [&section](const StateSection& each) { return each.name == section.name; });
-      if (taken != snapshot.state.end()) fail(fmt::format("found section \"{}\" again", section.name), "another name");
+      const auto taken =
+          std::find_if(snapshot.state.begin(), snapshot.state.end(),
+                       [&section](const StateSection& each) { return each.name == section.name; });
+      if (taken != snapshot.state.end())
+        fail(fmt::format("found section \"{}\" again", section.name), "another name");
       const auto content = take(number("a section's length"), "a section");
       section.bytes.assign(content.begin(), content.end());
       snapshot.state.push_back(std::move(section));
@@ -71,7 +73,8 @@ class Parser {
   }
   std::span<const std::uint8_t> take(std::size_t length, std::string_view what) {
     if (!error_ && length > bytes_.size() - at_)
-      fail(fmt::format("found {} bytes to the checksum", bytes_.size() - at_), fmt::format("{} for {}", length, what));
+      fail(fmt::format("found {} bytes to the checksum", bytes_.size() - at_),
+           fmt::format("{} for {}", length, what));
     if (error_) return {};
     at_ += length;
     return bytes_.subspan(at_ - length, length);
@@ -116,7 +119,8 @@ std::vector<std::string> without(const std::vector<std::string>& a, const std::v
 }
 
 // Nothing for equal configurations.
-std::optional<base::Error> difference(const std::vector<std::string>& saved, const std::vector<std::string>& here) {
+std::optional<base::Error> difference(const std::vector<std::string>& saved,
+                                      const std::vector<std::string>& here) {
   const std::vector<std::string> missing = without(saved, here);
   const std::vector<std::string> extra = without(here, saved);
   if (missing.empty() && extra.empty()) return std::nullopt;
@@ -134,7 +138,8 @@ std::optional<base::Error> difference(const std::vector<std::string>& saved, con
   std::string found = "found a machine";
   if (!extra.empty()) found += " with " + joined(extra);
   if (!missing.empty()) found += (extra.empty() ? " without " : " and without ") + joined(missing);
-  return base::Error{.place = "configuration", .found = found, .expected = "that of the snapshot", .remedy = remedy};
+  return base::Error{
+      .place = "configuration", .found = found, .expected = "that of the snapshot", .remedy = remedy};
 }
 
 }  // namespace
@@ -176,10 +181,12 @@ base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes, cons
   if (bytes.size() < shortest + checksum_bytes)
     return refused("byte 8", fmt::format("found {} bytes", bytes.size()), "a whole snapshot");
   if (const std::uint32_t version = number_at(bytes, 8); version != snapshot_version)
-    return refused("byte 8", fmt::format("found version {}", version), fmt::format("version {}", snapshot_version),
+    return refused("byte 8", fmt::format("found version {}", version),
+                   fmt::format("version {}", snapshot_version),
                    "make the snapshot again with the --save of this version");
   if (const std::uint32_t length = number_at(bytes, length_at); length != bytes.size())
-    return refused("byte 12", fmt::format("found a file of {} bytes", bytes.size()), fmt::format("{} bytes", length));
+    return refused("byte 12", fmt::format("found a file of {} bytes", bytes.size()),
+                   fmt::format("{} bytes", length));
   const auto content = bytes.first(bytes.size() - checksum_bytes);
   if (const std::uint32_t checksum = number_at(bytes, content.size()); checksum != base::crc32(content))
     return refused(fmt::format("byte {}", content.size()), fmt::format("found the checksum {:08X}", checksum),
@@ -191,8 +198,8 @@ Bytes save_snapshot(std::string_view name, Machine& machine) {
   return encode_snapshot({std::string(name), machine.configuration(), machine.save()});
 }
 
-base::Result<base::Done> restore_snapshot(std::string_view name, Machine& machine, std::span<const std::uint8_t> bytes,
-                                          const std::string& file) {
+base::Result<base::Done> restore_snapshot(std::string_view name, Machine& machine,
+                                          std::span<const std::uint8_t> bytes, const std::string& file) {
   const auto snapshot = decode_snapshot(bytes, file);
   if (!snapshot) return snapshot.error();
   if (snapshot->machine != name) {

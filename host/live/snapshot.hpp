@@ -1,4 +1,5 @@
-// A snapshot: all of a machine at an instruction boundary in one file, from which a run continues bit for bit.
+// A snapshot: all of a machine at an instruction boundary in one file, from which a run continues bit for
+// bit.
 //
 //   8 bytes   89 53 4C 53 4E 41 50 0A, the signature
 //   4         version of the format
@@ -9,9 +10,9 @@
 //   4         CRC-32 of all bytes before
 //
 // Integers are little-endian; a text is 2 bytes, its length, then ASCII. What a section holds is in
-// host/guests/run/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was printed, punched
-// and drawn), only how much of them there was; inputs of the configuration (a tape in the reader, what a link sends)
-// are referred to by length and checksum.
+// host/guests/run/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was
+// printed, punched and drawn), only how much of them there was; inputs of the configuration (a tape in the
+// reader, what a link sends) are referred to by length and checksum.
 //
 // A change of any field is a new version; other versions are refused.
 #pragma once
@@ -38,12 +39,14 @@ struct Snapshot {
 
 [[nodiscard]] Bytes encode_snapshot(const Snapshot& snapshot);
 // `file`: its name, for errors.
-[[nodiscard]] base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes, const std::string& file);
+[[nodiscard]] base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes,
+                                                     const std::string& file);
 
 // Between two calls of Machine::run; `name` is the machine's.
 [[nodiscard]] Bytes save_snapshot(std::string_view name, guests::run::Machine& machine);
 // Into a machine of the same name and configuration. An error leaves the machine as it was.
 [[nodiscard]] base::Result<base::Done> restore_snapshot(std::string_view name, guests::run::Machine& machine,
-                                                        std::span<const std::uint8_t> bytes, const std::string& file);
+                                                        std::span<const std::uint8_t> bytes,
+                                                        const std::string& file);
 
 }  // namespace sightline::live

@@ -1,9 +1,10 @@
-// Any changes to the state in a snapshot, with a good checksum: refused, and the machine is as it was, or a state from
-// which the machine runs, which can be saved and restored again. The bytes as they are, without a checksum, are refused.
+// Any changes to the state in a snapshot, with a good checksum: refused, and the machine is as it was, or a
+// state from which the machine runs, which can be saved and restored again. The bytes as they are, without a
+// checksum, are refused.
 //
-// Input: one byte, 0 or even for the PDP-7, odd for the 8080; then changes of four bytes: the section, the place in it
-// (two bytes, high first) and what to combine the byte there with by exclusive or. From section 200 on the section (less
-// 200) gets as many bytes as the place says.
+// Input: one byte, 0 or even for the PDP-7, odd for the 8080; then changes of four bytes: the section, the
+// place in it (two bytes, high first) and what to combine the byte there with by exclusive or. From section
+// 200 on the section (less 200) gets as many bytes as the place says.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -39,15 +40,17 @@ std::unique_ptr<run::Machine> i8080_machine() {
   auto machine = run::make_i8080(std::move(setup));
   std::uint32_t at = 0;
   // 8251 and 8255 set, the pen of the CalComp down, a vector of the EF9365, EI, HLT, JMP to the last four
-  for (const int byte : {0x3E, 0x4D, 0xD3, 0xED, 0x3E, 0x37, 0xD3, 0xED, 0xD3, 0xEC, 0x3E, 0xB4, 0xD3, 0xE7, 0xD3, 0xE5,
-                         0x3E, 0x09, 0xD3, 0xE7, 0xD3, 0x60, 0x3E, 0x73, 0xD3, 0x41, 0x3E, 0xFF, 0xD3, 0x45, 0x3E, 0x10,
-                         0xD3, 0x40, 0xFB, 0x76, 0xD3, 0x60, 0xC3, 0x22, 0x00})
+  for (const int byte : {0x3E, 0x4D, 0xD3, 0xED, 0x3E, 0x37, 0xD3, 0xED, 0xD3, 0xEC, 0x3E, 0xB4, 0xD3, 0xE7,
+                         0xD3, 0xE5, 0x3E, 0x09, 0xD3, 0xE7, 0xD3, 0x60, 0x3E, 0x73, 0xD3, 0x41, 0x3E, 0xFF,
+                         0xD3, 0x45, 0x3E, 0x10, 0xD3, 0x40, 0xFB, 0x76, 0xD3, 0x60, 0xC3, 0x22, 0x00})
     machine->put(at++, static_cast<std::uint32_t>(byte));
   machine->start(0);
   return machine;
 }
 
-run::Bytes saved(run::Machine& machine) { return live::save_snapshot("fuzz", machine); }
+run::Bytes saved(run::Machine& machine) {
+  return live::save_snapshot("fuzz", machine);
+}
 
 void run_on(run::Machine& machine) {
   static_cast<void>(machine.run({machine.instructions() + 60, machine.ticks() + 1'000'000}, true));
@@ -67,7 +70,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t n = 1; n + 4 <= size; n += 4) {
     const std::size_t place = std::size_t{data[n + 1]} << 8 | data[n + 2];
     const bool sizes = data[n] >= 200;
-    base::Bytes& bytes = state[static_cast<std::size_t>(sizes ? data[n] - 200 : data[n]) % state.size()].bytes;
+    base::Bytes& bytes =
+        state[static_cast<std::size_t>(sizes ? data[n] - 200 : data[n]) % state.size()].bytes;
     if (sizes) {
       bytes.resize(place, data[n + 3]);
     } else if (!bytes.empty()) {

@@ -52,8 +52,8 @@ std::optional<base::Error> StateReader::finish() {
 
 bool StateReader::open(std::string_view name) {
   if (error_) return false;
-  const auto found =
-      std::find_if(state_->begin(), state_->end(), [name](const StateSection& each) { return each.name == name; });
+  const auto found = std::find_if(state_->begin(), state_->end(),
+                                  [name](const StateSection& each) { return each.name == name; });
   if (found == state_->end()) {
     error_ = base::Error{.place = fmt::format("section \"{}\"", name),
                          .found = "found no such section",

@@ -1,5 +1,6 @@
-// The state of a machine as named sections of bytes, and the visitors (emulators/core/visit_state.hpp) that write and
-// read them. A section's fields follow each other without gaps, in the order in which visit_state names them:
+// The state of a machine as named sections of bytes, and the visitors (emulators/core/visit_state.hpp) that
+// write and read them. A section's fields follow each other without gaps, in the order in which visit_state
+// names them:
 //
 //   bool, std::uint8_t, enumerators   1 byte          core::Word                 4 bytes
 //   std::uint16_t                     2 bytes         TickCount, TickInstant     8 bytes, signed
@@ -85,7 +86,8 @@ struct StoredAs<core::Word<Bits>> {
   }
 };
 
-// The longest times that machines can count on from without an overflow; `never` is stored as the largest number.
+// The longest times that machines can count on from without an overflow; `never` is stored as the largest
+// number.
 template <class Tick>
 inline constexpr std::uint64_t longest_time = std::uint64_t{1} << 62;
 template <>
@@ -95,7 +97,9 @@ template <class Tick>
 struct StoredAs<core::TickCount<Tick>> {
   static constexpr unsigned bytes = 8;
   static constexpr std::uint64_t most = longest_time<Tick>;
-  static std::uint64_t number(core::TickCount<Tick> value) { return static_cast<std::uint64_t>(value.count()); }
+  static std::uint64_t number(core::TickCount<Tick> value) {
+    return static_cast<std::uint64_t>(value.count());
+  }
   static core::TickCount<Tick> member(std::uint64_t number) {
     return core::TickCount<Tick>(static_cast<std::int64_t>(number));
   }
@@ -200,7 +204,8 @@ class StateReader {
   // What is done to outputs: a trial leaves them alone.
   enum class Outputs : std::uint8_t { keep, cut };
 
-  StateReader(const MachineState& state, Outputs outputs) : state_(&state), used_(state.size()), outputs_(outputs) {}
+  StateReader(const MachineState& state, Outputs outputs)
+      : state_(&state), used_(state.size()), outputs_(outputs) {}
 
   template <class Member>
   void operator()(std::string_view name, Member& member) {
@@ -256,7 +261,8 @@ class StateReader {
     if (there) each(element.emplace());
   }
   void input(std::string_view name, std::span<const std::uint8_t> bytes);
-  // What was produced later than the snapshot is dropped; of what another run produced before it nothing is there.
+  // What was produced later than the snapshot is dropped; of what another run produced before it nothing is
+  // there.
   template <class Elements>
   void output(std::string_view name, Elements& elements, std::uint64_t& before) {
     std::uint64_t count = 0;
@@ -307,7 +313,8 @@ class StateReader {
   std::optional<base::Error> error_;
 };
 
-// `visit_all` shows the state of a machine to a visitor. A state that is refused leaves the machine as it was.
+// `visit_all` shows the state of a machine to a visitor. A state that is refused leaves the machine as it
+// was.
 template <class VisitAll>
 [[nodiscard]] base::Result<base::Done> restore_state(const MachineState& state, VisitAll visit_all) {
   StateWriter before;

@@ -25,24 +25,34 @@ TEST_F(RunSnapshot, ContinuesTheRun) {
     first.insert(first.end(), more.begin(), more.end());
     return first;
   };
-  ASSERT_EQ(run(with(start, {"--max-instructions", "1500", "--trace", "t", "--strokes", "s", "--dump", "d"})).exit_code, 0);
-  ASSERT_EQ(run(with(start, {"--max-instructions", "471", "--trace", "t1", "--strokes", "s1", "--save", "a.snap"})).exit_code, 0);
-  const auto rest = report({"--restore", "a.snap", "--display", "--max-instructions", "1029", "--trace", "t2", "--strokes",
-                            "s2", "--dump", "d2"});
+  ASSERT_EQ(run(with(start, {"--max-instructions", "1500", "--trace", "t", "--strokes", "s", "--dump", "d"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(
+      run(with(start, {"--max-instructions", "471", "--trace", "t1", "--strokes", "s1", "--save", "a.snap"}))
+          .exit_code,
+      0);
+  const auto rest = report({"--restore", "a.snap", "--display", "--max-instructions", "1029", "--trace", "t2",
+                            "--strokes", "s2", "--dump", "d2"});
   EXPECT_EQ(read("t"), read("t1") + read("t2"));
   EXPECT_EQ(read("s"), read("s1") + read("s2"));
   EXPECT_EQ(read("d"), read("d2"));
   EXPECT_EQ(rest.at("instructions"), 1500);
   EXPECT_EQ(rest.at("restored_from"), "a.snap");
   EXPECT_FALSE(rest.contains("saved_to"));
-  // Limits of time count from the snapshot, too; registers can be set; a snapshot can be saved over itself, and be piped.
+  // Limits of time count from the snapshot, too; registers can be set; a snapshot can be saved over itself,
+  // and be piped.
   EXPECT_EQ(report({"--restore", "a.snap", "--display", "--max-time", "0"}).at("instructions"), 471);
-  EXPECT_EQ(report({"--restore", "a.snap", "--display", "--max-instructions", "0", "--set", "AC=17"}).at("registers").at("ac"),
+  EXPECT_EQ(report({"--restore", "a.snap", "--display", "--max-instructions", "0", "--set", "AC=17"})
+                .at("registers")
+                .at("ac"),
             "000017");
-  const auto saved = report({"--restore", "a.snap", "--display", "--max-instructions", "29", "--save", "a.snap"});
+  const auto saved =
+      report({"--restore", "a.snap", "--display", "--max-instructions", "29", "--save", "a.snap"});
   EXPECT_EQ(saved.at("saved_to"), "a.snap");
-  const Ran piped = sightline({"run", "pdp7", "--restore", "-", "--display", "--max-instructions", "1000", "--dump", "d3"},
-                              read("a.snap"));
+  const Ran piped =
+      sightline({"run", "pdp7", "--restore", "-", "--display", "--max-instructions", "1000", "--dump", "d3"},
+                read("a.snap"));
   EXPECT_EQ(piped.exit_code, 0) << piped.err;
   EXPECT_EQ(read("d3"), read("d"));
 }
@@ -50,10 +60,15 @@ TEST_F(RunSnapshot, ContinuesTheRun) {
 TEST_F(RunSnapshot, ContinuesAn8080) {
   // MVI C 2; INR E; CALL 5; JMP 102
   write("print.com", std::string_view("\x0E\x02\x1C\xCD\x05\x00\xC3\x02\x01", 9));
-  ASSERT_EQ(sightline({"run", "i8080", "--cpm", "print.com", "--max-instructions", "900", "--console", "c"}).exit_code, 0);
-  ASSERT_EQ(sightline({"run", "i8080", "--cpm", "print.com", "--max-instructions", "403", "--console", "c1", "--save", "a.snap"})
-                .exit_code, 0);
-  const Ran rest = sightline({"run", "i8080", "--cpm", "--restore", "a.snap", "--max-instructions", "497", "--console", "c2"});
+  ASSERT_EQ(sightline({"run", "i8080", "--cpm", "print.com", "--max-instructions", "900", "--console", "c"})
+                .exit_code,
+            0);
+  ASSERT_EQ(sightline({"run", "i8080", "--cpm", "print.com", "--max-instructions", "403", "--console", "c1",
+                       "--save", "a.snap"})
+                .exit_code,
+            0);
+  const Ran rest = sightline(
+      {"run", "i8080", "--cpm", "--restore", "a.snap", "--max-instructions", "497", "--console", "c2"});
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_EQ(read("c"), read("c1") + read("c2"));
 }
@@ -69,18 +84,22 @@ TEST_F(RunSnapshot, RefusesWhatContradictsIt) {
     EXPECT_TRUE(has(ran.err, message)) << ran.err;
     EXPECT_FALSE(exists("never"));
   };
-  refused({"--load", "add.oct"}, 2, "--restore: found a PROGRAM too, expected one of them: the snapshot holds what it gives");
+  refused({"--load", "add.oct"}, 2,
+          "--restore: found a PROGRAM too, expected one of them: the snapshot holds what it gives");
   refused({"--start", "100"}, 2, "--restore: found --start too");
   refused({"--switches", "5"}, 2, "--restore: found --switches too");
   refused({"--memory", "4k", "--no-eae"}, 4,
-          "a.snap: configuration: found a machine with --memory 4k --no-eae and without --memory 8k --eae, expected that of "
+          "a.snap: configuration: found a machine with --memory 4k --no-eae and without --memory 8k --eae, "
+          "expected that of "
           "the snapshot; add --memory 8k --eae, leave out --no-eae");
-  refused({"--display"}, 4, "found a machine with --display, expected that of the snapshot; leave out --display");
+  refused({"--display"}, 4,
+          "found a machine with --display, expected that of the snapshot; leave out --display");
   for (const char* const machine : {"pdp7", "i8080"}) {
     const Ran ran = sightline({"run", machine, "a.snap"});
     EXPECT_EQ(ran.exit_code, 4);
-    EXPECT_TRUE(has(ran.err, "a.snap: found a snapshot, expected a program; continue from it with: sightline run " +
-                                 std::string(machine) + " --restore a.snap"))
+    EXPECT_TRUE(
+        has(ran.err, "a.snap: found a snapshot, expected a program; continue from it with: sightline run " +
+                         std::string(machine) + " --restore a.snap"))
         << ran.err;
   }
   write("tape", "x");

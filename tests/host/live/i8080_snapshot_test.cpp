@@ -1,5 +1,5 @@
-// The law of snapshots on the 8080: Skala's program with every board, plotter and link, and random programs that access
-// all devices and are interrupted by them.
+// The law of snapshots on the 8080: Skala's program with every board, plotter and link, and random programs
+// that access all devices and are interrupted by them.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -27,8 +27,8 @@ void send(run::I8080Setup& setup, std::string_view link, run::Bytes bytes) {
 }
 
 LawProgram program_of(std::function<std::unique_ptr<run::Machine>()> make) {
-  return {"i8080",     std::move(make), {"--trace", "--bus", "--strokes"}, {"--parallel-out", "--serial-out"},
-          {"--png"},   {"--svg"}};
+  return {"i8080",   std::move(make), {"--trace", "--bus", "--strokes"}, {"--parallel-out", "--serial-out"},
+          {"--png"}, {"--svg"}};
 }
 
 struct SkalaCase {
@@ -96,8 +96,9 @@ run::I8080Setup everything() {
   return setup;
 }
 
-// A program without loops for 64K of memory: 8251 and 8255 are set, then random arithmetic and accesses to all devices,
-// EI now and then, and HLT, which the next request ends. A request jumps to its restart, which returns.
+// A program without loops for 64K of memory: 8251 and 8255 are set, then random arithmetic and accesses to
+// all devices, EI now and then, and HLT, which the next request ends. A request jumps to its restart, which
+// returns.
 void put_random_program(run::Machine& machine, std::uint32_t seed) {
   Dice dice(seed);
   std::uint32_t at = 0x40;
@@ -111,7 +112,8 @@ void put_random_program(run::Machine& machine, std::uint32_t seed) {
   }
   at = 0x40;
   put({0x31, 0x00, 0x00});  // LXI SP
-  // The 8251 at x1: 153,600 baud, so that characters end within a short run; the 8255 in modes 1; CTRL1 of the EF9365.
+  // The 8251 at x1: 153,600 baud, so that characters end within a short run; the 8255 in modes 1; CTRL1 of
+  // the EF9365.
   out(0xED, 0x4D);
   out(0xED, 0x37);
   out(0xE7, 0xB4);
@@ -119,8 +121,8 @@ void put_random_program(run::Machine& machine, std::uint32_t seed) {
   out(0xE7, 0x05);
   out(0x41, 0x73);
   put({0xFB});
-  constexpr int ports[] = {0x30, 0x31, 0x32, 0x33, 0x40, 0x40, 0x41, 0x42, 0x43, 0x45, 0x47, 0x48, 0x49, 0x4A, 0x4B,
-                           0x50, 0x60, 0x60, 0xE4, 0xE5, 0xE6, 0xEC, 0xEC, 0xED, 0xF0, 0x99};
+  constexpr int ports[] = {0x30, 0x31, 0x32, 0x33, 0x40, 0x40, 0x41, 0x42, 0x43, 0x45, 0x47, 0x48, 0x49,
+                           0x4A, 0x4B, 0x50, 0x60, 0x60, 0xE4, 0xE5, 0xE6, 0xEC, 0xEC, 0xED, 0xF0, 0x99};
   while (at < 0xFF00) {
     switch (dice(0, 9)) {
       case 0: put({0xFB}); break;
@@ -180,7 +182,8 @@ TEST(I8080Snapshots, RandomProgramsContinueBitForBit) {
     // Chip: expects 1, format 10, factor 4, command 1, synchronous ready holding released shifting.
     sending += static_cast<int>(field(now, "serial", 20, 1));
     strobing += field(now, "parallel", 47, 8) != 0x7FFF'FFFF'FFFF'FFFF ? 1 : 0;
-    deferred += static_cast<int>(field(now, "processor", 13, 1)) & static_cast<int>(field(now, "processor", 12, 1));
+    deferred +=
+        static_cast<int>(field(now, "processor", 13, 1)) & static_cast<int>(field(now, "processor", 12, 1));
   }
   if (!tests::optimised) return;
   EXPECT_GT(drawing, 0);
@@ -196,7 +199,8 @@ TEST(I8080Snapshots, ContinueFromAHalt) {
     run::I8080Setup setup = everything();
     auto machine = run::make_i8080(std::move(setup));
     std::uint32_t at = 0;
-    // 0000 JMP 40; RST 2 (CalComp): POP PSW (its return), JMP 50. 40: LXI SP, MVI A 2, OUT 60, EI, HLT; 50: LXI H, HLT
+    // 0000 JMP 40; RST 2 (CalComp): POP PSW (its return), JMP 50. 40: LXI SP, MVI A 2, OUT 60, EI, HLT; 50:
+    // LXI H, HLT
     for (const int byte : {0xC3, 0x40, 0x00}) machine->put(at++, static_cast<std::uint32_t>(byte));
     at = 0x10;
     for (const int byte : {0xF1, 0xC3, 0x50, 0x00}) machine->put(at++, static_cast<std::uint32_t>(byte));

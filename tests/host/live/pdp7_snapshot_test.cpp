@@ -1,5 +1,5 @@
-// The law of snapshots on the PDP-7: Jones's program, random words as programs, and a program that keeps every device
-// busy.
+// The law of snapshots on the PDP-7: Jones's program, random words as programs, and a program that keeps
+// every device busy.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -31,12 +31,14 @@ run::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
   for (int key = 0; key < 60; ++key)
     setup.keys.push_back({core::at_nanoseconds(key * 700'000), static_cast<std::uint8_t>('A' + key % 26)});
   for (int move = 0; move < 40; ++move) {
-    setup.switch_script.push_back({core::at_nanoseconds(move * 900'000), core::Word18(static_cast<unsigned>(move))});
+    setup.switch_script.push_back(
+        {core::at_nanoseconds(move * 900'000), core::Word18(static_cast<unsigned>(move))});
     if (move % 3 == 2) {
       setup.pen_script.push_back({core::at_nanoseconds(move * 600'000), std::nullopt});
     } else {
-      setup.pen_script.push_back({core::at_nanoseconds(move * 600'000),
-                                  type340::LightPen{0, 0, static_cast<std::uint16_t>(200 + 20 * move), 1023}});
+      setup.pen_script.push_back(
+          {core::at_nanoseconds(move * 600'000),
+           type340::LightPen{0, 0, static_cast<std::uint16_t>(200 + 20 * move), 1023}});
     }
   }
   setup.trace = true;
@@ -82,8 +84,9 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
       for (std::uint32_t a = 0; a < core_words; ++a) {
         auto word = static_cast<std::uint32_t>(words(0, 0777777));
         // A third of them IOTs of devices that exist, without HLT elsewhere.
-        constexpr std::uint32_t iots[] = {0700044, 0700104, 0700144, 0700112, 0700206, 0700244, 0700312, 0700406,
-                                          0700606, 0700042, 0703302, 0700712, 0701012, 0700601, 0700706, 0701006};
+        constexpr std::uint32_t iots[] = {0700044, 0700104, 0700144, 0700112, 0700206, 0700244,
+                                          0700312, 0700406, 0700606, 0700042, 0703302, 0700712,
+                                          0701012, 0700601, 0700706, 0701006};
         if (word % 3 == 0) word = iots[(word >> 4) % 16];
         if ((word & 0740040U) == 0740040) word &= ~040U;
         machine->put(a, word);
@@ -99,8 +102,9 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
   }
 }
 
-// Reads words from the tape and the keyboard, punches and types them, multiplies and divides, and counts clock ticks;
-// the display draws points, vectors, increments and characters under a light pen, and is started again at its stop.
+// Reads words from the tape and the keyboard, punches and types them, multiplies and divides, and counts
+// clock ticks; the display draws points, vectors, increments and characters under a light pen, and is started
+// again at its stop.
 // clang-format off
 constexpr std::pair<std::uint32_t, std::uint32_t> busy_words[] = {
     // 1: JMP 300, the interrupt. 7: the clock's counter.
@@ -155,7 +159,8 @@ std::uint64_t field(const run::Bytes& snapshot, std::string_view section, std::s
 TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
   const LawProgram program = busy_program();
   constexpr std::uint64_t never = 0x7FFF'FFFF'FFFF'FFFF;
-  int reading = 0, punching = 0, typing = 0, interrupt_pending = 0, clock_on = 0, in_word = 0, pen_stop = 0, lit_pen = 0;
+  int reading = 0, punching = 0, typing = 0, interrupt_pending = 0, clock_on = 0, in_word = 0, pen_stop = 0,
+      lit_pen = 0;
   LawRun alone(program);
   for (int n = 0; n < tests::effort(150, 8); ++n) {
     const auto first = static_cast<std::uint64_t>(n * tests::effort(47, 601));
@@ -168,8 +173,8 @@ TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
     typing += field(now, "printer", 0, 8) != never ? 1 : 0;
     clock_on += static_cast<int>(field(now, "clock", 8, 1));
     interrupt_pending += static_cast<int>(field(now, "clock", 9, 1));
-    // Registers of the display: br 4, mode 1, x y 4, scale intensity brm part 4, halt move stop request 4, edges 2,
-    // pen_enable pen_find pen_flag; then addresses 4, save shift_out 2; then the delays.
+    // Registers of the display: br 4, mode 1, x y 4, scale intensity brm part 4, halt move stop request 4,
+    // edges 2, pen_enable pen_find pen_flag; then addresses 4, save shift_out 2; then the delays.
     pen_stop += static_cast<int>(field(now, "display", 21, 1));
     lit_pen += static_cast<int>(field(now, "display", 20, 1));
     for (std::size_t delay = 0; delay < 10; ++delay) {

@@ -1,5 +1,5 @@
-// The smallest PDP-7 with everything on it, started: reader, punch and printer work, the clock is on, and the display
-// draws long vectors under a light pen.
+// The smallest PDP-7 with everything on it, started: reader, punch and printer work, the clock is on, and the
+// display draws long vectors under a light pen.
 #pragma once
 
 #include <cstdint>

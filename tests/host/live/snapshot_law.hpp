@@ -107,7 +107,8 @@ inline bool expect_law(const LawProgram& program, std::uint64_t first, std::uint
     bytes.insert(bytes.end(), more.begin(), more.end());
     EXPECT_TRUE(whole.output(option) == bytes) << option;
   }
-  for (const std::string& option : program.whole) EXPECT_TRUE(whole.output(option) == fresh.output(option)) << option;
+  for (const std::string& option : program.whole)
+    EXPECT_TRUE(whole.output(option) == fresh.output(option)) << option;
 
   // Back in a machine that has gone on.
   const std::map<std::string, std::string> before = parts.streams();

@@ -27,7 +27,9 @@ std::unique_ptr<run::Machine> small_machine(std::uint64_t steps) {
   return machine;
 }
 
-run::Bytes saved(run::Machine& machine) { return live::save_snapshot("pdp7", machine); }
+run::Bytes saved(run::Machine& machine) {
+  return live::save_snapshot("pdp7", machine);
+}
 
 std::string refusal(const run::Bytes& bytes, run::Machine& machine, std::string_view name = "pdp7") {
   const auto done = live::restore_snapshot(name, machine, bytes, "a.snap");
@@ -71,8 +73,8 @@ TEST(Snapshot, ReadsWhatItWrites) {
   EXPECT_LT(bytes.size(), 20'000U);
 }
 
-// A file of version 1, the same from every compiler, and what it becomes after 500 instructions. Another format needs
-// another version and another file: SIGHTLINE_APPROVE=1 writes it.
+// A file of version 1, the same from every compiler, and what it becomes after 500 instructions. Another
+// format needs another version and another file: SIGHTLINE_APPROVE=1 writes it.
 TEST(Snapshot, ReadsAFileOfThisVersion) {
   const std::string name = "snapshot/pdp7-4k.snap";
   const auto machine = small_machine(40);
@@ -111,7 +113,8 @@ TEST(Snapshot, EveryTruncationIsFound) {
     ASSERT_FALSE(live::decode_snapshot(std::span(bytes).first(length), "a.snap").has_value()) << length;
 }
 
-// Hostile files have a good checksum. They are refused, and the machine is as it was, or they are states of a machine.
+// Hostile files have a good checksum. They are refused, and the machine is as it was, or they are states of a
+// machine.
 TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
   const auto machine = small_machine(40);
   const auto other = small_machine(17);
@@ -146,22 +149,27 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
   run::Bytes changed = bytes;
   changed[8] = 2;
   EXPECT_EQ(refusal(changed, *machine),
-            "a.snap: byte 8: found version 2, expected version 1; make the snapshot again with the --save of this version");
-  EXPECT_EQ(refusal(bytes, *machine, "i8080"),
-            "a.snap: the machine's name: found a snapshot of pdp7, expected one of i8080; use sightline run pdp7");
+            "a.snap: byte 8: found version 2, expected version 1; make the snapshot again with the --save of "
+            "this version");
+  EXPECT_EQ(
+      refusal(bytes, *machine, "i8080"),
+      "a.snap: the machine's name: found a snapshot of pdp7, expected one of i8080; use sightline run pdp7");
   auto snapshot = *live::decode_snapshot(bytes, "a.snap");
   snapshot.configuration = {"--memory 8k", "--eae", "--display", "--timing reader_line=1"};
   EXPECT_EQ(refusal(live::encode_snapshot(snapshot), *machine),
-            "a.snap: configuration: found a machine with --memory 4k and without --memory 8k --timing reader_line=1, "
+            "a.snap: configuration: found a machine with --memory 4k and without --memory 8k --timing "
+            "reader_line=1, "
             "expected that of the snapshot; add --memory 8k --timing reader_line=1");
   snapshot = *live::decode_snapshot(bytes, "a.snap");
   snapshot.state.push_back({"rb09", {}});
   EXPECT_EQ(refusal(live::encode_snapshot(snapshot), *machine),
-            "a.snap: section \"rb09\": found a section that this machine does not have, expected none of that name; "
+            "a.snap: section \"rb09\": found a section that this machine does not have, expected none of "
+            "that name; "
             "make the snapshot again with --save");
   snapshot.state.erase(snapshot.state.begin(), snapshot.state.begin() + 1);
   EXPECT_EQ(refusal(live::encode_snapshot(snapshot), *machine),
-            "a.snap: section \"processor\": found no such section, expected one, because this machine has that part; make "
+            "a.snap: section \"processor\": found no such section, expected one, because this machine has "
+            "that part; make "
             "the snapshot again with --save");
 }
 
@@ -173,7 +181,8 @@ TEST(Snapshot, AnotherTapeIsRefused) {
   setup.configuration = {"--memory 4k", "--eae", "--display"};
   const auto other = run::make_pdp7(std::move(setup));
   EXPECT_EQ(refusal(saved(*machine), *other),
-            "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with the CRC-32 "
+            "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "
+            "the CRC-32 "
             "90C54618; name the file that the snapshot was made with");
 }
 
