@@ -33,6 +33,11 @@ class Raster {
     return std::span<const std::uint8_t, width>(&points_[index(0, y)], width);
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.bytes("points", std::span<std::uint8_t>(points_), 7);
+  }
+
   friend constexpr bool operator==(const Raster&, const Raster&) = default;
 
  private:

@@ -75,6 +75,18 @@ class Alt256 {
   [[nodiscard]] const core::Raster& raster() const { return raster_; }
   [[nodiscard]] const Alt256Counts& counts() const { return counts_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("x", x_);
+    visit("y", y_);
+    visit("ready_at", ready_at_);
+    visit.part("raster", raster_);
+    visit("dots", counts_.dots);
+    visit("dots_invisible", counts_.dots_invisible);
+    visit("erases", counts_.erases);
+    visit("writes_lost", counts_.writes_lost);
+  }
+
  private:
   [[nodiscard]] core::Duration in_line(core::TStateInstant at) const {
     return rate_.to_nanoseconds(at).time_since_epoch() % alt256::line;

@@ -108,6 +108,26 @@ class CalComp565 {
   [[nodiscard]] core::TStateInstant busy_until() const { return busy_until_; }
   [[nodiscard]] const CalComp565Counts& counts() const { return counts_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("place_x", place_.x);
+    visit("place_y", place_.y, calcomp565::carriage_steps);
+    visit("pen_down", pen_down_);
+    visit("busy", busy_);
+    visit("done", done_);
+    visit("error", error_);
+    visit("busy_until", busy_until_);
+    visit("steps", counts_.steps);
+    visit("steps_pen_up", counts_.steps_pen_up);
+    visit("pen_lifts", counts_.pen_lifts);
+    visit("pen_commands", counts_.pen_commands);
+    visit("commands_while_busy", counts_.commands_while_busy);
+    visit("off_carriage", counts_.off_carriage);
+    visit("unknown_codes", counts_.unknown_codes);
+    visit("off_paper", counts_.off_paper);
+    visit("busy_time", counts_.busy);
+  }
+
  private:
   static constexpr std::array<std::int8_t, 8> along_x{0, 1, 1, 1, 0, -1, -1, -1};
   static constexpr std::array<std::int8_t, 8> along_y{1, 1, 0, -1, -1, -1, 0, 1};

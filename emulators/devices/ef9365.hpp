@@ -120,6 +120,22 @@ class Ef9365 {
     }
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.part("drawing", drawing_);
+    visit("delta_x", delta_x_);
+    visit("delta_y", delta_y_);
+    visit("control", control_, enables);
+    visit("raised", raised_, enables);
+    visit("working", working_);
+    visit("busy_until", busy_until_);
+    visit("next_blanking", next_blanking_);
+    visit("commands", counts_.commands);
+    visit("commands_while_busy", counts_.commands_while_busy);
+    visit("writes_while_busy", counts_.writes_while_busy);
+    visit("unanswered", counts_.unanswered);
+  }
+
   [[nodiscard]] bool busy(core::TStateInstant at) const { return at < busy_until_; }
   // The end of the last command's busy time.
   [[nodiscard]] core::TStateInstant busy_until() const { return busy_until_; }

@@ -71,6 +71,20 @@ class Drawing {
   [[nodiscard]] std::uint64_t dots() const { return dots_; }
   [[nodiscard]] std::uint64_t dots_outside() const { return dots_outside_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    constexpr std::uint16_t largest = 0xFFF;
+    visit("x", x, largest);
+    visit("y", y, largest);
+    visit("pen", pen, std::uint8_t{3});
+    visit("style", style, std::uint8_t{0x0F});
+    visit("size", size);
+    visit("colour", colour, std::uint8_t{7});
+    visit("dots", dots_);
+    visit("dots_outside", dots_outside_);
+    visit.part("raster", raster_);
+  }
+
   void clear() { raster_.fill(0); }
   // Screen scanning: every dot becomes what the pen or the eraser would write, whether it is down or not.
   void fill() { raster_.fill(ink()); }

@@ -27,6 +27,12 @@ struct SerialFrame {
   std::uint32_t levels = ~0U;  // bit n: the level during the n-th bit time
   std::int64_t baud = 9600;
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("levels", levels);
+    visit("baud", baud, std::int64_t{1'000'000'000});
+  }
+
   [[nodiscard]] bool level(std::int64_t bit_times) const {
     return bit_times > 31 || (levels >> bit_times & 1U) != 0;
   }
@@ -38,6 +44,14 @@ struct SerialFormat {
   bool parity = false;
   bool even = false;
   int half_stop_bits = 2;  // 2, 3 or 4
+
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("data_bits", data_bits, 8);
+    visit("parity", parity);
+    visit("even", even);
+    visit("half_stop_bits", half_stop_bits, 4);
+  }
 
   [[nodiscard]] int half_bits() const { return 2 * (1 + data_bits + (parity ? 1 : 0)) + half_stop_bits; }
   // The parity bit for `data`.
@@ -156,6 +170,33 @@ class I8251 {
   // Characters whose last stop bit has left, in order.
   [[nodiscard]] const KeptBytes& sent() const { return sent_; }
   [[nodiscard]] const I8251Counts& counts() const { return counts_; }
+
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("expects", expects_, Expects::command);
+    visit.part("format", format_);
+    visit("factor", factor_, 64);
+    visit("command", command_);
+    visit("synchronous", synchronous_);
+    visit("ready", ready_);
+    visit("holding", holding_);
+    visit("released", released_);
+    visit("shifting", shifting_);
+    visit("received_character", received_);
+    visit("to_send", to_send_);
+    visit("shifter", shifter_);
+    visit("errors", errors_, 0xFFU);
+    visit("shift_ends", shift_ends_);
+    visit.part("sent", sent_);
+    visit("received", counts_.received);
+    visit("received_lost", counts_.received_lost);
+    visit("overruns", counts_.overruns);
+    visit("parity_errors", counts_.parity_errors);
+    visit("framing_errors", counts_.framing_errors);
+    visit("transmitted", counts_.transmitted);
+    visit("transmit_overwritten", counts_.transmit_overwritten);
+    visit("unanswered", counts_.unanswered);
+  }
 
  private:
   enum class Expects : std::uint8_t { mode, two_sync, sync, command };

@@ -89,6 +89,15 @@ class I8255 {
            (side.strobed_output && !side.pending && !side.acknowledge_low && side.output_enable);
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.part("a", a_);
+    visit.part("b", b_);
+    visit("c_latch", c_latch_);
+    visit("c_levels", c_levels_);
+    visit("c_inputs", c_inputs_);
+  }
+
  private:
   struct Side {
     // As the mode word has it.
@@ -105,6 +114,22 @@ class I8255 {
     bool acknowledge_low = false;
     bool input_enable = false;
     bool output_enable = false;
+
+    template <class Visitor>
+    void visit_state(Visitor& visit) {
+      visit("drives", drives);
+      visit("strobed_input", strobed_input);
+      visit("strobed_output", strobed_output);
+      visit("out_latch", out_latch);
+      visit("in_latch", in_latch);
+      visit("levels", levels);
+      visit("full", full);
+      visit("pending", pending);
+      visit("strobe_low", strobe_low);
+      visit("acknowledge_low", acknowledge_low);
+      visit("input_enable", input_enable);
+      visit("output_enable", output_enable);
+    }
   };
 
   [[nodiscard]] Side& side_of(Port port) { return port == Port::a ? a_ : b_; }

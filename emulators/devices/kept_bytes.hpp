@@ -16,7 +16,7 @@ class KeptBytes {
   explicit KeptBytes(std::size_t bound) : bound_(bound) {}
 
   void push_back(std::uint8_t byte) {
-    if (bytes_.size() < bound_)
+    if (before_ + bytes_.size() < bound_)
       bytes_.push_back(byte);
     else
       ++left_out_;
@@ -24,10 +24,19 @@ class KeptBytes {
 
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
+  // All that were handed out, also before the machine was restored, and what was not kept.
+  [[nodiscard]] std::uint64_t total() const { return before_ + bytes_.size() + left_out_; }
+
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.output("bytes", bytes_, before_);
+    visit("left_out", left_out_);
+  }
 
  private:
   std::size_t bound_ = usual_bound;
   std::vector<std::uint8_t> bytes_;
+  std::uint64_t before_ = 0;  // bytes before the first of bytes_: the machine was restored after them
   std::uint64_t left_out_ = 0;
 };
 

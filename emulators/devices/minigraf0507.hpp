@@ -67,11 +67,35 @@ class Minigraf0507 {
   [[nodiscard]] bool pen_is_down() const { return pen_down_; }
   [[nodiscard]] const MinigrafCounts& counts() const { return counts_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("place_x", place_.x);
+    visit("place_y", place_.y);
+    visit.part("x", x_);
+    visit.part("y", y_);
+    visit("pen_down", pen_down_);
+    visit("touches_at", touches_at_);
+    visit("steps", counts_.steps);
+    visit("steps_pen_up", counts_.steps_pen_up);
+    visit("pen_lifts", counts_.pen_lifts);
+    visit("missed_fast", counts_.missed_fast);
+    visit("missed_jump", counts_.missed_jump);
+    visit("steps_early", counts_.steps_early);
+    visit("off_field", counts_.off_field);
+  }
+
  private:
   struct Motor {
     std::uint8_t phase = 0;
     bool moved = false;
     core::TStateInstant last{};
+
+    template <class Visitor>
+    void visit_state(Visitor& visit) {
+      visit("phase", phase, std::uint8_t{7});
+      visit("moved", moved);
+      visit("last", last);
+    }
 
     // The step made: -1, 0 or 1.
     std::int32_t follow(std::uint8_t wanted, core::TStateInstant at, core::TStates shortest,

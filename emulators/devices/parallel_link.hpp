@@ -67,16 +67,41 @@ class ParallelLink {
     return takers_[port == I8255::Port::a ? 0 : 1].bytes;
   }
 
+  // What the host sends is configuration.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.part("chip", chip_);
+    visit.input("bytes", bytes_);
+    visit.count("sent", sent_, bytes_.size());
+    visit.part("strobe", strobe_);
+    visit.part("from_a", takers_[0]);
+    visit.part("from_b", takers_[1]);
+    visit.require(strobe_.due == core::never_t || strobe_.low || sent_ < bytes_.size(), "strobe",
+                  "none after the last byte");
+  }
+
  private:
   // A pulse of the host's: its next edge, and whether the line is low until then.
   struct Pulse {
     core::TStateInstant due = core::never_t;
     bool low = false;
+
+    template <class Visitor>
+    void visit_state(Visitor& visit) {
+      visit("due", due);
+      visit("low", low);
+    }
   };
   struct Taker {
     I8255::Port port;
     Pulse pulse;
     KeptBytes bytes;
+
+    template <class Visitor>
+    void visit_state(Visitor& visit) {
+      visit.part("pulse", pulse);
+      visit.part("taken", bytes);
+    }
   };
 
   void strobe() {

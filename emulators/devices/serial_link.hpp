@@ -73,6 +73,20 @@ class SerialLink {
   // Of them those that began while a receiver set to a slower line was still sampling the last one.
   [[nodiscard]] std::uint64_t unseen() const { return unseen_; }
 
+  // What the host sends is configuration.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.part("chip", chip_);
+    visit.input("bytes", bytes_);
+    visit.count("sent", sent_, bytes_.size());
+    visit.part("frame", frame_);
+    visit("unseen", unseen_);
+    visit("line_free", line_free_);
+    visit("start", start_);
+    visit("sampled", sampled_);
+    visit.require(start_ == core::never_t || sent_ < bytes_.size(), "start", "none after the last byte");
+  }
+
  private:
   [[nodiscard]] core::TStateInstant next_event() const { return std::min(start_, sampled_); }
   [[nodiscard]] bool allowed() const { return !host_.watches_rts || chip_.request_to_send(); }

@@ -46,6 +46,21 @@ struct Control {
 };
 
 struct State : Registers, Control {
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("a", a);
+    visit("f", f);
+    visit("bc", bc);
+    visit("de", de);
+    visit("hl", hl);
+    visit("sp", sp);
+    visit("pc", pc);
+    visit("interrupts_on", interrupts_on);
+    visit("deferred", deferred);
+    visit("halted", halted);
+    visit.require(f == as_flags(f), "f", "flags with bits 3 and 5 clear and bit 1 set");
+  }
+
   friend constexpr bool operator==(const State&, const State&) = default;
 };
 

@@ -113,6 +113,34 @@ class BasicPdp7 {
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
 
+  // All that a further run depends on, as it is between two runs (../core/visit_state.hpp).
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.section("processor", state_);
+    visit.section("time", [this](auto& fields) {
+      fields("now", now_);
+      fields("asynchronous", asynchronous_);
+      fields("instructions", counts_.instructions);
+      fields("stolen_cycles", counts_.stolen_cycles);
+      fields.require(asynchronous_ <= now_.time_since_epoch(), "asynchronous", "no more than the time");
+    });
+    visit.section("core", core_);
+    visit.section("console", console_);
+    devices_.visit_state(visit);
+    visit.require(devices_.clock.deadline() > now_ - core::seconds(1), "clock", "no tick of an earlier second");
+    if (display_) {
+      visit.section("display", *display_);
+      visit.require(display_->next_pulse() > now_, "display", "all pulses after the time");
+    }
+    visit.section("unanswered", [this](auto& fields) {
+      fields.list("words", unanswered_, [&fields](Unanswered& entry) {
+        fields("word", entry.word, core::Word18::mask);
+        fields("count", entry.count);
+        fields("first_pc", entry.first_pc, pdp7::address_mask);
+      });
+    });
+  }
+
   // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at
   // `address`.
   void start(pdp7::Address address) {

@@ -46,6 +46,20 @@ class I8080Machine {
   // Since the machine was made; those a device supplied included.
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
+  // All that a further run depends on besides the ports, as it is between two runs (../core/visit_state.hpp).
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.section("processor", state_);
+    visit.section("time", [this](auto& fields) {
+      fields("now", now_);
+      fields("instructions", instructions_);
+      fields("halt_sampled", halt_sampled_);
+      fields("after_halt", after_halt_);
+      fields("acknowledging", acknowledging_);
+    });
+    visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(memory_), 0xFF); });
+  }
+
   // The RESET pin; memory stays, and so do all registers but PC and INTE.
   void reset() {
     i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);

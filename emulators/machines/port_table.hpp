@@ -14,7 +14,7 @@
 //   static bool write_may_request(std::uint8_t port)   optional: false if a write there changes no interrupt
 //   line static void count(const Device&, take)             take("dots", n) for each count, in the order of
 //   reports
-// A Device may have advance(TStateInstant), called to bring it up to date, and deadline(), when its lines may
+// A Device has visit_state (../core/visit_state.hpp), for snapshots. It may have advance(TStateInstant), called to bring it up to date, and deadline(), when its lines may
 // change by themselves.
 //
 // A port without a device reads as FFh, the level of the undriven bus, and swallows what is written; such
@@ -162,6 +162,21 @@ class PortTable<Sink, PortRows<First, Rest...>> {
   template <class Visit>
   void each_device(Visit visit) const {
     visit_devices(*this, visit);
+  }
+
+  // A section for each device; requests and the next deadline follow from the devices.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    each_device([&visit](auto row, auto& device) { visit.section(row.name, device); });
+    visit.section("ports", [this](auto& fields) {
+      for (UnansweredPort& port : unanswered_) {
+        fields("reads", port.reads);
+        fields("writes", port.writes);
+      }
+    });
+    if constexpr (Visitor::restores) {
+      if (connected_) look();
+    }
   }
 
   // Accesses nothing answered, by port.

@@ -249,14 +249,14 @@ struct ParallelRow {
   }
   template <class Take>
   static void count(const devices::ParallelLink& link, Take take) {
-    std::uint64_t kept = 0;
+    std::uint64_t total = 0;
     std::uint64_t left_out = 0;
     received(link, [&](const devices::KeptBytes& bytes) {
-      kept += bytes.bytes().size();
+      total += bytes.total();
       left_out += bytes.left_out();
     });
     take("sent_by_host", link.sent());
-    take("received_by_host", kept + left_out);
+    take("received_by_host", total);
     take(not_kept, left_out);
   }
 };

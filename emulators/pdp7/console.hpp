@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,18 @@ class Console {
   [[nodiscard]] core::Word18 switches(core::Instant now) {
     while (next_ < settings_.size() && settings_[next_].time <= now) switches_ = settings_[next_++].switches;
     return switches_;
+  }
+
+  // The settings to come, and those that are.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    settings_.erase(settings_.begin(), settings_.begin() + static_cast<std::ptrdiff_t>(next_));
+    next_ = 0;
+    visit("switches", switches_);
+    visit.list("settings", settings_, [&visit](SwitchSetting& setting) {
+      visit("time", setting.time);
+      visit("switches", setting.switches);
+    });
   }
 
  private:

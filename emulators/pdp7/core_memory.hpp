@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "../core/word.hpp"
@@ -36,6 +37,11 @@ class CoreMemory {
       z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
       contents_[a] = core::Word18(static_cast<std::uint32_t>((z ^ (z >> 31)) >> 40));
     }
+  }
+
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.words("words", std::span<core::Word18>(contents_).first(words_));
   }
 
  private:

@@ -77,6 +77,21 @@ class Reader {
   // The tape ran out under a request that is still waiting.
   [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
 
+  // The tape itself is configuration.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.input("tape", tape_);
+    visit.count("position", position_, tape_.size());
+    visit.count("lines", lines_, tape_.size());
+    visit("started", started_);
+    visit("done", done_);
+    visit("coming", coming_);
+    visit("buffer", buffer_);
+    visit("running", running_);
+    visit("flag", flag_);
+    visit.require(done_ == core::never || lines_ <= tape_.size() - position_, "lines", "no more than the tape has left");
+  }
+
  private:
   void begin(core::Instant now, std::size_t lines, std::uint32_t word) {
     running_ = true;
@@ -140,10 +155,19 @@ class Punch {
   // What has been punched so far, one byte a line.
   [[nodiscard]] const std::vector<std::uint8_t>& tape() const { return tape_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("done", done_);
+    visit("holes", holes_);
+    visit("flag", flag_);
+    visit.output("tape", tape_, tape_before_);
+  }
+
  private:
   core::Duration line_;
   core::Instant done_ = core::never;
   std::vector<std::uint8_t> tape_;
+  std::uint64_t tape_before_ = 0;  // lines punched before the first of tape_: the machine was restored after them
   std::uint8_t holes_ = 0;
   bool flag_ = false;
 };

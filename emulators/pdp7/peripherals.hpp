@@ -34,7 +34,9 @@ class Clock {
   constexpr void turn_on(core::Instant now) {
     on_ = true;
     flag_ = false;
-    next_period_ = core::nanoseconds_of(now) * hertz_ / nanoseconds_in_a_second + 1;
+    const std::int64_t seconds = core::nanoseconds_of(now) / nanoseconds_in_a_second;
+    const std::int64_t rest = core::nanoseconds_of(now) % nanoseconds_in_a_second;
+    next_period_ = seconds * hertz_ + rest * hertz_ / nanoseconds_in_a_second + 1;
   }
   constexpr void turn_off() { on_ = flag_ = false; }
 
@@ -44,7 +46,9 @@ class Clock {
 
   // The next tick; instants are rounded down to a nanosecond, without drift.
   [[nodiscard]] constexpr core::Instant deadline() const {
-    return on_ ? core::at_nanoseconds(next_period_ * nanoseconds_in_a_second / hertz_) : core::never;
+    if (!on_) return core::never;
+    return core::at_nanoseconds(next_period_ / hertz_ * nanoseconds_in_a_second +
+                                next_period_ % hertz_ * nanoseconds_in_a_second / hertz_);
   }
   // True once for every tick at or before `now`.
   constexpr bool take_tick(core::Instant now) {
@@ -53,8 +57,16 @@ class Clock {
     return true;
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("next_period", next_period_, longest_run * hertz_);
+    visit("on", on_);
+    visit("flag", flag_);
+  }
+
  private:
   static constexpr std::int64_t nanoseconds_in_a_second = 1'000'000'000;
+  static constexpr std::int64_t longest_run = 9'200'000'000;  // seconds that fit into an Instant
 
   std::int64_t hertz_;
   std::int64_t next_period_ = 0;
@@ -127,6 +139,16 @@ class Peripherals {
     punch.reset();
     keyboard.clear_flag();
     printer.reset();
+  }
+
+  // A further device is a further section: snapshots of machines without it have none of that name.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.section("clock", clock);
+    visit.section("reader", reader);
+    visit.section("punch", punch);
+    visit.section("keyboard", keyboard);
+    visit.section("printer", printer);
   }
 
   Clock clock;

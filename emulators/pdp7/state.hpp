@@ -34,6 +34,20 @@ struct State {
   bool extend_restore = false;       // EMIR given: the next JMP I restores extend mode
   bool trap_mode = false;            // IOT, HLT and XCT of XCT trap
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("ac", ac);
+    visit("mq", mq);
+    visit("sc", sc);
+    visit("pc", pc, address_mask);
+    visit("link", link);
+    visit("interrupts_on", interrupts_on);
+    visit("interrupts_deferred", interrupts_deferred);
+    visit("extend", extend);
+    visit("extend_restore", extend_restore);
+    visit("trap_mode", trap_mode);
+  }
+
   friend constexpr bool operator==(const State&, const State&) = default;
 };
 

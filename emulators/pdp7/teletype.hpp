@@ -49,10 +49,26 @@ class Keyboard {
   // Every key pressed has been sent and read.
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
+  // The keys under way, and the last one before them: it says when the line is free.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    if (next_ > 1) keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(next_ - 1));
+    next_ = std::min(next_, std::size_t{1});
+    visit.list("keys", keys_, [&visit](Key& key) {
+      visit("arrives", key.arrives);
+      visit("code", key.code);
+    });
+    visit.count("next", next_, 1);
+    visit("buffer", buffer_);
+    visit("flag", flag_);
+    visit("asked", asked_);
+    visit.require(next_ <= keys_.size(), "next", "no more than the number of keys");
+  }
+
  private:
   struct Key {
     core::Instant arrives;
-    std::uint8_t code;
+    std::uint8_t code = 0;
   };
 
   core::Duration character_;
@@ -91,10 +107,19 @@ class Printer {
   // Eight-bit codes in the order printed.
   [[nodiscard]] const std::vector<std::uint8_t>& printed() const { return printed_; }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("done", done_);
+    visit("code", code_);
+    visit("flag", flag_);
+    visit.output("printed", printed_, printed_before_);
+  }
+
  private:
   core::Duration character_;
   core::Instant done_ = core::never;
   std::vector<std::uint8_t> printed_;
+  std::uint64_t printed_before_ = 0;  // codes before the first of printed_: the machine was restored after them
   std::uint8_t code_ = 0;
   bool flag_ = false;
 };

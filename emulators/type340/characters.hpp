@@ -28,6 +28,21 @@ class CharacterPath {
 
   constexpr void add(Direction d, bool lit) { strokes_[size_++] = {d, lit}; }
 
+  // A direction is stored as 0, 1, 2 for -1, 0, 1.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit.count("size", size_, strokes_.size());
+    for (std::size_t i = 0; i < std::min(size_, strokes_.size()); ++i) {
+      CharacterStroke& stroke = strokes_[i];
+      auto x = static_cast<std::uint8_t>(stroke.direction.x + 1);
+      auto y = static_cast<std::uint8_t>(stroke.direction.y + 1);
+      visit("x", x, std::uint8_t{2});
+      visit("y", y, std::uint8_t{2});
+      visit("lit", stroke.lit);
+      stroke.direction = {static_cast<std::int8_t>(x - 1), static_cast<std::int8_t>(y - 1)};
+    }
+  }
+
  private:
   // Every dot is at most six dark steps from the one before, and so is the way out.
   std::array<CharacterStroke, 35 * 6 + 6> strokes_{};

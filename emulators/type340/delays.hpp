@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "../core/time.hpp"
 
@@ -69,8 +70,25 @@ class Delays {
     return first;
   }
 
+  // Instants of delays that do not run are `never`.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto delay = static_cast<Delay>(i);
+      core::Instant when = at(delay);
+      visit(names[i], when);
+      if constexpr (Visitor::restores) {
+        stop(delay);
+        if (when != core::never) start(delay, when);
+      }
+    }
+  }
+
  private:
   static constexpr std::size_t count = 10;
+  static constexpr std::array<std::string_view, count> names{
+      "light",      "load_x",      "load_y",        "strobe",      "settle", "intensify",
+      "deflection", "point_flash", "stroke_settle", "stroke_flash"};
   static constexpr std::size_t index(Delay d) { return static_cast<std::size_t>(d); }
   static constexpr std::uint32_t bit(Delay d) { return 1U << index(d); }
 

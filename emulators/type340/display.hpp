@@ -50,6 +50,16 @@ struct LightPen {
   [[nodiscard]] constexpr bool sees(std::uint16_t x, std::uint16_t y) const {
     return left <= x && x <= right && bottom <= y && y <= top;
   }
+
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("left", left);
+    visit("bottom", bottom);
+    visit("right", right);
+    visit("top", top);
+    visit("delay", delay);
+    visit.require(delay < timing::pulse, "delay", "less than 1500");
+  }
 };
 
 // What a Type 340 counts for reports: words, passes, and when the last passes began.
@@ -118,6 +128,12 @@ class Display {
   [[nodiscard]] const Counters& counters() const { return counters_; }
   // Indicator lights, as of the last advance.
   [[nodiscard]] const Registers& registers() const { return registers_; }
+  // The next pulse inside, as of the last advance; never: none is under way.
+  [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
+
+  // The shortcuts are not visited: without them the same pulses are made one by one.
+  template <class Visitor>
+  void visit_state(Visitor& visit);
 
  private:
   const Registers& at(core::Instant now) {

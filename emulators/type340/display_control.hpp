@@ -139,4 +139,31 @@ void Display<Sink>::skip(core::Instant now) {
   delays_.start(Delay::settle, first + (count - 1) * timing::pulse + timing::settle);
 }
 
+template <class Sink>
+template <class Visitor>
+void Display<Sink>::visit_state(Visitor& visit) {
+  if constexpr (Visitor::restores) planned_ = whole_ = false;
+  visit.part("registers", registers_);
+  visit.part("delays", delays_);
+  visit("input", input_);
+  visit("word_address", word_address_, Registers::address_mask);
+  visit("request_since", request_.since);
+  visit("request_address", request_.address, Registers::address_mask);
+  visit("request_write", request_.write);
+  visit("request_word", request_.word);
+  visit("writing", writing_);
+  visit("pass_open", pass_open_);
+  visit.part("path", path_);
+  visit.count("stroke", stroke_, path_.size());
+  visit.present("pen", pen_, [&visit](LightPen& pen) { pen.visit_state(visit); });
+  visit("words", counters_.words);
+  visit("passes_started", counters_.passes_started);
+  visit("passes_stopped", counters_.passes_stopped);
+  visit("last_start", counters_.last_start);
+  visit("previous_start", counters_.previous_start);
+  const bool draws_stroke = delays_.runs(Delay::stroke_settle) || delays_.runs(Delay::stroke_flash);
+  visit.require(!draws_stroke || stroke_ < path_.size(), "stroke", "one of the character");
+  visit.require(break_request() == nullptr || request_.write == writing_, "request_write", "the same as writing");
+}
+
 }  // namespace sightline::type340

@@ -140,6 +140,31 @@ struct Registers {
     halt = true;
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("br", br);
+    visit("mode", mode, Mode::subroutine);
+    visit("x", x, screen_mask);
+    visit("y", y, screen_mask);
+    visit("scale", scale, std::uint8_t{3});
+    visit("intensity", intensity, std::uint8_t{7});
+    visit("brm", rate.brm, RateMultiplier::full);
+    visit("part", part, std::uint8_t{4});
+    visit("halt", halt);
+    visit("move", move);
+    visit("stop", stop);
+    visit("request", request);
+    visit("vertical_edge", vertical_edge);
+    visit("horizontal_edge", horizontal_edge);
+    visit("pen_enable", pen_enable);
+    visit("pen_find", pen_find);
+    visit("pen_flag", pen_flag);
+    visit("address", address, address_mask);
+    visit("return_address", return_address, address_mask);
+    visit("save", save);
+    visit("shift_out", shift_out);
+  }
+
   friend bool operator==(const Registers&, const Registers&) = default;
 
  private:

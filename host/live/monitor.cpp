@@ -19,6 +19,7 @@
 #include "host/base/text.hpp"
 #include "host/live/console.hpp"
 #include "host/live/expression.hpp"
+#include "host/live/snapshot.hpp"
 
 namespace sightline::live {
 
@@ -238,6 +239,18 @@ class Monitor::Inside {
   [[nodiscard]] Stop run_by_instructions(const Limits& limits, const std::string& condition,
                                          std::optional<std::string>& reason);
   void set_probe();
+
+  // Going back: the machine as it was, from which a run to any later instruction is repeated.
+  struct Past {
+    std::uint64_t instructions;
+    std::uint64_t remembered;  // by the probe
+    guests::run::Bytes snapshot;
+  };
+  void remember_past();
+  void forget_past() { past_.clear(); }
+  Answer back(std::string_view arguments);
+  Answer save(std::string_view arguments);
+  Answer restore(std::string_view arguments);
   // Without a console that says otherwise the keys of the PDP-7 have channel 8, as those of the KSR 33.
   void type_next() {
     if (keys_.empty() || !machine_.wants_key()) return;
@@ -308,6 +321,7 @@ class Monitor::Inside {
   Probe& probe_;
   std::size_t pc_ = 0;
   std::vector<Breakpoint> breakpoints_;
+  std::vector<Past> past_;  // in order of instructions
   int last_number_ = 0;
   Stop last_stop_{"operator", {}};
   std::string printed_;  // since the last expect
@@ -354,6 +368,9 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
       Verb{"send", 3, "\"KEYS\"", "type on the console, as the program asks for keys in the runs that follow (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
       Verb{"expect", 3, "\"TEXT\"", "run on until the program has printed the text", &Inside::expect},
       Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Inside::assert_verb},
+      Verb{"back", 2, "[N]", "N instructions (1) back in time, to the state as it was", &Inside::back},
+      Verb{"save", 2, "FILE", "the whole machine into a snapshot", &Inside::save},
+      Verb{"restore", 3, "FILE", "the machine of a snapshot, made with the same options", &Inside::restore},
       Verb{"screenshot", 3, "FILE", "the picture as PNG", &Inside::screenshot},
       Verb{"trace", 2, "FILE | off", "write each instruction that is obeyed, as history shows it", &Inside::trace},
       Verb{"speed", 2, "real | max | N", "of runs with a console", &Inside::speed},
@@ -759,12 +776,15 @@ Answer Monitor::Inside::run(const Goal& goal) {
   while (!reason && stop.name == "event") {
     type_next();
     Limits part = limits;
+    const bool live = host_.is_live();
+    if (!live) remember_past();
     constexpr std::int64_t slices_a_second = 50;
     const std::int64_t slice = machine_.ticks() + machine_.ticks_a_second() / slices_a_second;
-    if (!keys_.empty() || machine_.waits_for_key()) part.until = std::min(limits.until, slice);
+    if (!live || !keys_.empty()) part.until = std::min(limits.until, slice);
     stop = by_instructions ? run_by_instructions(part, goal.condition, reason) : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
     const bool slice_done = stop.at_until && part.until < limits.until;
     const bool key_due = stop.name == end_of_input && !keys_.empty();
+    if (live) forget_past();
     if (slice_done || key_due) stop = {"event", {}};
     if (!by_instructions && stop.name == "event") {
       reason = reason_to_stop();
@@ -788,6 +808,65 @@ Answer Monitor::Inside::run(const Goal& goal) {
   }
   if (!goal.quiet || !text.empty()) text += status();
   return {kind, text};
+}
+
+// The state where a run begins counts, whatever was deposited or typed before it.
+void Monitor::Inside::remember_past() {
+  while (!past_.empty() && past_.back().instructions >= machine_.instructions()) past_.pop_back();
+  past_.push_back({machine_.instructions(), probe_.remembered(), save_snapshot(description_.name, machine_)});
+  constexpr std::size_t most = 512;
+  if (past_.size() <= most) return;
+  // Every other of the older half: what is longer ago takes longer to come back to.
+  std::vector<Past> kept;
+  for (std::size_t n = 0; n < past_.size(); ++n) {
+    if (n >= most / 2 || n % 2 == 0) kept.push_back(std::move(past_[n]));
+  }
+  past_ = std::move(kept);
+}
+
+Answer Monitor::Inside::back(std::string_view arguments) {
+  const std::uint64_t n = arguments.empty() ? 1 : count_of(arguments);
+  const std::uint64_t here = machine_.instructions();
+  if (past_.empty() || n > here - std::min(here, past_.front().instructions)) {
+    const std::uint64_t most = past_.empty() ? 0 : here - std::min(here, past_.front().instructions);
+    throw Wrong{fmt::format("found {} instructions, expected at most {}: the monitor remembers no more", n, most)};
+  }
+  const std::uint64_t target = here - n;
+  while (past_.back().instructions > target) past_.pop_back();
+  const Past& from = past_.back();
+  const auto done = restore_snapshot(description_.name, machine_, from.snapshot, "snapshot");
+  if (!done) throw Wrong{done.error().message()};
+  probe_.go_back_to(from.remembered);
+  // No breakpoint is counted again.
+  const std::vector<Breakpoint> all = std::exchange(breakpoints_, {});
+  set_probe();
+  Limits limits;
+  limits.instructions = target;
+  while (machine_.instructions() < target && !machine_.waits_for_key()) {
+    if (machine_.run(limits, false)) break;
+  }
+  static_cast<void>(machine_.take_printed());
+  breakpoints_ = all;
+  set_probe();
+  return {Kind::done, status()};
+}
+
+Answer Monitor::Inside::save(std::string_view arguments) {
+  const std::string path(take_part(arguments));
+  if (path.empty()) throw Wrong{"expected a file"};
+  const auto done = host_.write(path, save_snapshot(description_.name, machine_));
+  if (!done) throw Wrong{done.error().message};
+  return {};
+}
+
+Answer Monitor::Inside::restore(std::string_view arguments) {
+  const std::string path(take_part(arguments));
+  if (path.empty()) throw Wrong{"expected a file"};
+  const guests::run::Input input = file(path);
+  const auto done = restore_snapshot(description_.name, machine_, input.bytes, path);
+  if (!done) throw Wrong{done.error().message()};
+  forget_past();
+  return {Kind::done, status()};
 }
 
 Answer Monitor::Inside::step(std::string_view arguments) {
@@ -887,7 +966,7 @@ Answer Monitor::Inside::history(std::string_view arguments) {
   return {Kind::done, text.empty() ? "no instruction has been obeyed yet\n" : text};
 }
 
-// --- What there is ---
+// --- Descriptions ---
 
 Answer Monitor::Inside::show(std::string_view arguments) {
   const std::string what = lower(arguments);

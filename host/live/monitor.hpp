@@ -22,6 +22,8 @@ struct MonitorHost {
   std::function<guests::run::Stop(guests::run::Machine&, const guests::run::Limits&,
                                   const std::function<void(std::string_view)>& heard)>
       run;
+  // Whether a person may type in `run`: it is then not repeated when the monitor steps back.
+  std::function<bool()> is_live;
   // Asked now and then by runs that go instruction by instruction; true: stop.
   std::function<bool()> interrupted;
   // What the program has printed, outside `run`.

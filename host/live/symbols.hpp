@@ -23,7 +23,7 @@ class Symbols {
 
   // Any case; on the PDP-7 the assembler's own rule, the first six characters.
   [[nodiscard]] std::optional<std::uint32_t> value(std::string_view name) const;
-  // "begin", "begin+5", or nothing if no symbol is near. A symbol may be a number of any meaning: only those that
+  // "begin", "begin+5", or empty: no symbol is near. A symbol may be a number of any meaning: only those that
   // belong to an address of the listing count, if there is one.
   [[nodiscard]] std::string near(std::uint32_t address) const;
   // The line of the source that made the word, without blanks around it.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/base/crc32.hpp"
 #include "host/base/file.hpp"
 #include "host/base/result.hpp"
 
@@ -15,22 +16,6 @@ namespace sightline::picture {
 namespace {
 
 constexpr std::size_t signature_size = 8;
-
-// The cyclic redundancy code of chunks (PNG specification, annex D): polynomial 0xEDB88320, reflected.
-std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
-  static constexpr auto table = [] {
-    std::array<std::uint32_t, 256> entries{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      std::uint32_t c = n;
-      for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
-      entries[n] = c;
-    }
-    return entries;
-  }();
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const std::uint8_t byte : bytes) crc = table[(crc ^ byte) & 0xFFU] ^ (crc >> 8);
-  return ~crc;
-}
 
 void put32(base::Bytes& bytes, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
@@ -53,7 +38,7 @@ void put_chunk(base::Bytes& bytes, std::string_view type, std::span<const std::u
   const std::size_t begin = bytes.size();
   bytes.insert(bytes.end(), type.begin(), type.end());
   bytes.insert(bytes.end(), data.begin(), data.end());
-  put32(bytes, crc_of(std::span(bytes).subspan(begin)));
+  put32(bytes, base::crc32(std::span(bytes).subspan(begin)));
 }
 
 struct Chunk {

@@ -32,7 +32,8 @@ struct Pass {
 };
 
 // Keeps the last complete pass and the running one. IDLA during a pass throws the unfinished pass away: it
-// was never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0.
+// was never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0. A machine that is
+// restored while a pass runs (forget_after) shows the rest of a pass only, which is never complete.
 class PassRecorder {
  public:
   static constexpr bool consumes = true;
@@ -41,6 +42,8 @@ class PassRecorder {
   explicit PassRecorder(std::size_t limit_a_pass = default_limit) : limit_(limit_a_pass) {}
 
   void begin_pass(core::Instant t) {
+    begun_ = true;
+    partial_ = false;
     running_.begin = t;
     running_.end = t;
     running_.strokes.clear();
@@ -54,10 +57,31 @@ class PassRecorder {
     }
   }
   void end_pass(core::Instant t) {
+    if (partial_) {
+      begin_pass(t);
+      return;
+    }
     running_.end = t;
     std::swap(complete_, running_);
     ++passes_;
     begin_pass(t);
+  }
+
+  // The machine goes back to `t`, or begins there.
+  void forget_after(core::Instant t) {
+    if (passes_ != 0 && complete_.begin <= t && t < complete_.end) {
+      running_ = std::move(complete_);
+      complete_ = {};
+      passes_ = 0;
+    } else if (!begun_ || running_.begin > t) {
+      begin_pass(t);
+      partial_ = true;
+    }
+    if (complete_.end > t) {
+      complete_ = {};
+      passes_ = 0;
+    }
+    while (!running_.strokes.empty() && running_.strokes.back().time > t) running_.strokes.pop_back();
   }
 
   // Empty strokes and passes() == 0: none is complete yet.
@@ -70,6 +94,8 @@ class PassRecorder {
   Pass complete_;
   Pass running_;
   std::uint64_t passes_ = 0;
+  bool begun_ = false;
+  bool partial_ = false;  // the running pass lacks its beginning
 };
 
 // Keeps the newest strokes, up to a limit: what a photograph of the end of a run needs.
@@ -91,6 +117,13 @@ class StrokeRecorder {
     oldest_ = oldest_ + 1 == limit_ ? 0 : oldest_ + 1;
   }
   void end_pass(core::Instant) {}
+
+  // The machine goes back to `t`.
+  void forget_after(core::Instant t) {
+    kept_ = strokes();
+    oldest_ = 0;
+    while (!kept_.empty() && kept_.back().time > t) kept_.pop_back();
+  }
 
   // In the order they came.
   [[nodiscard]] std::vector<core::Stroke> strokes() const {

@@ -30,7 +30,7 @@ template <class T>
 // Reads a file whole; Failure io.
 [[nodiscard]] guests::run::Input read_named(const std::string& path);
 
-// The text of a source that another includes; nothing if it cannot be read.
+// The text of a source that another includes; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
 }  // namespace sightline::app

@@ -220,6 +220,7 @@ ExitCode monitor(const MachineDescription& description, Arguments arguments) {
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
   };
+  host.is_live = [&] { return console_options && terminal; };
   host.interrupted = [] { return base::InterruptKey::pressed(); };
   host.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
   host.read = [](const std::string& path) -> guests::run::Result<guests::run::Input> {

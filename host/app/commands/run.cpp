@@ -14,6 +14,7 @@
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
 #include "host/live/console.hpp"
+#include "host/live/snapshot.hpp"
 
 namespace sightline::app {
 
@@ -57,11 +58,13 @@ class RunOutputs {
     }
   }
   // Writes what the run left behind, and puts all files in their places. Failure io.
-  void write(const MachineDescription& description, const Machine& machine) {
+  void write(const MachineDescription& description, Machine& machine) {
     for (File& file : files_) {
       if (file.option->kind != OptionKind::output) continue;
       if (file.option->key() == "--dump") {
         file.output->write(dump_text(description, machine));
+      } else if (file.option->key() == "--save") {
+        file.output->write(std::span<const std::uint8_t>(live::save_snapshot(description.name, machine)));
       } else {
         file.output->write(std::span<const std::uint8_t>(machine.output(file.option->key())));
       }
@@ -117,7 +120,13 @@ Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arg
 }
 
 ExitCode run(const MachineDescription& description, const Arguments& arguments) {
-  const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named));
+  const auto restore = [&description](Machine& machine,
+                                      const guests::run::Input& snapshot) -> guests::run::Result<base::Done> {
+    const auto done = live::restore_snapshot(description.name, machine, snapshot.bytes, snapshot.name);
+    if (!done) return guests::run::bad_input(done.error().message());
+    return base::Done{};
+  };
+  const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named, restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
@@ -128,7 +137,10 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
   for (const std::string& warning : machine.warnings()) warn(warning);
   outputs.write(description, machine);
   if (arguments.given("--json")) {
-    print_json(json_report(description, machine, stop));
+    base::Json report = json_report(description, machine, stop);
+    if (arguments.given("--restore")) report["restored_from"] = arguments.text("--restore");
+    if (arguments.given("--save")) report["saved_to"] = arguments.text("--save");
+    print_json(report);
   } else if (!outputs.uses_stdout() && !console) {
     write_stdout(table_report(description, machine, stop));
   } else {

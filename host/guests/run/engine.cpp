@@ -119,6 +119,12 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
                                    "sightline asm {} {} -o PROGRAM",
                                    input.name, description.name, file->path));
     }
+    if (input.bytes.size() >= snapshot_signature.size() &&
+        std::equal(snapshot_signature.begin(), snapshot_signature.end(), input.bytes.begin())) {
+      return bad_input(fmt::format("{}: found a snapshot, expected a program; continue from it with: sightline run {} "
+                                   "--restore {}",
+                                   input.name, description.name, file->path));
+    }
     const Format* const format = find_format(description, *file, input, {}, &arguments);
     const auto program = read_as(description, format, *file, input);
     if (!program) return program.error();
@@ -190,8 +196,32 @@ Result<Limits> limits_of(const MachineDescription& description, const Arguments&
   return limits;
 }
 
+// A snapshot holds a program, where it is, and what is still to come from scripts.
+Result<Done> check_snapshot_alone(const MachineDescription& description, const Arguments& arguments) {
+  std::vector<std::string_view> held{"--load", "--start"};
+  held.insert(held.end(), description.in_snapshot.begin(), description.in_snapshot.end());
+  for (const std::string_view option : held) {
+    if (!arguments.given(option)) continue;
+    return usage(fmt::format("--restore: found {} too, expected one of them: the snapshot holds what {} gives",
+                             option == "--load" ? "a PROGRAM" : option, option == "--load" ? "it" : option));
+  }
+  return Done{};
+}
+
+// Counted on from where the machine is.
+Limits from_here(const Limits& limits, const Machine& machine) {
+  constexpr Limits none;
+  Limits later;
+  if (limits.instructions <= none.instructions - machine.instructions())
+    later.instructions = machine.instructions() + limits.instructions;
+  if (limits.until <= none.until - machine.ticks()) later.until = machine.ticks() + limits.until;
+  return later;
+}
+
 Result<Done> check_needs(const MachineDescription& description, const Arguments& arguments) {
-  if (arguments.list("--load").empty()) {
+  if (arguments.given("--restore")) {
+    if (auto done = check_snapshot_alone(description, arguments); !done) return done;
+  } else if (arguments.list("--load").empty()) {
     return usage(fmt::format("run {}: needs a PROGRAM or --load FILE: without a program there is nothing to run",
                              description.name));
   }
@@ -318,12 +348,20 @@ Result<Program> read_program(const MachineDescription& machine, const FileArgume
 }
 
 Result<Prepared> prepare(const MachineDescription& description, const Arguments& arguments,
-                         const FileReader& read) {
+                         const FileReader& read, const Restorer& restore) {
   if (const auto done = check_needs(description, arguments); !done) return done.error();
   auto machine = description.make(arguments, read);
   if (!machine) return machine.error();
   const auto limits = limits_of(description, arguments);
   if (!limits) return limits.error();
+  if (arguments.given("--restore")) {
+    if (const auto done = restore(**machine, read(arguments.text("--restore"))); !done) return done.error();
+    for (const std::string& setting : arguments.list("--set")) {
+      if (const auto done = set_register(description, **machine, setting); !done) return done.error();
+    }
+    const Limits later = from_here(*limits, **machine);
+    return Prepared{std::move(*machine), later};
+  }
   const auto loaded = load(description, arguments, read, **machine);
   if (!loaded) return loaded.error();
   if (const auto done = (*machine)->ready(); !done) return done.error();

@@ -36,8 +36,11 @@ struct Prepared {
   Limits limits;
   std::vector<std::string> warnings = {};
 };
+// Restores a machine from what --restore names.
+using Restorer = std::function<Result<Done>(Machine& machine, const Input& snapshot)>;
+// With --restore, which needs a restorer, the limits count from the snapshot.
 [[nodiscard]] Result<Prepared> prepare(const MachineDescription& machine, const Arguments& arguments,
-                                       const FileReader& read);
+                                       const FileReader& read, const Restorer& restore = {});
 
 // What assemblers read; no format of a program ends like this.
 [[nodiscard]] bool named_as_source(std::string_view path);

@@ -7,7 +7,6 @@
 #include <array>
 #include <bitset>
 #include <cstdlib>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -76,10 +75,53 @@ class PlotterTaker {
   // Marks beyond what is kept.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
+  // The drawing is an output: where it ends is enough to go back to, as corners are only added or moved at the end. A
+  // machine that has not drawn so much begins a new drawing.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    End end;
+    if (!paths_.empty()) {
+      end = {paths_.size(), paths_.back().corners.size(), paths_.back().corners.back(), last_, left_out_};
+    }
+    visit("paths", end.paths);
+    visit("corners", end.corners);
+    for (picture::PenPoint* const point : {&end.corner, &end.last}) {
+      visit("x", point->x);
+      visit("y", point->y);
+    }
+    visit("left_out", end.left_out);
+    if constexpr (Visitor::restores) {
+      if (visit.cuts_outputs()) go_back_to(end);
+    }
+  }
+
  private:
   void log(const core::Stroke& stroke) {
     log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
+  struct End {
+    std::uint64_t paths = 0;
+    std::uint64_t corners = 0;  // of the last path
+    picture::PenPoint corner{};  // its last one
+    picture::PenPoint last{};    // mark
+    std::uint64_t left_out = 0;
+  };
+
+  void go_back_to(const End& end) {
+    if (end.paths > paths_.size() || end.paths == 0 ||
+        end.corners > paths_[static_cast<std::size_t>(end.paths) - 1].corners.size() || end.corners == 0) {
+      paths_.clear();
+    } else {
+      paths_.resize(static_cast<std::size_t>(end.paths));
+      paths_.back().corners.resize(static_cast<std::size_t>(end.corners));
+      paths_.back().corners.back() = end.corner;
+    }
+    last_ = end.last;
+    left_out_ = paths_.empty() ? 0 : end.left_out;
+    corners_ = 0;
+    for (std::size_t n = 0; n + 1 < paths_.size(); ++n) corners_ += paths_[n].corners.size();
+  }
+
   void draw(picture::PenPoint point) {
     const bool joined =
         !paths_.empty() && std::abs(point.x - last_.x) <= 1 && std::abs(point.y - last_.y) <= 1;
@@ -153,6 +195,16 @@ class RunPorts {
   }
   // A port did not answer and the run is strict.
   [[nodiscard]] bool unanswered() const { return unanswered_; }
+
+  // Between two runs no call waits; that a run has stopped is not kept.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    devices_.visit_state(visit);
+    if constexpr (Visitor::restores) {
+      call_.reset();
+      unanswered_ = false;
+    }
+  }
 
  private:
   Devices& devices_;
@@ -344,6 +396,8 @@ class Processor {
   [[nodiscard]] virtual std::span<i8080::Byte> memory() = 0;
   [[nodiscard]] virtual core::TStateInstant now() const = 0;
   [[nodiscard]] virtual std::uint64_t instructions() const = 0;
+  virtual void visit_state(StateWriter& visit) = 0;
+  virtual void visit_state(StateReader& visit) = 0;
 };
 
 template <class Observer>
@@ -355,6 +409,8 @@ class ProcessorOf final : public Processor {
   std::span<i8080::Byte> memory() override { return machine_.memory(); }
   core::TStateInstant now() const override { return machine_.now(); }
   std::uint64_t instructions() const override { return machine_.instructions(); }
+  void visit_state(StateWriter& visit) override { machine_.visit_state(visit); }
+  void visit_state(StateReader& visit) override { machine_.visit_state(visit); }
 
  private:
   machines::I8080Machine<RunPorts, Observer> machine_;
@@ -452,7 +508,8 @@ class I8080Run final : public Machine {
     const core::TStateInstant until =
         asked ? std::min(limit, processor_->now() + time_between_questions) : limit;
     if (prober_) prober_->begin(processor_->registers().pc);
-    const auto reason = processor_->run({limits.instructions - processor_->instructions(), until});
+    const std::uint64_t left = limits.instructions - std::min(processor_->instructions(), limits.instructions);
+    const auto reason = processor_->run({left, until});
     // A call of CP/M is answered before a monitor looks at the machine.
     if (prober_ && prober_->probe.stops() && reason != machines::I8080StopReason::ports) return Stop{"event", {}};
     switch (reason) {
@@ -506,6 +563,18 @@ class I8080Run final : public Machine {
   }
   [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(processor_->now()); }
   [[nodiscard]] std::int64_t ticks_a_second() const override { return setup_.machine.clock.hertz; }
+
+  [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
+  [[nodiscard]] MachineState save() override {
+    StateWriter writer;
+    visit_state(writer);
+    return writer.take();
+  }
+  [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
+    const auto done = restore_state(state, [this](auto& visit) { visit_state(visit); });
+    if (done) printed_.clear();
+    return done;
+  }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const core::ClockRate clock = setup_.machine.clock;
@@ -601,6 +670,25 @@ class I8080Run final : public Machine {
   }
 
  private:
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    processor_->visit_state(visit);
+    ports_.visit_state(visit);
+    visit.section("drawing", plotter_);
+    visit.section("console", [this](auto& fields) {
+      fields.output("printed", kept_console_, console_before_);
+      fields("left_out", console_left_out_);
+      fields("bdos_function", bdos_function_);
+      fields.present("bdos_caller", bdos_caller_, [&fields](i8080::Address& caller) { fields("address", caller); });
+      fields.list("keys", keys_, [&fields](i8080::Byte& key) { fields("key", key); });
+      fields.list("line", line_, [&fields](i8080::Byte& key) { fields("key", key); });
+      fields("waiting", waiting_);
+      fields("asked", asked_);
+      fields.require(!waiting_ || (setup_.console && (bdos_function_ == 1 || bdos_function_ == 10)), "waiting",
+                     "0, or 1 in function 1 or 10");
+    });
+  }
+
   // Nothing: the run goes on.
   std::optional<Stop> answer(const StubCall& call) {
     const i8080::Address pc = processor_->registers().pc;
@@ -670,7 +758,7 @@ class I8080Run final : public Machine {
   }
   i8080::Byte take_key() {
     const i8080::Byte key = keys_.front();
-    keys_.pop_front();
+    keys_.erase(keys_.begin());
     return key;
   }
 
@@ -758,6 +846,10 @@ class I8080Run final : public Machine {
     if (console_) console_(text);
     if (setup_.console) printed_ += text;
     if (!setup_.keep_console) return;
+    if (!setup_.keep_console) {
+      console_before_ += text.size();
+      return;
+    }
     const std::string_view kept = text.substr(0, most_kept_of_console - kept_console_.size());
     kept_console_ += kept;
     console_left_out_ += text.size() - kept.size();
@@ -825,9 +917,10 @@ class I8080Run final : public Machine {
   std::bitset<0x100> loaded_below_;
   TextTaker console_;
   std::string kept_console_;
+  std::uint64_t console_before_ = 0;  // bytes printed before the first of kept_console_
   std::uint64_t console_left_out_ = 0;  // bytes
   // The console: keys to be read, what was printed and not yet handed out.
-  std::deque<i8080::Byte> keys_;
+  std::vector<i8080::Byte> keys_;
   std::string printed_;
   std::vector<i8080::Byte> line_;  // of function 10, under way
   bool waiting_ = false;           // function 1 or 10 waits for a key

@@ -15,7 +15,9 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/machine.hpp"
@@ -27,6 +29,7 @@ struct I8080Setup {
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
   bool cpm = false;                        // puts the entries into memory
   bool strict = false;                     // an access to a port without a device ends the run
+  std::vector<std::string> configuration;  // see Machine
   bool observed = false;                   // take("--trace") or take("--bus") is to come
   bool monitored = false;                  // it has a probe; instead of a trace and a bus log
   bool keep_console = false;               // what is printed goes into the report

@@ -119,6 +119,28 @@ Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::
 
 // --- A machine from its options ---
 
+// All that decides how the machine works and is no state; --strict only says where a run ends.
+std::vector<std::string> configuration_of(const I8080Setup& setup) {
+  std::vector<std::string> words{fmt::format("--clock {}", setup.machine.clock.hertz)};
+  if (setup.cpm) words.emplace_back("--cpm");
+  SkalaRows::each([&](auto row) {
+    using Row = decltype(row);
+    if (!is_attached(setup.machine, row)) return;
+    if constexpr (Row::kind == DeviceKind::link) {
+      words.push_back(fmt::format("--{}", Row::name));
+    } else if constexpr (Row::kind == DeviceKind::other) {
+      words.push_back(fmt::format("--device {}", Row::choice));
+    } else {
+      words.push_back(fmt::format("--{} {}", Row::kind == DeviceKind::raster_board ? "board" : "plotter", Row::choice));
+    }
+  });
+  each_line([&](auto, const auto& line) {
+    const machines::Restart restart = setup.machine.*line.restart;
+    if (restart) words.push_back(fmt::format("--interrupt {}={}", line.name, *restart));
+  });
+  return words;
+}
+
 Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
   I8080Setup setup;
   const std::string& clock = arguments.text("--clock");
@@ -145,6 +167,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.monitored = arguments.given("--monitor");
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
+  setup.configuration = configuration_of(setup);
   return make_i8080(std::move(setup));
 }
 
@@ -242,6 +265,7 @@ std::vector<Option> run_options() {
   std::vector<Option> options{
       {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Programs and data, in order; @ADDRESS in hexadecimal"},
       {text, "--start", "ADDRESS", "Begin at this address"},
+      {text, "--restore", "FILE", "Continue from this snapshot instead of a program"},
       {flag, "--cpm", {}, "Run a CP/M .COM program"},
       {.name = "--clock", .argument = "HZ", .help = "The processor's clock", .initial = "3000000"},
       {list, "--set", "REGISTER=VALUE",
@@ -261,6 +285,7 @@ std::vector<Option> run_options() {
   const std::vector<Option> rest{
       {list, "--interrupt", "DEVICE=N", fmt::format("Wire {} to RST N", line_names(", ", " or "))},
       {output, "--dump", "FILE", "Registers and all of memory after the run"},
+      {output, "--save", "FILE", "A snapshot of the whole machine after the run"},
       {stream, "--trace", "FILE", "Every instruction"},
       {stream, "--bus", "FILE", "Every machine cycle"},
       {.kind = stream,
@@ -317,6 +342,7 @@ MachineDescription described() {
   i8080.word_bits = 8;
   i8080.words_a_line = 16;
   i8080.one_start = true;
+  i8080.in_snapshot = {"--plotter-start"};
   for (const char* name : {"A", "F", "B", "C", "D", "E", "H", "L"})
     i8080.registers.push_back({name, 8, "a value"});
   i8080.registers.push_back({"SP", 16, "a value"});

@@ -23,6 +23,7 @@
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
 #include "host/guests/run/probe.hpp"
+#include "host/guests/run/state.hpp"
 #include "tools/asm/diagnostic.hpp"
 #include "tools/asm/source.hpp"
 
@@ -310,6 +311,14 @@ class Machine {
   [[nodiscard]] virtual std::int64_t ticks() const = 0;
   [[nodiscard]] virtual std::int64_t ticks_a_second() const = 0;
 
+  // Snapshots (host/live/snapshot.hpp), between two calls of run. The configuration is what the machine was put
+  // together from, in the words of the command line: a state belongs to machines with the same.
+  [[nodiscard]] virtual std::vector<std::string> configuration() const { return {}; }
+  [[nodiscard]] virtual MachineState save() { return {}; }
+  // An error leaves the machine as it was. What it has produced since then is dropped from its outputs; what a stream
+  // has written stays.
+  [[nodiscard]] virtual base::Result<Done> restore(const MachineState& state);
+
   // The report: rows of its table, and members of its JSON document before and after the registers.
   [[nodiscard]] virtual std::vector<ReportLine> lines() const = 0;
   virtual void add_times(base::Json& report) const = 0;
@@ -333,10 +342,12 @@ struct MachineDescription {
   std::string_view memory_option = {};  // sets the size of memory
   // With --set PC and --start: an error. Else START is pressed at --start, and PC set then.
   bool one_start = false;
+  // Options of which a snapshot holds what they give, besides --load and --start.
+  std::vector<std::string_view> in_snapshot = {};
 
   std::vector<Register> registers;  // in the order of dump and report
-  // Of `sightline run NAME`, in the order of its help. The engine reads --load, --start, --set,
-  // --max-instructions, --dump and --json; all others are the machine's.
+  // Of `sightline run NAME`, in the order of its help. The engine reads --load, --start, --restore, --set,
+  // --max-instructions, --dump, --save and --json; all others are the machine's.
   std::vector<Option> options;
   // The last one is asked to read what none recognises: it says what is wrong.
   std::vector<Format> formats;

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
-#include <span>
 #include <type_traits>
 
 #include "host/base/text.hpp"
@@ -157,6 +157,7 @@ class Prober {
 struct NoScreen : core::NoStrokes {
   explicit NoScreen(const Screen::Wishes&) {}
   static void take_log(const TextTaker&) {}
+  static void forget_after(core::Instant) {}
   static void finish() {}
 };
 
@@ -211,7 +212,7 @@ class Pdp7Machine final : public Machine {
     for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
-    if (machine_.display() != nullptr) pen_script_ = setup_.pen_script;
+    if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
   }
 
   [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
@@ -261,7 +262,8 @@ class Pdp7Machine final : public Machine {
 
   // A slice ends where the engine is to be asked or the light pen moves.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
-    const std::uint64_t left = limits.instructions - machine_.counts().instructions;
+    const std::uint64_t done = machine_.counts().instructions;
+    const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
     if constexpr (monitored) observer_.begin(machine_.registers().pc);
     const auto reason =
@@ -269,7 +271,7 @@ class Pdp7Machine final : public Machine {
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
     if constexpr (monitored) {
-      if (observer_.probe.stops()) return Stop{"event", {}};
+      if (observer_.probe.stops() && reason != machines::StopReason::halt) return Stop{"event", {}};
     }
     const bool slice_done = reason == machines::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
@@ -354,6 +356,21 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] core::Instant now() const override { return machine_.now(); }
   [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(machine_.now()); }
   [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
+
+  [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
+  [[nodiscard]] MachineState save() override {
+    StateWriter writer;
+    visit_state(writer);
+    return writer.take();
+  }
+  [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
+    const auto done = restore_state(state, [this](auto& visit) { visit_state(visit); });
+    if (!done) return done;
+    switches_ = machine_.console().switches(machine_.now());
+    heard_of_printed_ = taken_of_printed_ = machine_.devices().printer.printed().size();
+    sink_.forget_after(machine_.now());
+    return done;
+  }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const machines::Counts counts = machine_.counts();
@@ -448,14 +465,27 @@ class Pdp7Machine final : public Machine {
     heard_of_printed_ = printer.printed().size();
   }
 
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    machine_.visit_state(visit);
+    pen_script_.erase(pen_script_.begin(), pen_script_.begin() + static_cast<std::ptrdiff_t>(next_move_));
+    next_move_ = 0;
+    visit.section("console line", [this](auto& fields) { fields("quiet_since", quiet_since_); });
+    if (machine_.display() == nullptr) return;
+    visit.section("light pen script", [this](auto& fields) {
+      fields.list("moves", pen_script_, [&fields](PenMove& move) {
+        fields("time", move.time);
+        fields.present("pen", move.pen, [&fields](type340::LightPen& pen) { pen.visit_state(fields); });
+      });
+    });
+  }
+
   // Moves the pen as far as the script has come, and says when it goes on. The display stands at the
   // machine's own time between runs, which is what its pen asks for.
   core::Instant move_pen() {
-    while (!pen_script_.empty() && pen_script_.front().time <= machine_.now()) {
-      machine_.display()->point_light_pen(pen_script_.front().pen);
-      pen_script_ = pen_script_.subspan(1);
-    }
-    return pen_script_.empty() ? core::never : pen_script_.front().time;
+    while (next_move_ < pen_script_.size() && pen_script_[next_move_].time <= machine_.now())
+      machine_.display()->point_light_pen(pen_script_[next_move_++].pen);
+    return next_move_ < pen_script_.size() ? pen_script_[next_move_].time : core::never;
   }
 
   // What a picture of so many strokes shows.
@@ -480,7 +510,8 @@ class Pdp7Machine final : public Machine {
   Observer observer_;
   machines::Pdp7<Sink, Observer> machine_;
   core::Word18 switches_;  // their current setting
-  std::span<const PenMove> pen_script_;
+  std::vector<PenMove> pen_script_;
+  std::size_t next_move_ = 0;  // of pen_script_
   // For the console: how much the printer has printed, of which how much was handed out, and since when neither it nor
   // the keyboard has been at work.
   std::size_t heard_of_printed_ = 0;

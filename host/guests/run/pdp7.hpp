@@ -24,6 +24,7 @@ struct Pdp7Setup {
   Bytes reader_tape;                     // one byte a line, hole 8 = 0200
   std::vector<KeyPress> keys;            // not before one another
   std::vector<PenMove> pen_script;       // likewise; nothing without a display
+  std::vector<std::string> configuration;  // see Machine
   bool trace = false;                    // take("--trace") is to come
   bool monitored = false;                // it has a probe; instead of a trace
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")

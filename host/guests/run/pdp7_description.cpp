@@ -170,6 +170,26 @@ Result<Done> set_switches(const std::string& text, const FileReader& read, Pdp7S
   return Done{};
 }
 
+// All that decides how the machine works and is no state; --strict only says where a run ends.
+std::vector<std::string> configuration_of(const machines::Pdp7Options& options) {
+  const machines::Configuration& machine = options.configuration;
+  std::vector<std::string> words{fmt::format("--memory {}k", machine.core_words / 1024),
+                                 machine.model.eae ? "--eae" : "--no-eae"};
+  if (options.display) words.emplace_back("--display");
+  if (options.display && options.display->characters_342) words.emplace_back("--display-option 342");
+  if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
+  for (const TimingName& row : timing_names) {
+    if (&row != &timing_names.back())
+      words.push_back(fmt::format("--timing {}={}", row.name, row.get(machine.timing, 0)));
+  }
+  const auto& stretch = machine.timing.iot_stretch;
+  for (std::size_t device = 0; device < stretch.size(); ++device) {
+    if (stretch[device].count() != 0)
+      words.push_back(fmt::format("--timing {}{:02o}={}", stretch_prefix, device, stretch[device].count()));
+  }
+  return words;
+}
+
 Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
   Pdp7Setup setup;
   const std::string& memory = arguments.text("--memory");  // "8k"
@@ -192,6 +212,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (auto done = read_light_pen(read(arguments.text("--light-pen")), setup.pen_script); !done)
       return done.error();
   }
+  setup.configuration = configuration_of(setup.machine);
   return make_pdp7(std::move(setup));
 }
 
@@ -269,6 +290,7 @@ std::vector<Option> run_options() {
   std::vector<Option> options{
       {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Tapes and core images, in order; @ADDRESS in octal"},
       {text, "--start", "ADDRESS", "Press START at this address"},
+      {text, "--restore", "FILE", "Continue from this snapshot instead of a program"},
       {.name = "--memory",
        .argument = "SIZE",
        .help = "Size of core; extend mode above 8k",
@@ -297,6 +319,7 @@ std::vector<Option> run_options() {
       {text, "--max-time", "SECONDS", "Stop after this much emulated time"},
       {flag, "--strict", {}, "Stop at an instruction that nothing in the machine obeys (exit code 3)"},
       {output, "--dump", "FILE", "Registers and all of core after the run"},
+      {output, "--save", "FILE", "A snapshot of the whole machine after the run"},
       {stream, "--trace", "FILE", "Every instruction"},
       {stream, "--strokes", "FILE", "Every flash of the display's beam"},
       {output, "--png", "FILE", "The last complete pass through the display file, 1024x1024, crisp"},
@@ -326,6 +349,7 @@ MachineDescription described() {
   pdp7.an_address = "an address in core";
   pdp7.memory_option = "--memory";
   pdp7.more_help = timing_help();
+  pdp7.in_snapshot = {"--switches", "--keyboard", "--light-pen"};
   pdp7.registers = {{"PC", 15, "an address in core", true},
                     {"AC", 18, "a word"},
                     {"L", 1, "a bit"},

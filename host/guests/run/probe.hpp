@@ -1,7 +1,7 @@
 // What a monitor wants to know of a run: where it is to stop, what the last instructions were, who wrote a word.
 //
 // The observer of a machine made with `--monitor` fills it; a run without one has none and pays nothing. An event ends the
-// run at the boundary that follows it. Whoever runs the machine calls resume() first: a run from a place with a breakpoint
+// run at the boundary that follows it. The caller of Machine::run calls resume() first: a run from a place with a breakpoint
 // passes over it once.
 #pragma once
 
@@ -79,18 +79,25 @@ class Probe {
   }
   void remember(const Entry& entry) {
     ring_[obeyed_++ % history_length] = entry;
+    latest_ = std::max(latest_, obeyed_);
     if (on_instruction) [[unlikely]]
       on_instruction(entry);
   }
 
   // The last `n` instructions, the oldest first.
   [[nodiscard]] std::vector<Entry> last(std::size_t n) const {
-    const std::uint64_t there = std::min<std::uint64_t>(obeyed_, history_length);
+    // After a step back the newer ones have taken the places of the oldest.
+    const std::uint64_t oldest = latest_ - std::min<std::uint64_t>(latest_, history_length);
+    const std::uint64_t there = obeyed_ - std::min(obeyed_, oldest);
     const std::uint64_t wanted = std::min<std::uint64_t>(n, there);
     std::vector<Entry> entries;
     for (std::uint64_t i = obeyed_ - wanted; i < obeyed_; ++i) entries.push_back(ring_[i % history_length]);
     return entries;
   }
+
+  // How many have been remembered; a monitor that has gone back says so.
+  [[nodiscard]] std::uint64_t remembered() const { return obeyed_; }
+  void go_back_to(std::uint64_t remembered) { obeyed_ = remembered; }
 
  private:
   // A block that is watched can be touched without end in one instruction; the first accesses tell enough.
@@ -101,6 +108,7 @@ class Probe {
 
   std::vector<Entry> ring_;
   std::uint64_t obeyed_ = 0;
+  std::uint64_t latest_ = 0;  // the largest it has been
 };
 
 }  // namespace sightline::guests::run

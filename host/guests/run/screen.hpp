@@ -44,6 +44,11 @@ class Screen {
   void end_pass(core::Instant t) {
     if (wishes_.picture) passes_.end_pass(t);
   }
+  // The machine goes back to `t`: later strokes are drawn again. What the log has written stays.
+  void forget_after(core::Instant t) {
+    passes_.forget_after(t);
+    newest_.forget_after(t);
+  }
   // Hands out what is left of the log.
   void finish() { log_.finish(); }
 

@@ -11,6 +11,7 @@
 
 #include "host/live/console.hpp"
 #include "host/live/expression.hpp"
+#include "host/live/snapshot.hpp"
 #include "tests/host/guests/run/machine_run.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/asm/pdp7.hpp"
@@ -135,7 +136,7 @@ class Session {
               }
               return *stop;
             },
-            [this] { return most_slices == 0; },
+            [] { return false; }, [this] { return most_slices == 0; },
             [this](std::string_view text) { printed += text; },
             [this](const std::string& path) -> run::Result<run::Input> {
               const auto found = files.find(path);
@@ -440,6 +441,56 @@ TEST(MonitorPdp7, LookingChangesNothing) {
   EXPECT_EQ(typed({"break wait count 1000000", "watch 0-7777 rw if 0"}), plain);
   EXPECT_EQ(typed({"break when 0"}), plain);
   EXPECT_EQ(typed({"step 1000", "run for 123us", "trace t"}), plain);
+}
+
+TEST(MonitorPdp7, SavesAndRestores) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("step 3; save a.snap; step 4; restore a.snap");
+  EXPECT_EQ(s("ev pc"), "107 = 71. = store+2\n");
+  s.files["b.snap"] = s.files["a.snap"].substr(0, 100);
+  s("restore b.snap", Kind::wrong);
+  s("restore missing", Kind::wrong);
+  s("save", Kind::wrong);
+}
+
+std::unique_ptr<Session> i8080_session(const std::string& text);
+
+// Random walks of steps forward and back: the machine is the same each time it has obeyed so many instructions.
+void walk_back_and_forth(Session& s, std::string_view name) {
+  std::map<std::uint64_t, run::Bytes> seen;
+  std::mt19937 engine(7);
+  for (int round = 0; round < 60; ++round) {
+    const std::uint64_t here = s.machine().instructions();
+    run::Bytes state = live::save_snapshot(name, s.machine());
+    const auto known = seen.emplace(here, state);
+    ASSERT_EQ(known.first->second, state) << "after " << here << " instructions";
+    if (engine() % 3 == 0 && here > 0) {
+      s("back " + std::to_string(1 + engine() % here));
+    } else if (engine() % 4 == 0) {
+      s("run for 30ms");
+    } else {
+      s("step " + std::to_string(1 + engine() % 200));
+    }
+  }
+}
+
+TEST(MonitorBack, ReturnsTheSameState) {
+  auto pdp7 = pdp7_session("  700406\n  isz 200\n  lac 200\n  dac i 10\n  700244\n  jmp 100\n");
+  walk_back_and_forth(*pdp7, "pdp7");
+  auto i8080 = i8080_session("  LXI H,8000H\nLOOP: INR M\n  INX H\n  PUSH H\n  POP D\n  OUT 60H\n  JMP LOOP\n");
+  walk_back_and_forth(*i8080, "i8080");
+}
+
+TEST(MonitorBack, SaysHowFarItCanGo) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_NE(s("back", Kind::wrong).find("expected at most 0"), std::string::npos);
+  s("step 5");
+  EXPECT_NE(s("back 6", Kind::wrong).find("expected at most 5"), std::string::npos);
+  s("back 5");
+  EXPECT_EQ(s("ev pc"), "100 = 64. = begin\n");
+  EXPECT_EQ(s("history"), "no instruction has been obeyed yet\n");
 }
 
 // --- The 8080 ---

@@ -14,6 +14,7 @@
 #include "host/scene/read/builtin.hpp"
 #include "i8080_facts.hpp"
 #include "pdp7_facts.hpp"
+#include "snapshot_facts.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
@@ -119,6 +120,8 @@ const std::map<std::string, std::function<Text(const std::string& root)>, std::l
       {"registers", plain(registers)},
       {"height-functions", plain(height_functions)},
       {"scene-names", plain(scene_names)},
+      {"snapshot-pdp7", plain(snapshot_pdp7)},
+      {"snapshot-i8080", plain(snapshot_i8080)},
   };
   return all;
 }

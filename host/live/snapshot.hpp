@@ -1,0 +1,52 @@
+// A snapshot: all of a machine at an instruction boundary in one file, from which a run continues bit for
+// bit.
+//
+//   8 bytes   89 53 4C 53 4E 41 50 0A, the signature
+//   4         version of the format
+//   4         length of the file
+//   text      name of the machine
+//   4         number of lines of the configuration, then each a text
+//   4         number of sections, then each: a text, its name; 4 bytes, its length; its bytes
+//   4         CRC-32 of all bytes before
+//
+// Integers are little-endian; a text is 2 bytes, its length, then ASCII. What a section holds is in
+// host/guests/run/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was
+// printed, punched and drawn), only how much of them there was; inputs of the configuration (a tape in the
+// reader, what a link sends) are referred to by length and checksum.
+//
+// A change of any field is a new version; other versions are refused.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/guests/run/machine.hpp"
+
+namespace sightline::live {
+
+using base::Bytes;
+
+inline constexpr std::uint32_t snapshot_version = 1;
+
+struct Snapshot {
+  std::string machine;                     // "pdp7"
+  std::vector<std::string> configuration;  // "--memory 8k"
+  guests::run::MachineState state;
+};
+
+[[nodiscard]] Bytes encode_snapshot(const Snapshot& snapshot);
+// `file`: its name, for errors.
+[[nodiscard]] base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes,
+                                                     const std::string& file);
+
+// Between two calls of Machine::run; `name` is the machine's.
+[[nodiscard]] Bytes save_snapshot(std::string_view name, guests::run::Machine& machine);
+// Into a machine of the same name and configuration. An error leaves the machine as it was.
+[[nodiscard]] base::Result<base::Done> restore_snapshot(std::string_view name, guests::run::Machine& machine,
+                                                        std::span<const std::uint8_t> bytes,
+                                                        const std::string& file);
+
+}  // namespace sightline::live

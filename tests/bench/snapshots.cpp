@@ -1,0 +1,48 @@
+// Saving and restoring a whole machine: 1 ms is the limit for a PDP-7 of 8K words and for an 8080 with a
+// raster board, so that a monitor can keep snapshots while a program runs.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "host/guests/run/i8080.hpp"
+#include "host/guests/run/pdp7.hpp"
+#include "host/live/snapshot.hpp"
+
+namespace sightline {
+namespace {
+
+namespace run = guests::run;
+
+std::unique_ptr<run::Machine> pdp7_machine() {
+  run::Pdp7Setup setup;
+  setup.machine.display = type340::Options{};
+  setup.reader_tape = run::Bytes(20'000, 0377);
+  return run::make_pdp7(std::move(setup));
+}
+
+std::unique_ptr<run::Machine> i8080_machine() {
+  run::I8080Setup setup;
+  setup.machine.ef9365 = true;
+  return run::make_i8080(std::move(setup));
+}
+
+void save(benchmark::State& state, std::string_view name, const std::unique_ptr<run::Machine>& machine) {
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = live::save_snapshot(name, *machine).size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+void restore(benchmark::State& state, std::string_view name, const std::unique_ptr<run::Machine>& machine) {
+  const run::Bytes snapshot = live::save_snapshot(name, *machine);
+  for (auto _ : state) {
+    if (!live::restore_snapshot(name, *machine, snapshot, "bench")) state.SkipWithError("refused");
+  }
+}
+BENCHMARK_CAPTURE(save, pdp7, "pdp7", pdp7_machine());
+BENCHMARK_CAPTURE(save, i8080_ef9365, "i8080", i8080_machine());
+BENCHMARK_CAPTURE(restore, pdp7, "pdp7", pdp7_machine());
+BENCHMARK_CAPTURE(restore, i8080_ef9365, "i8080", i8080_machine());
+
+}  // namespace
+}  // namespace sightline

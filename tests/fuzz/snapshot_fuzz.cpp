@@ -1,0 +1,94 @@
+// Any changes to the state in a snapshot, with a good checksum: refused, and the machine is as it was, or a
+// state from which the machine runs, which can be saved and restored again. The bytes as they are, without a
+// checksum, are refused.
+//
+// Input: one byte, 0 or even for the PDP-7, odd for the 8080; then changes of four bytes: the section, the
+// place in it (two bytes, high first) and what to combine the byte there with by exclusive or. From section
+// 200 on the section (less 200) gets as many bytes as the place says.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "host/guests/run/i8080.hpp"
+#include "host/live/snapshot.hpp"
+#include "tests/host/live/small_pdp7.hpp"
+
+namespace {
+
+using namespace sightline;
+namespace run = guests::run;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+std::unique_ptr<run::Machine> i8080_machine() {
+  run::I8080Setup setup;
+  machines::SkalaConfiguration& configuration = setup.machine;
+  configuration.ef9365 = configuration.calcomp565 = configuration.minigraf0507 = true;
+  configuration.ef9365_restart = 1;
+  configuration.calcomp565_restart = 2;
+  configuration.parallel_restart = 3;
+  configuration.serial_receive_restart = 4;
+  const run::Bytes& parallel = setup.sent["parallel"] = run::Bytes(20, 0x55);
+  configuration.parallel = parallel;
+  const run::Bytes& serial = setup.sent["serial"] = run::Bytes(20, 0xAA);
+  configuration.serial = serial;
+  setup.drawing = true;
+  auto machine = run::make_i8080(std::move(setup));
+  std::uint32_t at = 0;
+  // 8251 and 8255 set, the pen of the CalComp down, a vector of the EF9365, EI, HLT, JMP to the last four
+  for (const int byte : {0x3E, 0x4D, 0xD3, 0xED, 0x3E, 0x37, 0xD3, 0xED, 0xD3, 0xEC, 0x3E, 0xB4, 0xD3, 0xE7,
+                         0xD3, 0xE5, 0x3E, 0x09, 0xD3, 0xE7, 0xD3, 0x60, 0x3E, 0x73, 0xD3, 0x41, 0x3E, 0xFF,
+                         0xD3, 0x45, 0x3E, 0x10, 0xD3, 0x40, 0xFB, 0x76, 0xD3, 0x60, 0xC3, 0x22, 0x00})
+    machine->put(at++, static_cast<std::uint32_t>(byte));
+  machine->start(0);
+  return machine;
+}
+
+run::Bytes saved(run::Machine& machine) {
+  return live::save_snapshot("fuzz", machine);
+}
+
+void run_on(run::Machine& machine) {
+  static_cast<void>(machine.run({machine.instructions() + 60, machine.ticks() + 1'000'000}, true));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  require(!live::decode_snapshot({data, size}, "fuzz").has_value());
+  if (size == 0) return 0;
+  const auto machine = (data[0] & 1U) == 0 ? test::small_pdp7() : i8080_machine();
+  run_on(*machine);
+  const run::Bytes before = saved(*machine);
+  auto snapshot = live::decode_snapshot(before, "fuzz");
+  require(snapshot.has_value());
+  run::MachineState& state = snapshot->state;
+  for (std::size_t n = 1; n + 4 <= size; n += 4) {
+    const std::size_t place = std::size_t{data[n + 1]} << 8 | data[n + 2];
+    const bool sizes = data[n] >= 200;
+    base::Bytes& bytes =
+        state[static_cast<std::size_t>(sizes ? data[n] - 200 : data[n]) % state.size()].bytes;
+    if (sizes) {
+      bytes.resize(place, data[n + 3]);
+    } else if (!bytes.empty()) {
+      std::uint8_t& byte = bytes[place % bytes.size()];
+      byte = static_cast<std::uint8_t>(byte ^ data[n + 3]);
+    }
+  }
+  const run::Bytes changed = live::encode_snapshot(*snapshot);
+  const auto done = live::restore_snapshot("fuzz", *machine, changed, "fuzz");
+  if (!done) {
+    require(done.error().file == "fuzz" && !done.error().place.empty() && !done.error().expected.empty());
+    require(saved(*machine) == before);
+    return 0;
+  }
+  run_on(*machine);
+  const run::Bytes later = saved(*machine);
+  require(live::restore_snapshot("fuzz", *machine, later, "fuzz").has_value());
+  require(saved(*machine) == later);
+  return 0;
+}

@@ -1,0 +1,40 @@
+// The smallest PDP-7 with everything on it, started: reader, punch and printer work, the clock is on, and the
+// display draws long vectors under a light pen.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "host/guests/run/pdp7.hpp"
+
+namespace sightline::test {
+
+inline std::unique_ptr<guests::run::Machine> small_pdp7() {
+  guests::run::Pdp7Setup setup;
+  setup.machine.configuration.core_words = 4096;
+  setup.machine.display = type340::Options{true, true, true};
+  setup.configuration = {"--memory 4k", "--eae", "--display"};
+  setup.reader_tape = guests::run::Bytes(40, 0277);
+  setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(0), 'B'}};
+  setup.switch_script = {{core::at_nanoseconds(1'000'000'000), core::Word18(1)}};
+  setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
+                      {core::at_nanoseconds(2'000'000'000), std::nullopt}};
+  setup.screen = guests::run::Screen::Wishes{true, true};
+  auto machine = guests::run::make_pdp7(std::move(setup));
+  std::uint32_t at = 0100;
+  const auto put = [&](std::initializer_list<std::uint32_t> words) {
+    for (const std::uint32_t word : words) machine->put(at++, word);
+  };
+  // LAC 107, IDLA, RSB, PLS, TLS, CLON, JMP 106; where the file is.
+  put({0200107, 0700606, 0700144, 0700206, 0700406, 0700044, 0600106, 0000200});
+  at = 0200;
+  // Point mode; Y; X, then vectors.
+  put({0020117, 0220400, 0102400, 0237577, 0237777});
+  machine->start(0100);
+  return machine;
+}
+
+}  // namespace sightline::test

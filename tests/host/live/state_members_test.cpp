@@ -1,0 +1,76 @@
+// A reminder for the author of a new member: a class with state has another size now. Visit the member in
+// visit_state, if it is state, document it in host/manual/formats.md, count up live::snapshot_version, and
+// correct the size here.
+//
+// The sizes are those of one implementation of the library; the law of snapshots (snapshot_law.hpp) is tested
+// on all.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "emulators/machines/skala_ports.hpp"
+#include "host/guests/run/pdp7_scripts.hpp"
+
+namespace sightline::test {
+namespace {
+
+using Ports = machines::SkalaPorts<>;
+using Machine8080 = machines::I8080Machine<Ports>;
+using guests::run::PenMove;
+
+template <class State>
+void expect_size(std::size_t expected, const char* name) {
+  EXPECT_EQ(sizeof(State), expected) << name << " has a new member: see this file's beginning";
+}
+
+#if defined(__GLIBCXX__) && defined(__x86_64__)
+TEST(StateMembers, AreVisited) {
+  expect_size<pdp7::State>(24, "pdp7::State");
+  expect_size<pdp7::Console>(40, "pdp7::Console");
+  expect_size<pdp7::CoreMemory>(32, "pdp7::CoreMemory");
+  expect_size<pdp7::Clock>(24, "pdp7::Clock");
+  expect_size<pdp7::Reader>(80, "pdp7::Reader");
+  expect_size<pdp7::Punch>(56, "pdp7::Punch");
+  expect_size<pdp7::Keyboard>(48, "pdp7::Keyboard");
+  expect_size<pdp7::Printer>(56, "pdp7::Printer");
+  expect_size<pdp7::Peripherals>(272, "pdp7::Peripherals");
+  expect_size<type340::Registers>(32, "type340::Registers");
+  expect_size<type340::Delays>(88, "type340::Delays");
+  expect_size<type340::CharacterPath>(656, "type340::CharacterPath");
+  expect_size<type340::LightPen>(16, "type340::LightPen");
+  expect_size<type340::Counters>(40, "type340::Counters");
+  expect_size<type340::BreakRequest>(16, "type340::BreakRequest");
+  expect_size<type340::Display<>>(928, "type340::Display<>");
+  expect_size<machines::Counts>(24, "machines::Counts");
+  expect_size<machines::Unanswered>(24, "machines::Unanswered");
+  expect_size<machines::Pdp7<>>(2000, "machines::Pdp7<>");
+  expect_size<core::Raster>(65536, "core::Raster");
+  expect_size<i8080::State>(16, "i8080::State");
+  expect_size<devices::Alt256>(65592, "devices::Alt256");
+  expect_size<devices::Alt256Counts>(32, "devices::Alt256Counts");
+  expect_size<devices::CalComp565<core::NoStrokes>>(128, "devices::CalComp565<core::NoStrokes>");
+  expect_size<devices::CalComp565Counts>(72, "devices::CalComp565Counts");
+  expect_size<devices::Minigraf0507<core::NoStrokes>>(144, "devices::Minigraf0507<core::NoStrokes>");
+  expect_size<devices::MinigrafCounts>(56, "devices::MinigrafCounts");
+  expect_size<devices::ef9365::Drawing>(65560, "devices::ef9365::Drawing");
+  expect_size<devices::Ef9365>(65680, "devices::Ef9365");
+  expect_size<devices::Ef9365Counts>(48, "devices::Ef9365Counts");
+  expect_size<devices::KeptBytes>(48, "devices::KeptBytes");
+  expect_size<devices::I8255>(27, "devices::I8255");
+  expect_size<devices::ParallelLink>(232, "devices::ParallelLink");
+  expect_size<devices::SerialFrame>(16, "devices::SerialFrame");
+  expect_size<devices::SerialFormat>(12, "devices::SerialFormat");
+  expect_size<devices::I8251>(176, "devices::I8251");
+  expect_size<devices::I8251Counts>(64, "devices::I8251Counts");
+  expect_size<devices::SerialLink>(312, "devices::SerialLink");
+  expect_size<machines::UnansweredPort>(16, "machines::UnansweredPort");
+  expect_size<Ports>(136944, "Ports");
+  expect_size<Machine8080>(96, "Machine8080");
+  expect_size<PenMove>(32, "PenMove");
+}
+#endif
+
+}  // namespace
+}  // namespace sightline::test
