@@ -786,7 +786,8 @@ Answer Monitor::Inside::run(const Goal& goal) {
     const bool key_due = stop.name == end_of_input && !keys_.empty();
     if (live) forget_past();
     if (slice_done || key_due) stop = {"event", {}};
-    if (!by_instructions && stop.name == "event") {
+    if (stop.name == "event" && host_.interrupted()) stop = {std::string_view(guests::run::interrupted), {}};
+    if (!by_instructions && (stop.name == "event" || stop.name == guests::run::interrupted)) {
       reason = reason_to_stop();
       probe_.resume();
     }

@@ -174,7 +174,6 @@ class Person final : public live::Operator {
 };
 
 guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limits, Printer& printer, const Heard& heard) {
-  const base::InterruptKey key;
   std::optional<guests::run::Stop> stop;
   while (!stop) {
     stop = machine.run(limits, true);

@@ -571,7 +571,7 @@ class I8080Run final : public Machine {
     return writer.take();
   }
   [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
-    const auto done = restore_state(state, [this](auto& visit) { visit_state(visit); });
+    const auto done = restore_state(state, [this](auto& visit) { this->visit_state(visit); });
     if (done) printed_.clear();
     return done;
   }

@@ -364,7 +364,7 @@ class Pdp7Machine final : public Machine {
     return writer.take();
   }
   [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
-    const auto done = restore_state(state, [this](auto& visit) { visit_state(visit); });
+    const auto done = restore_state(state, [this](auto& visit) { this->visit_state(visit); });
     if (!done) return done;
     switches_ = machine_.console().switches(machine_.now());
     heard_of_printed_ = taken_of_printed_ = machine_.devices().printer.printed().size();

@@ -49,6 +49,8 @@ class Terminal : public CommandLine {
     ASSERT_GE(child_, 0);
     if (child_ == 0) {
       static_cast<void>(chdir(path(".").c_str()));
+      static_cast<void>(setenv("XDG_STATE_HOME", path("state").c_str(), 1));
+      static_cast<void>(setenv("TERM", "xterm", 1));
       static_cast<void>(login_tty(slave_));
       std::vector<char*> words{const_cast<char*>(command.c_str())};
       for (std::string& argument : arguments) words.push_back(argument.data());
@@ -133,6 +135,40 @@ TEST_F(Terminal, CtrlEEndsTheRun) {
   EXPECT_EQ(ends(), 0);
   EXPECT_TRUE(restored());
   EXPECT_TRUE(exists("d"));
+}
+
+TEST_F(Terminal, TheMonitorHasAPromptAndKeepsItsLines) {
+  start({"monitor", "pdp7", "echo.s"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("break wait\r");
+  ASSERT_TRUE(shows("breakpoint 1: wait")) << shown_;
+  type("continue\r");
+  ASSERT_TRUE(shows("breakpoint 1\r\n00102 wait")) << shown_;
+  type("quit\r");
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+  EXPECT_TRUE(has(read("state/sightline/monitor"), "continue"));
+}
+
+TEST_F(Terminal, CtrlCAndCtrlEComeBackToTheMonitor) {
+  start({"monitor", "pdp7", "echo.s"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("continue\r");
+  ASSERT_TRUE(shows("*")) << shown_;
+  type("\003");
+  ASSERT_TRUE(shows("stopped by interrupted")) << shown_;
+  type("back 5\rquit\r");
+  EXPECT_EQ(ends(), 0);
+  shown_.clear();
+  start({"monitor", "pdp7", "echo.s", "--console", "parity"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("continue\r");
+  ASSERT_TRUE(shows("*")) << shown_;
+  type("a\005");
+  ASSERT_TRUE(shows("stopped by operator")) << shown_;
+  type("quit\r");
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
 }
 
 TEST_F(Terminal, SignalsEndItInOrder) {
