@@ -34,6 +34,7 @@ class Cpu {
 
   [[nodiscard]] constexpr const Registers& registers() const { return registers_; }
   [[nodiscard]] constexpr State state() const { return {registers_, *control_}; }
+  [[nodiscard]] constexpr Address pc() const { return registers_.pc; }
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
 

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/reporter.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "../pdp7/console.hpp"
@@ -146,7 +147,8 @@ class BasicPdp7 {
   void start(pdp7::Address address) {
     devices_.clear(now_);
     if (display_) display_->power_clear(now_);
-    pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
+    using Bus = Pdp7Bus<BasicPdp7, Observer>;
+    pdp7::Cpu<Bus> cpu(Bus(*this, observer_), configuration_.model, configuration_.timing, state_);
     cpu.start(address);
     state_ = cpu.state();
   }
@@ -155,14 +157,19 @@ class BasicPdp7 {
   // where it stops is left to the next run, but the display has drawn everything up to that instant.
   // Registers, time and the processor's side of the bus are locals of this function: that, and nothing else,
   // is what makes it fast; inlined, it would share the host's registers with its caller.
-  [[gnu::noinline]] StopReason run(const Limits& limits) {
-    pdp7::Cpu<Bus> cpu(Bus(*this), configuration_.model, configuration_.timing, state_);
+  StopReason run(const Limits& limits) { return run(limits, observer_); }
+
+  // The same, watched by another than the machine's own observer.
+  template <class Watcher>
+  [[gnu::noinline]] StopReason run(const Limits& limits, Watcher& watcher) {
+    using Bus = Pdp7Bus<BasicPdp7, Watcher>;
+    pdp7::Cpu<Bus> cpu(Bus(*this, watcher), configuration_.model, configuration_.timing, state_);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
     for (;;) {
-      if constexpr (Observer::stops) {
-        if (left != 0 && observer_.stop()) {
+      if constexpr (Watcher::stops) {
+        if (left != 0 && watcher.stop(cpu.bus().now(), cpu.pc())) {
           reason = StopReason::observer;
           break;
         }
@@ -176,7 +183,7 @@ class BasicPdp7 {
         if (attend(cpu, limits.until, left)) continue;
       }
       --left;
-      const pdp7::Outcome outcome = step(cpu);
+      const pdp7::Outcome outcome = step(cpu, watcher);
       if (outcome != pdp7::Outcome::completed) [[unlikely]] {
         reason = reason_of(outcome);
         break;
@@ -190,8 +197,8 @@ class BasicPdp7 {
   }
 
  private:
-  using Bus = Pdp7Bus<BasicPdp7, Observer>;
-  friend Bus;
+  template <class, class>
+  friend class Pdp7Bus;
 
   static Configuration completed(Configuration configuration) {
     if (configuration.core_words > 8192) configuration.model.extend = true;
@@ -206,13 +213,14 @@ class BasicPdp7 {
     }
   }
 
-  [[gnu::always_inline]] pdp7::Outcome step(pdp7::Cpu<Bus>& cpu) {
-    if constexpr (Observer::instructions) {
+  template <class Cpu, class Watcher>
+  [[gnu::always_inline]] pdp7::Outcome step(Cpu& cpu, Watcher& watcher) {
+    if constexpr (Watcher::instructions) {
       const core::Instant begun = cpu.bus().now();
       const pdp7::State before = cpu.state();
       const core::Word18 word = core_.read(before.pc);
       const pdp7::Outcome outcome = cpu.step();
-      observer_.instruction(InstructionRecord{begun, cpu.bus().now(), before.pc, word, before, cpu.state()});
+      watcher.instruction(InstructionRecord{begun, cpu.bus().now(), before.pc, word, before, cpu.state()});
       return outcome;
     } else {
       return cpu.step();
@@ -221,10 +229,11 @@ class BasicPdp7 {
 
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
-  [[gnu::always_inline]] bool attend(pdp7::Cpu<Bus>& cpu, core::Instant until, std::uint64_t left) {
-    Bus& bus = cpu.bus();
+  template <class Cpu>
+  [[gnu::always_inline]] bool attend(Cpu& cpu, core::Instant until, std::uint64_t left) {
+    auto& bus = cpu.bus();
     const bool deferred = cpu.interrupts_deferred();
-    const Attention found = look_around(bus.now(), cpu.interrupts_open(), until, left);
+    const Attention found = look_around(bus.now(), cpu.interrupts_open(), until, left, bus.reporter());
     cpu.end_interrupt_delay();
     bus.set_now(found.now);
     bus.set_deadline(deferred ? core::Instant::min() : found.deadline);
@@ -239,9 +248,10 @@ class BasicPdp7 {
   };
 
   // Gives the devices the cycles they ask for. In and out by value: see run().
+  template <class Report>
   [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
-                                          std::uint64_t left) {
-    while (display_break(now) || clock_tick(now)) {
+                                          std::uint64_t left, Report report) {
+    while (display_break(now, report) || clock_tick(now, report)) {
     }
     if (now >= devices_due_) {
       devices_.advance(now);
@@ -261,13 +271,14 @@ class BasicPdp7 {
   }
 
   // One data break, if one is asked for.
-  bool display_break(core::Instant& now) {
+  template <class Report>
+  bool display_break(core::Instant& now, Report report) {
     if (now < display_due_) return false;
     bool granted = false;
     if (display_) {
       display_->advance(now);
       if (const auto* request = display_->break_request()) {
-        grant(*request, now);
+        grant(*request, now, report);
         granted = true;
       }
     }
@@ -282,11 +293,11 @@ class BasicPdp7 {
   }
 
   // The request is copied: it is the display's own and goes as soon as it is met.
-  template <class Request>
-  void grant(const Request request, core::Instant& now) {
+  template <class Request, class Report>
+  void grant(const Request request, core::Instant& now, Report report) {
     const core::Word18 word = request.write ? request.word : core_.read(request.address);
     const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
-    report({now, pdp7::machine_cycle, verb, request.address, word});
+    report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
     if (request.write) {
@@ -297,13 +308,14 @@ class BasicPdp7 {
     }
   }
 
-  bool clock_tick(core::Instant& now) {
+  template <class Report>
+  bool clock_tick(core::Instant& now, Report report) {
     constexpr pdp7::Address counter = 7;
     if (now < devices_due_ || !devices_.clock.take_tick(now)) return false;
     const core::Word18 count = core_.read(counter) + core::Word18(1);
     core_.write(counter, count);
     const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
-    report({now, length, pdp7::Verb::break_modify, counter, count});
+    report(pdp7::Cycle{now, length, pdp7::Verb::break_modify, counter, count});
     now += length;
     counts_.stolen_cycles += static_cast<std::uint64_t>(configuration_.timing.clock_tick_cycles);
     if (count.value() == 0) devices_.clock.raise_flag();
@@ -344,10 +356,6 @@ class BasicPdp7 {
       }
     }
     unanswered_.push_back({word, 1, at});
-  }
-
-  void report(const pdp7::Cycle& cycle) {
-    if constexpr (Observer::cycles) observer_.cycle(cycle);
   }
 
   Configuration configuration_;

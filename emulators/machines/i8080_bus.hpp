@@ -5,6 +5,7 @@
 // keep time and the deadline in registers; every verb is inlined into the run for the same reason.
 #pragma once
 
+#include "../core/reporter.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/bus.hpp"
 #include "../i8080/isa.hpp"
@@ -16,8 +17,8 @@ namespace sightline::machines {
 template <class Machine, class Ports, class Observer>
 class I8080Bus {
  public:
-  explicit I8080Bus(Machine& machine)
-      : machine_(&machine), memory_(machine.memory_.data()), now_(machine.now_) {}
+  I8080Bus(Machine& machine, Observer& observer)
+      : machine_(&machine), report_(observer), memory_(machine.memory_.data()), now_(machine.now_) {}
   I8080Bus(const I8080Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never changes in a
   // run and does not fetch it again for every instruction.
@@ -108,10 +109,16 @@ class I8080Bus {
   }
   [[gnu::always_inline]] void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
                                         i8080::Byte data) {
-    if constexpr (Observer::cycles) machine_->report({begun, cycle, address, data});
+    // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
+    if constexpr (Observer::cycles && Observer::instructions) {
+      machine_->report_out_of_line({begun, cycle, address, data}, report_);
+    } else if constexpr (Observer::cycles) {
+      machine_->report_at_once({begun, cycle, address, data}, report_);
+    }
   }
 
   Machine* machine_;
+  [[no_unique_address]] core::Reporter<Observer> report_;
   i8080::Byte* memory_;
   core::TStateInstant now_;
   core::TStateInstant deadline_ = core::TStateInstant::min();  // the first boundary of a run is always looked at

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/reporter.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/cpu.hpp"
 #include "../i8080/state.hpp"
@@ -62,7 +63,8 @@ class I8080Machine {
 
   // The RESET pin; memory stays, and so do all registers but PC and INTE.
   void reset() {
-    i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);
+    using Bus = I8080Bus<I8080Machine, Ports, Observer>;
+    i8080::Cpu<Bus> cpu(Bus(*this, observer_), state_, state_);
     cpu.reset();
     static_cast<i8080::Registers&>(state_) = cpu.registers();
     after_halt_ = false;
@@ -71,13 +73,18 @@ class I8080Machine {
   // Runs from the state as it is until something stops it; what is due at the boundary where it stops is left to the
   // next run, so that a run in pieces is the same as a run in one. Registers, time and the processor's side of the bus
   // are locals of this function: that, and nothing else, is what makes it fast.
-  [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits) {
-    i8080::Cpu<Bus> cpu(Bus(*this), state_, state_);
+  I8080StopReason run(const I8080Limits& limits) { return run(limits, observer_); }
+
+  // The same, watched by another than the machine's own observer.
+  template <class Watcher>
+  [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
+    using Bus = I8080Bus<I8080Machine, Ports, Watcher>;
+    i8080::Cpu<Bus> cpu(Bus(*this, watcher), state_, state_);
     std::uint64_t count = 0;
     I8080StopReason reason = I8080StopReason::observer;
     while (true) {
-      if constexpr (Observer::stops) {
-        if (observer_.stop()) break;
+      if constexpr (Watcher::stops) {
+        if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
       }
       if (cpu.bus().due()) [[unlikely]] {
         const Attention found = attend(cpu.bus().now(), limits, count);
@@ -90,12 +97,12 @@ class I8080Machine {
         if (found.again) continue;
         if (found.interrupt) {
           ++count;
-          acknowledge_one(cpu);
+          acknowledge_one(cpu, watcher);
           continue;
         }
       }
       ++count;
-      step(cpu);
+      step(cpu, watcher);
     }
     instructions_ += count;
     static_cast<i8080::Registers&>(state_) = cpu.registers();
@@ -106,32 +113,34 @@ class I8080Machine {
   }
 
  private:
-  using Bus = I8080Bus<I8080Machine, Ports, Observer>;
-  friend Bus;
+  template <class, class, class>
+  friend class I8080Bus;
 
-  [[gnu::always_inline]] void step(i8080::Cpu<Bus>& cpu) {
-    if constexpr (Observer::instructions) {
+  template <class Cpu, class Watcher>
+  [[gnu::always_inline]] void step(Cpu& cpu, Watcher& watcher) {
+    if constexpr (Watcher::instructions) {
       const core::TStateInstant begun = cpu.bus().now();
       const i8080::State before = cpu.state();
       const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(before.pc + i)]; };
       const std::array<i8080::Byte, 3> bytes{at(0), at(1), at(2)};
       cpu.step();
-      observer_.instruction({begun, cpu.bus().now(), before.pc, bytes, false, before, cpu.state()});
+      watcher.instruction({begun, cpu.bus().now(), before.pc, bytes, false, before, cpu.state()});
     } else {
       cpu.step();
     }
   }
 
   // The instruction a device supplies.
-  [[gnu::always_inline]] void acknowledge_one(i8080::Cpu<Bus>& cpu) {
+  template <class Cpu, class Watcher>
+  [[gnu::always_inline]] void acknowledge_one(Cpu& cpu, Watcher& watcher) {
     acknowledging_ = true;
     supplied_ = {};
     supplied_count_ = 0;
-    if constexpr (Observer::instructions) {
+    if constexpr (Watcher::instructions) {
       const core::TStateInstant begun = cpu.bus().now();
       const i8080::State before = cpu.state();
       cpu.acknowledge();
-      observer_.instruction({begun, cpu.bus().now(), before.pc, supplied_, true, before, cpu.state()});
+      watcher.instruction({begun, cpu.bus().now(), before.pc, supplied_, true, before, cpu.state()});
     } else {
       cpu.acknowledge();
     }
@@ -240,13 +249,17 @@ class I8080Machine {
   }
 
   // The fetch that ends a halt still says HLTA.
-  // Out of line, as every access of every instruction calls it.
-  [[gnu::noinline]] void report(I8080Cycle cycle) {
-    if (after_halt_ && (cycle.status & i8080::status::first) != 0) {
+  template <class Report>
+  [[gnu::always_inline]] void report_at_once(I8080Cycle cycle, Report report) {
+    if ((cycle.status & i8080::status::first) != 0 && after_halt_) {
       cycle.status |= i8080::status::halt;
       after_halt_ = false;
     }
-    observer_.cycle(cycle);
+    report(cycle);
+  }
+  template <class Report>
+  [[gnu::noinline]] void report_out_of_line(I8080Cycle cycle, Report report) {
+    report_at_once(cycle, report);
   }
 
   Ports& ports_;

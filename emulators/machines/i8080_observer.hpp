@@ -7,7 +7,8 @@
 // and, for each that is true,
 //   void instruction(const I8080InstructionRecord&);
 //   void cycle(const I8080Cycle&);
-//   bool stop();                          true ends the run there, before the next fetch
+//   bool stop(core::TStateInstant now, i8080::Address next);   true ends the run there, before the fetch from `next`; not
+//                                         asked while a halt lasts
 // An observer sees; it must not write to the machine.
 #pragma once
 

@@ -7,7 +7,7 @@
 // and, for each that is true,
 //   void instruction(const InstructionRecord&);
 //   void cycle(const pdp7::Cycle&);
-//   bool stop();                          true ends the run there, before the next fetch
+//   bool stop(core::Instant now, pdp7::Address next);   true ends the run there, before the fetch from `next`
 // An observer sees; it must not write to the machine.
 #pragma once
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "../core/reporter.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "../pdp7/bus.hpp"
@@ -19,8 +20,12 @@ template <class Machine, class Observer>
 class Pdp7Bus {
  public:
   // The first boundary of a run is always looked at.
-  explicit Pdp7Bus(Machine& machine)
-      : machine_(&machine), core_(machine.core_.data()), words_(machine.core_.size()), now_(machine.now_) {}
+  Pdp7Bus(Machine& machine, Observer& observer)
+      : machine_(&machine),
+        report_(observer),
+        core_(machine.core_.data()),
+        words_(machine.core_.size()),
+        now_(machine.now_) {}
   Pdp7Bus(const Pdp7Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never
   // changes in a run and does not fetch it again for every instruction.
@@ -68,17 +73,17 @@ class Pdp7Bus {
   [[nodiscard]] core::Instant now() const { return now_; }
   void set_now(core::Instant now) { now_ = now; }
   void set_deadline(core::Instant deadline) { deadline_ = deadline; }
+  [[nodiscard]] core::Reporter<Observer> reporter() const { return report_; }
 
  private:
   [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
     report({now_, pdp7::machine_cycle, verb, address, word});
     now_ += pdp7::machine_cycle;
   }
-  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) {
-    if constexpr (Observer::cycles) machine_->observer_.cycle(cycle);
-  }
+  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) { report_(cycle); }
 
   Machine* machine_;
+  [[no_unique_address]] core::Reporter<Observer> report_;
   core::Word18* core_;
   std::uint32_t words_;
   core::Instant now_;

@@ -62,6 +62,7 @@ class Cpu {
       : bus_(bus), model_(&model), timing_(&timing), registers_(state) {}
 
   [[nodiscard]] constexpr State state() const { return registers_.state(); }
+  [[nodiscard]] constexpr Address pc() const { return registers_.pc(); }
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
 

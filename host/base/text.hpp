@@ -35,5 +35,7 @@ template <class Range>
 std::string_view take_line(std::string_view& text);
 // The first word, up to a blank; `text` goes on behind the blanks that follow it.
 std::string_view take_word(std::string_view& text);
+// Of ASCII.
+[[nodiscard]] std::string lower_case(std::string_view text);
 
 }  // namespace sightline::base

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -47,12 +46,6 @@ std::string_view take_part(std::string_view& text) {
   return base::take_word(text);
 }
 
-std::string lower(std::string_view text) {
-  std::string lowered(text);
-  for (char& c : lowered) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lowered;
-}
-
 // Where `word` stands by itself in the text, else npos.
 std::size_t find_word(std::string_view text, std::string_view word) {
   std::size_t at = 0;
@@ -78,13 +71,8 @@ class Monitor::Inside {
          MonitorHost host)
       : description_(description),
         machine_(machine),
-        limits_(limits),
-        symbols_(std::move(symbols)),
         host_(std::move(host)),
-        probe_(*machine.probe()) {
-    for (std::size_t n = 0; n < description.registers.size(); ++n)
-      if (description.registers[n].name == "PC") pc_ = n;
-  }
+        debugger_(description, machine, limits, std::move(symbols), host_.running) {}
 
   Answer execute(std::string_view line) {
     Answer answer;
@@ -100,17 +88,9 @@ class Monitor::Inside {
     return answer;
   }
 
-  [[nodiscard]] std::string status() const {
-    const std::uint32_t pc = machine_.get(pc_);
-    std::string text = fmt::format("{} {}", address(pc), instruction_text(pc));
-    for (std::size_t n = 0; n < description_.registers.size(); ++n) {
-      if (n != pc_ && description_.registers[n].in_dump) text += fmt::format("  {}", register_text(n));
-    }
-    return fmt::format("{}  {}\n", text, time_text(machine_.ticks()));
-  }
-
+  [[nodiscard]] std::string status() const { return debugger_.status(); }
   [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
-  [[nodiscard]] const Stop& last_stop() const { return last_stop_; }
+  [[nodiscard]] const Stop& last_stop() const { return debugger_.last_stop(); }
 
  private:
   struct Verb {
@@ -122,84 +102,14 @@ class Monitor::Inside {
   };
   static std::span<const Verb> verbs();
 
-  // What the machine is stopped for.
-  struct Breakpoint {
-    enum class Kind : std::uint8_t { execution, memory, port, interrupt, condition };
-    int number = 0;
-    Kind kind = Kind::execution;
-    std::uint32_t first = 0;
-    std::uint32_t last = 0;
-    std::uint8_t access = Probe::executed;
-    std::optional<std::uint32_t> value;  // read or written
-    std::string condition;               // empty: always
-    std::uint64_t count = 1;             // stops when this many have passed
-    std::uint64_t passed = 0;
-    bool was_true = false;  // of a condition: stops when it becomes true
-    std::string text;       // as typed
-  };
-
-  // --- Texts ---
-
-  [[nodiscard]] std::string address(std::uint32_t value) const {
-    return digits(description_, value, description_.address_bits);
-  }
-  [[nodiscard]] std::string word(std::uint32_t value) const {
-    return digits(description_, value, description_.word_bits);
-  }
-  [[nodiscard]] std::string register_text(std::size_t n) const {
-    const auto& each = description_.registers[n];
-    return fmt::format("{} {}", each.name, digits(description_, machine_.get(n), each.bits));
-  }
-  // "begin+5: lac i 00010", with the line of the source if there is one.
-  [[nodiscard]] std::string instruction_text(std::uint32_t at) const {
-    std::string text = symbols_.near(at);
-    if (!text.empty()) text += ": ";
-    text += machine_.instruction_at(at).text;
-    const std::string_view source = symbols_.source(at);
-    return source.empty() ? text : fmt::format("{}  ; {}", text, source);
-  }
-  [[nodiscard]] std::string time_text(std::int64_t ticks) const {
-    const std::int64_t second = machine_.ticks_a_second();
-    const auto nanoseconds =
-        static_cast<std::int64_t>(static_cast<double>(ticks % second) * (1e9 / static_cast<double>(second)));
-    return fmt::format("{}.{:09} s", ticks / second, nanoseconds);
-  }
-
-  // --- Expressions ---
-
-  [[nodiscard]] std::optional<std::size_t> register_named(std::string_view name) const {
-    for (std::size_t n = 0; n < description_.registers.size(); ++n)
-      if (lower(description_.registers[n].name) == lower(name)) return n;
-    return std::nullopt;
-  }
-  // Pairs of the 8080 and what every machine has.
-  [[nodiscard]] std::optional<std::int64_t> value_of(std::string_view name) const {
-    if (const auto n = register_named(name)) return machine_.get(*n);
-    const std::string lowered = lower(name);
-    if (lowered == "time") return machine_.ticks();
-    if (lowered == "instructions") return static_cast<std::int64_t>(machine_.instructions());
-    for (const auto& [condition, holds] : machine_.conditions())
-      if (condition == lowered) return holds ? 1 : 0;
-    if (lowered.size() == 2) {
-      const auto high = register_named(lowered.substr(0, 1));
-      const auto low = register_named(lowered.substr(1));
-      if (high && low && description_.radix == 16) return machine_.get(*high) << 8 | machine_.get(*low);
-    }
-    if (const auto value = symbols_.value(name)) return *value;
-    return std::nullopt;
-  }
-  [[nodiscard]] std::int64_t evaluated(std::string_view text) const {
-    const auto value = live::evaluate(text, names_);
-    if (!value) throw Wrong{value.error().message()};
-    return *value;
-  }
-  [[nodiscard]] std::uint32_t address_of(std::string_view text) const {
-    const std::int64_t value = evaluated(text);
-    if (value < 0 || value >= machine_.words()) {
-      throw Wrong{fmt::format("found address {}, expected one in {}, {}-{}", text, description_.memory_name,
-                              address(0), address(machine_.words() - 1))};
-    }
-    return static_cast<std::uint32_t>(value);
+  [[nodiscard]] std::string address(std::uint32_t value) const { return debugger_.address(value); }
+  [[nodiscard]] std::string word(std::uint32_t value) const { return debugger_.word(value); }
+  [[nodiscard]] std::int64_t evaluated(std::string_view text) const { return take(debugger_.evaluate(text)); }
+  [[nodiscard]] std::uint32_t address_of(std::string_view text) const { return take(debugger_.address_of(text)); }
+  template <class T>
+  static T take(base::Result<T> result) {
+    if (!result) throw Wrong{result.error().message()};
+    return std::move(*result);
   }
   // A count is decimal, whatever the radix of words is.
   [[nodiscard]] static std::uint64_t count_of(std::string_view text) {
@@ -223,46 +133,11 @@ class Monitor::Inside {
     return {at, at};
   }
 
-  // --- Running ---
-
-  // Goes on to a stop of the machine, a breakpoint, the limits of the run or this goal; the answer says where it is.
-  struct Goal {
-    std::uint64_t instructions = std::numeric_limits<std::uint64_t>::max();  // from here
-    std::int64_t until = std::numeric_limits<std::int64_t>::max();
-    std::string condition = {};
-    bool quiet = false;  // no status line
-  };
-  Answer run(const Goal& goal);
-  [[nodiscard]] std::optional<std::string> reason_to_stop();
-  [[nodiscard]] std::optional<std::string> condition_met();
-  [[nodiscard]] bool counts(Breakpoint& breakpoint);
-  [[nodiscard]] Stop run_by_instructions(const Limits& limits, const std::string& condition,
-                                         std::optional<std::string>& reason);
-  void set_probe();
-
-  // Going back: the machine as it was, from which a run to any later instruction is repeated.
-  struct Past {
-    std::uint64_t instructions;
-    std::uint64_t remembered;  // by the probe
-    guests::run::Bytes snapshot;
-  };
-  void remember_past();
-  void forget_past() { past_.clear(); }
+  Answer answer_of(const Halted& halted) const;
+  Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
   Answer save(std::string_view arguments);
   Answer restore(std::string_view arguments);
-  // Without a console that says otherwise the keys of the PDP-7 have channel 8, as those of the KSR 33.
-  void type_next() {
-    if (keys_.empty() || !machine_.wants_key()) return;
-    machine_.type(code_of_key(description_.radix == 8 ? KeyCodes::parity : KeyCodes::ascii, keys_.front()));
-    keys_.erase(0, 1);
-  }
-  void show_printed() {
-    const std::string text = shown_text(machine_.take_printed());
-    if (text.empty()) return;
-    printed_ += text;
-    host_.print(text);
-  }
 
   // --- Verbs ---
 
@@ -272,6 +147,7 @@ class Monitor::Inside {
   Answer step(std::string_view arguments);
   Answer cycle(std::string_view arguments);
   Answer over(std::string_view arguments);
+  Answer out(std::string_view arguments);
   Answer go(std::string_view arguments);
   Answer resume(std::string_view arguments);
   Answer run_until(std::string_view arguments);
@@ -303,9 +179,13 @@ class Monitor::Inside {
     }
     return text.size();
   }
+  static std::string labelled(const std::vector<guests::run::ReportLine>& lines) {
+    std::string text;
+    for (const auto& line : lines) text += fmt::format("{:<12} {}\n", line.label, line.text);
+    return text;
+  }
   Breakpoint parsed(std::string_view arguments, Breakpoint breakpoint);
   Answer add(Breakpoint breakpoint);
-  void deposit_instruction(std::uint32_t at, std::string_view text);
   [[nodiscard]] std::string memory_lines(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] guests::run::Input file(const std::string& path) const {
     auto input = host_.read(path);
@@ -315,25 +195,11 @@ class Monitor::Inside {
 
   const MachineDescription& description_;
   Machine& machine_;
-  Limits limits_;
-  Symbols symbols_;
   MonitorHost host_;
-  Probe& probe_;
-  std::size_t pc_ = 0;
-  std::vector<Breakpoint> breakpoints_;
-  std::vector<Past> past_;  // in order of instructions
-  int last_number_ = 0;
-  Stop last_stop_{"operator", {}};
-  std::string printed_;  // since the last expect
-  std::string keys_;     // of `send`, to be typed as the program asks
-  std::string trace_;    // under way
+  Debugger debugger_;
+  std::string trace_;  // under way
   std::string trace_file_;
   int depth_ = 0;  // of files that are read
-  Names names_{description_.radix, [this](std::string_view name) { return value_of(name); },
-               [this](std::int64_t at) -> std::optional<std::int64_t> {
-                 if (at < 0 || at >= machine_.words()) return std::nullopt;
-                 return machine_.word(static_cast<std::uint32_t>(at));
-               }};
 };
 
 std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
@@ -344,6 +210,7 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
            &Inside::deposit},
       Verb{"step", 1, "[N]", "obey N instructions (1) and show where the machine is", &Inside::step},
       Verb{"next", 1, "", "one instruction; a subroutine that it calls runs to its return", &Inside::over},
+      Verb{"out", 1, "", "run on to the return from the subroutine called last", &Inside::out},
       Verb{"cycle", 2, "[N]", "run to the first boundary N memory cycles or T-states on (1)", &Inside::cycle},
       Verb{"continue", 1, "", "run on from where the machine is", &Inside::resume},
       Verb{"go", 1, "[ADDRESS]", "press START at the address, or run on", &Inside::go},
@@ -361,7 +228,8 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
       Verb{"list", 1, "[ADDRESS[-ADDRESS]]", "disassemble, ten instructions from PC or the address", &Inside::list},
       Verb{"disassemble", 3, "[ADDRESS[-ADDRESS]]", "the same", &Inside::list},
       Verb{"evaluate", 2, "EXPRESSION", "show its value", &Inside::evaluate_verb},
-      Verb{"show", 2, "registers|devices|time|breaks|conditions|symbols", "show that", &Inside::show},
+      Verb{"show", 2, "registers|devices|display|stack|time|breaks|conditions|symbols",
+           "show that; the stack as the last instructions tell it", &Inside::show},
       Verb{"who", 3, "ADDRESS", "which instruction last wrote the word, when and what", &Inside::who_wrote},
       Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader", &Inside::attach},
       Verb{"detach", 3, "DEVICE", "take it out", &Inside::detach},
@@ -385,7 +253,7 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
 Answer Monitor::Inside::execute_one(std::string_view line) {
   if (line.empty() || line.front() == '#') return {};
   std::string_view rest = line;
-  const std::string typed = lower(take_part(rest));
+  const std::string typed = base::lower_case(take_part(rest));
   const auto found = std::find_if(verbs().begin(), verbs().end(), [&typed](const Verb& verb) {
     return typed.size() >= verb.shortest && verb.name.starts_with(typed);
   });
@@ -410,7 +278,7 @@ std::string Monitor::Inside::memory_lines(std::uint32_t first, std::uint32_t las
     throw Wrong{fmt::format("found {} words, expected at most {}", last - first + 1, most_listed)};
   if (description_.radix == 8 || first == last) {
     for (std::uint32_t at = first; at <= last; ++at)
-      text += fmt::format("{} {}  {}\n", address(at), word(machine_.word(at)), instruction_text(at));
+      text += fmt::format("{} {}  {}\n", address(at), word(machine_.word(at)), debugger_.instruction_text(at));
     return text;
   }
   for (std::uint32_t line = first; line <= last; line += 16) {
@@ -431,8 +299,8 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
   std::string text;
   while (!arguments.empty()) {
     const std::string_view what = take_part(arguments);
-    if (const auto n = register_named(what)) {
-      text += register_text(*n) + "\n";
+    if (const auto n = debugger_.register_named(what)) {
+      text += debugger_.register_text(*n) + "\n";
     } else {
       const auto [first, last] = range_of(what);
       text += memory_lines(first, last);
@@ -441,43 +309,22 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
   return {Kind::done, text};
 }
 
-// An instruction is what contains a blank or begins with a letter and has no value.
-void Monitor::Inside::deposit_instruction(std::uint32_t at, std::string_view text) {
-  std::string source;
-  if (description_.radix == 8) {
-    for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}={:o}\n", name, value);
-    source += fmt::format("{:o}/\n\t{}\n", at, text);
-  } else {
-    for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}\tEQU 0{:X}H\n", name, value);
-    source += fmt::format("\tORG 0{:X}H\n\t{}\n", at, text);
-  }
-  const std::array sources{assembler::SourceFile{"deposit", source}};
-  const guests::run::Arguments none(description_.assembler.options);
-  const auto assembled = description_.assembler.assemble(sources, none, {});
-  if (!assembled) throw Wrong{assembled.error().message};
-  for (const auto& diagnostic : assembled->diagnostics)
-    if (diagnostic.severity == assembler::Severity::error) throw Wrong{fmt::format("found {}, expected {}", diagnostic.found, diagnostic.expected)};
-  for (const auto& [where, value] : assembled->program.words) {
-    if (where < machine_.words()) machine_.put(where, value);
-  }
-}
-
 Answer Monitor::Inside::deposit(std::string_view arguments) {
   const std::string_view where = take_part(arguments);
   if (where.empty() || arguments.empty()) throw Wrong{"expected ADDRESS WORD..., ADDRESS \"INSTRUCTION\" or REGISTER VALUE"};
-  if (const auto n = register_named(where)) {
+  if (const auto n = debugger_.register_named(where)) {
     const auto& each = description_.registers[*n];
     const std::int64_t value = evaluated(arguments);
     const std::int64_t most = (std::int64_t{1} << each.bits) - 1;
     if (value < 0 || value > most)
       throw Wrong{fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits)};
-    machine_.set(*n, static_cast<std::uint32_t>(value));
+    debugger_.set(*n, static_cast<std::uint32_t>(value));
     return {};
   }
   std::uint32_t at = address_of(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
-    deposit_instruction(at, text);
+    static_cast<void>(take(debugger_.put_instruction(at, text)));
     return {};
   }
   const std::int64_t most = (std::int64_t{1} << description_.word_bits) - 1;
@@ -490,13 +337,13 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
     words.push_back(static_cast<std::uint32_t>(value));
   }
   if (words.size() > machine_.words() - at) throw Wrong{"found more words than memory has behind that address"};
-  for (const std::uint32_t value : words) machine_.put(at++, value);
+  for (const std::uint32_t value : words) debugger_.put(at++, value);
   return {};
 }
 
 Answer Monitor::Inside::list(std::string_view arguments) {
   constexpr int instructions = 10;
-  std::uint32_t at = machine_.get(pc_);
+  std::uint32_t at = debugger_.pc();
   std::uint32_t last = machine_.words() - 1;
   int left = instructions;
   if (!arguments.empty()) {
@@ -514,8 +361,8 @@ Answer Monitor::Inside::list(std::string_view arguments) {
     for (std::uint32_t n = 0; n < instruction.words && at + n < machine_.words(); ++n)
       words += (description_.radix == 16 || words.empty() ? "" : " ") + word(machine_.word(at + n));
     const int width = description_.radix == 16 ? 6 : 0;
-    text += fmt::format("{}{} {:<{}}  {}\n", at == machine_.get(pc_) ? ">" : " ", address(at), words, width,
-                        instruction_text(at));
+    text += fmt::format("{}{} {:<{}}  {}\n", at == debugger_.pc() ? ">" : " ", address(at), words, width,
+                        debugger_.instruction_text(at));
     at += std::max(1U, instruction.words);
   }
   return {Kind::done, text};
@@ -524,12 +371,14 @@ Answer Monitor::Inside::list(std::string_view arguments) {
 Answer Monitor::Inside::evaluate_verb(std::string_view arguments) {
   const std::int64_t value = evaluated(arguments);
   const auto bits = static_cast<std::uint64_t>(value);
-  std::string text = description_.radix == 16 ? fmt::format("{:X}", bits) : fmt::format("{:o}", bits);
-  text += fmt::format(" = {}.", value);
+  std::string text = debugger_.radix() == 16  ? fmt::format("{:X} = ", bits)
+                     : debugger_.radix() == 8 ? fmt::format("{:o} = ", bits)
+                                              : std::string();
+  text += fmt::format("{}.", value);
   const std::int64_t sign = std::int64_t{1} << (description_.word_bits - 1);
   if (value >= sign && value < 2 * sign) text += fmt::format(" = {}. as a word with a sign", value - 2 * sign);
   if (value >= 0 && value < machine_.words()) {
-    const std::string near = symbols_.near(static_cast<std::uint32_t>(value));
+    const std::string near = debugger_.symbols().near(static_cast<std::uint32_t>(value));
     if (!near.empty()) text += " = " + near;
   }
   return {Kind::done, text + "\n"};
@@ -537,17 +386,19 @@ Answer Monitor::Inside::evaluate_verb(std::string_view arguments) {
 
 Answer Monitor::Inside::who_wrote(std::string_view arguments) {
   const std::uint32_t at = address_of(arguments);
-  const Probe::Writer& writer = probe_.writers[at];
-  if (writer.time < 0) return {Kind::done, fmt::format("{}: nothing has written there since the monitor began\n", address(at))};
-  const std::string by = writer.device ? fmt::format("a data break while PC was {}", address(writer.pc))
-                                       : fmt::format("{} {}", address(writer.pc), instruction_text(writer.pc));
-  return {Kind::done, fmt::format("{}: {} was written at {} by {}\n", address(at), word(writer.value),
-                                  time_text(writer.time), by)};
+  const auto writer = debugger_.last_writer(at);
+  if (!writer)
+    return {Kind::done, fmt::format("{}: nothing has written there since the monitor began\n", address(at))};
+  std::string by = fmt::format("{} {}", address(writer->pc), debugger_.instruction_text(writer->pc));
+  if (writer->event.kind == Probe::Kind::break_write) by = fmt::format("a data break while PC was {}", address(writer->pc));
+  if (writer->event.kind == Probe::Kind::interrupt_write) by = fmt::format("the interrupt before {}", address(writer->pc));
+  return {Kind::done, fmt::format("{}: {} was written at {} by {}\n", address(at), word(writer->event.value),
+                                  debugger_.time_text(writer->event.time), by)};
 }
 
 // --- Breakpoints ---
 
-Monitor::Inside::Breakpoint Monitor::Inside::parsed(std::string_view arguments, Breakpoint breakpoint) {
+Breakpoint Monitor::Inside::parsed(std::string_view arguments, Breakpoint breakpoint) {
   breakpoint.text = std::string(arguments);
   std::string rest(arguments);
   const auto take_tail = [&rest](std::string_view name) -> std::optional<std::string> {
@@ -562,16 +413,16 @@ Monitor::Inside::Breakpoint Monitor::Inside::parsed(std::string_view arguments, 
   if (const auto value = take_tail("value")) breakpoint.value = static_cast<std::uint32_t>(evaluated(*value));
   if (!breakpoint.condition.empty()) static_cast<void>(evaluated(breakpoint.condition));
   std::string_view what = rest;
-  const std::string first = lower(take_part(what));
+  const std::string first = base::lower_case(take_part(what));
   if (breakpoint.kind == Breakpoint::Kind::memory) {
     if (first.empty()) throw Wrong{"expected an address, FIRST-LAST or port N"};
     std::string place = first;
     if (first == "port" || first == "iot") {
       breakpoint.kind = Breakpoint::Kind::port;
       breakpoint.access = description_.radix == 8 ? Probe::executed : Probe::is_read | Probe::is_written;
-      place = lower(take_part(what));
+      place = base::lower_case(take_part(what));
     }
-    const std::string how = lower(take_part(what));
+    const std::string how = base::lower_case(take_part(what));
     if (how == "r") {
       breakpoint.access = Probe::is_read;
     } else if (how == "w") {
@@ -583,8 +434,8 @@ Monitor::Inside::Breakpoint Monitor::Inside::parsed(std::string_view arguments, 
     }
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = evaluated(place);
-      if (number < 0 || number >= static_cast<std::int64_t>(probe_.at_port.size()))
-        throw Wrong{fmt::format("found port {}, expected one below {:X} (hexadecimal)", place, probe_.at_port.size())};
+      if (number < 0 || number >= static_cast<std::int64_t>(machine_.probe()->ports()))
+        throw Wrong{fmt::format("found port {}, expected one below {:X} (hexadecimal)", place, machine_.probe()->ports())};
       breakpoint.first = breakpoint.last = static_cast<std::uint32_t>(number);
       if (description_.radix == 8) breakpoint.access = Probe::executed;
     } else {
@@ -610,20 +461,15 @@ Monitor::Inside::Breakpoint Monitor::Inside::parsed(std::string_view arguments, 
     const bool is_condition = std::any_of(conditions.begin(), conditions.end(),
                                           [&first](const auto& each) { return each.first == first; });
     if (is_condition) return parsed("when " + rest, breakpoint);
-    breakpoint.first = breakpoint.last = first.empty() ? machine_.get(pc_) : address_of(first);
+    breakpoint.first = breakpoint.last = first.empty() ? debugger_.pc() : address_of(first);
   }
   return breakpoint;
 }
 
 Answer Monitor::Inside::add(Breakpoint breakpoint) {
-  breakpoint.number = ++last_number_;
-  const std::string text =
-      fmt::format("breakpoint {}: {}\n", breakpoint.number,
-                  breakpoint.text.empty() ? address(breakpoint.first) : breakpoint.text);
   if (breakpoint.text.empty()) breakpoint.text = address(breakpoint.first);
-  breakpoints_.push_back(std::move(breakpoint));
-  set_probe();
-  return {Kind::done, text};
+  const std::string text = breakpoint.text;
+  return {Kind::done, fmt::format("breakpoint {}: {}\n", debugger_.breakpoints().add(std::move(breakpoint)), text)};
 }
 
 Answer Monitor::Inside::set_break(std::string_view arguments) {
@@ -642,220 +488,32 @@ Answer Monitor::Inside::set_watch(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::remove_break(std::string_view arguments) {
-  if (arguments.empty()) breakpoints_.clear();
+  if (arguments.empty()) debugger_.breakpoints().clear();
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
-    const std::uint64_t number = count_of(text);
-    const auto found = std::find_if(breakpoints_.begin(), breakpoints_.end(), [number](const Breakpoint& each) {
-      return static_cast<std::uint64_t>(each.number) == number;
-    });
-    if (found == breakpoints_.end()) throw Wrong{fmt::format("there is no breakpoint {}; show breaks lists them", text)};
-    breakpoints_.erase(found);
+    const std::uint64_t number = std::min<std::uint64_t>(count_of(text), std::numeric_limits<int>::max());
+    if (!debugger_.breakpoints().remove(static_cast<int>(number)))
+      throw Wrong{fmt::format("there is no breakpoint {}; show breaks lists them", text)};
   }
-  set_probe();
   return {};
-}
-
-void Monitor::Inside::set_probe() {
-  std::fill(probe_.at_address.begin(), probe_.at_address.end(), std::uint8_t{0});
-  std::fill(probe_.at_port.begin(), probe_.at_port.end(), std::uint8_t{0});
-  probe_.at_interrupt = false;
-  for (const Breakpoint& each : breakpoints_) {
-    switch (each.kind) {
-      case Breakpoint::Kind::execution:
-      case Breakpoint::Kind::memory:
-        for (std::uint32_t at = each.first; at <= each.last; ++at) probe_.at_address[at] |= each.access;
-        break;
-      case Breakpoint::Kind::port: probe_.at_port[each.first] |= each.access; break;
-      case Breakpoint::Kind::interrupt: probe_.at_interrupt = true; break;
-      case Breakpoint::Kind::condition: break;
-    }
-  }
-}
-
-bool Monitor::Inside::counts(Breakpoint& breakpoint) {
-  if (breakpoint.kind != Breakpoint::Kind::condition && !breakpoint.condition.empty()) {
-    const auto value = live::evaluate(breakpoint.condition, names_);
-    if (value && *value == 0) return false;
-  }
-  return ++breakpoint.passed % breakpoint.count == 0;
-}
-
-// What of the events since the last look is a reason to stop.
-std::optional<std::string> Monitor::Inside::reason_to_stop() {
-  std::optional<std::string> reason;
-  for (const Probe::Event& event : probe_.events) {
-    const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
-      switch (event.kind) {
-        case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
-        case Probe::Kind::read: return {Breakpoint::Kind::memory, Probe::is_read};
-        case Probe::Kind::write: return {Breakpoint::Kind::memory, Probe::is_written};
-        case Probe::Kind::port_read: return {Breakpoint::Kind::port, Probe::is_read};
-        case Probe::Kind::port_write: return {Breakpoint::Kind::port, Probe::is_written | Probe::executed};
-        case Probe::Kind::interrupt: break;
-      }
-      return {Breakpoint::Kind::interrupt, Probe::executed};
-    }();
-    for (Breakpoint& each : breakpoints_) {
-      if (each.kind != kind || (each.access & access) == 0) continue;
-      if (kind != Breakpoint::Kind::interrupt && (event.address < each.first || event.address > each.last)) continue;
-      if (each.value && *each.value != event.value) continue;
-      if (!counts(each) || reason) continue;
-      reason = fmt::format("breakpoint {}", each.number);
-      if (kind == Breakpoint::Kind::memory) {
-        *reason += fmt::format(": {} {} {} {}", address(event.address), symbols_.near(event.address),
-                               event.kind == Probe::Kind::read ? "read, it is" : "written with", word(event.value));
-      } else if (kind == Breakpoint::Kind::port) {
-        *reason += description_.radix == 8 ? fmt::format(": IOT {:06o}", event.value)
-                                           : fmt::format(": port {:02X} {} {:02X}", event.address,
-                                                         access == Probe::is_read ? "read as" : "written with",
-                                                         event.value);
-      } else if (kind == Breakpoint::Kind::interrupt) {
-        *reason += fmt::format(": interrupt before {}", address(event.address));
-      }
-    }
-  }
-  return reason;
-}
-
-// A condition that has become true since the last boundary.
-std::optional<std::string> Monitor::Inside::condition_met() {
-  std::optional<std::string> reason;
-  for (Breakpoint& each : breakpoints_) {
-    if (each.kind != Breakpoint::Kind::condition) continue;
-    const auto value = live::evaluate(each.condition, names_);
-    const bool holds = value && *value != 0;
-    const bool became = holds && !each.was_true;
-    each.was_true = holds;
-    if (became && counts(each) && !reason) reason = fmt::format("breakpoint {}: {}", each.number, each.condition);
-  }
-  return reason;
 }
 
 // --- Running ---
 
-// Looks at conditions after each instruction.
-Stop Monitor::Inside::run_by_instructions(const Limits& limits, const std::string& condition,
-                                          std::optional<std::string>& reason) {
-  constexpr std::uint64_t between_questions = 4096;
-  for (std::uint64_t n = 1;; ++n) {
-    Limits one = limits;
-    one.instructions = std::min(limits.instructions, machine_.instructions() + 1);
-    std::optional<Stop> stop;
-    while (!stop && !machine_.waits_for_key()) stop = machine_.run(one, false);
-    const bool one_done = stop && stop->name == "instruction_limit" && machine_.instructions() < limits.instructions;
-    if (!probe_.events.empty()) {
-      reason = reason_to_stop();
-      probe_.resume();
-    }
-    if (!reason) reason = condition_met();
-    if (!reason && !condition.empty() && evaluated(condition) != 0) reason = condition;
-    if (reason) return {"event", {}};
-    if (stop && !one_done && stop->name != "event") return *stop;
-    if (machine_.waits_for_key()) return {end_of_input, {}};
-    if (n % between_questions == 0) {
-      show_printed();
-      if (host_.interrupted()) return {std::string_view(guests::run::interrupted), {}};
-    }
-  }
-}
-
-Answer Monitor::Inside::run(const Goal& goal) {
-  Limits limits = limits_;
-  const std::uint64_t begun = machine_.instructions();
-  if (goal.instructions < limits.instructions - std::min(begun, limits.instructions))
-    limits.instructions = begun + goal.instructions;
-  limits.until = std::min(limits.until, goal.until);
-  const bool by_instructions =
-      !goal.condition.empty() || std::any_of(breakpoints_.begin(), breakpoints_.end(), [](const Breakpoint& each) {
-        return each.kind == Breakpoint::Kind::condition;
-      });
-  std::optional<std::string> reason;
-  Stop stop{"event", {}};
-  probe_.resume();
-  while (!reason && stop.name == "event") {
-    type_next();
-    Limits part = limits;
-    const bool live = host_.is_live();
-    if (!live) remember_past();
-    constexpr std::int64_t slices_a_second = 50;
-    const std::int64_t slice = machine_.ticks() + machine_.ticks_a_second() / slices_a_second;
-    if (!live || !keys_.empty()) part.until = std::min(limits.until, slice);
-    stop = by_instructions ? run_by_instructions(part, goal.condition, reason) : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
-    const bool slice_done = stop.at_until && part.until < limits.until;
-    const bool key_due = stop.name == end_of_input && !keys_.empty();
-    if (live) forget_past();
-    if (slice_done || key_due) stop = {"event", {}};
-    if (stop.name == "event" && host_.interrupted()) stop = {std::string_view(guests::run::interrupted), {}};
-    if (!by_instructions && (stop.name == "event" || stop.name == guests::run::interrupted)) {
-      reason = reason_to_stop();
-      probe_.resume();
-    }
-  }
-  show_printed();
-  if (!trace_file_.empty() && probe_.on_instruction == nullptr) trace_file_.clear();
-  std::string text;
-  Kind kind = Kind::done;
-  const bool goal_reached = (stop.name == "instruction_limit" && machine_.instructions() < limits_.instructions) ||
-                            (stop.at_until && machine_.ticks() < limits_.until);
-  if (reason) {
-    text = fmt::format("{}\n", *reason);
-  } else if (!goal_reached) {
-    last_stop_ = stop;
-    std::string name(stop.name);
-    std::replace(name.begin(), name.end(), '_', ' ');
-    text = fmt::format("stopped by {}\n", name);
-    if (!stop.complaint.empty()) text += stop.complaint + "\n";
-  }
-  if (!goal.quiet || !text.empty()) text += status();
-  return {kind, text};
-}
-
-// The state where a run begins counts, whatever was deposited or typed before it.
-void Monitor::Inside::remember_past() {
-  while (!past_.empty() && past_.back().instructions >= machine_.instructions()) past_.pop_back();
-  past_.push_back({machine_.instructions(), probe_.remembered(), save_snapshot(description_.name, machine_)});
-  constexpr std::size_t most = 512;
-  if (past_.size() <= most) return;
-  // Every other of the older half: what is longer ago takes longer to come back to.
-  std::vector<Past> kept;
-  for (std::size_t n = 0; n < past_.size(); ++n) {
-    if (n >= most / 2 || n % 2 == 0) kept.push_back(std::move(past_[n]));
-  }
-  past_ = std::move(kept);
+Answer Monitor::Inside::answer_of(const Halted& halted) const {
+  const std::string reason = halted.reason.empty() ? std::string() : halted.reason + "\n";
+  return {Kind::done, reason + debugger_.status()};
 }
 
 Answer Monitor::Inside::back(std::string_view arguments) {
-  const std::uint64_t n = arguments.empty() ? 1 : count_of(arguments);
-  const std::uint64_t here = machine_.instructions();
-  if (past_.empty() || n > here - std::min(here, past_.front().instructions)) {
-    const std::uint64_t most = past_.empty() ? 0 : here - std::min(here, past_.front().instructions);
-    throw Wrong{fmt::format("found {} instructions, expected at most {}: the monitor remembers no more", n, most)};
-  }
-  const std::uint64_t target = here - n;
-  while (past_.back().instructions > target) past_.pop_back();
-  const Past& from = past_.back();
-  const auto done = restore_snapshot(description_.name, machine_, from.snapshot, "snapshot");
-  if (!done) throw Wrong{done.error().message()};
-  probe_.go_back_to(from.remembered);
-  // No breakpoint is counted again.
-  const std::vector<Breakpoint> all = std::exchange(breakpoints_, {});
-  set_probe();
-  Limits limits;
-  limits.instructions = target;
-  while (machine_.instructions() < target && !machine_.waits_for_key()) {
-    if (machine_.run(limits, false)) break;
-  }
-  static_cast<void>(machine_.take_printed());
-  breakpoints_ = all;
-  set_probe();
+  static_cast<void>(take(debugger_.back(arguments.empty() ? 1 : count_of(arguments))));
   return {Kind::done, status()};
 }
 
 Answer Monitor::Inside::save(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file"};
-  const auto done = host_.write(path, save_snapshot(description_.name, machine_));
+  const auto done = host_.write(path, debugger_.save());
   if (!done) throw Wrong{done.error().message};
   return {};
 }
@@ -864,9 +522,7 @@ Answer Monitor::Inside::restore(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file"};
   const guests::run::Input input = file(path);
-  const auto done = restore_snapshot(description_.name, machine_, input.bytes, path);
-  if (!done) throw Wrong{done.error().message()};
-  forget_past();
+  static_cast<void>(take(debugger_.restore(input.bytes, path)));
   return {Kind::done, status()};
 }
 
@@ -881,32 +537,19 @@ Answer Monitor::Inside::step(std::string_view arguments) {
     const Answer answer = run({.instructions = 1});
     text += answer.text;
     if (machine_.instructions() == before) break;
-    if (last_stop_.name == "halt" && i + 1 < n) break;
+    if (last_stop().name == "halt" && i + 1 < n) break;
   }
   return {Kind::done, text};
 }
 
 Answer Monitor::Inside::over(std::string_view arguments) {
   if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
-  const std::uint32_t pc = machine_.get(pc_);
-  const auto instruction = machine_.instruction_at(pc);
-  const std::string name = lower(instruction.text.substr(0, instruction.text.find_first_of(" \t")));
-  const bool calls = description_.radix == 8 ? name == "jms" || name == "cal"
-                                             : (name.front() == 'c' && name != "cma" && name != "cmc" && name != "cmp" &&
-                                                name != "cpi") || name == "rst";
-  if (!calls) return run({.instructions = 1});
-  Breakpoint back;
-  back.number = 0;
-  back.first = back.last = (pc + instruction.words) % machine_.words();
-  breakpoints_.push_back(back);
-  set_probe();
-  Answer answer = run({});
-  breakpoints_.erase(std::find_if(breakpoints_.begin(), breakpoints_.end(),
-                                  [](const Breakpoint& each) { return each.number == 0; }));
-  set_probe();
-  constexpr std::string_view own = "breakpoint 0\n";
-  if (answer.text.starts_with(own)) answer.text.erase(0, own.size());
-  return answer;
+  return answer_of(debugger_.step_over());
+}
+
+Answer Monitor::Inside::out(std::string_view arguments) {
+  if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
+  return answer_of(take(debugger_.step_out()));
 }
 
 Answer Monitor::Inside::cycle(std::string_view arguments) {
@@ -922,14 +565,14 @@ Answer Monitor::Inside::resume(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::go(std::string_view arguments) {
-  if (!arguments.empty()) machine_.start(address_of(arguments));
+  if (!arguments.empty()) debugger_.start(address_of(arguments));
   return run({});
 }
 
 Answer Monitor::Inside::run_until(std::string_view arguments) {
   if (arguments.empty()) return run({});
   std::string_view rest = arguments;
-  const std::string word = lower(take_part(rest));
+  const std::string word = base::lower_case(take_part(rest));
   if ((word != "until" && word != "for") || rest.empty())
     throw Wrong{fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments)};
   // "0.5s", "20ms", "100us"
@@ -962,7 +605,7 @@ Answer Monitor::Inside::run_until(std::string_view arguments) {
 Answer Monitor::Inside::history(std::string_view arguments) {
   const std::uint64_t n = arguments.empty() ? 20 : count_of(arguments);
   std::string text;
-  for (const Probe::Entry& entry : probe_.last(static_cast<std::size_t>(std::min<std::uint64_t>(n, Probe::history_length))))
+  for (const Past::Entry& entry : debugger_.history(static_cast<std::size_t>(std::min<std::uint64_t>(n, Past::most_history))))
     text += machine_.history_line(entry) + "\n";
   return {Kind::done, text.empty() ? "no instruction has been obeyed yet\n" : text};
 }
@@ -970,27 +613,35 @@ Answer Monitor::Inside::history(std::string_view arguments) {
 // --- Descriptions ---
 
 Answer Monitor::Inside::show(std::string_view arguments) {
-  const std::string what = lower(arguments);
+  const std::string what = base::lower_case(arguments);
   std::string text;
   const auto is = [&what](std::string_view name) { return !what.empty() && name.starts_with(what); };
   if (is("registers")) {
-    for (std::size_t n = 0; n < description_.registers.size(); ++n) text += register_text(n) + "\n";
+    for (std::size_t n = 0; n < description_.registers.size(); ++n) text += debugger_.register_text(n) + "\n";
   } else if (is("devices")) {
-    for (const auto& line : machine_.device_lines()) text += fmt::format("{:<12} {}\n", line.label, line.text);
+    text = labelled(machine_.device_lines());
+  } else if (is("display")) {
+    text = labelled(machine_.display_lines());
+    if (text.empty()) text = "no display is attached\n";
+  } else if (is("stack")) {
+    for (const Frame& frame : debugger_.stack())
+      text += fmt::format("{} called from {}  {}\n", address(frame.entry), address(frame.caller),
+                          debugger_.instruction_text(frame.caller));
+    if (text.empty()) text = "no subroutine was called and not left in the last instructions\n";
   } else if (is("time")) {
-    text = fmt::format("{}, {} instructions\n", time_text(machine_.ticks()), machine_.instructions());
+    text = fmt::format("{}, {} instructions\n", debugger_.time_text(machine_.ticks()), machine_.instructions());
   } else if (is("breaks") || is("breakpoints")) {
-    for (const Breakpoint& each : breakpoints_)
+    for (const Breakpoint& each : debugger_.breakpoints().all())
       text += fmt::format("{}: {}, passed {} times\n", each.number, each.text, each.passed);
     if (text.empty()) text = "no breakpoints\n";
   } else if (is("conditions")) {
     for (const auto& [name, holds] : machine_.conditions()) text += fmt::format("{:<12} {}\n", name, holds ? 1 : 0);
     if (text.empty()) text = "this machine has none\n";
   } else if (is("symbols")) {
-    for (const auto& [name, value] : symbols_.all()) text += fmt::format("{:<16} {}\n", name, address(value));
+    for (const auto& [name, value] : debugger_.symbols().all()) text += fmt::format("{:<16} {}\n", name, address(value));
     if (text.empty()) text = "no symbols; begin with a source file or --symbols FILE\n";
   } else {
-    throw Wrong{fmt::format("found \"{}\", expected registers, devices, time, breaks, conditions or symbols", arguments)};
+    throw Wrong{fmt::format("found \"{}\", expected registers, devices, display, stack, time, breaks, conditions or symbols", arguments)};
   }
   return {Kind::done, text};
 }
@@ -998,15 +649,17 @@ Answer Monitor::Inside::show(std::string_view arguments) {
 // --- The world outside ---
 
 Answer Monitor::Inside::attach(std::string_view arguments) {
-  const std::string device = lower(take_part(arguments));
+  const std::string device = base::lower_case(take_part(arguments));
   if (device.empty() || arguments.empty()) throw Wrong{"expected DEVICE FILE, such as reader tape.rim"};
   const auto done = machine_.attach(device, file(std::string(take_part(arguments))));
+  debugger_.changed();
   if (!done) throw Wrong{done.error().message};
   return {};
 }
 
 Answer Monitor::Inside::detach(std::string_view arguments) {
-  const auto done = machine_.attach(lower(arguments), {});
+  const auto done = machine_.attach(base::lower_case(arguments), {});
+  debugger_.changed();
   if (!done) throw Wrong{done.error().message};
   return {};
 }
@@ -1014,7 +667,7 @@ Answer Monitor::Inside::detach(std::string_view arguments) {
 Answer Monitor::Inside::send(std::string_view arguments) {
   const auto keys = plain_text("send", take_part(arguments));
   if (!keys) throw Wrong{keys.error().message};
-  keys_ += *keys;
+  debugger_.send(*keys);
   return {};
 }
 
@@ -1024,20 +677,20 @@ Answer Monitor::Inside::expect(std::string_view arguments) {
   if (text->empty()) throw Wrong{"expected a text"};
   constexpr std::int64_t most_seconds = 60;
   const std::int64_t end = machine_.ticks() + most_seconds * machine_.ticks_a_second();
-  Goal goal{.quiet = true};
   while (true) {
-    show_printed();
-    const std::size_t found = printed_.find(*text);
+    debugger_.show_printed();
+    const std::size_t found = debugger_.printed().find(*text);
     if (found != std::string::npos) {
-      printed_.erase(0, found + text->size());
+      debugger_.forget_printed(found + text->size());
       return {};
     }
-    if (machine_.ticks() >= end || machine_.waits_for_key())
+    if (machine_.ticks() >= end || (machine_.waits_for_key() && !debugger_.keys_wait())) {
       return {Kind::failed, fmt::format("expect: not printed in {} s; printed since the last expect: \"{}\"\n",
-                                        most_seconds, printed_)};
-    goal.until = std::min(end, machine_.ticks() + machine_.ticks_a_second() / 50);
-    const Answer answer = run(goal);
-    if (!answer.text.empty() && printed_.find(*text) == std::string::npos) return {Kind::failed, answer.text};
+                                        most_seconds, debugger_.printed())};
+    }
+    const Halted halted = debugger_.run({.until = std::min(end, machine_.ticks() + machine_.ticks_a_second() / 50)});
+    const bool stopped = halted.why != Halted::Why::goal;
+    if (stopped && debugger_.printed().find(*text) == std::string::npos) return {Kind::failed, answer_of(halted).text};
   }
 }
 
@@ -1064,10 +717,10 @@ Answer Monitor::Inside::trace(std::string_view arguments) {
   if (path != "off") {
     trace_.clear();
     trace_file_ = path;
-    probe_.on_instruction = [this](const Probe::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
+    machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
     return {};
   }
-  probe_.on_instruction = nullptr;
+  machine_.probe()->on_instruction = nullptr;
   if (trace_file_.empty()) throw Wrong{"no trace is under way"};
   const std::span<const char> text = trace_;
   const auto done =
@@ -1106,7 +759,7 @@ Answer Monitor::Inside::read_commands(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::help(std::string_view arguments) {
-  const std::string wanted = lower(arguments);
+  const std::string wanted = base::lower_case(arguments);
   std::string text;
   for (const Verb& verb : verbs()) {
     if (!wanted.empty() && !verb.name.starts_with(wanted)) continue;
@@ -1120,7 +773,7 @@ Answer Monitor::Inside::help(std::string_view arguments) {
   if (wanted.empty()) {
     text += fmt::format("Addresses and words are {}, 10. is decimal, counts are decimal. Expressions know registers, symbols, "
                         "[ADDRESS], time, instructions and the operators of C. `;` separates commands.\n",
-                        description_.radix == 8 ? "octal" : "hexadecimal");
+                        debugger_.radix() == 8 ? "octal" : debugger_.radix() == 16 ? "hexadecimal" : "decimal");
   }
   return {Kind::done, text};
 }
@@ -1128,15 +781,15 @@ Answer Monitor::Inside::help(std::string_view arguments) {
 std::vector<std::string> Monitor::Inside::completions(std::string_view line, std::string_view begun) const {
   std::vector<std::string> names;
   const auto offer = [&](std::string_view name) {
-    if (lower(name).starts_with(lower(begun))) names.emplace_back(name);
+    if (base::lower_case(name).starts_with(base::lower_case(begun))) names.emplace_back(name);
   };
   if (without_blanks(line).size() <= begun.size()) {
     for (const Verb& verb : verbs()) offer(verb.name);
     return names;
   }
-  for (const auto& each : description_.registers) offer(lower(each.name));
+  for (const auto& each : description_.registers) offer(base::lower_case(each.name));
   for (const auto& [name, holds] : machine_.conditions()) offer(name);
-  for (const auto& [name, value] : symbols_.all()) offer(name);
+  for (const auto& [name, value] : debugger_.symbols().all()) offer(name);
   return names;
 }
 

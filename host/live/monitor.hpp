@@ -12,22 +12,14 @@
 #include <vector>
 
 #include "host/guests/run/engine.hpp"
+#include "host/live/debugger.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::live {
 
 // What the monitor cannot do by itself.
 struct MonitorHost {
-  // Runs to a stop, showing what the program prints and handing it what is typed; `heard` is told what is printed too.
-  std::function<guests::run::Stop(guests::run::Machine&, const guests::run::Limits&,
-                                  const std::function<void(std::string_view)>& heard)>
-      run;
-  // Whether a person may type in `run`: it is then not repeated when the monitor steps back.
-  std::function<bool()> is_live;
-  // Asked now and then by runs that go instruction by instruction; true: stop.
-  std::function<bool()> interrupted;
-  // What the program has printed, outside `run`.
-  std::function<void(std::string_view)> print;
+  RunHost running;
   std::function<guests::run::Result<guests::run::Input>(const std::string& path)> read;
   // All of the file or nothing.
   std::function<guests::run::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;

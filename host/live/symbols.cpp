@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cctype>
 
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
@@ -17,10 +15,7 @@ using base::without_blanks;
 
 std::string Symbols::key(std::string_view name) const {
   constexpr std::size_t significant = 6;
-  std::string key(radix_ == 8 ? name.substr(0, significant) : name);
-  std::transform(key.begin(), key.end(), key.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return key;
+  return base::lower_case(radix_ == 8 ? name.substr(0, significant) : name);
 }
 
 base::Result<base::Done> Symbols::add_table(std::string_view text) {

@@ -132,7 +132,7 @@ class FileWatch {
     ++stores_;
     if (!terminated()) ++runaways_;
   }
-  bool stop() { return std::exchange(stop_, false); }
+  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
   [[nodiscard]] int stores() const { return stores_; }
   [[nodiscard]] int runaways() const { return runaways_; }
 

@@ -38,7 +38,7 @@ class PathWatch {
       stop_ = true;
     }
   }
-  bool stop() { return std::exchange(stop_, false); }
+  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
 
   [[nodiscard]] core::Duration time() const { return ended_ - begun_; }
   [[nodiscard]] std::uint64_t visits() const { return visits_; }

@@ -178,7 +178,7 @@ struct Watcher {
     last_end = record.end;
     ++count;
   }
-  static bool stop() { return false; }
+  static bool stop(core::Instant, pdp7::Address) { return false; }
 };
 
 template <class Machine>

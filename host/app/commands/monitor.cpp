@@ -211,17 +211,21 @@ ExitCode monitor(const MachineDescription& description, Arguments arguments) {
   if (console) console_options = accepted(live::console_options(arguments, terminal));
 
   Printer printer;
+  // A command may run the machine in pieces: the terminal is raw until it has ended.
+  struct Live {
+    base::EndSignals signals;
+    base::RawTerminal raw;
+  };
+  std::optional<Live> live_terminal;
   live::MonitorHost host;
-  host.run = [&](Machine& running, const guests::run::Limits& limits, const Heard& heard) {
+  host.running.run = [&](Machine& running, const guests::run::Limits& limits, const Heard& heard) {
     if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
-    const base::EndSignals signals;
-    const base::RawTerminal raw;
+    if (!live_terminal) live_terminal.emplace();
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
   };
-  host.is_live = [&] { return console_options && terminal; };
-  host.interrupted = [] { return base::InterruptKey::pressed(); };
-  host.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
+  host.running.interrupted = [] { return base::InterruptKey::pressed(); };
+  host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
   host.read = [](const std::string& path) -> guests::run::Result<guests::run::Input> {
     auto bytes = base::read_file(path);
     if (!bytes) return guests::run::bad_input(bytes.error().message());
@@ -265,6 +269,7 @@ ExitCode monitor(const MachineDescription& description, Arguments arguments) {
     {
       const base::InterruptKey key;
       answer = session.execute(*line);
+      live_terminal.reset();
     }
     if (!answer.text.empty()) printer.end_line();
     static_cast<void>(printer.print(answer.text));

@@ -24,7 +24,7 @@ class Watch {
   void instruction(const machines::InstructionRecord& record);
   void cycle(const pdp7::Cycle& cycle);
   // True once after each published view, and whenever `until` says so.
-  bool stop();
+  bool stop(core::Instant now, pdp7::Address next);
 
   struct View {
     core::Instant begun;
@@ -151,7 +151,7 @@ void Watch::cycle(const pdp7::Cycle& cycle) {
   }
 }
 
-bool Watch::stop() {
+bool Watch::stop(core::Instant, pdp7::Address) {
   const bool stopping = stop_;
   stop_ = false;
   return stopping;

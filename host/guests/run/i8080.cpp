@@ -295,14 +295,104 @@ class Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
-// The observer of a monitor.
-class I8080Prober {
+// The observer of a monitor that has marked instructions alone: it is asked between them.
+class I8080Breaker {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = true;
+
+  explicit I8080Breaker(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::TStateInstant now) { begun_ = now; }
+  bool stop(core::TStateInstant now, i8080::Address next) {
+    if ((marks_[next] & Probe::executed) == 0) [[likely]]
+      return false;
+    return arrive(now, next);
+  }
+
+ private:
+  [[gnu::noinline]] bool arrive(core::TStateInstant now, i8080::Address next) {
+    if (now != begun_) probe_.add({Probe::Kind::execution, core::t_states_of(now), next, 0});
+    return now != begun_;
+  }
+
+  Probe& probe_;
+  const std::uint8_t* marks_;
+  core::TStateInstant begun_{};
+};
+
+// The observer of a monitor that has marked places. Called for every cycle: what is not marked costs one look.
+class I8080Watcher {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  explicit I8080Watcher(Probe& probe) : probe_(probe), marks_(probe.marks()), port_marks_(probe.port_marks()) {}
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::TStateInstant now) {
+    begun_ = now;
+    stops_ = !probe_.events().empty();
+  }
+  bool stop(core::TStateInstant now, i8080::Address next) {
+    here_ = next;
+    if ((marks_[next] & Probe::executed) != 0 && now != begun_) [[unlikely]]
+      add(Probe::Kind::execution, now, next, 0);
+    return stops_;
+  }
+  [[gnu::always_inline]] void cycle(const machines::I8080Cycle& cycle) {
+    namespace status = i8080::status;
+    const auto port = static_cast<std::uint8_t>(cycle.address);
+    if ((cycle.status & status::first) != 0) {
+      if ((cycle.status & status::acknowledge) != 0 && (marks_[0] & Probe::at_interrupt) != 0)
+        add(Probe::Kind::interrupt, cycle.time, cycle.address, 0);
+    } else if ((cycle.status & status::halt) != 0) {
+      return;
+    } else if ((cycle.status & status::input) != 0) {
+      if ((port_marks_[port] & Probe::is_read) != 0) add(Probe::Kind::port_read, cycle.time, port, cycle.data);
+    } else if ((cycle.status & status::output) != 0) {
+      if ((port_marks_[port] & Probe::is_written) != 0) add(Probe::Kind::port_write, cycle.time, port, cycle.data);
+    } else if ((cycle.status & status::read) != 0) {
+      if ((marks_[cycle.address] & Probe::is_read) != 0 && !reads_instruction(cycle)) [[unlikely]]
+        add(Probe::Kind::read, cycle.time, cycle.address, cycle.data);
+    } else if ((marks_[cycle.address] & Probe::is_written) != 0) [[unlikely]] {
+      add(Probe::Kind::write, cycle.time, cycle.address, cycle.data);
+    }
+  }
+  // The bytes of the instruction itself are read too.
+  [[nodiscard]] bool reads_instruction(const machines::I8080Cycle& cycle) const {
+    return (cycle.status & i8080::status::read) != 0 && static_cast<i8080::Address>(cycle.address - here_) <= 2;
+  }
+
+ private:
+  [[gnu::noinline]] void add(Probe::Kind kind, core::TStateInstant time, std::uint32_t address, std::uint32_t value) {
+    probe_.add({kind, core::t_states_of(time), address, value});
+    stops_ = true;
+  }
+
+  Probe& probe_;
+  const std::uint8_t* marks_;
+  const std::uint8_t* port_marks_;
+  core::TStateInstant begun_{};
+  i8080::Address here_ = 0;  // the instruction under way
+  bool stops_ = false;
+};
+
+// The same, and tells each instruction.
+class I8080Listener {
  public:
   static constexpr bool instructions = true;
   static constexpr bool cycles = true;
   static constexpr bool stops = true;
 
-  void instruction(const machines::I8080InstructionRecord& record) {
+  explicit I8080Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
+
+  void begin(core::TStateInstant now) { watcher_.begin(now); }
+  bool stop(core::TStateInstant now, i8080::Address next) { return watcher_.stop(now, next); }
+  [[gnu::noinline]] void instruction(const machines::I8080InstructionRecord& record) {
     entry_.time = core::t_states_of(record.time);
     entry_.pc = record.pc;
     entry_.word = record.bytes[0] | static_cast<std::uint32_t>(record.bytes[1]) << 8 |
@@ -310,45 +400,23 @@ class I8080Prober {
     entry_.accumulator = record.after.a;
     entry_.link = record.after.f;
     entry_.supplied = record.acknowledged;
-    probe.remember(entry_);
-    if (record.acknowledged) probe.interrupt(record.pc);
+    probe_.on_instruction(entry_);
     entry_.has_address = false;
-    begin(record.after.pc);
-    probe.access(Probe::Kind::execution, Probe::executed, here_, 0);
   }
-  void cycle(const machines::I8080Cycle& cycle) {
+  [[gnu::noinline]] void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
-    const auto number = static_cast<std::uint8_t>(cycle.address);
-    if ((cycle.status & status::first) != 0 || (cycle.status & status::halt) != 0) return;
-    if ((cycle.status & status::input) != 0) {
-      probe.port(Probe::Kind::port_read, Probe::is_read, number, cycle.data);
-    } else if ((cycle.status & status::output) != 0) {
-      probe.port(Probe::Kind::port_write, Probe::is_written, number, cycle.data);
-    } else {
-      // The bytes of the instruction itself are read too.
-      const bool own = static_cast<i8080::Address>(cycle.address - here_) <= 2;
-      const bool reads = (cycle.status & status::read) != 0;
-      if (!own || !reads) {
-        entry_.has_address = true;
-        entry_.address = cycle.address;
-        entry_.value = cycle.data;
-      }
-      if (reads) {
-        if (!own) probe.access(Probe::Kind::read, Probe::is_read, cycle.address, cycle.data);
-      } else {
-        probe.written(cycle.address, {core::t_states_of(cycle.time), here_, cycle.data, false});
-        probe.access(Probe::Kind::write, Probe::is_written, cycle.address, cycle.data);
-      }
-    }
+    watcher_.cycle(cycle);
+    constexpr i8080::Status not_memory = status::first | status::halt | status::input | status::output;
+    if ((cycle.status & not_memory) != 0 || watcher_.reads_instruction(cycle)) return;
+    entry_.has_address = true;
+    entry_.address = cycle.address;
+    entry_.value = cycle.data;
   }
-  [[nodiscard]] bool stop() const { return probe.stops(); }
-  void begin(i8080::Address pc) { here_ = pc; }
-
-  Probe probe{0x10000, 0x100};
 
  private:
+  Probe& probe_;
+  I8080Watcher watcher_;
   Probe::Entry entry_;
-  i8080::Address here_ = 0;
 };
 
 // --- Texts ---
@@ -386,36 +454,6 @@ i8080::Address& pair_of(i8080::State& state, std::size_t number) {
 
 // --- The machine ---
 
-// A processor with its memory, watched or not. All that a run asks of it between instructions, so that the
-// rest is compiled once.
-class Processor {
- public:
-  virtual ~Processor() = default;
-  virtual machines::I8080StopReason run(const machines::I8080Limits& limits) = 0;
-  [[nodiscard]] virtual i8080::State& registers() = 0;
-  [[nodiscard]] virtual std::span<i8080::Byte> memory() = 0;
-  [[nodiscard]] virtual core::TStateInstant now() const = 0;
-  [[nodiscard]] virtual std::uint64_t instructions() const = 0;
-  virtual void visit_state(StateWriter& visit) = 0;
-  virtual void visit_state(StateReader& visit) = 0;
-};
-
-template <class Observer>
-class ProcessorOf final : public Processor {
- public:
-  ProcessorOf(RunPorts& ports, Observer& observer) : machine_(ports, observer) {}
-  machines::I8080StopReason run(const machines::I8080Limits& limits) override { return machine_.run(limits); }
-  i8080::State& registers() override { return machine_.registers(); }
-  std::span<i8080::Byte> memory() override { return machine_.memory(); }
-  core::TStateInstant now() const override { return machine_.now(); }
-  std::uint64_t instructions() const override { return machine_.instructions(); }
-  void visit_state(StateWriter& visit) override { machine_.visit_state(visit); }
-  void visit_state(StateReader& visit) override { machine_.visit_state(visit); }
-
- private:
-  machines::I8080Machine<RunPorts, Observer> machine_;
-};
-
 // Lives on the heap: the raster boards are large.
 class I8080Run final : public Machine {
  public:
@@ -423,29 +461,23 @@ class I8080Run final : public Machine {
       : setup_(std::move(setup)),
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
-        ports_(devices_, setup_.cpm, setup_.strict) {
-    if (setup_.monitored) {
-      prober_.emplace();
-      processor_ = std::make_unique<ProcessorOf<I8080Prober>>(ports_, *prober_);
-    } else if (setup_.observed) {
-      recorder_.emplace();
-      processor_ = std::make_unique<ProcessorOf<Recorder>>(ports_, *recorder_);
-    } else {
-      processor_ = std::make_unique<ProcessorOf<machines::NoI8080Observer>>(ports_, nobody_);
-    }
+        ports_(devices_, setup_.cpm, setup_.strict),
+        processor_(ports_, nobody_) {
+    if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
+    if (setup_.observed) recorder_.emplace();
   }
 
   [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
-    return processor_->memory()[address];
+    return processor_.memory()[address];
   }
   void put(std::uint32_t address, std::uint32_t word) override {
-    processor_->memory()[address] = static_cast<i8080::Byte>(word);
+    processor_.memory()[address] = static_cast<i8080::Byte>(word);
     if (address < loaded_below_.size()) loaded_below_.set(address);
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
-    i8080::State s = processor_->registers();
+    i8080::State s = processor_.registers();
     switch (number) {
       case 0: return s.a;
       case 1: return s.f;
@@ -457,7 +489,7 @@ class I8080Run final : public Machine {
   }
   // Bits of F that the machine does not have are passed over.
   void set(std::size_t number, std::uint32_t value) override {
-    i8080::State& s = processor_->registers();
+    i8080::State& s = processor_.registers();
     const auto byte = static_cast<i8080::Byte>(value);
     switch (number) {
       case 0: s.a = byte; break;
@@ -477,16 +509,16 @@ class I8080Run final : public Machine {
     return setup_.cpm ? image::com_origin : loaded.value_or(0);
   }
   void start(std::uint32_t address) override {
-    processor_->registers().pc = static_cast<i8080::Address>(address);
+    processor_.registers().pc = static_cast<i8080::Address>(address);
   }
   [[nodiscard]] Result<Done> ready() override {
     if (!setup_.cpm) return Done{};
     for (const auto& [address, byte] : cpm_stub) {
-      if (loaded_below_[address] && processor_->memory()[address] != byte) {
+      if (loaded_below_[address] && processor_.memory()[address] != byte) {
         return bad_input(fmt::format(
             "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
       }
-      processor_->memory()[address] = byte;
+      processor_.memory()[address] = byte;
     }
     return Done{};
   }
@@ -506,17 +538,16 @@ class I8080Run final : public Machine {
     if (waiting_ && !finish_waiting()) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
-        asked ? std::min(limit, processor_->now() + time_between_questions) : limit;
-    if (prober_) prober_->begin(processor_->registers().pc);
-    const std::uint64_t left = limits.instructions - std::min(processor_->instructions(), limits.instructions);
-    const auto reason = processor_->run({left, until});
+        asked ? std::min(limit, processor_.now() + time_between_questions) : limit;
+    const std::uint64_t left = limits.instructions - std::min(processor_.instructions(), limits.instructions);
+    const auto reason = run_observed({left, until});
     // A call of CP/M is answered before a monitor looks at the machine.
-    if (prober_ && prober_->probe.stops() && reason != machines::I8080StopReason::ports) return Stop{"event", {}};
+    if (probe_ && !probe_->events().empty() && reason != machines::I8080StopReason::ports) return Stop{stopped_by_probe, {}};
     switch (reason) {
       case machines::I8080StopReason::halt: return Stop{"halt", {}};
       case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case machines::I8080StopReason::time_limit:
-        if (processor_->now() < limit) return std::nullopt;
+        if (processor_.now() < limit) return std::nullopt;
         return Stop{"state_limit", {}, true};
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
@@ -531,11 +562,22 @@ class I8080Run final : public Machine {
     plotter_.finish();
   }
 
-  [[nodiscard]] Probe* probe() override { return prober_ ? &prober_->probe : nullptr; }
+  [[nodiscard]] Probe* probe() override { return probe_ ? &*probe_ : nullptr; }
   [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
-    const auto at = [&](std::uint32_t n) { return processor_->memory()[static_cast<i8080::Address>(address + n)]; };
+    const auto at = [&](std::uint32_t n) { return processor_.memory()[static_cast<i8080::Address>(address + n)]; };
     const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({at(0), at(1), at(2)});
     return {(line.duplicate ? "*" : "") + line.text, static_cast<unsigned>(line.bytes)};
+  }
+  [[nodiscard]] Flow flow_of(std::uint32_t word) const override {
+    using i8080::Operation;
+    switch (i8080::lookup(static_cast<i8080::Byte>(word)).operation) {
+      case Operation::call:
+      case Operation::conditional_call:
+      case Operation::rst: return Flow::call;
+      case Operation::ret:
+      case Operation::conditional_return: return Flow::leave;
+      default: return Flow::plain;
+    }
   }
   [[nodiscard]] std::string history_line(const Probe::Entry& entry) const override {
     const auto byte = [&entry](unsigned n) { return static_cast<std::uint8_t>(entry.word >> (8 * n)); };
@@ -552,16 +594,17 @@ class I8080Run final : public Machine {
   void type(std::uint8_t code) override {
     keys_.push_back(code);
     asked_ = false;
+    if (probe_) probe_->keys.push_back({ticks(), code});
   }
   [[nodiscard]] bool wants_key() const override { return keys_.empty() && (waiting_ || asked_); }
   [[nodiscard]] bool waits_for_key() const override { return keys_.empty() && waiting_; }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
 
-  [[nodiscard]] std::uint64_t instructions() const override { return processor_->instructions(); }
+  [[nodiscard]] std::uint64_t instructions() const override { return processor_.instructions(); }
   [[nodiscard]] core::Instant now() const override {
-    return setup_.machine.clock.to_nanoseconds(processor_->now());
+    return setup_.machine.clock.to_nanoseconds(processor_.now());
   }
-  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(processor_->now()); }
+  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(processor_.now()); }
   [[nodiscard]] std::int64_t ticks_a_second() const override { return setup_.machine.clock.hertz; }
 
   [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
@@ -579,9 +622,9 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::vector<ReportLine> lines() const override {
     const core::ClockRate clock = setup_.machine.clock;
     std::vector<ReportLine> lines{
-        {"T-states", fmt::format("{}", core::t_states_of(processor_->now()))},
-        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(processor_->now(), clock), clock.hertz)},
-        {"instructions", fmt::format("{}", processor_->instructions())}};
+        {"T-states", fmt::format("{}", core::t_states_of(processor_.now()))},
+        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(processor_.now(), clock), clock.hertz)},
+        {"instructions", fmt::format("{}", processor_.instructions())}};
     devices_.each_device([&lines](auto row, const auto& device) {
       std::string counts;
       row.count(device, [&counts](std::string_view name, std::uint64_t count) {
@@ -596,7 +639,7 @@ class I8080Run final : public Machine {
   }
   void add_times(base::Json& report) const override {
     const core::ClockRate clock = setup_.machine.clock;
-    const std::int64_t t_states = core::t_states_of(processor_->now());
+    const std::int64_t t_states = core::t_states_of(processor_.now());
     report["t_states"] = t_states;
     report["clock_hz"] = clock.hertz;
     // null where no 64 bits hold it
@@ -670,9 +713,22 @@ class I8080Run final : public Machine {
   }
 
  private:
+  machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
+    if (recorder_) return processor_.run(limits, *recorder_);
+    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Listener(*probe_));
+    if (probe_ && probe_->watches_arrival()) return run_watched(limits, I8080Breaker(*probe_));
+    if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Watcher(*probe_));
+    return processor_.run(limits);
+  }
+  template <class Observer>
+  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer observer) {
+    observer.begin(processor_.now());
+    return processor_.run(limits, observer);
+  }
+
   template <class Visitor>
   void visit_state(Visitor& visit) {
-    processor_->visit_state(visit);
+    processor_.visit_state(visit);
     ports_.visit_state(visit);
     visit.section("drawing", plotter_);
     visit.section("console", [this](auto& fields) {
@@ -691,7 +747,7 @@ class I8080Run final : public Machine {
 
   // Nothing: the run goes on.
   std::optional<Stop> answer(const StubCall& call) {
-    const i8080::Address pc = processor_->registers().pc;
+    const i8080::Address pc = processor_.registers().pc;
     if (call.port == exit_port && (pc == behind_exit || pc == behind_returned_exit)) return Stop{"exit", {}};
     if (call.port == bdos_port && pc == behind_bdos) return call_bdos();
     ports_.pass_on(call);
@@ -700,11 +756,11 @@ class I8080Run final : public Machine {
   // The IN or OUT is before PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
-                                      static_cast<i8080::Address>(processor_->registers().pc - 2))};
+                                      static_cast<i8080::Address>(processor_.registers().pc - 2))};
   }
 
   std::optional<Stop> call_bdos() {
-    i8080::State& registers = processor_->registers();
+    i8080::State& registers = processor_.registers();
     bdos_function_ = i8080::low(registers.bc);
     switch (bdos_function_) {
       case 0: registers.pc = 0; return std::nullopt;
@@ -747,7 +803,7 @@ class I8080Run final : public Machine {
   // --- Input from the console ---
 
   void give_back(i8080::Byte value) {
-    i8080::State& registers = processor_->registers();
+    i8080::State& registers = processor_.registers();
     registers.a = value;
     registers.hl = value;
     registers.bc = i8080::joined(0, i8080::low(registers.bc));
@@ -798,9 +854,9 @@ class I8080Run final : public Machine {
   // Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, behind it the
   // number of characters read and the characters.
   void edit_line(i8080::Byte key) {
-    const i8080::Address buffer = processor_->registers().de;
+    const i8080::Address buffer = processor_.registers().de;
     const auto at = [&](std::size_t n) -> i8080::Byte& {
-      return processor_->memory()[static_cast<i8080::Address>(buffer + n)];
+      return processor_.memory()[static_cast<i8080::Address>(buffer + n)];
     };
     constexpr i8080::Byte ctrl_c = 3, backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24,
                           rubout = 127;
@@ -810,7 +866,7 @@ class I8080Run final : public Machine {
         if (!line_.empty()) break;
         waiting_ = false;
         print("^C\r\n");
-        processor_->registers().pc = 0;
+        processor_.registers().pc = 0;
         return;
       case backspace:
       case rubout:
@@ -845,7 +901,6 @@ class I8080Run final : public Machine {
   void print(std::string_view text) {
     if (console_) console_(text);
     if (setup_.console) printed_ += text;
-    if (!setup_.keep_console) return;
     if (!setup_.keep_console) {
       console_before_ += text.size();
       return;
@@ -859,7 +914,7 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::optional<std::string> string_at(i8080::Address address) const {
     std::string text;
     for (std::size_t n = 0; n < image::byte_memory_size; ++n) {
-      const i8080::Byte byte = processor_->memory()[address++];
+      const i8080::Byte byte = processor_.memory()[address++];
       if (byte == '$') return text;
       text.push_back(static_cast<char>(byte));
     }
@@ -869,9 +924,9 @@ class I8080Run final : public Machine {
   // The CALL 5 whose return address is on the stack. A program may have come by a jump instead.
   [[nodiscard]] i8080::Address caller() const {
     const auto at = [this](int address) {
-      return processor_->memory()[static_cast<i8080::Address>(address)];
+      return processor_.memory()[static_cast<i8080::Address>(address)];
     };
-    const int sp = processor_->registers().sp;
+    const int sp = processor_.registers().sp;
     const int from = i8080::joined(at(sp + 1), at(sp)) - 3;
     constexpr i8080::Byte call = 0xCD;
     const bool called = at(from) == call && i8080::joined(at(from + 2), at(from + 1)) == bdos;
@@ -891,7 +946,7 @@ class I8080Run final : public Machine {
     return *picture::encode_png(
         picture::raster_image(raster, palette, 1),
         {{"Software", "sightline " SIGHTLINE_VERSION},
-         {"End of run", fmt::format("T-state {}", core::t_states_of(processor_->now()))}});
+         {"End of run", fmt::format("T-state {}", core::t_states_of(processor_.now()))}});
   }
   // The paper is as large as the drawing needs, from step (0, 0) on.
   [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
@@ -902,7 +957,7 @@ class I8080Run final : public Machine {
     }
     const std::string drawing =
         picture::pen_svg(plotter_.paths(), paper,
-                         fmt::format("8080: plotter at T-state {}", core::t_states_of(processor_->now())));
+                         fmt::format("8080: plotter at T-state {}", core::t_states_of(processor_.now())));
     return {drawing.begin(), drawing.end()};
   }
 
@@ -911,9 +966,9 @@ class I8080Run final : public Machine {
   Devices devices_;
   RunPorts ports_;
   std::optional<Recorder> recorder_;
-  std::optional<I8080Prober> prober_;
+  std::optional<Probe> probe_;
   machines::NoI8080Observer nobody_;
-  std::unique_ptr<Processor> processor_;
+  machines::I8080Machine<RunPorts> processor_;
   std::bitset<0x100> loaded_below_;
   TextTaker console_;
   std::string kept_console_;

@@ -206,6 +206,9 @@ struct Stop {
   bool at_until = false;  // by Limits::until: it could run on
 };
 
+// An event of the machine's probe.
+inline constexpr std::string_view stopped_by_probe = "event";
+
 // A file read for a run.
 struct Input {
   std::string name;  // for messages
@@ -294,6 +297,9 @@ class Machine {
     unsigned words = 1;
   };
   [[nodiscard]] virtual Instruction instruction_at(std::uint32_t) const { return {}; }
+  // Whether an instruction may call a subroutine or leave one; `word` as in Probe::Entry.
+  enum class Flow : std::uint8_t { plain, call, leave };
+  [[nodiscard]] virtual Flow flow_of(std::uint32_t) const { return Flow::plain; }
   // A line of the history: the fields of the trace.
   [[nodiscard]] virtual std::string history_line(const Probe::Entry&) const { return {}; }
   // Puts something into a device (a tape into the reader), or takes it out; a complaint if there is no such device.
@@ -302,8 +308,9 @@ class Machine {
   }
   // Flags of devices that a monitor can stop at: the names are in lower case.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, bool>> conditions() { return {}; }
-  // What the devices do, one to a line.
+  // What the devices do, one to a line; the display's registers, empty without one.
   [[nodiscard]] virtual std::vector<ReportLine> device_lines() const { return {}; }
+  [[nodiscard]] virtual std::vector<ReportLine> display_lines() const { return {}; }
 
   [[nodiscard]] virtual std::uint64_t instructions() const = 0;
   [[nodiscard]] virtual core::Instant now() const = 0;

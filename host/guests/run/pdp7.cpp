@@ -4,9 +4,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
+#include <optional>
 
 #include "host/base/text.hpp"
 #include "host/picture/phosphor.hpp"
@@ -63,93 +64,152 @@ class Tracer {
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
 };
 
-struct NoTracer : machines::NoObserver {
-  static void take(const TextTaker&) {}
-  static void finish() {}
+// The observer of a monitor that has marked instructions alone: it is asked between them.
+class Breaker {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = true;
+
+  explicit Breaker(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::Instant now) { begun_ = now; }
+  bool stop(core::Instant now, pdp7::Address next) {
+    if ((marks_[next] & Probe::executed) == 0) [[likely]]
+      return false;
+    return arrive(now, next);
+  }
+
+ private:
+  [[gnu::noinline]] bool arrive(core::Instant now, pdp7::Address next) {
+    if (now != begun_) probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
+    return now != begun_;
+  }
+
+  Probe& probe_;
+  const std::uint8_t* marks_;
+  core::Instant begun_{};
 };
 
-// The observer of a monitor.
-class Prober {
+// The observer of a monitor that has marked places. Called for every cycle: what is not marked costs one look, and what is
+// done about a marked one takes its arguments by value, or each cycle would be written to memory for it.
+class Watcher {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  explicit Watcher(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::Instant now) {
+    begun_ = boundary_ = now;
+    stops_ = !probe_.events().empty();
+  }
+  bool stop(core::Instant now, pdp7::Address next) {
+    boundary_ = now;
+    if ((marks_[next] & Probe::executed) != 0 && now != begun_) [[unlikely]]
+      add(Probe::Kind::execution, now, next, 0);
+    return stops_;
+  }
+  [[gnu::always_inline]] void cycle(const pdp7::Cycle& cycle) {
+    switch (cycle.verb) {
+      case pdp7::Verb::read:
+        if ((marks_[cycle.address] & Probe::is_read) != 0) [[unlikely]]
+          read(cycle.time, cycle.address, cycle.data);
+        return;
+      case pdp7::Verb::modify:
+      case pdp7::Verb::write:
+        if (marks_[cycle.address] > Probe::executed) [[unlikely]]
+          written(cycle.time, cycle.address, cycle.data, cycle.verb == pdp7::Verb::modify);
+        return;
+      case pdp7::Verb::iot: {
+        const std::uint32_t device = (cycle.address >> 6) & 077U;
+        if ((probe_.port_marks()[device] & Probe::executed) != 0)
+          add(Probe::Kind::port_write, cycle.time, device, cycle.address | 0700000U);
+        return;
+      }
+      // A cycle stolen at the boundary: the fetch comes after it.
+      case pdp7::Verb::break_read: boundary_ = cycle.time + cycle.length; return;
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify:
+        boundary_ = cycle.time + cycle.length;
+        if ((marks_[cycle.address] & Probe::is_written) != 0)
+          add(Probe::Kind::break_write, cycle.time, cycle.address, cycle.data.value());
+        return;
+      case pdp7::Verb::idle: return;
+    }
+  }
+
+ private:
+  [[gnu::noinline]] void read(core::Instant time, pdp7::Address address, core::Word18 word) {
+    const bool fetch = time == boundary_;
+    if (!fetch) add(Probe::Kind::read, time, address, word.value());
+  }
+  // Only the program interrupt writes before an instruction was fetched.
+  [[gnu::noinline]] void written(core::Instant time, pdp7::Address address, core::Word18 word, bool counts) {
+    const std::uint8_t marks = marks_[address];
+    const bool interrupt = time == boundary_;
+    if (interrupt && (marks & Probe::at_interrupt) != 0)
+      add(Probe::Kind::interrupt, time, word.value() & pdp7::address_mask, 0);
+    if (counts && (marks & Probe::is_read) != 0)
+      add(Probe::Kind::read, time, address, (word - core::Word18(1)).value());
+    if ((marks & Probe::is_written) != 0)
+      add(interrupt ? Probe::Kind::interrupt_write : Probe::Kind::write, time, address, word.value());
+  }
+  [[gnu::noinline]] void add(Probe::Kind kind, core::Instant time, std::uint32_t address, std::uint32_t value) {
+    probe_.add({kind, core::nanoseconds_of(time), address, value});
+    stops_ = true;
+  }
+
+  Probe& probe_;
+  const std::uint8_t* marks_;
+  core::Instant begun_{};
+  core::Instant boundary_{};
+  bool stops_ = false;
+};
+
+// The same, and tells each instruction.
+class Listener {
  public:
   static constexpr bool instructions = true;
   static constexpr bool cycles = true;
   static constexpr bool stops = true;
 
-  static void take(const TextTaker&) {}
-  static void finish() {}
+  explicit Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
 
-  void instruction(const machines::InstructionRecord& record) {
+  void begin(core::Instant now) { watcher_.begin(now); }
+  bool stop(core::Instant now, pdp7::Address next) {
+    fetched_ = false;
+    return watcher_.stop(now, next);
+  }
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
     entry_.time = core::nanoseconds_of(record.time);
     entry_.pc = record.pc;
     entry_.word = record.word.value();
     entry_.accumulator = record.after.ac.value();
     entry_.link = record.after.link ? 1 : 0;
-    probe.remember(entry_);
+    probe_.on_instruction(entry_);
     entry_.has_address = false;
-    fetched_ = false;
-    arrive(record.after.pc);
   }
-  void cycle(const pdp7::Cycle& cycle) {
-    switch (cycle.verb) {
-      case pdp7::Verb::read:
-        if (!fetched_) {
-          fetched_ = true;
-          return;
-        }
-        use(cycle);
-        probe.access(Probe::Kind::read, Probe::is_read, cycle.address, cycle.data.value());
-        return;
-      case pdp7::Verb::modify:
-        use(cycle);
-        probe.access(Probe::Kind::read, Probe::is_read, cycle.address, (cycle.data - core::Word18(1)).value());
-        write(cycle, false);
-        return;
-      case pdp7::Verb::write:
-        // Only the program interrupt writes before an instruction was fetched.
-        if (!fetched_) {
-          probe.interrupt(here_);
-          write(cycle, false);
-          arrive(1);
-          return;
-        }
-        use(cycle);
-        write(cycle, false);
-        return;
-      case pdp7::Verb::iot: {
-        const std::uint32_t device = (cycle.address >> 6) & 077U;
-        probe.port(Probe::Kind::port_write, Probe::executed, device, cycle.address | 0700000U);
-        return;
-      }
-      case pdp7::Verb::break_write:
-      case pdp7::Verb::break_modify: write(cycle, true); return;
-      case pdp7::Verb::break_read:
-      case pdp7::Verb::idle: return;
+  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
+    watcher_.cycle(cycle);
+    const bool processors = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify ||
+                            cycle.verb == pdp7::Verb::write;
+    if (!processors) return;
+    if (fetched_) {
+      entry_.has_address = true;
+      entry_.address = cycle.address;
+      entry_.value = cycle.data.value();
     }
+    fetched_ = true;
   }
-  [[nodiscard]] bool stop() const { return probe.stops(); }
-
-  // The next instruction is the one at `pc`, wherever the last one led.
-  void begin(pdp7::Address pc) { here_ = pc; }
-
-  Probe probe{std::size_t{pdp7::address_mask} + 1, 0100};
 
  private:
-  void arrive(pdp7::Address pc) {
-    here_ = pc;
-    probe.access(Probe::Kind::execution, Probe::executed, pc, 0);
-  }
-  void use(const pdp7::Cycle& cycle) {
-    entry_.has_address = true;
-    entry_.address = cycle.address;
-    entry_.value = cycle.data.value();
-  }
-  void write(const pdp7::Cycle& cycle, bool device) {
-    probe.written(cycle.address, {core::nanoseconds_of(cycle.time), here_, cycle.data.value(), device});
-    probe.access(Probe::Kind::write, Probe::is_written, cycle.address, cycle.data.value());
-  }
-
+  Probe& probe_;
+  Watcher watcher_;
   Probe::Entry entry_;
-  pdp7::Address here_ = 0;
   bool fetched_ = false;
 };
 
@@ -198,21 +258,22 @@ Bytes bytes_of(std::string_view text) {
   return {text.begin(), text.end()};
 }
 
-template <class Sink, class Observer>
+// Only a run with a screen has an observer: a screen without outputs costs a monitor or a trace almost nothing.
+template <class Sink>
 class Pdp7Machine final : public Machine {
-  static constexpr bool monitored = std::is_same_v<Observer, Prober>;
-
  public:
   explicit Pdp7Machine(Pdp7Setup setup)
       : setup_(std::move(setup)),
         sink_(setup_.screen.value_or(Screen::Wishes{})),
-        machine_(setup_.machine, sink_, observer_),
+        machine_(setup_.machine, sink_, nobody_),
         switches_(setup_.switches) {
     if (!setup_.reader_tape.empty()) machine_.devices().reader.load(setup_.reader_tape);
     for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
     if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
+    if (setup_.trace) tracer_.emplace();
+    if (setup_.monitored) probe_.emplace(std::size_t{pdp7::address_mask} + 1, std::size_t{0100});
   }
 
   [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
@@ -254,7 +315,7 @@ class Pdp7Machine final : public Machine {
 
   void take(std::string_view option, TextTaker taker) override {
     if (option == "--trace") {
-      observer_.take(std::move(taker));
+      if (tracer_) tracer_->take(std::move(taker));
     } else {
       sink_.take_log(std::move(taker));
     }
@@ -265,14 +326,11 @@ class Pdp7Machine final : public Machine {
     const std::uint64_t done = machine_.counts().instructions;
     const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
-    if constexpr (monitored) observer_.begin(machine_.registers().pc);
     const auto reason =
-        machine_.run({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
+        run_observed({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
-    if constexpr (monitored) {
-      if (observer_.probe.stops() && reason != machines::StopReason::halt) return Stop{"event", {}};
-    }
+    if (probe_ && !probe_->events().empty() && reason != machines::StopReason::halt) return Stop{stopped_by_probe, {}};
     const bool slice_done = reason == machines::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
     const bool pen_due = reason == machines::StopReason::time_limit && machine_.now() < limit;
@@ -280,16 +338,21 @@ class Pdp7Machine final : public Machine {
     return stop_of(reason, machine_.registers().pc);
   }
   void finish() override {
-    observer_.finish();
+    if (tracer_) tracer_->finish();
     sink_.finish();
   }
 
   [[nodiscard]] Probe* probe() override {
-    if constexpr (monitored) return &observer_.probe;
-    return nullptr;
+    return probe_ ? &*probe_ : nullptr;
   }
   [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
     return {disassembler::disassemble_word(machine_.peek(address), address), 1};
+  }
+  [[nodiscard]] Flow flow_of(std::uint32_t word) const override {
+    const pdp7::Operation operation = pdp7::instruction_of(word).operation;
+    if (operation == pdp7::Operation::jms || operation == pdp7::Operation::cal) return Flow::call;
+    const bool indirect = (word & pdp7::indirect_bit) != 0;
+    return operation == pdp7::Operation::jmp && indirect ? Flow::leave : Flow::plain;
   }
   [[nodiscard]] std::string history_line(const Probe::Entry& entry) const override {
     std::string used = entry.has_address ? fmt::format("{:05o}={:06o}", entry.address, entry.value) : std::string();
@@ -331,9 +394,35 @@ class Pdp7Machine final : public Machine {
                                 devices.printer.printed().size())}};
     return lines;
   }
+  [[nodiscard]] std::vector<ReportLine> display_lines() const override {
+    const auto* display = machine_.display();
+    if (display == nullptr) return {};
+    constexpr std::array modes{"parameter", "point", "slave", "character", "vector", "vector continue", "increment", "subroutine"};
+    const type340::Registers& r = display->registers();
+    std::string flags;
+    const auto flag = [&flags](bool up, std::string_view name) {
+      if (up) flags += fmt::format("{}{}", flags.empty() ? "" : ", ", name);
+    };
+    flag(r.request, "request for data");
+    flag(r.stop, "stopped by its file");
+    flag(r.vertical_edge, "vertical edge");
+    flag(r.horizontal_edge, "horizontal edge");
+    flag(r.pen_flag, "light pen");
+    return {{"address", fmt::format("{:05o}, the word {:06o}", r.address, r.br.value())},
+            {"mode", modes[static_cast<std::size_t>(r.mode)]},
+            {"beam", fmt::format("x {}, y {} of 1023 (decimal)", r.x, r.y)},
+            {"scale", fmt::format("{}, a step is {} points", r.scale, r.step())},
+            {"intensity", fmt::format("{} of 7", r.intensity)},
+            {"light pen", r.pen_enable ? "enabled" : "off"},
+            {"flags", flags.empty() ? "none" : flags},
+            {"words", fmt::format("{}", display->counters().words)},
+            {"passes", fmt::format("{} complete of {} started", display->counters().passes_stopped,
+                                   display->counters().passes_started)}};
+  }
 
   void type(std::uint8_t code) override {
     machine_.devices().keyboard.send(machine_.now(), code);
+    if (probe_) probe_->keys.push_back({ticks(), code});
     quiet_since_ = machine_.now() + setup_.machine.configuration.timing.teletype_character;
   }
   // A program that takes keys by interrupt alone asks for none: it gets the next when all is quiet for longer.
@@ -458,6 +547,25 @@ class Pdp7Machine final : public Machine {
   }
 
  private:
+  machines::StopReason run_observed(const machines::Limits& limits) {
+    if constexpr (Sink::consumes) {
+      if (tracer_) return machine_.run(limits, *tracer_);
+      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Listener(*probe_));
+      if (probe_ && probe_->watches_arrival()) return run_watched(limits, Breaker(*probe_));
+      if (probe_ && probe_->watches_places()) return run_watched(limits, Watcher(*probe_));
+    }
+    return machine_.run(limits);
+  }
+  template <class Observer>
+  machines::StopReason run_watched(const machines::Limits& limits, Observer observer) {
+    observer.begin(machine_.now());
+    const auto reason = machine_.run(limits, observer);
+    // The last boundary of a run by number is not asked for.
+    if (reason == machines::StopReason::instruction_limit)
+      static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
+    return reason;
+  }
+
   void listen_to_printer() {
     const pdp7::Printer& printer = machine_.devices().printer;
     if (printer.deadline() != core::never || printer.printed().size() != heard_of_printed_)
@@ -507,8 +615,10 @@ class Pdp7Machine final : public Machine {
 
   Pdp7Setup setup_;
   Sink sink_;
-  Observer observer_;
-  machines::Pdp7<Sink, Observer> machine_;
+  machines::NoObserver nobody_;
+  std::optional<Tracer> tracer_;
+  std::optional<Probe> probe_;
+  machines::Pdp7<Sink> machine_;
   core::Word18 switches_;  // their current setting
   std::vector<PenMove> pen_script_;
   std::size_t next_move_ = 0;  // of pen_script_
@@ -522,11 +632,8 @@ class Pdp7Machine final : public Machine {
 }  // namespace
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  // A screen without outputs costs a monitor or a trace almost nothing.
-  if (setup.monitored) return std::make_unique<Pdp7Machine<Screen, Prober>>(std::move(setup));
-  if (setup.trace) return std::make_unique<Pdp7Machine<Screen, Tracer>>(std::move(setup));
-  if (setup.screen) return std::make_unique<Pdp7Machine<Screen, NoTracer>>(std::move(setup));
-  return std::make_unique<Pdp7Machine<NoScreen, NoTracer>>(std::move(setup));
+  if (setup.monitored || setup.trace || setup.screen) return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
+  return std::make_unique<Pdp7Machine<NoScreen>>(std::move(setup));
 }
 
 }  // namespace sightline::guests::run

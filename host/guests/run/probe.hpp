@@ -1,8 +1,9 @@
-// What a monitor wants to know of a run: where it is to stop, what the last instructions were, who wrote a word.
+// What a monitor wants to know of a run: where it is to stop, and which instructions it obeys.
 //
-// The observer of a machine made with `--monitor` fills it; a run without one has none and pays nothing. An event ends the
-// run at the boundary that follows it. The caller of Machine::run calls resume() first: a run from a place with a breakpoint
-// passes over it once.
+// A machine made with `--monitor` has one and looks at it when a run begins: without marks and listener the run has no
+// observer, with marks each access is compared with them, with a listener each instruction is told. An event ends the run at
+// the boundary that follows it. The caller of Machine::run calls resume() first: a run from a place with a breakpoint passes
+// over it once.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +16,17 @@ namespace sightline::guests::run {
 
 class Probe {
  public:
-  // Of an address or a port.
+  // Marks of an address or a port.
   static constexpr std::uint8_t executed = 1;  // of a port of the PDP-7: an IOT to it
   static constexpr std::uint8_t is_read = 2;
   static constexpr std::uint8_t is_written = 4;
+  static constexpr std::uint8_t at_interrupt = 8;  // set by mark_interrupts() alone
 
-  enum class Kind : std::uint8_t { execution, read, write, port_read, port_write, interrupt };
+  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt };
   struct Event {
     Kind kind;
-    std::uint32_t address;  // of memory, or a port
+    std::int64_t time;      // in the machine's unit
+    std::uint32_t address;  // of memory, or a port; of an interrupt the instruction it came before
     std::uint32_t value;    // read or written; of an IOT of the PDP-7 the instruction
     friend bool operator==(const Event&, const Event&) = default;
   };
@@ -40,75 +43,61 @@ class Probe {
     bool has_address = false;
     bool supplied = false;  // by a device
   };
-  static constexpr std::size_t history_length = 4096;
 
-  struct Writer {
-    std::int64_t time = -1;  // of the instruction; -1: nothing has written there
-    std::uint32_t pc = 0;
-    std::uint32_t value = 0;
-    bool device = false;  // by data break
+  // What was typed on the console: the boundary it came at, in the machine's unit, and its code.
+  struct Key {
+    std::int64_t time;
+    std::uint8_t code;
   };
 
-  Probe(std::size_t addresses, std::size_t ports)
-      : at_address(addresses), at_port(ports), writers(addresses), ring_(history_length) {}
+  Probe(std::size_t addresses, std::size_t ports) : addresses_(addresses), ports_(ports) {}
+  // One of the same size that knows nothing.
+  [[nodiscard]] Probe empty() const { return {addresses_.size(), ports_.size()}; }
 
-  std::vector<std::uint8_t> at_address;  // which accesses end the run
-  std::vector<std::uint8_t> at_port;
-  bool at_interrupt = false;
-  std::vector<Event> events;  // since resume(), in order
-  std::vector<Writer> writers;
+  void mark(std::uint32_t address, std::uint8_t marks) {
+    addresses_.at(address) |= marks;
+    marked_ |= marks;
+  }
+  void mark_port(std::uint32_t port, std::uint8_t marks) {
+    ports_.at(port) |= marks;
+    marked_ |= at_port;
+  }
+  void mark_interrupts() { mark(0, at_interrupt); }
+  void clear_marks() {
+    std::fill(addresses_.begin(), addresses_.end(), std::uint8_t{0});
+    std::fill(ports_.begin(), ports_.end(), std::uint8_t{0});
+    marked_ = 0;
+  }
+  [[nodiscard]] std::size_t ports() const { return ports_.size(); }
+
   std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
 
-  void resume() { events.clear(); }
-  [[nodiscard]] bool stops() const { return !events.empty(); }
+  std::vector<Key> keys;  // all, in order
 
-  // For the observer.
-  void access(Kind kind, std::uint8_t bit, std::uint32_t address, std::uint32_t value) {
-    if (address < at_address.size() && (at_address[address] & bit) != 0) [[unlikely]]
-      add({kind, address, value});
-  }
-  void port(Kind kind, std::uint8_t bit, std::uint32_t number, std::uint32_t value) {
-    if ((at_port[number] & bit) != 0) [[unlikely]]
-      add({kind, number, value});
-  }
-  void interrupt(std::uint32_t address) {
-    if (at_interrupt) add({Kind::interrupt, address, 0});
-  }
-  void written(std::uint32_t address, const Writer& writer) {
-    if (address < writers.size()) writers[address] = writer;
-  }
-  void remember(const Entry& entry) {
-    ring_[obeyed_++ % history_length] = entry;
-    latest_ = std::max(latest_, obeyed_);
-    if (on_instruction) [[unlikely]]
-      on_instruction(entry);
-  }
+  // Since resume(), in order.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  void resume() { events_.clear(); }
 
-  // The last `n` instructions, the oldest first.
-  [[nodiscard]] std::vector<Entry> last(std::size_t n) const {
-    // After a step back the newer ones have taken the places of the oldest.
-    const std::uint64_t oldest = latest_ - std::min<std::uint64_t>(latest_, history_length);
-    const std::uint64_t there = obeyed_ - std::min(obeyed_, oldest);
-    const std::uint64_t wanted = std::min<std::uint64_t>(n, there);
-    std::vector<Entry> entries;
-    for (std::uint64_t i = obeyed_ - wanted; i < obeyed_; ++i) entries.push_back(ring_[i % history_length]);
-    return entries;
-  }
-
-  // How many have been remembered; a monitor that has gone back says so.
-  [[nodiscard]] std::uint64_t remembered() const { return obeyed_; }
-  void go_back_to(std::uint64_t remembered) { obeyed_ = remembered; }
-
- private:
-  // A block that is watched can be touched without end in one instruction; the first accesses tell enough.
+  // For the machine: what a run is to be watched for.
+  [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
+  [[nodiscard]] bool watches_arrival() const { return marked_ == executed; }  // and nothing else
+  [[nodiscard]] bool watches_places() const { return marked_ != 0; }
+  // As many as the machine has, for its observer.
+  [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
+  [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
+  // A watched place can be touched without end in one instruction; the first accesses tell enough.
   void add(const Event& event) {
     constexpr std::size_t most = 64;
-    if (events.size() < most) events.push_back(event);
+    if (events_.size() < most) events_.push_back(event);
   }
 
-  std::vector<Entry> ring_;
-  std::uint64_t obeyed_ = 0;
-  std::uint64_t latest_ = 0;  // the largest it has been
+ private:
+  static constexpr std::uint8_t at_port = 16;
+
+  std::vector<std::uint8_t> addresses_;
+  std::vector<std::uint8_t> ports_;
+  std::vector<Event> events_;
+  std::uint8_t marked_ = 0;  // all marks of all places
 };
 
 }  // namespace sightline::guests::run

@@ -10,13 +10,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/base/text.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
@@ -29,12 +29,6 @@ namespace {
 
 using compare::CrossCheckCell;
 using compare::CrossCheckState;
-
-std::string lower_case(std::string_view text) {
-  std::string lower;
-  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 Value verdict_of(const CrossCheckCell& cell) {
   switch (cell.state) {
@@ -57,7 +51,7 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.add({{"id", fmt::format("{}-{}", lower_case(scene.name), ++number)},
+    pictures.add({{"id", fmt::format("{}-{}", base::lower_case(scene.name), ++number)},
                   {"scene", scene.name},
                   {"title", scene.title},
                   {"method", fmt::format("{}{}", who, what)},
@@ -82,7 +76,7 @@ void add_cross_check(Records& records, const compare::CommonScene& scene,
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
     records["cells"].add({{"scene", scene.name},
-                          {"column", lower_case(scene.name)},
+                          {"column", base::lower_case(scene.name)},
                           {"pair", pair},
                           {"verdict", verdict_of(cell)}});
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;

@@ -29,7 +29,7 @@ struct RecordingObserver {
     events.push_back(c);
     if (c.verb == pdp7::Verb::write && c.address == stop_on_write) asked = true;
   }
-  bool stop() { return std::exchange(asked, false); }
+  bool stop(core::Instant, pdp7::Address) { return std::exchange(asked, false); }
 
   std::vector<Step> steps;
   std::vector<pdp7::Cycle> events;

@@ -121,7 +121,7 @@ class Session {
 
  private:
   live::MonitorHost host() {
-    return {[this](run::Machine& machine, const run::Limits& limits,
+    return {{[this](run::Machine& machine, const run::Limits& limits,
                    const std::function<void(std::string_view)>& heard) {
               std::optional<run::Stop> stop;
               run::Limits some = limits;
@@ -136,8 +136,7 @@ class Session {
               }
               return *stop;
             },
-            [] { return false; }, [this] { return most_slices == 0; },
-            [this](std::string_view text) { printed += text; },
+             [this] { return most_slices == 0; }, [this](std::string_view text) { printed += text; }},
             [this](const std::string& path) -> run::Result<run::Input> {
               const auto found = files.find(path);
               if (found == files.end()) return run::bad_input(path + ": no such file");

@@ -46,7 +46,7 @@ class PieceWatch {
       stop_ = true;
     }
   }
-  bool stop() { return std::exchange(stop_, false); }
+  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
   [[nodiscard]] GuestPieces result() && { return std::move(pieces_); }
 
  private:

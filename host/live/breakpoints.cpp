@@ -1,0 +1,85 @@
+// See breakpoints.hpp.
+#include "host/live/breakpoints.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sightline::live {
+
+using guests::run::Probe;
+
+int Breakpoints::add(Breakpoint breakpoint) {
+  breakpoint.number = ++last_number_;
+  all_.push_back(std::move(breakpoint));
+  return last_number_;
+}
+
+bool Breakpoints::remove(int number) {
+  return std::erase_if(all_, [number](const Breakpoint& each) { return each.number == number; }) != 0;
+}
+
+bool Breakpoints::has_conditions() const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const Breakpoint& each) { return each.kind == Breakpoint::Kind::condition; });
+}
+
+void Breakpoints::mark(Probe& probe) const {
+  probe.clear_marks();
+  for (const Breakpoint& each : all_) {
+    switch (each.kind) {
+      case Breakpoint::Kind::execution:
+      case Breakpoint::Kind::memory:
+        for (std::uint32_t at = each.first; at <= each.last; ++at) probe.mark(at, each.access);
+        break;
+      case Breakpoint::Kind::port: probe.mark_port(each.first, each.access); break;
+      case Breakpoint::Kind::interrupt: probe.mark_interrupts(); break;
+      case Breakpoint::Kind::condition: break;
+    }
+  }
+}
+
+bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
+  if (breakpoint.kind != Breakpoint::Kind::condition && !breakpoint.condition.empty() && !holds(breakpoint.condition))
+    return false;
+  return ++breakpoint.passed % breakpoint.count == 0;
+}
+
+std::optional<Breakpoints::Hit> Breakpoints::meet(const std::vector<Probe::Event>& events, const Condition& holds) {
+  std::optional<Hit> hit;
+  for (const Probe::Event& event : events) {
+    const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
+      switch (event.kind) {
+        case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
+        case Probe::Kind::read: return {Breakpoint::Kind::memory, Probe::is_read};
+        case Probe::Kind::write:
+        case Probe::Kind::break_write:
+        case Probe::Kind::interrupt_write: return {Breakpoint::Kind::memory, Probe::is_written};
+        case Probe::Kind::port_read: return {Breakpoint::Kind::port, Probe::is_read};
+        case Probe::Kind::port_write: return {Breakpoint::Kind::port, Probe::is_written | Probe::executed};
+        case Probe::Kind::interrupt: break;
+      }
+      return {Breakpoint::Kind::interrupt, Probe::executed};
+    }();
+    for (Breakpoint& each : all_) {
+      if (each.kind != kind || (each.access & access) == 0) continue;
+      if (kind != Breakpoint::Kind::interrupt && (event.address < each.first || event.address > each.last)) continue;
+      if (each.value && *each.value != event.value) continue;
+      if (counts(each, holds) && !hit) hit = {each, event};
+    }
+  }
+  return hit;
+}
+
+std::optional<Breakpoints::Hit> Breakpoints::condition_met(const Condition& holds) {
+  std::optional<Hit> hit;
+  for (Breakpoint& each : all_) {
+    if (each.kind != Breakpoint::Kind::condition) continue;
+    const bool is_true = holds(each.condition);
+    const bool became = is_true && !each.was_true;
+    each.was_true = is_true;
+    if (became && counts(each, holds) && !hit) hit = {each, std::nullopt};
+  }
+  return hit;
+}
+
+}  // namespace sightline::live

@@ -1,0 +1,388 @@
+// See debugger.hpp.
+#include "host/live/debugger.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "host/base/text.hpp"
+#include "host/live/console.hpp"
+#include "host/live/snapshot.hpp"
+
+namespace sightline::live {
+
+using base::Done;
+using guests::run::Limits;
+using guests::run::Machine;
+using guests::run::Probe;
+using guests::run::Stop;
+
+Debugger::Debugger(const guests::run::MachineDescription& description, Machine& machine, const Limits& limits,
+                   Symbols symbols, RunHost host)
+    : description_(description),
+      machine_(machine),
+      limits_(limits),
+      symbols_(std::move(symbols)),
+      host_(std::move(host)),
+      past_(description.name, machine),
+      names_{description.radix, [this](std::string_view name) { return value_of(name); },
+             [this](std::int64_t at) -> std::optional<std::int64_t> {
+               if (at < 0 || at >= machine_.words()) return std::nullopt;
+               return machine_.word(static_cast<std::uint32_t>(at));
+             }},
+      holds_([this](const std::string& condition) {
+        const auto value = live::evaluate(condition, names_);
+        return !value || *value != 0;
+      }) {
+  for (std::size_t n = 0; n < description.registers.size(); ++n)
+    if (description.registers[n].name == "PC") pc_ = n;
+}
+
+// --- Texts ---
+
+void Debugger::set_radix(int radix) {
+  names_.radix = radix;
+}
+
+std::string Debugger::number_text(std::uint32_t value, unsigned bits) const {
+  switch (radix()) {
+    case 8: return fmt::format("{:0{}o}", value, (bits + 2) / 3);
+    case 16: return fmt::format("{:0{}X}", value, (bits + 3) / 4);
+    default: return fmt::format("{}", value);
+  }
+}
+
+std::string Debugger::address(std::uint32_t value) const {
+  return number_text(value, description_.address_bits);
+}
+
+std::string Debugger::word(std::uint32_t value) const {
+  return number_text(value, description_.word_bits);
+}
+
+std::string Debugger::register_text(std::size_t number) const {
+  const auto& each = description_.registers[number];
+  return fmt::format("{} {}", each.name, number_text(machine_.get(number), each.bits));
+}
+
+std::string Debugger::instruction_text(std::uint32_t at) const {
+  std::string text = symbols_.near(at);
+  if (!text.empty()) text += ": ";
+  text += machine_.instruction_at(at).text;
+  const std::string_view source = symbols_.source(at);
+  return source.empty() ? text : fmt::format("{}  ; {}", text, source);
+}
+
+std::string Debugger::time_text(std::int64_t ticks) const {
+  const std::int64_t second = machine_.ticks_a_second();
+  const auto nanoseconds =
+      static_cast<std::int64_t>(static_cast<double>(ticks % second) * (1e9 / static_cast<double>(second)));
+  return fmt::format("{}.{:09} s", ticks / second, nanoseconds);
+}
+
+std::string Debugger::status() const {
+  std::string text = fmt::format("{} {}", address(pc()), instruction_text(pc()));
+  for (std::size_t n = 0; n < description_.registers.size(); ++n) {
+    if (n != pc_ && description_.registers[n].in_dump) text += fmt::format("  {}", register_text(n));
+  }
+  return fmt::format("{}  {}\n", text, time_text(machine_.ticks()));
+}
+
+// --- Values ---
+
+std::optional<std::size_t> Debugger::register_named(std::string_view name) const {
+  for (std::size_t n = 0; n < description_.registers.size(); ++n)
+    if (base::lower_case(description_.registers[n].name) == base::lower_case(name)) return n;
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
+  if (const auto n = register_named(name)) return machine_.get(*n);
+  const std::string lowered = base::lower_case(name);
+  if (lowered == "time") return machine_.ticks();
+  if (lowered == "instructions") return static_cast<std::int64_t>(machine_.instructions());
+  for (const auto& [condition, holds] : machine_.conditions())
+    if (condition == lowered) return holds ? 1 : 0;
+  if (lowered.size() == 2 && description_.radix == 16) {
+    const auto high = register_named(lowered.substr(0, 1));
+    const auto low = register_named(lowered.substr(1));
+    if (high && low) return machine_.get(*high) << 8 | machine_.get(*low);
+  }
+  if (const auto value = symbols_.value(name)) return *value;
+  return std::nullopt;
+}
+
+base::Result<std::int64_t> Debugger::evaluate(std::string_view expression) const {
+  return live::evaluate(expression, names_);
+}
+
+base::Result<std::uint32_t> Debugger::address_of(std::string_view expression) const {
+  const auto value = evaluate(expression);
+  if (!value) return value.error();
+  if (*value < 0 || *value >= machine_.words()) {
+    return base::fail(fmt::format("found address {}, expected one in {}, {}-{}", expression, description_.memory_name,
+                                  address(0), address(machine_.words() - 1)));
+  }
+  return static_cast<std::uint32_t>(*value);
+}
+
+// --- Changes ---
+
+void Debugger::put(std::uint32_t at, std::uint32_t word) {
+  machine_.put(at, word);
+  past_.changed();
+}
+
+void Debugger::set(std::size_t register_number, std::uint32_t value) {
+  machine_.set(register_number, value);
+  past_.changed();
+}
+
+void Debugger::start(std::uint32_t at) {
+  machine_.start(at);
+  past_.changed();
+}
+
+base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view text) {
+  std::string source;
+  if (description_.radix == 8) {
+    for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}={:o}\n", name, value);
+    source += fmt::format("{:o}/\n\t{}\n", at, text);
+  } else {
+    for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}\tEQU 0{:X}H\n", name, value);
+    source += fmt::format("\tORG 0{:X}H\n\t{}\n", at, text);
+  }
+  const std::array sources{assembler::SourceFile{"deposit", source}};
+  const guests::run::Arguments none(description_.assembler.options);
+  const auto assembled = description_.assembler.assemble(sources, none, {});
+  if (!assembled) return base::fail(assembled.error().message);
+  for (const auto& diagnostic : assembled->diagnostics) {
+    if (diagnostic.severity == assembler::Severity::error)
+      return base::fail(fmt::format("found {}, expected {}", diagnostic.found, diagnostic.expected));
+  }
+  for (const auto& [where, value] : assembled->program.words) {
+    if (where < machine_.words()) put(where, value);
+  }
+  return Done{};
+}
+
+// --- Running ---
+
+// Without a console that says otherwise the keys of the PDP-7 have channel 8, as those of the KSR 33.
+void Debugger::type_next() {
+  if (keys_.empty() || !machine_.wants_key()) return;
+  machine_.type(code_of_key(description_.radix == 8 ? KeyCodes::parity : KeyCodes::ascii, keys_.front()));
+  keys_.erase(0, 1);
+}
+
+void Debugger::show_printed() {
+  const std::string text = shown_text(machine_.take_printed());
+  if (text.empty()) return;
+  printed_ += text;
+  host_.print(text);
+}
+
+Debugger::Reason Debugger::reason_of(const Breakpoints::Hit& hit) const {
+  const int number = hit.breakpoint.number;
+  if (!hit.event) return {number, fmt::format("breakpoint {}: {}", number, hit.breakpoint.condition)};
+  const Probe::Event& event = *hit.event;
+  std::string text = fmt::format("breakpoint {}", number);
+  switch (hit.breakpoint.kind) {
+    case Breakpoint::Kind::memory:
+      text += fmt::format(": {} {} {} {}", address(event.address), symbols_.near(event.address),
+                          event.kind == Probe::Kind::read ? "read, it is" : "written with", word(event.value));
+      break;
+    case Breakpoint::Kind::port:
+      text += description_.radix == 8
+                  ? fmt::format(": IOT {:06o}", event.value)
+                  : fmt::format(": port {:02X} {} {:02X}", event.address,
+                                event.kind == Probe::Kind::port_read ? "read as" : "written with", event.value);
+      break;
+    case Breakpoint::Kind::interrupt: text += fmt::format(": interrupt before {}", address(event.address)); break;
+    case Breakpoint::Kind::execution:
+    case Breakpoint::Kind::condition: break;
+  }
+  return {number, text};
+}
+
+// Looks at conditions after each instruction.
+Stop Debugger::run_by_instructions(const Limits& limits, const std::string& condition, std::optional<Reason>& reason) {
+  constexpr std::uint64_t between_questions = 4096;
+  Probe& probe = *machine_.probe();
+  for (std::uint64_t n = 1;; ++n) {
+    Limits one = limits;
+    one.instructions = std::min(limits.instructions, machine_.instructions() + 1);
+    std::optional<Stop> stop;
+    while (!stop && !machine_.waits_for_key()) stop = machine_.run(one, false);
+    const bool one_done = stop && stop->name == "instruction_limit" && machine_.instructions() < limits.instructions;
+    if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
+    probe.resume();
+    if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
+    if (!reason && !condition.empty() && holds_(condition)) reason = Reason{0, condition};
+    if (reason) return {guests::run::stopped_by_probe, {}};
+    if (stop && !one_done && stop->name != guests::run::stopped_by_probe) return *stop;
+    if (machine_.waits_for_key()) return {end_of_input, {}};
+    if (n % between_questions == 0) {
+      show_printed();
+      if (host_.interrupted()) return {guests::run::interrupted, {}};
+    }
+  }
+}
+
+Halted Debugger::run(const Goal& goal) {
+  Limits limits = limits_;
+  const std::uint64_t begun = machine_.instructions();
+  if (goal.instructions < limits.instructions - std::min(begun, limits.instructions))
+    limits.instructions = begun + goal.instructions;
+  limits.until = std::min(limits.until, goal.until);
+  const bool by_instructions = !goal.condition.empty() || breakpoints_.has_conditions();
+  Probe& probe = *machine_.probe();
+  breakpoints_.mark(probe);
+  probe.resume();
+  std::optional<Reason> reason;
+  Stop stop{guests::run::stopped_by_probe, {}};
+  while (!reason && stop.name == guests::run::stopped_by_probe) {
+    type_next();
+    past_.remember();
+    Limits part = limits;
+    part.instructions = std::min(limits.instructions, machine_.instructions() + Past::instructions_apart);
+    constexpr std::int64_t looks_for_keys_a_second = 50;
+    if (!keys_.empty())
+      part.until = std::min(limits.until, machine_.ticks() + machine_.ticks_a_second() / looks_for_keys_a_second);
+    stop = by_instructions ? run_by_instructions(part, goal.condition, reason)
+                           : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
+    const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||
+                           (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
+    const bool key_due = stop.name == end_of_input && !keys_.empty();
+    if (part_done || key_due) stop = {guests::run::stopped_by_probe, {}};
+    if (stop.name == guests::run::stopped_by_probe && host_.interrupted()) stop = {guests::run::interrupted, {}};
+    if (!by_instructions) {
+      if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
+      probe.resume();
+    }
+  }
+  show_printed();
+  if (reason) {
+    const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;
+    return {why, reason->breakpoint, reason->text, stop};
+  }
+  const bool goal_reached = (stop.name == "instruction_limit" && machine_.instructions() < limits_.instructions) ||
+                            (stop.at_until && machine_.ticks() < limits_.until);
+  if (goal_reached) return {Halted::Why::goal, 0, {}, stop};
+  // What the operator did to go on is not to be found in the past.
+  past_.changed();
+  last_stop_ = stop;
+  std::string name(stop.name);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  std::string text = "stopped by " + name;
+  if (!stop.complaint.empty()) text += "\n" + stop.complaint;
+  return {Halted::Why::machine, 0, text, stop};
+}
+
+std::uint32_t Debugger::behind(std::uint32_t at, std::uint32_t words) const {
+  return (at + words) % machine_.words();
+}
+
+// A subroutine of the PDP-7 may return behind arguments that follow its call. One of the 8080 has come back when its stack
+// has: it may have called itself.
+Halted Debugger::run_to_return(const Frame& frame) {
+  constexpr std::uint32_t most_arguments = 8;
+  Breakpoint there;
+  there.first = there.last = frame.behind;
+  if (description_.radix == 8) {
+    there.last = std::min(frame.behind + most_arguments, machine_.words() - 1);
+    if (frame.entry > frame.behind) there.last = std::min(there.last, frame.entry - 1);
+    there.last = std::max(there.last, there.first);
+  } else if (const auto sp = value_of("sp")) {
+    there.condition = fmt::format("((sp-0x{0:X})&0xFFFF)>0 && ((sp-0x{0:X})&0xFFFF)<0x8000", *sp);
+  }
+  const int number = breakpoints_.add(there);
+  Halted halted = run({});
+  static_cast<void>(breakpoints_.remove(number));
+  if (halted.breakpoint == number) halted = {Halted::Why::goal, 0, {}, halted.stop};
+  return halted;
+}
+
+Halted Debugger::step_over() {
+  const auto instruction = machine_.instruction_at(pc());
+  std::uint32_t word = 0;
+  for (std::uint32_t n = instruction.words; n-- > 0;)
+    word = word << description_.word_bits | machine_.word(behind(pc(), n));
+  if (machine_.flow_of(word) != Machine::Flow::call) return run({.instructions = 1});
+  const std::uint32_t at = pc();
+  const std::uint32_t next = behind(at, instruction.words);
+  Halted halted = run({.instructions = 1});
+  const bool called = pc() != next;
+  if (halted.why != Halted::Why::goal || !called) return halted;
+  return run_to_return({at, pc(), next});
+}
+
+base::Result<Halted> Debugger::step_out() {
+  const std::vector<Frame> frames = stack();
+  if (frames.empty()) return base::fail("found no subroutine that was called and not left in the last instructions");
+  return run_to_return(frames.front());
+}
+
+// --- The past ---
+
+base::Result<Done> Debugger::back(std::uint64_t instructions) {
+  const std::uint64_t reach = past_.reach();
+  if (instructions > reach) {
+    return base::fail(fmt::format("found {} instructions, expected at most {}: the past reaches no further", instructions,
+                                  reach));
+  }
+  return past_.go_back_to(machine_.instructions() - instructions);
+}
+
+std::vector<Past::Entry> Debugger::history(std::size_t n) {
+  show_printed();
+  return past_.history(n);
+}
+
+std::optional<Past::Writer> Debugger::last_writer(std::uint32_t at) {
+  show_printed();
+  return past_.last_writer(at, pc_, host_.interrupted);
+}
+
+std::vector<Frame> Debugger::stack() {
+  const std::vector<Past::Entry> entries = history(Past::most_history);
+  std::vector<Frame> frames;
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    const Past::Entry& entry = entries[n];
+    const std::uint32_t next = n + 1 < entries.size() ? entries[n + 1].pc : pc();
+    const std::uint32_t words = entry.supplied ? 0 : machine_.instruction_at(entry.pc).words;
+    if (next == behind(entry.pc, words)) continue;
+    switch (machine_.flow_of(entry.word)) {
+      case Machine::Flow::call: frames.push_back({entry.pc, next, behind(entry.pc, words)}); break;
+      case Machine::Flow::leave: {
+        if (description_.radix != 8) {
+          if (!frames.empty()) frames.pop_back();
+          break;
+        }
+        // JMP I through the word where JMS has left the address: all that was called since is left with it.
+        const auto left = std::find_if(frames.rbegin(), frames.rend(), [&entry](const Frame& frame) {
+          return frame.entry == entry.address + 1;
+        });
+        if (left != frames.rend()) frames.erase(left.base() - 1, frames.end());
+        break;
+      }
+      case Machine::Flow::plain: break;
+    }
+  }
+  std::reverse(frames.begin(), frames.end());
+  return frames;
+}
+
+guests::run::Bytes Debugger::save() {
+  return save_snapshot(description_.name, machine_);
+}
+
+base::Result<Done> Debugger::restore(std::span<const std::uint8_t> snapshot, const std::string& file) {
+  auto done = restore_snapshot(description_.name, machine_, snapshot, file);
+  if (done) past_.forget();
+  return done;
+}
+
+}  // namespace sightline::live

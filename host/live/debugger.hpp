@@ -1,0 +1,165 @@
+// A machine under control: run to a goal or a breakpoint, looked into by names, taken back in time. What the monitor does by
+// lines of text and the debug adapter by messages, both do with this.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/guests/run/engine.hpp"
+#include "host/live/breakpoints.hpp"
+#include "host/live/expression.hpp"
+#include "host/live/past.hpp"
+#include "host/live/symbols.hpp"
+
+namespace sightline::live {
+
+// What a run needs of the world outside.
+struct RunHost {
+  // Runs to a stop, showing what the program prints and handing it what is typed; `heard` is told what is printed too.
+  std::function<guests::run::Stop(guests::run::Machine&, const guests::run::Limits&,
+                                  const std::function<void(std::string_view)>& heard)>
+      run;
+  // Asked now and then by all that takes long; true: stop.
+  std::function<bool()> interrupted;
+  // What the program has printed, outside `run`.
+  std::function<void(std::string_view)> print;
+};
+
+// Where a run is to stop, besides breakpoints and the limits of the machine.
+struct Goal {
+  std::uint64_t instructions = std::numeric_limits<std::uint64_t>::max();  // from here
+  std::int64_t until = std::numeric_limits<std::int64_t>::max();           // in the machine's unit
+  std::string condition = {};  // that becomes true; looked at after each instruction
+};
+
+// Why a run has stopped.
+struct Halted {
+  enum class Why : std::uint8_t { goal, breakpoint, machine };
+  Why why = Why::goal;
+  int breakpoint = 0;             // its number
+  std::string reason = {};        // a line for a person; empty for the goals that are numbers
+  guests::run::Stop stop = {};    // of the machine
+};
+
+// A subroutine that has been called and not left.
+struct Frame {
+  std::uint32_t caller = 0;  // address of the call; of an interrupt, of the instruction it came before
+  std::uint32_t entry = 0;   // address that was called
+  std::uint32_t behind = 0;  // address behind the call
+};
+
+class Debugger {
+ public:
+  // The machine and its description outlive the debugger; the machine was made with --monitor.
+  Debugger(const guests::run::MachineDescription& description, guests::run::Machine& machine,
+           const guests::run::Limits& limits, Symbols symbols, RunHost host);
+
+  [[nodiscard]] const guests::run::MachineDescription& description() const { return description_; }
+  [[nodiscard]] guests::run::Machine& machine() { return machine_; }
+  [[nodiscard]] const guests::run::Machine& machine() const { return machine_; }
+  [[nodiscard]] const Symbols& symbols() const { return symbols_; }
+  [[nodiscard]] Breakpoints& breakpoints() { return breakpoints_; }
+  [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
+
+  // --- Texts ---
+
+  // 8, 10 or 16, for numbers that are read and shown; that of the machine unless it is set.
+  void set_radix(int radix);
+  [[nodiscard]] int radix() const { return names_.radix; }
+
+  [[nodiscard]] std::string address(std::uint32_t value) const;
+  [[nodiscard]] std::string word(std::uint32_t value) const;
+  [[nodiscard]] std::string register_text(std::size_t number) const;  // "AC 000003"
+  // "begin+5: lac i 00010", with the line of the source if there is one.
+  [[nodiscard]] std::string instruction_text(std::uint32_t at) const;
+  [[nodiscard]] std::string time_text(std::int64_t ticks) const;
+  // Where the machine is and what it does next: a line.
+  [[nodiscard]] std::string status() const;
+
+  // --- Values ---
+
+  [[nodiscard]] std::uint32_t pc() const { return machine_.get(pc_); }
+  [[nodiscard]] std::size_t pc_register() const { return pc_; }
+  [[nodiscard]] std::optional<std::size_t> register_named(std::string_view name) const;
+  // Names are registers (of the 8080 pairs too), time, instructions, conditions, symbols.
+  [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view expression) const;
+  [[nodiscard]] base::Result<std::uint32_t> address_of(std::string_view expression) const;
+
+  // --- Changes, which going back remembers ---
+
+  void put(std::uint32_t at, std::uint32_t word);
+  void set(std::size_t register_number, std::uint32_t value);
+  void start(std::uint32_t at);
+  // Assembles one instruction, which may use the symbols, to that address.
+  [[nodiscard]] base::Result<base::Done> put_instruction(std::uint32_t at, std::string_view text);
+  // What else is done to the machine from outside.
+  void changed() { past_.changed(); }
+  // Keys for the console, to be typed as the program asks for them in the runs that follow.
+  void send(std::string_view keys) { keys_ += keys; }
+  [[nodiscard]] bool keys_wait() const { return !keys_.empty(); }
+
+  // --- Running ---
+
+  [[nodiscard]] Halted run(const Goal& goal);
+  // Over one instruction; a subroutine that it calls runs to its return.
+  [[nodiscard]] Halted step_over();
+  // To the return from the subroutine that was called last.
+  [[nodiscard]] base::Result<Halted> step_out();
+  // The last stop of the machine by itself, for a report.
+  [[nodiscard]] const guests::run::Stop& last_stop() const { return last_stop_; }
+  // What has been printed since the last call of forget_printed().
+  [[nodiscard]] const std::string& printed() const { return printed_; }
+  void forget_printed(std::size_t length) { printed_.erase(0, length); }
+  // Hands out what the program has printed.
+  void show_printed();
+
+  // --- The past ---
+
+  [[nodiscard]] base::Result<base::Done> back(std::uint64_t instructions);
+  [[nodiscard]] std::vector<Past::Entry> history(std::size_t n);
+  [[nodiscard]] std::optional<Past::Writer> last_writer(std::uint32_t at);
+  // The latest first, as far as the last some ten thousand instructions show them.
+  [[nodiscard]] std::vector<Frame> stack();
+
+  [[nodiscard]] guests::run::Bytes save();
+  // `file`: its name, for errors.
+  [[nodiscard]] base::Result<base::Done> restore(std::span<const std::uint8_t> snapshot, const std::string& file);
+
+ private:
+  struct Reason {
+    int breakpoint;
+    std::string text;
+  };
+  [[nodiscard]] std::string number_text(std::uint32_t value, unsigned bits) const;
+  [[nodiscard]] std::optional<std::int64_t> value_of(std::string_view name) const;
+  [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
+  [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,
+                                                      std::optional<Reason>& reason);
+  [[nodiscard]] Halted run_to_return(const Frame& frame);
+  [[nodiscard]] std::uint32_t behind(std::uint32_t at, std::uint32_t words) const;
+  void type_next();
+
+  const guests::run::MachineDescription& description_;
+  guests::run::Machine& machine_;
+  guests::run::Limits limits_;
+  Symbols symbols_;
+  RunHost host_;
+  std::size_t pc_ = 0;
+  Breakpoints breakpoints_;
+  Past past_;
+  guests::run::Stop last_stop_{"operator", {}};
+  std::string printed_;
+  std::string keys_;
+  Names names_;
+  Breakpoints::Condition holds_;
+};
+
+}  // namespace sightline::live

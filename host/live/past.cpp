@@ -1,0 +1,162 @@
+// See past.hpp.
+#include "host/live/past.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/live/snapshot.hpp"
+
+namespace sightline::live {
+
+using guests::run::Probe;
+
+void Past::remember() {
+  const std::uint64_t here = machine_.instructions();
+  const bool far = places_.empty() || here - std::min(here, places_.back().instructions) >= instructions_apart;
+  if (!changed_ && !far) return;
+  // Where a run begins counts, whatever was there before.
+  while (!places_.empty() && places_.back().instructions >= here) {
+    changed_ = changed_ || places_.back().changed;
+    places_.pop_back();
+  }
+  places_.push_back({here, machine_.probe()->keys.size(), changed_, save_snapshot(name_, machine_)});
+  changed_ = false;
+  thin_out();
+}
+
+void Past::thin_out() {
+  constexpr std::size_t most = 512;
+  if (places_.size() <= most) return;
+  // Every other of the older half: what is longer ago takes longer to come back to.
+  std::vector<Place> kept;
+  bool left_out = false;
+  for (std::size_t n = 0; n < places_.size(); ++n) {
+    left_out = !left_out && n < most / 2 && n != 0 && !places_[n].changed;
+    if (!left_out) kept.push_back(std::move(places_[n]));
+  }
+  // All were changed by hand: the oldest go.
+  if (kept.size() > most) kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(most / 4));
+  places_ = std::move(kept);
+}
+
+void Past::forget() {
+  places_.clear();
+  machine_.probe()->keys.clear();
+  changed_ = true;
+}
+
+std::uint64_t Past::reach() const {
+  const std::uint64_t here = machine_.instructions();
+  return places_.empty() ? 0 : here - std::min(here, places_.front().instructions);
+}
+
+std::size_t Past::segment_of(std::uint64_t instructions) const {
+  const auto after = std::upper_bound(places_.begin(), places_.end(), instructions,
+                                      [](std::uint64_t n, const Place& place) { return n < place.instructions; });
+  return static_cast<std::size_t>(after - places_.begin()) - (after == places_.begin() ? 0 : 1);
+}
+
+std::uint64_t Past::end_of(std::size_t segment, std::uint64_t here) const {
+  return segment + 1 < places_.size() ? places_[segment + 1].instructions : here;
+}
+
+// A snapshot of this machine is taken by it; an error would be one of this program, and leaves the machine as it is.
+void Past::restore(const Place& place) {
+  static_cast<void>(restore_snapshot(name_, machine_, place.snapshot, "snapshot"));
+  next_key_ = place.keys;
+}
+
+// From a place that was restored, or from where the last run again ended. Keys are typed when they were.
+void Past::run_again(std::uint64_t instructions, const std::function<void()>& at_event) {
+  Probe& probe = *machine_.probe();
+  const std::vector<Probe::Key> keys = probe.keys;
+  while (machine_.instructions() < instructions) {
+    while (next_key_ < keys.size() && keys[next_key_].time <= machine_.ticks()) machine_.type(keys[next_key_++].code);
+    if (machine_.waits_for_key()) break;
+    guests::run::Limits limits;
+    limits.instructions = instructions;
+    if (next_key_ < keys.size()) limits.until = keys[next_key_].time;
+    const auto stop = machine_.run(limits, false);
+    if (stop && stop->name == guests::run::stopped_by_probe) {
+      if (at_event) at_event();
+      probe.resume();
+    } else if (stop && !stop->at_until) {
+      break;
+    }
+  }
+  static_cast<void>(machine_.take_printed());
+  probe.keys = keys;
+}
+
+base::Result<base::Done> Past::go_back_to(std::uint64_t instructions) {
+  const std::size_t from = segment_of(instructions);
+  const auto done = restore_snapshot(name_, machine_, places_[from].snapshot, "snapshot");
+  if (!done) return done;
+  next_key_ = places_[from].keys;
+  Probe& probe = *machine_.probe();
+  const Probe kept = std::exchange(probe, probe.empty());
+  probe.keys = kept.keys;
+  run_again(instructions);
+  probe = kept;
+  probe.keys.resize(next_key_);
+  while (places_.size() > from + 1) places_.pop_back();
+  return base::Done{};
+}
+
+template <class Work>
+void Past::look_back(Work work) {
+  if (places_.empty()) return;
+  Probe& probe = *machine_.probe();
+  const guests::run::Bytes here = save_snapshot(name_, machine_);
+  const Probe kept = std::exchange(probe, probe.empty());
+  probe.keys = kept.keys;
+  work();
+  static_cast<void>(restore_snapshot(name_, machine_, here, "snapshot"));
+  probe = kept;
+}
+
+std::vector<Past::Entry> Past::history(std::size_t n) {
+  std::vector<Entry> entries;
+  const std::uint64_t here = machine_.instructions();
+  n = static_cast<std::size_t>(std::min<std::uint64_t>({n, reach(), most_history}));
+  if (n == 0) return entries;
+  look_back([&] {
+    Probe& probe = *machine_.probe();
+    const std::uint64_t first = here - n;
+    for (std::size_t segment = segment_of(first); segment < places_.size(); ++segment) {
+      restore(places_[segment]);
+      run_again(std::max(first, machine_.instructions()));
+      probe.on_instruction = [&entries](const Entry& entry) { entries.push_back(entry); };
+      run_again(end_of(segment, here));
+      probe.on_instruction = nullptr;
+    }
+  });
+  return entries;
+}
+
+std::optional<Past::Writer> Past::last_writer(std::uint32_t address, std::size_t pc_register,
+                                              const std::function<bool()>& interrupted) {
+  std::optional<Writer> writer;
+  const std::uint64_t here = machine_.instructions();
+  look_back([&] {
+    Probe& probe = *machine_.probe();
+    for (std::size_t segment = places_.size(); segment-- > 0 && !writer && !interrupted();) {
+      probe.mark(address, Probe::is_written);
+      restore(places_[segment]);
+      std::uint64_t obeyed = 0;
+      run_again(end_of(segment, here), [&] {
+        writer = Writer{probe.events().back(), 0};
+        obeyed = machine_.instructions();
+      });
+      if (!writer) continue;
+      // The event was seen at the boundary after the instruction; an interrupt's write lies between two.
+      probe.clear_marks();
+      restore(places_[segment]);
+      run_again(writer->event.kind == Probe::Kind::interrupt_write ? obeyed : obeyed - 1);
+      writer->pc = machine_.get(pc_register);
+    }
+  });
+  return writer;
+}
+
+}  // namespace sightline::live

@@ -1,0 +1,80 @@
+// The past of a machine: any instruction of it can be gone back to, and asked about.
+//
+// Kept are snapshots, some million instructions apart, and the keys typed; all else is found by running again from the
+// snapshot before it, which gives the same instructions at the same times. So a run pays for its snapshots and for nothing
+// else, and the history of the instructions and who wrote a word are worked out when they are asked for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/guests/run/machine.hpp"
+
+namespace sightline::live {
+
+class Past {
+ public:
+  // How far snapshots lie apart: it runs again in some milliseconds.
+  static constexpr std::uint64_t instructions_apart = std::uint64_t{1} << 20;
+  static constexpr std::size_t most_history = 65536;
+
+  // The machine has a probe and outlives the past; `name` is that of its description.
+  Past(std::string_view name, guests::run::Machine& machine) : name_(name), machine_(machine) {}
+
+  // To be called where a run begins, and at least every instructions_apart while it lasts.
+  void remember();
+  // Something that is not the machine's own doing has changed it since the last run: words deposited, a tape put in.
+  void changed() { changed_ = true; }
+  // Another machine begins here.
+  void forget();
+
+  // How many instructions lie between the earliest place that can be gone back to and here.
+  [[nodiscard]] std::uint64_t reach() const;
+  // To the boundary at which so many instructions had been obeyed; at most reach() before here.
+  [[nodiscard]] base::Result<base::Done> go_back_to(std::uint64_t instructions);
+
+  using Entry = guests::run::Probe::Entry;
+  // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been
+  // printed is taken before, or it is lost.
+  [[nodiscard]] std::vector<Entry> history(std::size_t n);
+
+  struct Writer {
+    guests::run::Probe::Event event;  // what was written, when, and by what kind of cycle
+    std::uint32_t pc = 0;             // of the instruction; for a data break or an interrupt, of the one that followed
+  };
+  // Who last wrote a word of memory. Asked now and then, `interrupted` ends the search: nullopt, as for a word that nothing has
+  // written.
+  [[nodiscard]] std::optional<Writer> last_writer(std::uint32_t address, std::size_t pc_register,
+                                                  const std::function<bool()>& interrupted);
+
+ private:
+  struct Place {
+    std::uint64_t instructions;
+    std::size_t keys;  // that had been typed
+    bool changed;      // cannot be come to from the place before
+    guests::run::Bytes snapshot;
+  };
+
+  void thin_out();
+  void restore(const Place& place);
+  void run_again(std::uint64_t instructions, const std::function<void()>& at_event = {});
+  // Whatever `work` runs again, the machine is then where it was.
+  template <class Work>
+  void look_back(Work work);
+  [[nodiscard]] std::size_t segment_of(std::uint64_t instructions) const;
+  [[nodiscard]] std::uint64_t end_of(std::size_t segment, std::uint64_t here) const;
+
+  std::string_view name_;
+  guests::run::Machine& machine_;
+  std::vector<Place> places_;  // in order of instructions
+  std::size_t next_key_ = 0;   // of a run that is repeated
+  bool changed_ = true;
+};
+
+}  // namespace sightline::live
