@@ -74,6 +74,8 @@ class Monitor::Inside {
         host_(std::move(host)),
         debugger_(description, machine, limits, std::move(symbols), host_.running) {}
 
+  void set_radix(int radix) { debugger_.set_radix(radix); }
+
   Answer execute(std::string_view line) {
     Answer answer;
     std::string rest(line);
@@ -798,6 +800,9 @@ Monitor::Monitor(const MachineDescription& description, Machine& machine, const 
     : inside_(std::make_unique<Inside>(description, machine, limits, std::move(symbols), std::move(host))) {}
 Monitor::~Monitor() = default;
 
+void Monitor::set_radix(int radix) {
+  inside_->set_radix(radix);
+}
 Answer Monitor::execute(std::string_view line) {
   return inside_->execute(line);
 }

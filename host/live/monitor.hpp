@@ -47,6 +47,8 @@ class Monitor {
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
+  // 8, 10 or 16, for numbers that are typed and shown; that of the machine unless it is set.
+  void set_radix(int radix);
   // One line as typed; several commands between `;`.
   [[nodiscard]] Answer execute(std::string_view line);
   // Where the machine is and what it does next.

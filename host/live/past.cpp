@@ -11,15 +11,15 @@ namespace sightline::live {
 using guests::run::Probe;
 
 void Past::remember() {
-  const std::uint64_t here = machine_.instructions();
-  const bool far = places_.empty() || here - std::min(here, places_.back().instructions) >= instructions_apart;
+  const std::uint64_t obeyed = machine_.instructions();
+  const bool far = places_.empty() || obeyed - std::min(obeyed, places_.back().instructions) >= instructions_apart;
   if (!changed_ && !far) return;
   // Where a run begins counts, whatever was there before.
-  while (!places_.empty() && places_.back().instructions >= here) {
+  while (!places_.empty() && places_.back().instructions >= obeyed) {
     changed_ = changed_ || places_.back().changed;
     places_.pop_back();
   }
-  places_.push_back({here, machine_.probe()->keys.size(), changed_, save_snapshot(name_, machine_)});
+  places_.push_back({obeyed, machine_.ticks(), machine_.probe()->keys.size(), changed_, save_snapshot(name_, machine_)});
   changed_ = false;
   thin_out();
 }
@@ -46,8 +46,8 @@ void Past::forget() {
 }
 
 std::uint64_t Past::reach() const {
-  const std::uint64_t here = machine_.instructions();
-  return places_.empty() ? 0 : here - std::min(here, places_.front().instructions);
+  const std::uint64_t obeyed = machine_.instructions();
+  return places_.empty() ? 0 : obeyed - std::min(obeyed, places_.front().instructions);
 }
 
 std::size_t Past::segment_of(std::uint64_t instructions) const {
@@ -56,8 +56,9 @@ std::size_t Past::segment_of(std::uint64_t instructions) const {
   return static_cast<std::size_t>(after - places_.begin()) - (after == places_.begin() ? 0 : 1);
 }
 
-std::uint64_t Past::end_of(std::size_t segment, std::uint64_t here) const {
-  return segment + 1 < places_.size() ? places_[segment + 1].instructions : here;
+Past::Boundary Past::end_of(std::size_t segment, Boundary here) const {
+  if (segment + 1 == places_.size()) return here;
+  return {places_[segment + 1].instructions, places_[segment + 1].ticks};
 }
 
 // A snapshot of this machine is taken by it; an error would be one of this program, and leaves the machine as it is.
@@ -67,20 +68,22 @@ void Past::restore(const Place& place) {
 }
 
 // From a place that was restored, or from where the last run again ended. Keys are typed when they were.
-void Past::run_again(std::uint64_t instructions, const std::function<void()>& at_event) {
+void Past::run_again(Boundary end, const std::function<void()>& at_event) {
   Probe& probe = *machine_.probe();
   const std::vector<Probe::Key> keys = probe.keys;
-  while (machine_.instructions() < instructions) {
+  while (machine_.instructions() < end.instructions || machine_.ticks() < end.ticks) {
     while (next_key_ < keys.size() && keys[next_key_].time <= machine_.ticks()) machine_.type(keys[next_key_++].code);
     if (machine_.waits_for_key()) break;
     guests::run::Limits limits;
-    limits.instructions = instructions;
-    if (next_key_ < keys.size()) limits.until = keys[next_key_].time;
+    const bool only_time = machine_.instructions() >= end.instructions;
+    limits.instructions = end.instructions + (only_time ? 1 : 0);
+    if (only_time) limits.until = end.ticks;
+    if (next_key_ < keys.size()) limits.until = std::min(limits.until, keys[next_key_].time);
     const auto stop = machine_.run(limits, false);
     if (stop && stop->name == guests::run::stopped_by_probe) {
       if (at_event) at_event();
       probe.resume();
-    } else if (stop && !stop->at_until) {
+    } else if (stop && !stop->at_until && stop->name != "instruction_limit") {
       break;
     }
   }
@@ -96,7 +99,7 @@ base::Result<base::Done> Past::go_back_to(std::uint64_t instructions) {
   Probe& probe = *machine_.probe();
   const Probe kept = std::exchange(probe, probe.empty());
   probe.keys = kept.keys;
-  run_again(instructions);
+  run_again({instructions});
   probe = kept;
   probe.keys.resize(next_key_);
   while (places_.size() > from + 1) places_.pop_back();
@@ -107,27 +110,27 @@ template <class Work>
 void Past::look_back(Work work) {
   if (places_.empty()) return;
   Probe& probe = *machine_.probe();
-  const guests::run::Bytes here = save_snapshot(name_, machine_);
+  const guests::run::Bytes present = save_snapshot(name_, machine_);
   const Probe kept = std::exchange(probe, probe.empty());
   probe.keys = kept.keys;
   work();
-  static_cast<void>(restore_snapshot(name_, machine_, here, "snapshot"));
+  static_cast<void>(restore_snapshot(name_, machine_, present, "snapshot"));
   probe = kept;
 }
 
 std::vector<Past::Entry> Past::history(std::size_t n) {
   std::vector<Entry> entries;
-  const std::uint64_t here = machine_.instructions();
+  const Boundary now = here();
   n = static_cast<std::size_t>(std::min<std::uint64_t>({n, reach(), most_history}));
   if (n == 0) return entries;
   look_back([&] {
     Probe& probe = *machine_.probe();
-    const std::uint64_t first = here - n;
+    const std::uint64_t first = now.instructions - n;
     for (std::size_t segment = segment_of(first); segment < places_.size(); ++segment) {
       restore(places_[segment]);
-      run_again(std::max(first, machine_.instructions()));
+      run_again({std::max(first, machine_.instructions())});
       probe.on_instruction = [&entries](const Entry& entry) { entries.push_back(entry); };
-      run_again(end_of(segment, here));
+      run_again(end_of(segment, now));
       probe.on_instruction = nullptr;
     }
   });
@@ -137,14 +140,14 @@ std::vector<Past::Entry> Past::history(std::size_t n) {
 std::optional<Past::Writer> Past::last_writer(std::uint32_t address, std::size_t pc_register,
                                               const std::function<bool()>& interrupted) {
   std::optional<Writer> writer;
-  const std::uint64_t here = machine_.instructions();
+  const Boundary now = here();
   look_back([&] {
     Probe& probe = *machine_.probe();
     for (std::size_t segment = places_.size(); segment-- > 0 && !writer && !interrupted();) {
       probe.mark(address, Probe::is_written);
       restore(places_[segment]);
       std::uint64_t obeyed = 0;
-      run_again(end_of(segment, here), [&] {
+      run_again(end_of(segment, now), [&] {
         writer = Writer{probe.events().back(), 0};
         obeyed = machine_.instructions();
       });
@@ -152,7 +155,7 @@ std::optional<Past::Writer> Past::last_writer(std::uint32_t address, std::size_t
       // The event was seen at the boundary after the instruction; an interrupt's write lies between two.
       probe.clear_marks();
       restore(places_[segment]);
-      run_again(writer->event.kind == Probe::Kind::interrupt_write ? obeyed : obeyed - 1);
+      run_again({writer->event.kind == Probe::Kind::interrupt_write ? obeyed : obeyed - 1});
       writer->pc = machine_.get(pc_register);
     }
   });

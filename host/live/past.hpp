@@ -54,8 +54,14 @@ class Past {
                                                   const std::function<bool()>& interrupted);
 
  private:
+  // Two boundaries may follow the same number of instructions: the cycle of an interrupt lies between them.
+  struct Boundary {
+    std::uint64_t instructions;
+    std::int64_t ticks = 0;  // not before this
+  };
   struct Place {
     std::uint64_t instructions;
+    std::int64_t ticks;
     std::size_t keys;  // that had been typed
     bool changed;      // cannot be come to from the place before
     guests::run::Bytes snapshot;
@@ -63,12 +69,13 @@ class Past {
 
   void thin_out();
   void restore(const Place& place);
-  void run_again(std::uint64_t instructions, const std::function<void()>& at_event = {});
+  void run_again(Boundary end, const std::function<void()>& at_event = {});
   // Whatever `work` runs again, the machine is then where it was.
   template <class Work>
   void look_back(Work work);
   [[nodiscard]] std::size_t segment_of(std::uint64_t instructions) const;
-  [[nodiscard]] std::uint64_t end_of(std::size_t segment, std::uint64_t here) const;
+  [[nodiscard]] Boundary here() const { return {machine_.instructions(), machine_.ticks()}; }
+  [[nodiscard]] Boundary end_of(std::size_t segment, Boundary here) const;
 
   std::string_view name_;
   guests::run::Machine& machine_;

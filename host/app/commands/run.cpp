@@ -10,6 +10,7 @@
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/machine_command.hpp"
+#include "host/app/commands/monitor_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
@@ -100,16 +101,20 @@ struct Ended {
   int signal = 0;  // that ended it
 };
 
+// Whether keys come from a person, and not from a script or a pipe.
+bool person_types(const Arguments& arguments) {
+  return arguments.given("--console") && base::stdin_is_terminal() && arguments.steps().empty();
+}
+
 // A person at a terminal, a pipe, or a script. What the program prints goes to standard output, with --json to standard
 // error.
 Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arguments) {
-  const bool terminal = base::stdin_is_terminal();
-  const live::ConsoleOptions options = accepted(live::console_options(arguments, terminal));
-  const bool person = terminal && options.script.empty();
+  const bool person = person_types(arguments);
+  const live::ConsoleOptions options = accepted(live::console_options(arguments, base::stdin_is_terminal()));
   const base::EndSignals signals;
   std::optional<base::RawTerminal> raw;
   if (person) {
-    static_cast<void>(std::fputs("Ctrl-E ends the run.\n", stderr));
+    static_cast<void>(std::fputs("Ctrl-E comes to the monitor; there `quit` ends the run.\n", stderr));
     raw.emplace();
   }
   const auto operator_ = live::standard_operator(
@@ -119,7 +124,9 @@ Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arg
   return {std::move(stop), base::EndSignals::received()};
 }
 
-ExitCode run(const MachineDescription& description, const Arguments& arguments) {
+ExitCode run(const MachineDescription& description, Arguments arguments) {
+  const bool person = person_types(arguments);
+  if (person) arguments.value("--monitor").flag = true;
   const auto restore = [&description](Machine& machine,
                                       const guests::run::Input& snapshot) -> guests::run::Result<base::Done> {
     const auto done = live::restore_snapshot(description.name, machine, snapshot.bytes, snapshot.name);
@@ -134,6 +141,10 @@ ExitCode run(const MachineDescription& description, const Arguments& arguments) 
   const bool console = arguments.given("--console");
   const Ended ended = console ? run_on_console(prepared, arguments) : Ended{run_to_stop(prepared)};
   const guests::run::Stop& stop = ended.stop;
+  if (person && stop.name == live::stopped_by_ctrl_e) {
+    static_cast<void>(
+        hold_monitor_session({description, machine, prepared.limits, live::Symbols(description.radix), arguments}));
+  }
   for (const std::string& warning : machine.warnings()) warn(warning);
   outputs.write(description, machine);
   if (arguments.given("--json")) {

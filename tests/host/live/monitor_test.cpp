@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include "host/live/console.hpp"
@@ -567,6 +568,111 @@ TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
   EXPECT_NE(s("c").find("stopped by end of input"), std::string::npos);
   s("send \"!\"");
   EXPECT_NE(s("c").find("stopped by exit"), std::string::npos);
+}
+
+// --- The past, against what was seen at the time ---
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// Steps, runs, words deposited and keys sent, with a trace from the beginning; then the history, worked out by running
+// again, has the trace's last lines.
+void compare_history_with_trace(Session& s, const std::string& word) {
+  std::mt19937 engine(11);
+  s("trace t");
+  for (int round = 0; round < 40; ++round) {
+    switch (engine() % 5) {
+      case 0: s("step " + std::to_string(1 + engine() % 150)); break;
+      case 1: s("run for 3ms"); break;
+      case 2: s("d " + word + " " + std::to_string(engine() % 8)); break;
+      case 3: s("send \"abc\""); break;
+      default: s("break " + word + "; run for 1ms; del"); break;
+    }
+  }
+  s("trace off");
+  const std::vector<std::string> traced = lines_of(s.files["t"]);
+  ASSERT_GT(traced.size(), 3000U);
+  const std::vector<std::string> last = lines_of(s("history 3000"));
+  ASSERT_EQ(last.size(), 3000U);
+  for (std::size_t n = 0; n < last.size(); ++n) ASSERT_EQ(last[n], traced[traced.size() - last.size() + n]) << n;
+  // After it the machine is where it was, and goes on.
+  const std::int64_t ticks = s.machine().ticks();
+  s("step");
+  EXPECT_GT(s.machine().ticks(), ticks);
+}
+
+TEST(MonitorPast, HistoryIsWhatTheTraceWas) {
+  auto pdp7 = pdp7_session(
+      "begin, 700301\n  jmp over\n  700312\n  700406\nover, isz 300\n  lac 300\n  dac i 10\n  jms sub\n  jmp begin\n"
+      "sub, 0\n  dac 301\n  jmp i sub\n");
+  compare_history_with_trace(*pdp7, "300");
+  auto i8080 = i8080_session(
+      "LOOP: MVI C,11\n  CALL 5\n  ORA A\n  JZ NONE\n  MVI C,1\n  CALL 5\nNONE: LXI H,300H\n  INR M\n  PUSH H\n  POP D\n  JMP LOOP\n");
+  compare_history_with_trace(*i8080, "300");
+}
+
+TEST(MonitorPast, WhoWroteIsFoundHoweverLongAgo) {
+  // The word at 300 is written once, then three million instructions follow.
+  auto m = pdp7_session("  lac (5\n  dac 300\nloop, isz 301\n  jmp loop\n  jmp loop\n");
+  Session& s = *m;
+  s("run for 3000000 instructions");
+  // LAC and DAC: the write is the fourth cycle.
+  EXPECT_NE(s("who 300").find("00300: 000005 was written at 0.000005250 s by 00101"), std::string::npos) << s("who 300");
+  EXPECT_NE(s("who 301").find("by 00102"), std::string::npos);
+  EXPECT_NE(s("who 302").find("nothing has written there"), std::string::npos);
+}
+
+TEST(MonitorPast, AnInterruptIsNamedAsTheWriter) {
+  auto m = pdp7_session("  lac (jmp 200\n  dac 1\n  700406\n  700042\n  jmp .\n");
+  Session& s = *m;
+  s("break interrupt; c");
+  EXPECT_NE(s("who 0").find("by the interrupt before 00104"), std::string::npos) << s("who 0");
+}
+
+TEST(MonitorStack, ShowsWhatWasCalledAndGoesOutOfIt) {
+  auto m = pdp7_session(
+      "  jms outer\n  hlt\nouter, 0\n  jms inner\n  jmp i outer\ninner, 0\n  nop\n  jmp i inner\n");
+  Session& s = *m;
+  EXPECT_NE(s("show stack").find("no subroutine"), std::string::npos);
+  s("out", Kind::wrong);
+  s("break inner+1; c");
+  const std::vector<std::string> stack = lines_of(s("show stack"));
+  ASSERT_EQ(stack.size(), 2U);
+  EXPECT_EQ(stack[0].substr(0, 23), "00106 called from 00103") << stack[0];
+  EXPECT_EQ(stack[1].substr(0, 23), "00103 called from 00100") << stack[1];
+  s("out");
+  EXPECT_EQ(s("ev pc").substr(0, 3), "104");
+  s("out");
+  EXPECT_EQ(s("ev pc").substr(0, 3), "101");
+  s("out", Kind::wrong);
+}
+
+TEST(MonitorStack, OutOfARecursionIsOneLevel) {
+  // Counts down in B by calling itself.
+  auto m = i8080_session("  LXI SP,400H\n  MVI B,5\n  CALL DOWN\n  HLT\nDOWN: DCR B\n  RZ\n  CALL DOWN\n  RET\n");
+  Session& s = *m;
+  s("break DOWN count 3; c; del");
+  EXPECT_EQ(lines_of(s("show stack")).size(), 3U);
+  EXPECT_EQ(s("ev b").substr(0, 1), "3");
+  s("out");
+  EXPECT_EQ(lines_of(s("show stack")).size(), 2U);
+  EXPECT_EQ(s("ev sp").substr(0, 3), "3FC");
+  s("out; out");
+  EXPECT_EQ(s("ev sp").substr(0, 3), "400");
+}
+
+TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s.monitor().set_radix(16);
+  EXPECT_EQ(s("d 48 1F; e 48").substr(0, 10), "0048 0001F");
+  s.monitor().set_radix(10);
+  EXPECT_EQ(s("d 72 19; e 72").substr(0, 5), "72 19");
+  EXPECT_EQ(s("ev 19+1").substr(0, 3), "20.");
 }
 
 // --- Lines of any bytes ---

@@ -128,9 +128,20 @@ TEST_F(Terminal, KeysAreEchoedByTheProgramAlone) {
   EXPECT_TRUE(restored());
 }
 
-TEST_F(Terminal, CtrlEEndsTheRun) {
+TEST_F(Terminal, CtrlEComesToTheMonitorAndBack) {
   start_echo();
   type("a\005");
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  EXPECT_FALSE(raw());
+  type("continue\r");
+  const auto end = steady_clock::now() + patience;
+  while (!raw() && steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  shown_.clear();
+  type("b");
+  ASSERT_TRUE(shows("b")) << shown_;
+  type("\005");
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("history 1\rquit\r");
   ASSERT_TRUE(shows("stopped by      operator")) << shown_;
   EXPECT_EQ(ends(), 0);
   EXPECT_TRUE(restored());

@@ -1,0 +1,22 @@
+// The prompt of the monitor: lines of a person or a pipe, answered by live::Monitor.
+#pragma once
+
+#include "host/app/command.hpp"
+#include "host/guests/run/engine.hpp"
+#include "host/live/symbols.hpp"
+
+namespace sightline::app {
+
+struct MonitorSetup {
+  const guests::run::MachineDescription& description;
+  guests::run::Machine& machine;  // made with --monitor
+  guests::run::Limits limits;
+  live::Symbols symbols;
+  // --console and --speed say how the program's console runs, --do what to begin with.
+  const guests::run::Arguments& arguments;
+};
+
+// Until `quit`, the end of the input, or a line that goes wrong in a pipe.
+[[nodiscard]] ExitCode hold_monitor_session(MonitorSetup setup);
+
+}  // namespace sightline::app
