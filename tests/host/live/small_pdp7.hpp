@@ -12,8 +12,9 @@
 
 namespace sightline::test {
 
-inline std::unique_ptr<guests::run::Machine> small_pdp7() {
+inline std::unique_ptr<guests::run::Machine> small_pdp7(bool monitored = false) {
   guests::run::Pdp7Setup setup;
+  setup.monitored = monitored;
   setup.machine.configuration.core_words = 4096;
   setup.machine.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae", "--display"};

@@ -1,0 +1,68 @@
+// Any bytes as lines of the monitor of a small PDP-7: each is answered in whole lines, and looking into the past afterwards
+// leaves the machine as it is, to the bit.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/guests/run/engine.hpp"
+#include "host/live/console.hpp"
+#include "host/live/monitor.hpp"
+#include "host/live/snapshot.hpp"
+#include "tests/host/live/small_pdp7.hpp"
+
+namespace {
+
+using namespace sightline;
+namespace run = guests::run;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+// Files have no content, and what is written goes nowhere.
+live::MonitorHost host(int& patience) {
+  live::MonitorHost host;
+  host.running.run = [&patience](run::Machine& machine, const run::Limits& limits, const auto& heard) {
+    std::optional<run::Stop> stop;
+    while (!stop) {
+      stop = machine.run(limits, false);
+      heard(live::shown_text(machine.take_printed()));
+      if (!stop && --patience < 0) stop = run::Stop{run::interrupted, {}};
+    }
+    return *stop;
+  };
+  host.running.interrupted = [&patience] { return --patience < 0; };
+  host.running.print = [](std::string_view) {};
+  host.read = [](const std::string& path) -> run::Result<run::Input> { return run::Input{path, {}}; };
+  host.write = [](const std::string&, std::span<const std::uint8_t>) -> run::Result<base::Done> { return base::Done{}; };
+  host.speed = [](const std::string&) -> run::Result<base::Done> { return run::usage("there is no console"); };
+  return host;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto machine = test::small_pdp7(true);
+  int patience = 50;
+  run::Limits limits;
+  limits.instructions = 3000;
+  live::Monitor monitor(run::pdp7(), *machine, limits, live::Symbols(8), host(patience));
+  const std::string text(data, data + size);
+  std::string_view rest = text;
+  for (int lines = 0; !rest.empty() && lines < 20; ++lines) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    const live::Answer answer = monitor.execute(line);
+    require(answer.text.empty() || answer.text.back() == '\n');
+    if (answer.kind == live::Answer::Kind::quit) break;
+    static_cast<void>(monitor.completions(line, line.substr(line.size() / 2)));
+  }
+  const run::Bytes before = live::save_snapshot("pdp7", *machine);
+  for (const char* const look : {"history 100", "who 7", "show stack", "show display", "list"})
+    require(monitor.execute(look).kind == live::Answer::Kind::done);
+  require(live::save_snapshot("pdp7", *machine) == before);
+  return 0;
+}
