@@ -1,8 +1,8 @@
 // A PDP-7 with its core memory, its devices and, when one is attached, a display that fetches its words by
 // data break.
 //
-// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, a
-// clock tick, the program interrupt. A boundary costs one compare against the nearest instant at which any of
+// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks of the disk,
+// of the display, a clock tick, the program interrupt. A boundary costs one compare against the nearest instant at which any of
 // them may be due; what the display, the clock or a device does in between is made up for when it is touched.
 // A data break is granted at the first boundary at or after the request and takes one cycle; its word is
 // at the display at the end of it.
@@ -75,7 +75,8 @@ class BasicPdp7 {
   BasicPdp7(const Configuration& configuration, Observer& observer)
       : configuration_(completed(configuration)),
         core_(configuration.core_words),
-        devices_(configuration.devices, configuration_.timing),
+        devices_(configuration.devices, configuration_.timing,
+                 configuration_.model.extend ? pdp7::address_mask : pdp7::in_bank_mask),
         observer_(observer) {}
   BasicPdp7(const BasicPdp7&) = delete;
   BasicPdp7& operator=(const BasicPdp7&) = delete;
@@ -251,7 +252,7 @@ class BasicPdp7 {
   template <class Report>
   [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
                                           std::uint64_t left, Report report) {
-    while (display_break(now, report) || clock_tick(now, report)) {
+    while (disk_break(now, report) || display_break(now, report) || clock_tick(now, report)) {
     }
     if (now >= devices_due_) {
       devices_.advance(now);
@@ -270,7 +271,23 @@ class BasicPdp7 {
     return now + pdp7::machine_cycle * static_cast<std::int64_t>(std::min(left, many));
   }
 
-  // One data break, if one is asked for.
+  // One data break of the disk, which waits least: it comes before the display's.
+  template <class Report>
+  bool disk_break(core::Instant& now, Report report) {
+    if (now < devices_due_ || !devices_.disk) return false;
+    const auto request = devices_.disk->request(now);
+    if (!request) return false;
+    const core::Word18 word = request->to_core ? request->word : core_.read(request->address);
+    const pdp7::Verb verb = request->to_core ? pdp7::Verb::break_write : pdp7::Verb::break_read;
+    report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request->address, word});
+    now += pdp7::machine_cycle;
+    ++counts_.stolen_cycles;
+    if (request->to_core) core_.write(request->address, word);
+    devices_.disk->served(word);
+    return true;
+  }
+
+  // One data break of the display, if one is asked for.
   template <class Report>
   bool display_break(core::Instant& now, Report report) {
     if (now < display_due_) return false;

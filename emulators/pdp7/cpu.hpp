@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "../core/word.hpp"
+#include "absent_devices.hpp"
 #include "bus.hpp"
 #include "eae.hpp"
 #include "isa.hpp"
@@ -34,6 +35,10 @@ enum class Outcome : std::uint8_t { completed, halted, xct_chain, unanswered };
 
 // The longest chain of XCTs taken for a program; the machine itself would follow a closed chain for ever.
 inline constexpr int longest_xct_chain = 16;
+
+// SKP7 is 703341; no document says what 703361 does. The pulse is taken to be gated by bit 12 (040) alone, as those of ION
+// and CLON are, so that 703361 skips too.
+inline constexpr std::uint32_t skp7_bits = 041;
 
 namespace detail {
 
@@ -280,7 +285,7 @@ class Cpu {
   }
 
   // Bit 14 clears AC before the pulses; those of the interrupt system and the memory extension stay in the
-  // processor, the rest goes out. A pulse without a device makes the instruction one that this machine
+  // processor, the rest goes out. Pulses that all have no device make the instruction one that this machine
   // does not have.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
     if (registers_.is(mode::trap)) return trap();
@@ -291,7 +296,8 @@ class Cpu {
     if (reads_status(word) && registers_.is(mode::interrupts_on))
       registers_.ac = registers_.ac | core::Word18(core::Word18::sign);
     if (reply.skip) registers_.skip();
-    if ((word & 07U & ~(inside | reply.answered)) == 0) return Outcome::completed;
+    if ((word & 07U) == 0 || (word & 07U & (inside | reply.answered)) != 0 || belongs_to_absent_device(word))
+      return Outcome::completed;
     return not_answered(word, at);
   }
 
@@ -300,7 +306,7 @@ class Cpu {
     switch ((word >> 6) & 077U) {
       case 000: return interrupt_system(word);
       case 033:  // SKP7 (this is a PDP-7); subdevice 0 is the teletype's TTS
-        if ((word & 041U) != 041U) return 0;
+        if ((word & skp7_bits) != skp7_bits) return 0;
         registers_.skip();
         return 01;
       case 077: return model_->extend ? memory_extension(word) : 0;

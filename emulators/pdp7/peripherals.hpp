@@ -1,4 +1,4 @@
-// The devices on the PDP-7's IOT bus other than a display: clock, reader, punch, teletype; which IOT pulse
+// The devices on the PDP-7's IOT bus other than a display: clock, reader, punch, teletype, disk; which IOT pulse
 // does what, the IORS status word, the interrupt request and the skip tests.
 //
 // Bits 6-11 of an IOT choose the device, bits 12-13 its subdevice (040, 020 below), bits 15-17 make pulses 4,
@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "bus.hpp"
 #include "paper_tape.hpp"
+#include "rb09.hpp"
 #include "teletype.hpp"
 #include "timing.hpp"
 
@@ -80,6 +82,7 @@ struct Devices {
   bool reader = true;
   bool punch = true;
   bool teletype = true;
+  bool disk = false;  // the RB09's controller
 };
 
 // Bits of the IORS word; bit 0, interrupts on, is the processor's own.
@@ -90,13 +93,16 @@ inline constexpr std::uint32_t reader = 0200000, punch = 0100000, keyboard = 004
 
 class Peripherals {
  public:
-  Peripherals(const Devices& present, const Timing& timing)
+  // `core_mask`: where the core address of a data break wraps.
+  Peripherals(const Devices& present, const Timing& timing, Address core_mask = in_bank_mask)
       : clock(timing.clock_hertz),
         reader(timing.reader_line),
         punch(timing.punch_line),
         keyboard(timing.teletype_character),
         printer(timing.teletype_character),
-        present_(present) {}
+        present_(present) {
+    if (present.disk) disk.emplace(timing.disk_word, core_mask);
+  }
 
   // The pulses of one IOT at `now`. `elsewhere` is what devices outside this class add to IORS.
   IotReply iot(core::Instant now, std::uint32_t word, core::Word18 ac, std::uint32_t elsewhere) {
@@ -109,13 +115,16 @@ class Peripherals {
       case 003: keyboard_pulses(word, reply, elsewhere); break;
       case 004: printer_pulses(now, word, reply); break;
       case 033: control_pulses(now, word, reply); break;
+      case 071:
+        if (disk) disk->iot(now, word, reply);
+        break;
       default: break;
     }
     return reply;
   }
 
-  // Everything up to `now` has happened, except clock ticks, which need a memory cycle (see
-  // Clock::take_tick).
+  // Everything up to `now` has happened, except clock ticks and the words of the disk, which need a memory cycle
+  // (see Clock::take_tick and Rb09::request).
   void advance(core::Instant now) {
     reader.advance(now);
     punch.advance(now);
@@ -124,12 +133,13 @@ class Peripherals {
   }
 
   [[nodiscard]] core::Instant deadline() const {
-    return std::min(
-        {clock.deadline(), reader.deadline(), punch.deadline(), keyboard.deadline(), printer.deadline()});
+    return std::min({clock.deadline(), reader.deadline(), punch.deadline(), keyboard.deadline(), printer.deadline(),
+                     disk ? disk->deadline() : core::never});
   }
 
   [[nodiscard]] bool interrupt_request() const {
-    return clock.flag() || reader.flag() || punch.flag() || keyboard.flag() || printer.flag();
+    return clock.flag() || reader.flag() || punch.flag() || keyboard.flag() || printer.flag() ||
+           (disk && disk->interrupt_request());
   }
 
   // CAF and START: flags down, transfers abandoned, clock off.
@@ -139,6 +149,7 @@ class Peripherals {
     punch.reset();
     keyboard.clear_flag();
     printer.reset();
+    if (disk) disk->clear();
   }
 
   // A further device is a further section: snapshots of machines without it have none of that name.
@@ -149,6 +160,7 @@ class Peripherals {
     visit.section("punch", punch);
     visit.section("keyboard", keyboard);
     visit.section("printer", printer);
+    if (disk) visit.section("rb09", *disk);
   }
 
   Clock clock;
@@ -156,6 +168,7 @@ class Peripherals {
   Punch punch;
   Keyboard keyboard;
   Printer printer;
+  std::optional<Rb09> disk;
 
  private:
   static constexpr std::uint32_t subdevice = 040;
@@ -235,8 +248,14 @@ class Peripherals {
     reply.answered |= word & 06U;
   }
 
+  // Codes of device 33 with several pulses, such as 703317: each pulse does what it does alone, in the order 1, 2, 4, as
+  // with every other device here (TTS, then CAF; pulse 4 is nobody's). No document says so of this device.
+  static constexpr bool device_33_obeys_each_pulse = true;
+
   // TTS 703301 (skips if there is a teletype), CAF 703302.
   void control_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
+    const std::uint32_t pulses = word & 07U;
+    if (!device_33_obeys_each_pulse && (pulses & (pulses - 1)) != 0) return;
     if ((word & subdevice) == 0) test(word, present_.teletype, reply);
     if ((word & 02U) != 0) clear(now);
     reply.answered |= word & 02U;

@@ -41,6 +41,9 @@ struct Timing {
   core::Duration punch_line{15'797'788};           // 63.3 lines a second; memory
   core::Duration teletype_character{100'000'000};  // 10 characters a second; memory
 
+  // A word of the RB09 under its head. Unknown; sheets of the time give 17 ms of average access, half a turn.
+  core::Duration disk_word{6'600};
+
   friend constexpr bool operator==(const Timing&, const Timing&) = default;
 };
 

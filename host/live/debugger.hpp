@@ -102,6 +102,8 @@ class Debugger {
   [[nodiscard]] base::Result<base::Done> put_instruction(std::uint32_t at, std::string_view text);
   // What else is done to the machine from outside.
   void changed() { past_.changed(); }
+  // After a change of media: what was before cannot be gone back to.
+  void forget_past() { past_.forget(); }
   // Keys for the console, to be typed as the program asks for them in the runs that follow.
   void send(std::string_view keys) { keys_ += keys; }
   [[nodiscard]] bool keys_wait() const { return !keys_.empty(); }

@@ -138,6 +138,13 @@ class Monitor::Inside {
   Answer answer_of(const Halted& halted) const;
   Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
+  // Before a medium is taken out of its device.
+  void write_media_back() {
+    for (const auto& medium : machine_.changed_media()) {
+      const auto done = host_.write(medium.path, medium.content);
+      if (!done) throw Wrong{done.error().message};
+    }
+  }
   Answer save(std::string_view arguments);
   Answer restore(std::string_view arguments);
 
@@ -233,8 +240,8 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
       Verb{"show", 2, "registers|devices|display|stack|time|breaks|conditions|symbols",
            "show that; the stack as the last instructions tell it", &Inside::show},
       Verb{"who", 3, "ADDRESS", "which instruction last wrote the word, when and what", &Inside::who_wrote},
-      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader", &Inside::attach},
-      Verb{"detach", 3, "DEVICE", "take it out", &Inside::detach},
+      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk", &Inside::attach},
+      Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Inside::detach},
       Verb{"send", 3, "\"KEYS\"", "type on the console, as the program asks for keys in the runs that follow (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
       Verb{"expect", 3, "\"TEXT\"", "run on until the program has printed the text", &Inside::expect},
       Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Inside::assert_verb},
@@ -653,15 +660,18 @@ Answer Monitor::Inside::show(std::string_view arguments) {
 Answer Monitor::Inside::attach(std::string_view arguments) {
   const std::string device = base::lower_case(take_part(arguments));
   if (device.empty() || arguments.empty()) throw Wrong{"expected DEVICE FILE, such as reader tape.rim"};
-  const auto done = machine_.attach(device, file(std::string(take_part(arguments))));
-  debugger_.changed();
+  const guests::run::Input input = file(std::string(take_part(arguments)));
+  write_media_back();
+  const auto done = machine_.attach(device, input);
+  debugger_.forget_past();
   if (!done) throw Wrong{done.error().message};
   return {};
 }
 
 Answer Monitor::Inside::detach(std::string_view arguments) {
+  write_media_back();
   const auto done = machine_.attach(base::lower_case(arguments), {});
-  debugger_.changed();
+  debugger_.forget_past();
   if (!done) throw Wrong{done.error().message};
   return {};
 }

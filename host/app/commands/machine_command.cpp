@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "host/base/file.hpp"
+
 namespace sightline::app {
 
 namespace {
@@ -72,6 +74,13 @@ std::optional<std::string> read_include(const std::string& path) {
     return read_input_text(path);
   } catch (const Failure&) {
     return std::nullopt;
+  }
+}
+
+void write_media_back(const guests::run::Machine& machine) {
+  for (const auto& medium : machine.changed_media()) {
+    const auto done = base::write_file_atomically(medium.path, medium.content);
+    if (!done) throw Failure(ExitCode::io, done.error().message());
   }
 }
 

@@ -33,4 +33,7 @@ template <class T>
 // The text of a source that another includes; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
+// Puts what the program has changed on disks back into their files, each whole or not at all. Failure io.
+void write_media_back(const guests::run::Machine& machine);
+
 }  // namespace sightline::app

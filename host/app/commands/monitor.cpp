@@ -64,7 +64,10 @@ ExitCode monitor(const MachineDescription& description, Arguments arguments) {
     return found == programs.assembled.end() ? read_named(path) : guests::run::Input{path, found->second};
   }));
   for (const std::string& warning : prepared.warnings) warn(warning);
-  return hold_monitor_session({description, *prepared.machine, prepared.limits, std::move(programs.symbols), arguments});
+  const ExitCode code =
+      hold_monitor_session({description, *prepared.machine, prepared.limits, std::move(programs.symbols), arguments});
+  write_media_back(*prepared.machine);
+  return code;
 }
 
 std::vector<guests::run::Option> monitor_options(const MachineDescription& machine) {

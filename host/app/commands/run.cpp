@@ -146,6 +146,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
         hold_monitor_session({description, machine, prepared.limits, live::Symbols(description.radix), arguments}));
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
+  write_media_back(machine);
   outputs.write(description, machine);
   if (arguments.given("--json")) {
     base::Json report = json_report(description, machine, stop);

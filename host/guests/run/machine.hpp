@@ -306,6 +306,12 @@ class Machine {
   [[nodiscard]] virtual Result<Done> attach(std::string_view device, const Input&) {
     return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
   }
+  // Media whose content the program has changed, with the files they came from.
+  struct Medium {
+    std::string path;
+    Bytes content;
+  };
+  [[nodiscard]] virtual std::vector<Medium> changed_media() const { return {}; }
   // Flags of devices that a monitor can stop at: the names are in lower case.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, bool>> conditions() { return {}; }
   // What the devices do, one to a line; the display's registers, empty without one.

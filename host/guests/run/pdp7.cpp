@@ -9,7 +9,9 @@
 #include <iterator>
 #include <optional>
 
+#include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
+#include "host/guests/run/disk_image.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -267,6 +269,10 @@ class Pdp7Machine final : public Machine {
         sink_(setup_.screen.value_or(Screen::Wishes{})),
         machine_(setup_.machine, sink_, nobody_),
         switches_(setup_.switches) {
+    if (setup_.disk) {
+      machine_.devices().disk->attach(std::move(setup_.disk->image), setup_.disk->number, setup_.disk->locks);
+      disk_path_ = setup_.disk->path;
+    }
     if (!setup_.reader_tape.empty()) machine_.devices().reader.load(setup_.reader_tape);
     for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
     machine_.console().schedule(setup_.switch_script);
@@ -361,10 +367,16 @@ class Pdp7Machine final : public Machine {
                        entry.link);
   }
   [[nodiscard]] Result<Done> attach(std::string_view device, const Input& input) override {
+    if (device == "disk") return attach_disk(input);
     if (device != "reader")
-      return usage(fmt::format("attach: found device \"{}\", expected reader", device));
+      return usage(fmt::format("found device \"{}\", expected reader or disk", device));
     machine_.devices().reader.load(input.bytes);
     return Done{};
+  }
+  [[nodiscard]] std::vector<Medium> changed_media() const override {
+    const auto& disk = machine_.devices().disk;
+    if (!disk || !disk->changed() || disk_path_.empty()) return {};
+    return {{disk_path_, disk_image(*disk)}};
   }
   [[nodiscard]] std::vector<std::pair<std::string_view, bool>> conditions() override {
     const pdp7::Peripherals& devices = machine_.devices();
@@ -373,6 +385,10 @@ class Pdp7Machine final : public Machine {
                                                          {"punch", devices.punch.flag()},
                                                          {"keyboard", devices.keyboard.flag()},
                                                          {"printer", devices.printer.flag()}};
+    if (devices.disk) {
+      constexpr std::uint32_t over = pdp7::rb09::status::done | pdp7::rb09::status::error;
+      flags.emplace_back("disk", (devices.disk->status() & over) != 0);
+    }
     if (auto* display = machine_.display()) {
       // The display has come to the machine's own time: to ask it changes nothing.
       flags.emplace_back("edge", display->vertical_edge(now()) || display->horizontal_edge(now()));
@@ -392,6 +408,15 @@ class Pdp7Machine final : public Machine {
         {"keyboard", fmt::format("{}, buffer {:03o}", flag(devices.keyboard.flag()), devices.keyboard.buffer())},
         {"printer", fmt::format("{}, {} characters typed", flag(devices.printer.flag()),
                                 devices.printer.printed().size())}};
+    if (devices.disk) {
+      const pdp7::Rb09& disk = *devices.disk;
+      const std::uint32_t track = disk.address() / pdp7::rb09::words_a_track;
+      const std::uint32_t sector = disk.address() / pdp7::rb09::words % pdp7::rb09::sectors;
+      lines.push_back({"disk", fmt::format("{}, status {:06o}, track {} sector {} word {} (decimal), core {:05o}, count {:06o}",
+                                           disk.attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
+                                           disk.status(), track, sector, disk.address() % pdp7::rb09::words,
+                                           disk.core_address(), disk.word_count())});
+    }
     return lines;
   }
   [[nodiscard]] std::vector<ReportLine> display_lines() const override {
@@ -468,6 +493,11 @@ class Pdp7Machine final : public Machine {
         {"instructions", fmt::format("{}", counts.instructions)},
         {"machine cycles",
          fmt::format("{}, {} of them stolen", counts.machine_cycles, counts.stolen_cycles)}};
+    if (const auto& disk = machine_.devices().disk) {
+      const pdp7::rb09::Counters& done = disk->counters();
+      lines.push_back({"disk", fmt::format("{} words read and {} written in {} transfers, {} timing errors", done.words_read,
+                                           done.words_written, done.transfers, done.timing_errors)});
+    }
     if (const auto* display = machine_.display()) {
       lines.push_back(
           {"display", fmt::format("{} words, {} passes complete of {} started", display->counters().words,
@@ -494,6 +524,13 @@ class Pdp7Machine final : public Machine {
                                    {"display", setup_.machine.display.has_value()}};
     base::Json& timing = report["timing"] = base::Json::object();
     for (const auto& [name, value] : setup_.timing) timing[name] = value;
+    if (const auto& disk = machine_.devices().disk) {
+      const pdp7::rb09::Counters& done = disk->counters();
+      report["disk"] = base::Json{{"transfers", done.transfers},
+                                  {"words_read", done.words_read},
+                                  {"words_written", done.words_written},
+                                  {"timing_errors", done.timing_errors}};
+    }
     report["reader_out_of_tape"] = machine_.devices().reader.out_of_tape();
     base::Json& unanswered = report["unanswered"] = base::Json::array();
     for (const machines::Unanswered& entry : machine_.unanswered()) {
@@ -514,6 +551,10 @@ class Pdp7Machine final : public Machine {
       warnings.push_back(fmt::format("PC {:05o}: {:06o} does nothing, {} ({})", entry.first_pc, entry.word,
                                      why_unanswered(entry.word),
                                      entry.count == 1 ? "once" : fmt::format("{} times", entry.count)));
+    }
+    if (const auto& disk = machine_.devices().disk; disk && disk->counters().timing_errors != 0) {
+      warnings.push_back(fmt::format("the disk waited too long for core in {} transfers, which ended with a timing error",
+                                     disk->counters().timing_errors));
     }
     if (machine_.devices().reader.out_of_tape())
       warnings.emplace_back("the program waits for the paper-tape reader, which has no more tape");
@@ -564,6 +605,22 @@ class Pdp7Machine final : public Machine {
     if (reason == machines::StopReason::instruction_limit)
       static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
     return reason;
+  }
+
+  // An input without bytes is an empty drive.
+  Result<Done> attach_disk(const Input& input) {
+    auto& disk = machine_.devices().disk;
+    if (!disk) return usage("found no disk drive on this machine, expected one; begin with --disk FILE");
+    if (input.name.empty()) {
+      disk->detach();
+      disk_path_.clear();
+      return Done{};
+    }
+    auto image = read_disk_image(input);
+    if (!image) return image.error();
+    disk->attach(std::move(*image), base::crc32(input.bytes), 0);
+    disk_path_ = input.name;
+    return Done{};
   }
 
   void listen_to_printer() {
@@ -620,6 +677,7 @@ class Pdp7Machine final : public Machine {
   std::optional<Probe> probe_;
   machines::Pdp7<Sink> machine_;
   core::Word18 switches_;  // their current setting
+  std::string disk_path_;  // of the disk in the drive; empty: none, or it is not written back
   std::vector<PenMove> pen_script_;
   std::size_t next_move_ = 0;  // of pen_script_
   // For the console: how much the printer has printed, of which how much was handed out, and since when neither it nor

@@ -21,6 +21,13 @@ struct Pdp7Setup {
   std::vector<std::pair<std::string, std::int64_t>> timing;  // what --timing has set, for the report
   core::Word18 switches;
   std::vector<pdp7::SwitchSetting> switch_script;
+  struct Disk {
+    std::string path;                 // it is written back to; empty: it is not
+    std::vector<core::Word18> image;
+    std::uint32_t number = 0;         // the checksum of its bytes
+    std::uint32_t locks = 0;          // pdp7::Rb09::attach
+  };
+  std::optional<Disk> disk;
   Bytes reader_tape;                     // one byte a line, hole 8 = 0200
   std::vector<KeyPress> keys;            // not before one another
   std::vector<PenMove> pen_script;       // likewise; nothing without a display

@@ -6,7 +6,9 @@
 #include <array>
 #include <type_traits>
 
+#include "host/base/crc32.hpp"
 #include "host/base/number.hpp"
+#include "host/guests/run/disk_image.hpp"
 #include "host/guests/run/pdp7.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/disasm/disasm.hpp"
@@ -73,6 +75,7 @@ constexpr std::array timing_names{
     time_named<&Timing::reader_line>("reader_line", 1, longest_line),
     time_named<&Timing::punch_line>("punch_line", 1, longest_line),
     time_named<&Timing::teletype_character>("teletype_character", 1, longest_line),
+    time_named<&Timing::disk_word>("disk_word", 1, longest_stretch),
     TimingName{"iot_stretch.DD", "ns", 0, longest_stretch,
                [](const Timing& t, std::size_t device) { return t.iot_stretch[device].count(); },
                [](Timing& t, std::size_t device, std::int64_t value) {
@@ -178,8 +181,10 @@ std::vector<std::string> configuration_of(const machines::Pdp7Options& options) 
   if (options.display) words.emplace_back("--display");
   if (options.display && options.display->characters_342) words.emplace_back("--display-option 342");
   if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
+  if (machine.devices.disk) words.emplace_back("--disk");
   for (const TimingName& row : timing_names) {
-    if (&row != &timing_names.back())
+    const bool used = row.name != "disk_word" || machine.devices.disk;
+    if (used && &row != &timing_names.back())
       words.push_back(fmt::format("--timing {}={}", row.name, row.get(machine.timing, 0)));
   }
   const auto& stretch = machine.timing.iot_stretch;
@@ -204,6 +209,16 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.trace = arguments.given("--trace");
   setup.monitored = arguments.given("--monitor");
   if (auto done = set_switches(arguments.text("--switches"), read, setup); !done) return done.error();
+  if (arguments.given("--disk")) {
+    const Input input = read(arguments.text("--disk"));
+    auto image = read_disk_image(input);
+    if (!image) return image.error();
+    const bool read_only = arguments.given("--disk-read-only");
+    setup.machine.configuration.devices.disk = true;
+    const std::string& path = arguments.text("--disk");
+    setup.disk = Pdp7Setup::Disk{read_only || path == "-" ? std::string() : path, std::move(*image), base::crc32(input.bytes),
+                                 read_only ? sightline::pdp7::rb09::all_locked : 0};
+  }
   if (arguments.given("--reader")) setup.reader_tape = read(arguments.text("--reader")).bytes;
   if (arguments.given("--keyboard")) {
     if (auto done = read_keyboard(read(arguments.text("--keyboard")), setup.keys); !done) return done.error();
@@ -314,6 +329,11 @@ std::vector<Option> run_options() {
       {text, "--light-pen", "SCRIPT", "A script of where the display's light pen points when"},
       {list, "--timing", "NAME=VALUE", "Set a time of the machine that no document settles; names below"},
       {text, "--reader", "FILE", "The tape in the paper-tape reader"},
+      {text, "--disk", "FILE", "The image in the RB09 disk drive; what the program writes is written back after the run"},
+      {.kind = flag,
+       .name = "--disk-read-only",
+       .help = "All write-lock switches of the disk on: the image stays as it is",
+       .needs = "--disk"},
       {text, "--keyboard", "SCRIPT", "A script of what is typed when"},
       {text, "--max-instructions", "N", "Stop after this many instructions"},
       {text, "--max-time", "SECONDS", "Stop after this much emulated time"},

@@ -1,0 +1,150 @@
+// The RB09 as a user meets it: the test system of tests/data/disk_system boots from an image and takes commands through
+// the console; images that are damaged are refused, and an image is written back whole or not at all.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/host/app/command_line.hpp"
+#include "tools/asm/pdp7.hpp"
+
+namespace sightline::test {
+namespace {
+
+constexpr std::size_t bytes_of_disk = 4'096'000;
+constexpr std::size_t words_a_track = 80 * 64;
+
+class Disk : public CommandLine {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path system = std::filesystem::path(SIGHTLINE_TEST_DATA) / "disk_system";
+    ASSERT_EQ(sightline({"asm", "pdp7", (system / "boot.s").string(), "-o", "boot.rim"}).exit_code, 0);
+    std::ifstream stream(system / "kernel.s");
+    const std::string source{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    const std::vector<assembler::SourceFile> sources{{"kernel.s", source}};
+    const auto assembly = assembler::assemble_pdp7(sources, {});
+    for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
+    image_.assign(bytes_of_disk, '\0');
+    for (const auto& [address, word] : assembly.image.words) {
+      ASSERT_LT(address, 256U);
+      put(180 * words_a_track + address, word.value());
+    }
+    write("disk", image_);
+  }
+  void put(std::size_t place, std::uint32_t word) {
+    for (unsigned n = 0; n < 4; ++n) image_[4 * place + n] = static_cast<char>(word >> (8 * n));
+  }
+  static std::uint32_t word(const std::string& image, std::size_t place) {
+    std::uint32_t word = 0;
+    for (unsigned n = 4; n-- > 0;) word = word << 8 | static_cast<unsigned char>(image[4 * place + n]);
+    return word;
+  }
+  // Boots and takes `steps` after the prompt, options of the command line.
+  Ran session(std::vector<std::string> steps, std::vector<std::string> more = {}) {
+    std::vector<std::string> words{"run", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--expect", "*"};
+    words.insert(words.end(), steps.begin(), steps.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return sightline(words);
+  }
+
+  std::string image_;
+};
+
+TEST_F(Disk, ASystemBootsReadsAndWrites) {
+  put(3 * 64, 'Q');
+  write("disk", image_);
+  const Ran ran = session({"--send", "r3", "--expect", "r3Q\r\n*", "--send", "w5Z", "--expect", "w5Zk\r\n*", "--send", "r5",
+                           "--expect", "r5Z\r\n*", "--send", "h"},
+                          {"--strict"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_EQ(ran.out, "*r3Q\r\n*w5Zk\r\n*r5Z\r\n*h");
+  EXPECT_NE(ran.err.find("stopped by      halt"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("384 words read and 64 written in 4 transfers, 0 timing errors"), std::string::npos) << ran.err;
+  // The word written and nothing else; sector 5 had 64 words of core from 500 on, of which the first is Z.
+  const std::string after = read("disk");
+  ASSERT_EQ(after.size(), bytes_of_disk);
+  EXPECT_EQ(word(after, 5 * 64), static_cast<std::uint32_t>('Z'));
+  for (std::size_t place = 0; place < bytes_of_disk / 4; ++place) {
+    if (place == 5 * 64) continue;
+    ASSERT_EQ(word(after, place), word(image_, place)) << place;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"boot.rim", "disk"}));
+}
+
+TEST_F(Disk, ALockedDiskStaysAsItIs) {
+  const Ran ran = session({"--send", "w5Z", "--expect", "w5Z!", "--send", "h"}, {"--disk-read-only"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_EQ(read("disk"), image_);
+}
+
+TEST_F(Disk, AMonitorSessionCanSwapDisks) {
+  write("other", std::string(bytes_of_disk, '\0'));
+  const Ran ran = sightline({"monitor", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix"},
+                            "expect \"*\"\nsend \"w5Z\"\nexpect \"k\"\nshow devices\nattach disk other\nsend \"r5\"\nexpect \"r5\"\n"
+                            "run for 100ms\ndetach disk\nsend \"r5\"\nexpect \"!\"\n");
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("track 0 sector 6 word 0 (decimal)"), std::string::npos) << ran.out;
+  EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z'));
+  EXPECT_EQ(read("other"), std::string(bytes_of_disk, '\0'));
+}
+
+TEST_F(Disk, ATransferGoesOnFromASnapshot) {
+  // The boot waits a turn of 34 ms, some 19,300 instructions, then 256 words pass in 1.7 ms.
+  constexpr int all = 60000;
+  const auto run_for = [this](std::vector<std::string> words, int instructions, std::vector<std::string> more) {
+    words.insert(words.end(), {"--disk", "disk", "--max-instructions", std::to_string(instructions)});
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = sightline(words);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return ran.out;
+  };
+  run_for({"run", "pdp7", "boot.rim"}, all, {"--dump", "whole"});
+  for (const int first : {0, 100, 19000, 19320, 19400, 19500, 19700, 19900, 21000}) {
+    const std::string report = run_for({"run", "pdp7", "boot.rim"}, first, {"--save", "s"});
+    const bool under_way = report.find(" 0 words read") == std::string::npos && report.find(" 256 words read") == std::string::npos;
+    EXPECT_EQ(under_way, first >= 19320 && first <= 19900) << first << report;
+    run_for({"run", "pdp7", "--restore", "s"}, all - first, {"--dump", "half"});
+    EXPECT_TRUE(read("half") == read("whole")) << first;
+  }
+  // With another disk it is not the same machine.
+  image_[0] = 1;
+  write("other", image_);
+  const Ran other = sightline({"run", "pdp7", "--restore", "s", "--disk", "other"});
+  EXPECT_EQ(other.exit_code, 4);
+  EXPECT_NE(other.err.find("the number of the disk that is attached"), std::string::npos) << other.err;
+}
+
+TEST_F(Disk, DamagedImagesAreRefused) {
+  const auto refused = [this](const std::string& image) {
+    write("bad", image);
+    const Ran ran = sightline({"run", "pdp7", "boot.rim", "--disk", "bad"});
+    EXPECT_EQ(ran.exit_code, 4);
+    EXPECT_EQ(read("bad"), image);
+    return ran.err;
+  };
+  EXPECT_NE(refused(image_.substr(1)).find("found 4095999 bytes, expected 4096000"), std::string::npos);
+  EXPECT_NE(refused(image_ + " ").find("found 4096001 bytes"), std::string::npos);
+  EXPECT_NE(refused("").find("found 0 bytes"), std::string::npos);
+  put(1000, 01000000);
+  EXPECT_NE(refused(image_).find("bad: byte 4000: found 1000000, expected a word of 18 bits"), std::string::npos);
+  EXPECT_EQ(sightline({"run", "pdp7", "boot.rim", "--disk", "missing"}).exit_code, 5);
+  EXPECT_EQ(sightline({"run", "pdp7", "boot.rim", "--disk-read-only"}).exit_code, 2);
+}
+
+TEST_F(Disk, ADivideCanMakeAWordLate) {
+  // The boot, then a transfer under divides of 5.5 us and more beside words of 1.8 us.
+  write("late.s",
+        "100/\nbegin, 707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (2000\n  707144\nloop, 640323\n  17777\n"
+        "  707121\n  jmp loop\n  707132\n  hlt\n  start begin\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "late.s", "-o", "late.rim"}).exit_code, 0);
+  const Ran late = sightline({"run", "pdp7", "late.rim", "--disk", "disk", "--timing", "disk_word=1800"});
+  EXPECT_EQ(late.exit_code, 0) << late.err;
+  EXPECT_NE(late.err.find("timing error"), std::string::npos) << late.err;
+}
+
+}  // namespace
+}  // namespace sightline::test
