@@ -159,6 +159,10 @@ void Display<Sink>::visit_state(Visitor& visit) {
   visit("words", counters_.words);
   visit("passes_started", counters_.passes_started);
   visit("passes_stopped", counters_.passes_stopped);
+  visit("stop_codes", counters_.stop_codes);
+  visit("edges", counters_.edges);
+  visit("characters_met", counters_.characters_met);
+  visit("subroutines_met", counters_.subroutines_met);
   visit("last_start", counters_.last_start);
   visit("previous_start", counters_.previous_start);
   const bool draws_stroke = delays_.runs(Delay::stroke_settle) || delays_.runs(Delay::stroke_flash);

@@ -42,13 +42,21 @@ void Display<Sink>::operate(core::Instant t) {
       break;
     case Mode::slave: break;
     case Mode::character:
-      if (options_.characters_342) operate_character(t);
+      if (options_.characters_342) {
+        operate_character(t);
+      } else {
+        ++counters_.characters_met;
+      }
       break;
     case Mode::vector:
     case Mode::vector_continue:
     case Mode::increment: count(t); break;
     case Mode::subroutine:
-      if (options_.subroutines_347) operate_subroutine(t);
+      if (options_.subroutines_347) {
+        operate_subroutine(t);
+      } else {
+        ++counters_.subroutines_met;
+      }
       break;
   }
 }
@@ -62,6 +70,7 @@ void Display<Sink>::operate_parameter(core::Instant t) {
   registers_.intensity = w.intensity.value_or(registers_.intensity);
   if (w.stop) {
     registers_.stop = true;
+    ++counters_.stop_codes;
     end_pass(t);
   } else {
     raise_request(t);
@@ -130,6 +139,7 @@ template <class Sink>
 void Display<Sink>::settled(core::Instant t) {
   if (registers_.mode == Mode::vector && registers_.rate.brm == RateMultiplier::full) registers_.halt = true;
   if (registers_.edge()) {
+    ++counters_.edges;
     const bool goes_on = registers_.mode == Mode::vector_continue;
     registers_.escape();
     if (goes_on) {

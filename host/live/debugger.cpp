@@ -336,6 +336,11 @@ base::Result<Done> Debugger::back(std::uint64_t instructions) {
   return past_.go_back_to(machine_.instructions() - instructions);
 }
 
+base::Result<bool> Debugger::back_to_breakpoint() {
+  show_printed();
+  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe); });
+}
+
 std::vector<Past::Entry> Debugger::history(std::size_t n) {
   show_printed();
   return past_.history(n);

@@ -126,6 +126,9 @@ class Debugger {
   // --- The past ---
 
   [[nodiscard]] base::Result<base::Done> back(std::uint64_t instructions);
+  // To the last place before here where a breakpoint, whatever its condition and count, would have stopped a run; false: to the
+  // beginning of the past.
+  [[nodiscard]] base::Result<bool> back_to_breakpoint();
   [[nodiscard]] std::vector<Past::Entry> history(std::size_t n);
   [[nodiscard]] std::optional<Past::Writer> last_writer(std::uint32_t at);
   // The latest first, as far as the last some ten thousand instructions show them.

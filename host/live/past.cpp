@@ -118,6 +118,24 @@ void Past::look_back(Work work) {
   probe = kept;
 }
 
+base::Result<bool> Past::go_back_to_event(const std::function<void(Probe&)>& mark) {
+  if (places_.empty()) return base::fail("there is no past yet");
+  const Boundary now = here();
+  std::optional<std::uint64_t> found;
+  look_back([&] {
+    for (std::size_t segment = places_.size(); segment-- > 0 && !found;) {
+      mark(*machine_.probe());
+      restore(places_[segment]);
+      run_again(end_of(segment, now), [&] {
+        if (machine_.instructions() < now.instructions) found = machine_.instructions();
+      });
+    }
+  });
+  const auto done = go_back_to(found.value_or(places_.front().instructions));
+  if (!done) return done.error();
+  return found.has_value();
+}
+
 std::vector<Past::Entry> Past::history(std::size_t n) {
   std::vector<Entry> entries;
   const Boundary now = here();

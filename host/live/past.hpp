@@ -39,6 +39,10 @@ class Past {
   // To the boundary at which so many instructions had been obeyed; at most reach() before here.
   [[nodiscard]] base::Result<base::Done> go_back_to(std::uint64_t instructions);
 
+  // To the last boundary before here at which a run watched by these marks would have stopped; false: there is none, and the
+  // machine is where the past begins.
+  [[nodiscard]] base::Result<bool> go_back_to_event(const std::function<void(guests::run::Probe&)>& mark);
+
   using Entry = guests::run::Probe::Entry;
   // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been
   // printed is taken before, or it is lost.

@@ -70,4 +70,14 @@ std::string_view Symbols::source(std::uint32_t address) const {
   return found == sources_.end() ? std::string_view() : std::string_view(found->second);
 }
 
+void Symbols::add_line(std::uint32_t address, Place place) {
+  addresses_.emplace(place, address);
+  places_.emplace(address, std::move(place));
+}
+
+const Symbols::Place* Symbols::place(std::uint32_t address) const {
+  const auto found = places_.find(address);
+  return found == places_.end() ? nullptr : &found->second;
+}
+
 }  // namespace sightline::live

@@ -1,6 +1,8 @@
 // The symbols of a program and the lines of its source, as our assemblers write them with --symbols and --listing.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -30,6 +32,16 @@ class Symbols {
   [[nodiscard]] std::string_view source(std::uint32_t address) const;
   [[nodiscard]] const std::map<std::string, std::uint32_t, std::less<>>& all() const { return values_; }
 
+  // A line of a source file, as the assembler names the file; lines from 1.
+  struct Place {
+    std::string file;
+    std::size_t line = 0;
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  void add_line(std::uint32_t address, Place place);
+  [[nodiscard]] const Place* place(std::uint32_t address) const;  // null: no line of a source made the word
+  [[nodiscard]] const std::map<Place, std::uint32_t>& lines() const { return addresses_; }
+
  private:
   [[nodiscard]] std::string key(std::string_view name) const;
 
@@ -38,6 +50,8 @@ class Symbols {
   std::map<std::string, std::uint32_t, std::less<>> keys_;
   std::map<std::uint32_t, std::string> by_value_;
   std::map<std::uint32_t, std::string> sources_;
+  std::map<std::uint32_t, Place> places_;
+  std::map<Place, std::uint32_t> addresses_;  // of the first word of each line
 };
 
 }  // namespace sightline::live

@@ -13,6 +13,8 @@ struct ListingLine {
   std::string address;  // empty if the line makes no word
   std::string code;
   std::string source;  // the source line, or what an extra word of it stands for
+  std::string file = {};     // of a line that makes words: where it was written; empty for what no line of a source made
+  std::size_t line_number = 0;  // there, from 1
 
   friend bool operator==(const ListingLine&, const ListingLine&) = default;
 };

@@ -71,6 +71,8 @@ std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
         if (!shown && !word.stands_for.empty()) listing.push_back({"", "", std::string(line)});
         listing.push_back(
             line_of(word, shown || !word.stands_for.empty() ? word.stands_for : std::string(line)));
+        listing.back().file = sources[file].name;
+        listing.back().line_number = number;
         shown = true;
       }
       if (!shown) listing.push_back({"", "", std::string(line)});

@@ -18,6 +18,7 @@ namespace sightline::app {
 namespace {
 
 using guests::run::Arguments;
+using guests::run::Machine;
 using guests::run::MachineDescription;
 using guests::run::OptionKind;
 
@@ -28,6 +29,12 @@ struct Programs {
   std::map<std::string, base::Bytes> assembled;  // under the names that --load has for them now
   live::Symbols symbols;
 };
+
+std::string first_error(const std::vector<assembler::Diagnostic>& diagnostics) {
+  for (const auto& diagnostic : diagnostics)
+    if (diagnostic.severity == assembler::Severity::error) return assembler::to_string(diagnostic);
+  return {};
+}
 
 // Replaces sources in --load by what they assemble to. Failure bad_input.
 Programs assemble_sources(const MachineDescription& machine, Arguments& arguments) {
@@ -44,9 +51,11 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
     if (assembler::any_errors(assembled.diagnostics))
-      throw Failure(ExitCode::bad_input, path + ": the source has errors");
+      throw Failure(ExitCode::bad_input, fmt::format("{}: the source has errors: {}", path, first_error(assembled.diagnostics)));
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));
     programs.symbols.add_listing(assembled.listing);
+    for (const guests::run::SourceLine& line : assembled.lines)
+      programs.symbols.add_line(line.address, {line.file, line.line});
     path += std::string(": ") + std::string(form->name);
     programs.assembled[path] = accepted(form->write(assembled.program, path));
   }
@@ -56,18 +65,25 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
   return programs;
 }
 
-ExitCode monitor(const MachineDescription& description, Arguments arguments) {
+ExitCode monitor(const MachineDescription& description, const Arguments& arguments) {
+  MonitoredMachine made = make_monitored(description, arguments);
+  for (const std::string& warning : made.prepared.warnings) warn(warning);
+  Machine& machine = *made.prepared.machine;
+  const ExitCode code = hold_monitor_session({description, machine, made.prepared.limits, std::move(made.symbols), arguments});
+  write_media_back(machine);
+  return code;
+}
+
+}  // namespace
+
+MonitoredMachine make_monitored(const MachineDescription& description, Arguments arguments) {
   arguments.value("--monitor").flag = true;
   Programs programs = assemble_sources(description, arguments);
-  const auto prepared = accepted(prepare(description, arguments, [&programs](const std::string& path) {
+  auto prepared = accepted(prepare(description, arguments, [&programs](const std::string& path) {
     const auto found = programs.assembled.find(path);
     return found == programs.assembled.end() ? read_named(path) : guests::run::Input{path, found->second};
   }));
-  for (const std::string& warning : prepared.warnings) warn(warning);
-  const ExitCode code =
-      hold_monitor_session({description, *prepared.machine, prepared.limits, std::move(programs.symbols), arguments});
-  write_media_back(*prepared.machine);
-  return code;
+  return {std::move(prepared), std::move(programs.symbols)};
 }
 
 std::vector<guests::run::Option> monitor_options(const MachineDescription& machine) {
@@ -88,8 +104,6 @@ std::vector<guests::run::Option> monitor_options(const MachineDescription& machi
                      .initial = machine.radix == 8 ? "8" : "16"});
   return options;
 }
-
-}  // namespace
 
 void add_monitor_command(const Command& program) {
   const Command command = program.add_command("monitor", help_page("monitor"));

@@ -1,11 +1,25 @@
 // The prompt of the monitor: lines of a person or a pipe, answered by live::Monitor.
 #pragma once
 
+#include <vector>
+
 #include "host/app/command.hpp"
 #include "host/guests/run/engine.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::app {
+
+// The options of the monitor: those of `run` that make a machine, and its own.
+[[nodiscard]] std::vector<guests::run::Option> monitor_options(const guests::run::MachineDescription& machine);
+
+// A machine made with --monitor; sources among its programs are assembled in place.
+struct MonitoredMachine {
+  guests::run::Prepared prepared;
+  live::Symbols symbols;
+};
+// Failure usage, bad_input or io.
+[[nodiscard]] MonitoredMachine make_monitored(const guests::run::MachineDescription& description,
+                                              guests::run::Arguments arguments);
 
 struct MonitorSetup {
   const guests::run::MachineDescription& description;

@@ -14,6 +14,7 @@
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
+#include "host/guests/run/vcd.hpp"
 #include "host/live/console.hpp"
 #include "host/live/snapshot.hpp"
 
@@ -37,6 +38,7 @@ class RunOutputs {
     for (const guests::run::Option& option : description.options) {
       if (option.kind != OptionKind::output && option.kind != OptionKind::stream) continue;
       std::string path = arguments.text(option.key());
+      if (option.key() == "--vcd") path = guests::run::vcd_target(path).file;
       if (path.empty() && !json && !arguments.given("--console") && arguments.given(option.stdout_with)) {
         path = "-";
         stdout_twice = "-: standard output has " + std::string(option.content) + "; " + option.name +

@@ -380,6 +380,16 @@ Stop run_to_stop(Machine& machine, const Limits& limits, const KeepRunning& keep
   return *stop;
 }
 
+std::vector<SourceLine> source_lines(std::span<const assembler::ListingLine> listing, int radix) {
+  std::vector<SourceLine> lines;
+  for (const assembler::ListingLine& line : listing) {
+    const auto address = base::unsigned_number(line.address, radix);
+    if (address && line.line_number != 0)
+      lines.push_back({static_cast<std::uint32_t>(*address), line.file, line.line_number});
+  }
+  return lines;
+}
+
 std::string digits(const MachineDescription& machine, std::uint32_t value, unsigned bits) {
   const unsigned bits_a_digit = machine.radix == 16 ? 4 : 3;
   return in_radix(value, machine.radix, (bits + bits_a_digit - 1) / bits_a_digit);

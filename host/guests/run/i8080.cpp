@@ -214,7 +214,132 @@ class RunPorts {
   bool unanswered_ = false;
 };
 
-// --- Trace and bus log ---
+// --- Trace, bus log and VCD ---
+
+// The rows of i8080_signals(), by number; those of the status byte from its lowest bit on.
+namespace signal {
+enum : std::size_t {
+  address, data, sync, dbin, wr, wait, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
+};
+}
+
+constexpr std::array<VcdSignal, signal::count> signals{{
+    {"pins", "address", 16, "A15-A0"},
+    {"pins", "data", 8, "D7-D0: the status byte with SYNC, then the byte; z while nobody drives them"},
+    {"pins", "sync", 1, "a machine cycle begins"},
+    {"pins", "dbin", 1, "the processor reads D7-D0"},
+    {"pins", "wr", 1, "WR# is low: the byte is to be written"},
+    {"pins", "wait", 1, "a wait state, or HLT"},
+    {"pins", "t", 3, "the T-state: 1 to 5, 6 in a wait state, 7 in a cycle inside the processor"},
+    {"status", "inta", 1, "of the machine cycle, as all of these: interrupt acknowledge"},
+    {"status", "wo", 1, "WO#: not a write"},
+    {"status", "stack", 1, "the address is SP"},
+    {"status", "hlta", 1, "HLT acknowledge"},
+    {"status", "out", 1, "an output port"},
+    {"status", "m1", 1, "the first cycle of an instruction"},
+    {"status", "inp", 1, "an input port"},
+    {"status", "memr", 1, "memory is read"},
+    {"registers", "pc", 16, "after each instruction, as all of these"},
+    {"registers", "sp", 16, "the stack pointer"},
+    {"registers", "a", 8, "the accumulator"},
+    {"registers", "f", 8, "the flags"},
+    {"registers", "bc", 16, "B and C"},
+    {"registers", "de", 16, "D and E"},
+    {"registers", "hl", 16, "H and L"},
+    {"registers", "inte", 1, "interrupts are on"},
+}};
+
+// Pins by T-state, from machine cycles: what a T-state shows is fixed but for the number of wait states, which the time
+// until the next cycle tells.
+class I8080Vcd {
+ public:
+  I8080Vcd(VcdWriter writer, core::ClockRate clock) : writer_(std::move(writer)), clock_(clock) {}
+  void take(TextTaker taker) { writer_.take(std::move(taker)); }
+  void finish() { writer_.finish(); }
+
+  void cycle(const machines::I8080Cycle& cycle) {
+    end_cycle(cycle.time);
+    if (cycle.status == i8080::status::halt_cycle) {
+      begin_halt(cycle);
+    } else {
+      pending_ = cycle;
+    }
+  }
+  void instruction(const machines::I8080InstructionRecord& record) {
+    end_cycle(record.end);
+    const i8080::State& s = record.after;
+    show(record.end, signal::pc, s.pc);
+    show(record.end, signal::sp, s.sp);
+    show(record.end, signal::a, s.a);
+    show(record.end, signal::f, s.f);
+    show(record.end, signal::bc, s.bc);
+    show(record.end, signal::de, s.de);
+    show(record.end, signal::hl, s.hl);
+    show(record.end, signal::inte, s.interrupts_on ? 1 : 0);
+  }
+
+ private:
+  void show(core::TStateInstant at, std::size_t row, std::uint32_t value) {
+    latest_ = std::max(latest_, at);
+    writer_.show(core::nanoseconds_of(clock_.to_nanoseconds(latest_)), row, value);
+  }
+
+  void first_t_state(const machines::I8080Cycle& cycle) {
+    show(cycle.time, signal::address, cycle.address);
+    show(cycle.time, signal::data, cycle.status);
+    show(cycle.time, signal::sync, 1);
+    for (const std::size_t pin : {signal::dbin, signal::wr, signal::wait}) show(cycle.time, pin, 0);
+    show(cycle.time, signal::t, 1);
+    for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, signal::inta + bit, cycle.status >> bit & 1U);
+  }
+  // Until the next cycle begins.
+  void begin_halt(const machines::I8080Cycle& cycle) {
+    first_t_state(cycle);
+    const core::TStateInstant second = cycle.time + core::TStates(1);
+    show(second, signal::data, VcdWriter::floating);
+    show(second, signal::sync, 0);
+    show(second, signal::t, 2);
+    show(second + core::TStates(1), signal::wait, 1);
+    show(second + core::TStates(1), signal::t, 6);
+  }
+
+  // All T-states of the cycle, which ends at `end`.
+  void end_cycle(core::TStateInstant end) {
+    namespace status = i8080::status;
+    if (!pending_) return;
+    const machines::I8080Cycle cycle = *std::exchange(pending_, std::nullopt);
+    const auto at = [&cycle](std::int64_t n) { return cycle.time + core::TStates(n); };
+    const bool reads = (cycle.status & status::read) != 0;
+    const std::int64_t length = (end - cycle.time).count();
+    // Of a fetch the rest is T4, T5 and cycles inside: its wait states cannot be told from them.
+    const std::int64_t waits = (cycle.status & status::first) != 0 ? 0 : length - 3;
+    first_t_state(cycle);
+    show(at(1), signal::data, cycle.data);
+    show(at(1), signal::sync, 0);
+    show(at(1), signal::dbin, reads ? 1 : 0);
+    show(at(1), signal::t, 2);
+    if (waits > 0) {
+      show(at(2), signal::wait, 1);
+      show(at(2), signal::t, 6);
+      if (!reads) show(at(2), signal::wr, 1);
+    }
+    const std::int64_t third = 2 + waits;
+    show(at(third), signal::wait, 0);
+    show(at(third), signal::dbin, 0);
+    if (reads) show(at(third), signal::data, VcdWriter::floating);
+    if (!reads) show(at(third), signal::wr, 1);
+    show(at(third), signal::t, 3);
+    if (!reads) show(at(third + 1), signal::wr, 0);
+    // DAD goes on inside after T4.
+    const std::int64_t inside = (cycle.data & 0xCFU) == 0x09 ? 4 : 5;
+    for (std::int64_t n = third + 1; n < length; ++n) show(at(n), signal::t, n < inside ? static_cast<std::uint32_t>(n + 1) : 7U);
+  }
+
+  VcdWriter writer_;
+  core::ClockRate clock_;
+  std::optional<machines::I8080Cycle> pending_;
+  core::TStateInstant latest_{};
+};
 
 // An observer that writes what has a taker, in blocks.
 class Recorder {
@@ -224,11 +349,16 @@ class Recorder {
   static constexpr bool stops = false;
 
   void take(std::string_view option, TextTaker taker) {
-    (option == "--trace" ? trace_ : bus_).take(std::move(taker));
+    if (option == "--vcd" && vcd) {
+      vcd->take(std::move(taker));
+    } else {
+      (option == "--trace" ? trace_ : bus_).take(std::move(taker));
+    }
   }
   void finish() {
     trace_.finish();
     bus_.finish();
+    if (vcd) vcd->finish();
   }
 
   // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT is before an
@@ -236,11 +366,15 @@ class Recorder {
   // as another.
   void instruction(const machines::I8080InstructionRecord& record) {
     if (trace_.wanted()) write(record);
+    if (vcd) vcd->instruction(record);
   }
   // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
   void cycle(const machines::I8080Cycle& cycle) {
     if (bus_.wanted()) write(cycle);
+    if (vcd) vcd->cycle(cycle);
   }
+
+  std::optional<I8080Vcd> vcd;
 
  private:
   struct Remembered {
@@ -465,6 +599,7 @@ class I8080Run final : public Machine {
         processor_(ports_, nobody_) {
     if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
     if (setup_.observed) recorder_.emplace();
+    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), setup_.machine.clock);
   }
 
   [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
@@ -986,6 +1121,10 @@ class I8080Run final : public Machine {
 };
 
 }  // namespace
+
+std::span<const VcdSignal> i8080_signals() {
+  return signals;
+}
 
 std::unique_ptr<Machine> make_i8080(I8080Setup setup) {
   return std::make_unique<I8080Run>(std::move(setup));

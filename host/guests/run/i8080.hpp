@@ -15,12 +15,15 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/machine.hpp"
+#include "host/guests/run/vcd.hpp"
 
 namespace sightline::guests::run {
 
@@ -30,13 +33,17 @@ struct I8080Setup {
   bool cpm = false;                        // puts the entries into memory
   bool strict = false;                     // an access to a port without a device ends the run
   std::vector<std::string> configuration;  // see Machine
-  bool observed = false;                   // take("--trace") or take("--bus") is to come
+  bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") is to come
+  std::optional<VcdWriter> vcd;            // of i8080_signals()
   bool monitored = false;                  // it has a probe; instead of a trace and a bus log
   bool keep_console = false;               // what is printed goes into the report
   bool console = false;                    // with cpm: keys can be typed, take_printed() has what is printed
   bool drawing = false;                    // keep the lines the plotter draws
   bool grey = false;                       // --png
 };
+
+// What --vcd shows of it.
+[[nodiscard]] std::span<const VcdSignal> i8080_signals();
 
 // The registers of the description are A F B C D E H L SP PC INTE.
 [[nodiscard]] std::unique_ptr<Machine> make_i8080(I8080Setup setup);

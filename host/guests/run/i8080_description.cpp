@@ -160,7 +160,12 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   }
   setup.cpm = arguments.given("--cpm");
   setup.strict = arguments.given("--strict");
-  setup.observed = arguments.given("--trace") || arguments.given("--bus");
+  setup.observed = arguments.given("--trace") || arguments.given("--bus") || arguments.given("--vcd");
+  if (arguments.given("--vcd")) {
+    auto writer = VcdWriter::make("i8080", i8080_signals(), vcd_target(arguments.text("--vcd")).signals);
+    if (!writer) return writer.error();
+    setup.vcd = std::move(*writer);
+  }
   setup.console = arguments.given("--console");
   if (setup.console && !setup.cpm) return usage("--console: needs --cpm: the console is that of CP/M");
   setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console-out");
@@ -254,7 +259,7 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
   const auto assembly = assembler::assemble_i8080(sources, options);
   return Assembled{assembly.diagnostics, program_of(assembly.image), assembly.symbols.size(),
                    assembler::write_listing(assembly.listing),
-                   assembler::write_i8080_symbols(assembly.symbols)};
+                   assembler::write_i8080_symbols(assembly.symbols), source_lines(assembly.listing, 16)};
 }
 
 // --- The description ---
@@ -288,6 +293,7 @@ std::vector<Option> run_options() {
       {output, "--save", "FILE", "A snapshot of the whole machine after the run"},
       {stream, "--trace", "FILE", "Every instruction"},
       {stream, "--bus", "FILE", "Every machine cycle"},
+      {stream, "--vcd", "FILE[:SIGNALS]", "Pins by T-state and registers as a value change dump; names below"},
       {.kind = stream,
        .name = "--console-out",
        .argument = "FILE",
@@ -337,6 +343,7 @@ MachineDescription described() {
   MachineDescription i8080;
   i8080.name = "i8080";
   i8080.help = "Run a program on the 8080";
+  i8080.more_help = vcd_help(i8080_signals());
   i8080.radix = 16;
   i8080.address_bits = 16;
   i8080.word_bits = 8;

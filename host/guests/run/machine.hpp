@@ -25,6 +25,7 @@
 #include "host/guests/run/probe.hpp"
 #include "host/guests/run/state.hpp"
 #include "tools/asm/diagnostic.hpp"
+#include "tools/asm/listing.hpp"
 #include "tools/asm/source.hpp"
 
 namespace sightline::guests::run {
@@ -143,12 +144,19 @@ struct Format {
   std::string_view missing = {};
 };
 
+struct SourceLine {
+  std::uint32_t address;
+  std::string file;
+  std::size_t line;  // from 1
+};
+
 struct Assembled {
   std::vector<assembler::Diagnostic> diagnostics;
   Program program;
   std::size_t symbols = 0;
   std::string listing;
   std::string symbol_table;
+  std::vector<SourceLine> lines = {};  // those that make words
 };
 
 // The text of a file; empty if it cannot be read.
@@ -163,6 +171,9 @@ struct Assembler {
   Result<Assembled> (*assemble)(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
                                 const TextReader& include) = nullptr;
 };
+
+// The lines of a listing that make words, whose addresses are in the radix.
+[[nodiscard]] std::vector<SourceLine> source_lines(std::span<const assembler::ListingLine> listing, int radix);
 
 // Each -D NAME=VALUE, by the assembler's reader of one.
 template <class Define>

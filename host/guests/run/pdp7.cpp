@@ -28,6 +28,8 @@ constexpr std::uint64_t cycles_between_questions = std::uint64_t{1} << 22;
 constexpr std::size_t most_warnings = 100;
 // The exposure that the photograph's parameters are set for.
 constexpr core::Duration shutter_time{200'000'000};
+// A picture of a pass that ended longer ago is not what a person would have seen.
+constexpr core::Duration oldest_picture{200'000'000};
 
 // The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
 class Tracer {
@@ -64,6 +66,129 @@ class Tracer {
 
   TextBlocks text_;
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
+};
+
+// The rows of pdp7_signals(), by number.
+namespace signal {
+enum : std::size_t {
+  fetch, defer, execute, eae, brk, tick, interrupt, address, data, write, device, pulses, pc, ac, link, mq, ion, request, edge, pen,
+  stop, count
+};
+}
+
+constexpr std::array<VcdSignal, signal::count> signals{{
+    {"cycle", "fetch", 1, "the cycle that takes an instruction"},
+    {"cycle", "defer", 1, "of an indirect address"},
+    {"cycle", "execute", 1, "of the operand, and of an instruction that XCT leads to"},
+    {"cycle", "eae", 1, "time of the EAE without a cycle"},
+    {"cycle", "brk", 1, "a data break of the display or the disk"},
+    {"cycle", "tick", 1, "a break of the clock"},
+    {"cycle", "interrupt", 1, "the break cycle of the program interrupt"},
+    {"memory", "address", 15, "in the memory address register, while a cycle lasts"},
+    {"memory", "data", 18, "in the memory buffer register: read, or written"},
+    {"memory", "write", 1, "the cycle replaces the word"},
+    {"iot", "device", 6, "bits 6-11 of an IOT, in the last 500 ns of its fetch"},
+    {"iot", "pulses", 3, "its pulses 4, 2, 1, likewise"},
+    {"registers", "pc", 15, "after each instruction, as all of these"},
+    {"registers", "ac", 18, "the accumulator"},
+    {"registers", "link", 1, "the link"},
+    {"registers", "mq", 18, "the multiplier-quotient register"},
+    {"registers", "ion", 1, "interrupts are on"},
+    {"display", "request", 1, "the display asks for a word, as of the end of an instruction, as all of these"},
+    {"display", "edge", 1, "its beam has left the screen"},
+    {"display", "pen", 1, "its light pen has seen light"},
+    {"display", "stop", 1, "its file has stopped it"},
+}};
+
+// Bus events and registers into a VCD. The display is looked at from outside: between events it says nothing.
+class VcdTracer {
+ public:
+  VcdTracer(VcdWriter writer, const type340::Registers* display) : writer_(std::move(writer)), display_(display) {}
+  void take(TextTaker taker) { writer_.take(std::move(taker)); }
+  void finish() { writer_.finish(); }
+
+  void cycle(const pdp7::Cycle& cycle) {
+    const std::int64_t at = core::nanoseconds_of(cycle.time);
+    if (cycle.verb == pdp7::Verb::iot) return iot(cycle, at);
+    clear_pulses(at);
+    const std::size_t kind = kind_of(cycle);
+    for (std::size_t each = signal::fetch; each <= signal::interrupt; ++each) writer_.show(at, each, each == kind ? 1 : 0);
+    const bool asynchronous = cycle.verb == pdp7::Verb::idle;
+    writer_.show(at, signal::address, asynchronous ? VcdWriter::floating : cycle.address);
+    writer_.show(at, signal::data, asynchronous ? VcdWriter::floating : cycle.data.value());
+    const bool writes = cycle.verb == pdp7::Verb::write || cycle.verb == pdp7::Verb::modify ||
+                        cycle.verb == pdp7::Verb::break_write || cycle.verb == pdp7::Verb::break_modify;
+    writer_.show(at, signal::write, writes ? 1 : 0);
+  }
+  void instruction(const machines::InstructionRecord& record) {
+    const std::int64_t at = core::nanoseconds_of(record.end);
+    cycles_ = 0;
+    clear_pulses(at);
+    writer_.show(at, signal::pc, record.after.pc);
+    writer_.show(at, signal::ac, record.after.ac.value());
+    writer_.show(at, signal::link, record.after.link ? 1 : 0);
+    writer_.show(at, signal::mq, record.after.mq.value());
+    writer_.show(at, signal::ion, record.after.interrupts_on ? 1 : 0);
+    if (display_ == nullptr) return;
+    writer_.show(at, signal::request, display_->request ? 1 : 0);
+    writer_.show(at, signal::edge, display_->edge() ? 1 : 0);
+    writer_.show(at, signal::pen, display_->pen_flag ? 1 : 0);
+    writer_.show(at, signal::stop, display_->stop ? 1 : 0);
+  }
+
+ private:
+  std::size_t kind_of(const pdp7::Cycle& cycle) {
+    switch (cycle.verb) {
+      case pdp7::Verb::idle: return signal::eae;
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::break_write: return signal::brk;
+      case pdp7::Verb::break_modify: return signal::tick;
+      default: break;
+    }
+    const bool first = cycles_ == 0;
+    if (first && cycle.verb == pdp7::Verb::write) return signal::interrupt;
+    if (first) {
+      const pdp7::Operation operation = pdp7::instruction_of(cycle.data.value()).operation;
+      refers_ = operation <= pdp7::Operation::jmp && (cycle.data.value() & pdp7::indirect_bit) != 0;
+    }
+    ++cycles_;
+    return first ? signal::fetch : cycles_ == 2 && refers_ ? signal::defer : signal::execute;
+  }
+  void iot(const pdp7::Cycle& cycle, std::int64_t end) {
+    constexpr std::int64_t shown = 500;
+    writer_.show(end - shown, signal::device, (cycle.address >> 6) & 077U);
+    writer_.show(end - shown, signal::pulses, cycle.address & 7U);
+    pulses_ = true;
+  }
+  void clear_pulses(std::int64_t at) {
+    if (pulses_) writer_.show(at, signal::pulses, 0);
+    pulses_ = false;
+  }
+
+  VcdWriter writer_;
+  const type340::Registers* display_;
+  int cycles_ = 0;  // of the instruction under way
+  bool refers_ = false;  // its first address is indirect
+  bool pulses_ = false;
+};
+
+// A trace, a VCD, or both.
+class Recorder {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = false;
+
+  Recorder(Tracer* tracer, VcdTracer& vcd) : tracer_(tracer), vcd_(vcd) {}
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    if (tracer_ != nullptr) tracer_->instruction(record);
+    vcd_.instruction(record);
+  }
+  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) { vcd_.cycle(cycle); }
+
+ private:
+  Tracer* tracer_;
+  VcdTracer& vcd_;
 };
 
 // The observer of a monitor that has marked instructions alone: it is asked between them.
@@ -279,6 +404,8 @@ class Pdp7Machine final : public Machine {
     machine_.console().set(setup_.switches);
     if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
     if (setup_.trace) tracer_.emplace();
+    if (setup_.vcd)
+      vcd_.emplace(std::move(*setup_.vcd), machine_.display() != nullptr ? &machine_.display()->registers() : nullptr);
     if (setup_.monitored) probe_.emplace(std::size_t{pdp7::address_mask} + 1, std::size_t{0100});
   }
 
@@ -322,6 +449,8 @@ class Pdp7Machine final : public Machine {
   void take(std::string_view option, TextTaker taker) override {
     if (option == "--trace") {
       if (tracer_) tracer_->take(std::move(taker));
+    } else if (option == "--vcd") {
+      if (vcd_) vcd_->take(std::move(taker));
     } else {
       sink_.take_log(std::move(taker));
     }
@@ -345,6 +474,7 @@ class Pdp7Machine final : public Machine {
   }
   void finish() override {
     if (tracer_) tracer_->finish();
+    if (vcd_) vcd_->finish();
     sink_.finish();
   }
 
@@ -499,9 +629,14 @@ class Pdp7Machine final : public Machine {
                                            done.words_written, done.transfers, done.timing_errors)});
     }
     if (const auto* display = machine_.display()) {
-      lines.push_back(
-          {"display", fmt::format("{} words, {} passes complete of {} started", display->counters().words,
-                                  display->counters().passes_stopped, display->counters().passes_started)});
+      const type340::Counters& counters = display->counters();
+      lines.push_back({"display", fmt::format("{} words, {} passes complete of {} started", counters.words,
+                                              counters.passes_stopped, counters.passes_started)});
+      std::string ends;
+      if (counters.stop_codes != 0) ends += fmt::format("{} stop codes", counters.stop_codes);
+      if (counters.edges != 0) ends += fmt::format("{}{} edges taken", ends.empty() ? "" : ", ", counters.edges);
+      if (display->registers().stop) ends += fmt::format("{}stopped now by its own file", ends.empty() ? "" : ", ");
+      if (!ends.empty()) lines.push_back({"", ends});
     }
     return lines;
   }
@@ -515,6 +650,8 @@ class Pdp7Machine final : public Machine {
     report["display_words"] = display != nullptr ? display->counters().words : 0;
     report["passes"] = display != nullptr ? display->counters().passes_stopped : 0;
     report["passes_started"] = display != nullptr ? display->counters().passes_started : 0;
+    report["stop_codes"] = display != nullptr ? display->counters().stop_codes : 0;
+    report["edges"] = display != nullptr ? display->counters().edges : 0;
   }
   void add_details(base::Json& report) const override {
     const machines::Configuration& machine = setup_.machine.configuration;
@@ -552,6 +689,15 @@ class Pdp7Machine final : public Machine {
                                      why_unanswered(entry.word),
                                      entry.count == 1 ? "once" : fmt::format("{} times", entry.count)));
     }
+    if (const auto* display = machine_.display()) {
+      const auto attach = [&warnings](std::uint64_t times, std::string_view what, std::string_view option) {
+        if (times == 0) return;
+        warnings.push_back(fmt::format("the display met a word for {} and waits there; --display-option {} attaches it", what,
+                                       option));
+      };
+      attach(display->counters().characters_met, "the Type 342 character generator", "342");
+      attach(display->counters().subroutines_met, "the Type 347 subroutine option", "347");
+    }
     if (const auto& disk = machine_.devices().disk; disk && disk->counters().timing_errors != 0) {
       warnings.push_back(fmt::format("the disk waited too long for core in {} transfers, which ended with a timing error",
                                      disk->counters().timing_errors));
@@ -559,8 +705,14 @@ class Pdp7Machine final : public Machine {
     if (machine_.devices().reader.out_of_tape())
       warnings.emplace_back("the program waits for the paper-tape reader, which has no more tape");
     if constexpr (Sink::consumes) {
-      if (setup_.screen && setup_.screen->picture && !sink_.has_complete_pass())
-        warnings.push_back("the picture shows " + shown(sink_.picture_strokes().size()));
+      const bool of_pass = setup_.screen && setup_.picture_wanted && setup_.screen->window.count() == 0;
+      if (of_pass && !sink_.has_complete_pass())
+        warnings.push_back("the picture shows " + shown(sink_.picture_strokes(now()).size()));
+      if (of_pass && sink_.has_complete_pass() && now() - sink_.end_of_pass() > oldest_picture) {
+        warnings.push_back(fmt::format("the picture shows a pass that ended {} s before the run did; --png-window 0.2 shows what was "
+                                       "drawn last, --phosphor what the screen showed",
+                                       seconds_text(core::Instant(now() - sink_.end_of_pass()))));
+      }
     }
     return warnings;
   }
@@ -575,7 +727,7 @@ class Pdp7Machine final : public Machine {
     if constexpr (Sink::consumes) {
       if (machine_.display() == nullptr) return {};
       if (option == "--phosphor") return photograph();
-      const auto strokes = sink_.picture_strokes();
+      const auto strokes = sink_.picture_strokes(now());
       if (option == "--svg")
         return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
       const std::string made_at = fmt::format("{} ns of emulated time", core::nanoseconds_of(now()));
@@ -590,6 +742,10 @@ class Pdp7Machine final : public Machine {
  private:
   machines::StopReason run_observed(const machines::Limits& limits) {
     if constexpr (Sink::consumes) {
+      if (vcd_) {
+        Recorder recorder(tracer_ ? &*tracer_ : nullptr, *vcd_);
+        return machine_.run(limits, recorder);
+      }
       if (tracer_) return machine_.run(limits, *tracer_);
       if (probe_ && probe_->watches_instructions()) return run_watched(limits, Listener(*probe_));
       if (probe_ && probe_->watches_arrival()) return run_watched(limits, Breaker(*probe_));
@@ -655,6 +811,8 @@ class Pdp7Machine final : public Machine {
 
   // What a picture of so many strokes shows.
   [[nodiscard]] std::string shown(std::size_t strokes) const {
+    if (setup_.screen && setup_.screen->window.count() != 0)
+      return fmt::format("{} points of the last {} s", strokes, seconds_text(core::Instant(setup_.screen->window)));
     if (sink_.has_complete_pass()) return "the last complete pass";
     return strokes == 0 ? "nothing, no point was lit"
                         : fmt::format("no complete pass; the {} newest points", strokes);
@@ -674,6 +832,7 @@ class Pdp7Machine final : public Machine {
   Sink sink_;
   machines::NoObserver nobody_;
   std::optional<Tracer> tracer_;
+  std::optional<VcdTracer> vcd_;
   std::optional<Probe> probe_;
   machines::Pdp7<Sink> machine_;
   core::Word18 switches_;  // their current setting
@@ -689,8 +848,13 @@ class Pdp7Machine final : public Machine {
 
 }  // namespace
 
+std::span<const VcdSignal> pdp7_signals() {
+  return signals;
+}
+
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  if (setup.monitored || setup.trace || setup.screen) return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
+  if (setup.monitored || setup.trace || setup.vcd || setup.screen)
+    return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
   return std::make_unique<Pdp7Machine<NoScreen>>(std::move(setup));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 #include "host/guests/run/screen.hpp"
+#include "host/guests/run/vcd.hpp"
 
 namespace sightline::guests::run {
 
@@ -33,9 +35,14 @@ struct Pdp7Setup {
   std::vector<PenMove> pen_script;       // likewise; nothing without a display
   std::vector<std::string> configuration;  // see Machine
   bool trace = false;                    // take("--trace") is to come
+  std::optional<VcdWriter> vcd;          // of pdp7_signals(); take("--vcd") is to come
   bool monitored = false;                // it has a probe; instead of a trace
+  bool picture_wanted = false;           // an output shows it
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
 };
+
+// What --vcd shows of it.
+[[nodiscard]] std::span<const VcdSignal> pdp7_signals();
 
 // The registers of the description are PC AC L MQ SC SR ION.
 [[nodiscard]] std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup);

@@ -145,14 +145,23 @@ std::string timing_help() {
 
 // --- A machine from its options ---
 
-void choose_display(const Arguments& arguments, Pdp7Setup& setup) {
+Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   Screen::Wishes wishes;
   wishes.picture = arguments.given("--png") || arguments.given("--svg");
   wishes.photograph = arguments.given("--phosphor");
+  setup.picture_wanted = wishes.picture;
+  if (arguments.given("--png-window")) {
+    const auto window = parse_seconds(arguments.text("--png-window"));
+    if (!window || *window == core::Instant{}) {
+      return usage(fmt::format("--png-window: found \"{}\", expected {}, more than 0", arguments.text("--png-window"),
+                               seconds_expected));
+    }
+    wishes.window = window->time_since_epoch();
+  }
   if (wishes.picture || wishes.photograph || arguments.given("--strokes")) setup.screen = wishes;
   const std::vector<std::string>& options = arguments.list("--display-option");
   if (!setup.screen && !arguments.given("--display") && options.empty() && !arguments.given("--light-pen"))
-    return;
+    return Done{};
   const auto has = [&options](const char* name) {
     return std::find(options.begin(), options.end(), name) != options.end();
   };
@@ -160,6 +169,7 @@ void choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   setup.machine.display->subroutines_347 = has("347");
   setup.machine.display->characters_342 = has("342");
   if (arguments.given("--monitor")) setup.screen = Screen::Wishes{.picture = true, .photograph = true};
+  return Done{};
 }
 
 // An octal word, or a script of who moves the switches when.
@@ -205,8 +215,13 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.machine.configuration.model.eae = !arguments.given("--no-eae");
   setup.machine.configuration.model.strict = arguments.given("--strict");
   if (auto done = set_timing(arguments.list("--timing"), setup); !done) return done.error();
-  choose_display(arguments, setup);
+  if (auto done = choose_display(arguments, setup); !done) return done.error();
   setup.trace = arguments.given("--trace");
+  if (arguments.given("--vcd")) {
+    auto writer = VcdWriter::make("pdp7", pdp7_signals(), vcd_target(arguments.text("--vcd")).signals);
+    if (!writer) return writer.error();
+    setup.vcd = std::move(*writer);
+  }
   setup.monitored = arguments.given("--monitor");
   if (auto done = set_switches(arguments.text("--switches"), read, setup); !done) return done.error();
   if (arguments.given("--disk")) {
@@ -289,7 +304,8 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
   options.first_line_is_title = arguments.given("--title");
   const auto assembly = assembler::assemble_pdp7(sources, options);
   return Assembled{assembly.diagnostics, program_of(assembly.image), assembly.symbols.size(),
-                   assembler::write_listing(assembly.listing), assembler::write_symbols(assembly.symbols)};
+                   assembler::write_listing(assembly.listing), assembler::write_symbols(assembly.symbols),
+                   source_lines(assembly.listing, 8)};
 }
 
 template <auto disassembler>
@@ -341,8 +357,10 @@ std::vector<Option> run_options() {
       {output, "--dump", "FILE", "Registers and all of core after the run"},
       {output, "--save", "FILE", "A snapshot of the whole machine after the run"},
       {stream, "--trace", "FILE", "Every instruction"},
+      {stream, "--vcd", "FILE[:SIGNALS]", "Cycles, breaks, registers and display flags as a value change dump; names below"},
       {stream, "--strokes", "FILE", "Every flash of the display's beam"},
       {output, "--png", "FILE", "The last complete pass through the display file, 1024x1024, crisp"},
+      {text, "--png-window", "SECONDS", "--png and --svg show all strokes of the last so many seconds instead"},
       {output, "--phosphor", "FILE", "A photograph of the P7 screen, the last 0.2 s (PNG)"},
       {output, "--svg", "FILE", "The same pass as lines in millimetres"},
       {output, "--punch", "FILE", "What was punched, a byte a line of tape"},
@@ -368,7 +386,7 @@ MachineDescription described() {
   pdp7.memory_name = "core";
   pdp7.an_address = "an address in core";
   pdp7.memory_option = "--memory";
-  pdp7.more_help = timing_help();
+  pdp7.more_help = timing_help() + vcd_help(pdp7_signals());
   pdp7.in_snapshot = {"--switches", "--keyboard", "--light-pen"};
   pdp7.registers = {{"PC", 15, "an address in core", true},
                     {"AC", 18, "a word"},

@@ -27,6 +27,7 @@ class Screen {
   struct Wishes {
     bool picture = false;     // for picture_strokes()
     bool photograph = false;  // for newest_strokes()
+    core::Duration window{};  // a picture of all strokes of the last so many nanoseconds; 0: of the last complete pass
   };
 
   explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
@@ -38,7 +39,8 @@ class Screen {
   }
   void stroke(const core::Stroke& stroke) {
     if (wishes_.picture) passes_.stroke(stroke);
-    if (wishes_.photograph || (wishes_.picture && passes_.passes() == 0)) newest_.stroke(stroke);
+    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
+    if (wishes_.photograph || of_picture) newest_.stroke(stroke);
     if (log_.wanted()) log(stroke);
   }
   void end_pass(core::Instant t) {
@@ -53,9 +55,14 @@ class Screen {
   void finish() { log_.finish(); }
 
   [[nodiscard]] bool has_complete_pass() const { return passes_.passes() != 0; }
-  // Of the last complete pass; if there is none, the newest of the run.
-  [[nodiscard]] std::vector<core::Stroke> picture_strokes() const {
-    return has_complete_pass() ? passes_.complete().strokes : newest_.strokes();
+  // When the last complete pass ended; there is one.
+  [[nodiscard]] core::Instant end_of_pass() const { return passes_.complete().end; }
+  // Of the window that ends at `now`; without one of the last complete pass; if there is none, the newest of the run.
+  [[nodiscard]] std::vector<core::Stroke> picture_strokes(core::Instant now) const {
+    if (wishes_.window.count() == 0) return has_complete_pass() ? passes_.complete().strokes : newest_.strokes();
+    std::vector<core::Stroke> strokes = newest_.strokes();
+    std::erase_if(strokes, [&](const core::Stroke& stroke) { return stroke.time + wishes_.window < now; });
+    return strokes;
   }
   [[nodiscard]] std::vector<core::Stroke> newest_strokes() const { return newest_.strokes(); }
 

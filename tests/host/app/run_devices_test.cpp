@@ -56,6 +56,32 @@ TEST_F(RunDevices, PictureOfTheLastCompletePass) {
   EXPECT_TRUE(has(read("strokes"), " 320 256 7 00111\n"));
 }
 
+TEST_F(RunDevices, AnOldPictureIsNamed) {
+  // IDLA once, then a loop: the only pass is over within a millisecond.
+  write("once.oct", "00100: 200103 700606 600102 000104 020117 220400 102400 003000\n");
+  const Arguments options{"--load", "once.oct", "--start", "100", "--png", "p.png"};
+  const auto with = [&options](Arguments more) {
+    more.insert(more.begin(), options.begin(), options.end());
+    return more;
+  };
+  const Ran young = run(with({"--max-time", "0.2"}));
+  EXPECT_FALSE(has(young.err, "the picture shows")) << young.err;
+  const Ran old = run(with({"--max-time", "0.3"}));
+  EXPECT_TRUE(has(old.err, "the picture shows a pass that ended 0.299")) << old.err;
+  EXPECT_TRUE(has(old.out + old.err, "1 stop codes")) << old.out;
+  // The window before the end has no stroke in it, one that reaches back has the point.
+  EXPECT_EQ(run(with({"--max-time", "0.3", "--png-window", "0.1"})).exit_code, 0);
+  const auto empty = sightline::picture::read_png(path("p.png").string());
+  EXPECT_EQ(std::count(empty->image.pixels.begin(), empty->image.pixels.end(), 255), 0);
+  EXPECT_TRUE(has(empty->text.at(1).second, "0 points of the last 0.1"));
+  const Ran all = run(with({"--max-time", "0.3", "--png-window", "0.31"}));
+  EXPECT_FALSE(has(all.err, "the picture shows")) << all.err;
+  const auto full = sightline::picture::read_png(path("p.png").string());
+  EXPECT_EQ(std::count(full->image.pixels.begin(), full->image.pixels.end(), 255), 1);
+  EXPECT_EQ(run(with({"--png-window", "0"})).exit_code, 2);
+  EXPECT_EQ(run(with({"--png-window", "x"})).exit_code, 2);
+}
+
 TEST_F(RunDevices, ADisplayFileThatNeverStops) {
   write("endless.oct", endless);
   const Ran ran =
@@ -76,7 +102,9 @@ TEST_F(RunDevices, DisplayOptions) {
   const Arguments options{"--load", "text.oct", "--start", "100", "--max-time", "0.1", "--strokes", "s"};
   Arguments with = options;
   with.insert(with.end(), {"--display-option", "342"});
-  ASSERT_EQ(run(options).exit_code, 0);
+  const Ran without = run(options);
+  ASSERT_EQ(without.exit_code, 0);
+  EXPECT_TRUE(has(without.err, "Type 342 character generator and waits there; --display-option 342 attaches it")) << without.err;
   EXPECT_EQ(read("s"), "");
   ASSERT_EQ(run(with).exit_code, 0);
   EXPECT_NE(read("s"), "");

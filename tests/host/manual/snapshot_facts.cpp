@@ -115,7 +115,9 @@ class Describer {
 std::string snapshot_pdp7() {
   core::NoStrokes sink;
   machines::NoObserver observer;
-  machines::Pdp7<> machine({{}, type340::Options{}}, sink, observer);
+  machines::Pdp7Options options{{}, type340::Options{}};
+  options.configuration.devices.disk = true;
+  machines::Pdp7<> machine(options, sink, observer);
   Table table{"section", "fields"};
   Describer describer(table);
   machine.visit_state(describer);

@@ -158,6 +158,11 @@ void I8080Pass::end_statement(I8080Frame& frame) {
     if (frame.row_filled) program_.listing.push_back({"", "", ""});
     ListingLine& line = frame.row_filled ? program_.listing.back() : program_.listing[*frame.row];
     line.address = hexadecimal(first, 4);
+    if (!shown_equated_ && !frame.row_filled) {
+      const Position place = frame.place(0);
+      line.file = program_.files[place.file].name;
+      line.line_number = place.line;
+    }
     line.code = std::move(code);
     frame.row_filled = true;
     shown += count;

@@ -181,11 +181,11 @@ TEST(Screen, KeepsTheLastCompletePassOrTheNewestStrokes) {
   screen.begin_pass(core::at_nanoseconds(2));
   screen.stroke(stroke(2));
   EXPECT_FALSE(screen.has_complete_pass());
-  EXPECT_EQ(screen.picture_strokes(), (std::vector{stroke(1), stroke(2)}));
+  EXPECT_EQ(screen.picture_strokes(core::Instant{}), (std::vector{stroke(1), stroke(2)}));
   screen.end_pass(core::at_nanoseconds(3));
   screen.stroke(stroke(3));
   EXPECT_TRUE(screen.has_complete_pass());
-  EXPECT_EQ(screen.picture_strokes(), std::vector{stroke(2)});
+  EXPECT_EQ(screen.picture_strokes(core::Instant{}), std::vector{stroke(2)});
 }
 
 }  // namespace

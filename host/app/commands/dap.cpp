@@ -1,0 +1,105 @@
+// `sightline dap`: the Debug Adapter Protocol on standard input and output.
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/app/commands/commands.hpp"
+#include "host/app/commands/monitor_session.hpp"
+#include "host/app/outputs.hpp"
+#include "host/base/json.hpp"
+#include "host/base/terminal.hpp"
+#include "host/live/dap.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+using base::Json;
+using guests::run::Arguments;
+using guests::run::MachineDescription;
+using guests::run::OptionKind;
+
+[[noreturn]] void refuse(const std::string& complaint) {
+  throw Failure(ExitCode::usage, "launch: " + complaint);
+}
+
+// A text or a number, as it would stand on the command line.
+std::string word_of(const Json& value, std::string_view name) {
+  if (const std::string* const text = value.text()) return *text;
+  if (value.is_number()) return value.dump();
+  refuse("found " + describe(value) + " for " + std::string(name) + ", expected a text or a number");
+}
+
+const MachineDescription& machine_named(const Json& arguments) {
+  const Json* const name = arguments.find("machine");
+  std::string names;
+  for (const MachineDescription* const machine : guests::run::machines()) {
+    if (name != nullptr && name->text() != nullptr && *name->text() == machine->name) return *machine;
+    names += (names.empty() ? "" : " or ") + std::string(machine->name);
+  }
+  refuse("found " + (name == nullptr ? std::string("no machine") : name->dump()) + ", expected machine: " + names);
+}
+
+Arguments arguments_of(const Json& request, std::span<const guests::run::Option> options) {
+  Arguments arguments(options);
+  const auto set = [&](std::string_view name, const Json& value) {
+    const auto option = std::find_if(options.begin(), options.end(), [&name](const auto& each) { return each.key() == name; });
+    if (option == options.end()) refuse("found option " + std::string(name.substr(2)) + ", expected one of `sightline monitor`");
+    Arguments::Value& into = arguments.value(name);
+    const bool several = option->kind == OptionKind::list || option->kind == OptionKind::files;
+    if (option->kind == OptionKind::flag) {
+      if (!value.boolean()) refuse("found " + describe(value) + " for " + std::string(name.substr(2)) + ", expected true or false");
+      into.flag = *value.boolean();
+    } else if (several && value.is_array()) {
+      for (const Json& each : value.elements()) into.list.push_back(word_of(each, name));
+    } else if (several) {
+      into.list.push_back(word_of(value, name));
+    } else {
+      into.text = word_of(value, name);
+      const auto& choices = option->choices;
+      if (!choices.empty() && std::find(choices.begin(), choices.end(), into.text) == choices.end())
+        refuse("found " + into.text + " for " + std::string(name.substr(2)) + ", which is none of its values");
+    }
+  };
+  if (const Json* const program = request.find("program")) set("--load", *program);
+  if (const Json* const more = request.find("options")) {
+    if (!more->is_object()) refuse("found " + describe(*more) + " as options, expected an object");
+    for (const base::JsonMember& each : more->members()) set("--" + each.key, each.value);
+  }
+  return arguments;
+}
+
+base::Result<live::Launched> launch(const Json& request) {
+  try {
+    if (!request.is_object()) refuse("found " + describe(request) + " as arguments, expected an object");
+    const MachineDescription& machine = machine_named(request);
+    const std::vector<guests::run::Option> options = monitor_options(machine);
+    MonitoredMachine made = make_monitored(machine, arguments_of(request, options));
+    std::vector<std::string> warnings = made.prepared.warnings;
+    return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings)};
+  } catch (const Failure& failure) {
+    return base::fail(failure.what());
+  }
+}
+
+ExitCode serve() {
+  live::DapHost host;
+  host.read = [](int milliseconds) { return base::read_stdin_within(milliseconds); };
+  host.write = [](std::string_view text) { return base::write_now(STDOUT_FILENO, text); };
+  host.launch = launch;
+  const auto done = live::serve_debug_adapter(host);
+  if (!done) throw Failure(ExitCode::bad_input, "dap: " + done.error().message());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_dap_command(const Command& program) {
+  program.add_command("dap", help_page("dap")).run(serve);
+}
+
+}  // namespace sightline::app

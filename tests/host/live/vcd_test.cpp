@@ -1,0 +1,212 @@
+// Value change dumps of both machines. Expected instants follow from the manuals: a cycle of the PDP-7 is 1,750 ns, an LAC
+// is a fetch and an execute; a T-state of the 8080 at 3 MHz is 333.3 ns, MOV is 5 of them, STA 4+3+3+3.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace sightline::test {
+namespace {
+
+struct Dump {
+  std::map<std::string, unsigned> bits;  // by the name of the signal
+  // When a signal took a value, as text: "0", "1", "z" or digits after b.
+  std::map<std::string, std::vector<std::pair<std::int64_t, std::string>>> changes;
+
+  // At an instant; "x" before the first change.
+  [[nodiscard]] std::string at(const std::string& signal, std::int64_t time) const {
+    std::string value = "x";
+    const auto found = changes.find(signal);
+    if (found == changes.end()) return value;
+    for (const auto& [when, text] : found->second)
+      if (when <= time) value = text;
+    return value;
+  }
+};
+
+// Reads a dump by the standard's grammar, as far as Sightline uses it, and holds it to what must be: instants ascend, each
+// change is one, every identifier was declared, values fit.
+Dump parsed(const std::string& text) {
+  Dump dump;
+  std::map<std::string, std::string> names;
+  std::istringstream in(text);
+  std::int64_t time = -1;
+  std::string word;
+  int scopes = 0;
+  while (in >> word) {
+    if (word == "$version" || word == "$timescale" || word == "$scope") {
+      if (word == "$scope") ++scopes;
+      while (in >> word && word != "$end") {
+      }
+    } else if (word == "$upscope") {
+      --scopes;
+      in >> word;
+    } else if (word == "$enddefinitions") {
+      EXPECT_EQ(scopes, 0);
+      in >> word;
+    } else if (word == "$var") {
+      std::string type, identifier, name, end;
+      unsigned bits = 0;
+      in >> type >> bits >> identifier >> name >> end;
+      EXPECT_EQ(type + end, "wire$end");
+      EXPECT_TRUE(names.emplace(identifier, name).second) << identifier;
+      dump.bits[name] = bits;
+    } else if (word[0] == '#') {
+      const std::int64_t next = std::stoll(word.substr(1));
+      EXPECT_GT(next, time);
+      time = next;
+    } else {
+      std::string value = word.substr(0, 1);
+      std::string identifier = word.substr(1);
+      if (value == "b") {
+        value = identifier;
+        in >> identifier;
+      }
+      const auto name = names.find(identifier);
+      if (name == names.end()) {
+        ADD_FAILURE() << "no signal " << identifier;
+        break;
+      }
+      EXPECT_LE(value.size(), dump.bits[name->second]);
+      EXPECT_GE(time, 0);
+      EXPECT_NE(dump.at(name->second, time), value) << name->second << " at " << time;
+      dump.changes[name->second].emplace_back(time, value);
+    }
+  }
+  return dump;
+}
+
+class Vcd : public CommandLine {
+ protected:
+  Dump run(const std::string& machine, const std::string& source, std::vector<std::string> options) {
+    const std::string file = machine == "pdp7" ? "p.s" : "p.asm";
+    const std::string program = machine == "pdp7" ? "p.rim" : "p.hex";
+    write(file, source);
+    const Ran made = sightline({"asm", machine, file, "-o", program});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    std::vector<std::string> words{"run", machine, program, "--start", "100", "--vcd", "d.vcd"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ran ran = sightline(words);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return parsed(read("d.vcd"));
+  }
+  // What GTKWave's converter says.
+  void expect_converts() {
+    if (std::system("command -v vcd2fst > /dev/null") != 0) GTEST_SKIP() << "vcd2fst (package gtkwave) is not installed";
+    const std::string command = "cd '" + path(".").string() + "' && vcd2fst d.vcd d.fst > /dev/null && fst2vcd d.fst > back.vcd";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_NE(read("back.vcd").find("address"), std::string::npos);
+  }
+};
+
+TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
+  // LAC I 200: fetch, defer, execute; DAC 201; ISZ 202; TLS (an IOT); HLT.
+  const Dump dump = run("pdp7",
+                        "100/\n  lac i 200\n  dac 201\n  isz 202\n  tls\n  hlt\n200/ 300\n  0\n  5\n300/ 123456\n  start 100\n", {});
+  const auto kind = [&dump](std::int64_t time) {
+    std::string kinds;
+    for (const char* const each : {"fetch", "defer", "execute", "eae", "brk", "tick", "interrupt"})
+      if (dump.at(each, time) == "1") kinds += std::string(kinds.empty() ? "" : " ") + each;
+    return kinds;
+  };
+  constexpr std::int64_t cycle = 1750;
+  const std::vector<std::string> expected{"fetch", "defer", "execute", "fetch", "execute", "fetch", "execute", "fetch", "fetch"};
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    EXPECT_EQ(kind(static_cast<std::int64_t>(n) * cycle), expected[n]) << n;
+    EXPECT_EQ(kind(static_cast<std::int64_t>(n + 1) * cycle - 1), expected[n]) << n;
+  }
+  // The defer reads 300 at 200, the execute the word there.
+  EXPECT_EQ(dump.at("address", 1 * cycle), "10000000");
+  EXPECT_EQ(dump.at("data", 1 * cycle), "11000000");
+  EXPECT_EQ(dump.at("address", 2 * cycle), "11000000");
+  EXPECT_EQ(dump.at("data", 2 * cycle), "1010011100101110");
+  EXPECT_EQ(dump.at("write", 2 * cycle), "0");
+  EXPECT_EQ(dump.at("write", 4 * cycle), "1");
+  EXPECT_EQ(dump.at("data", 6 * cycle), "110");
+  // AC has the word when the LAC is over, not before; PC counts with each instruction.
+  EXPECT_EQ(dump.at("ac", 3 * cycle - 1), "x");
+  EXPECT_EQ(dump.at("ac", 3 * cycle), "1010011100101110");
+  EXPECT_EQ(dump.at("pc", 5 * cycle), "1000010");
+  // TLS 700406: device 4, pulses 4 and 2, at the end of its fetch.
+  EXPECT_EQ(dump.at("pulses", 8 * cycle - 500), "110");
+  EXPECT_EQ(dump.at("device", 8 * cycle - 500), "100");
+  EXPECT_EQ(dump.at("pulses", 8 * cycle), "0");
+  expect_converts();
+}
+
+TEST_F(Vcd, Pdp7BreaksAndInterruptsAreCyclesOfTheirOwn) {
+  const Dump dump = run("pdp7",
+                        "1/ jmp 200\n100/\n  lac (400\n  700606\n  ion\n  700406\n  jmp .\n200/ hlt\n400/ 003000\n  start 100\n",
+                        {"--display"});
+  const auto shown = [&dump](const char* signal) {
+    const auto found = dump.changes.find(signal);
+    return found != dump.changes.end() &&
+           std::any_of(found->second.begin(), found->second.end(), [](const auto& change) { return change.second == "1"; });
+  };
+  EXPECT_TRUE(shown("brk"));
+  EXPECT_TRUE(shown("interrupt"));
+  EXPECT_TRUE(shown("stop"));
+  EXPECT_FALSE(shown("tick"));
+  EXPECT_FALSE(shown("pen"));
+  expect_converts();
+}
+
+TEST_F(Vcd, I8080PinsShowEveryTState) {
+  const Dump dump = run("i8080", "  ORG 100H\n  MOV A,B\n  STA 1234H\n  IN 7\n  DAD B\n  HLT\n", {});
+  const auto state = [&dump](int t) {
+    const std::int64_t time = (static_cast<std::int64_t>(t) * 1000 + 2) / 3;
+    return dump.at("t", time) + (dump.at("sync", time) == "1" ? "s" : "") + (dump.at("dbin", time) == "1" ? "d" : "") +
+           (dump.at("wr", time) == "1" ? "w" : "") + (dump.at("wait", time) == "1" ? "W" : "");
+  };
+  const std::vector<std::string> expected{
+      "1s", "10d", "11", "100", "101",              // MOV A,B: five T-states
+      "1s", "10d", "11", "100",                     // STA: the opcode
+      "1s", "10d", "11", "1s", "10d", "11",         // its address
+      "1s", "10", "11w",                            // the write
+      "1s", "10d", "11", "100",                     // IN 7
+      "1s", "10d", "11", "1s", "10d", "11",         // the port's number, the port
+      "1s", "10d", "11", "100",                     // DAD B: a fetch, then six T-states inside
+      "111", "111", "111", "111", "111", "111",
+      "1s", "10d", "11", "100",                     // HLT
+      "1s", "10", "110W", "110W"};
+  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(state(static_cast<int>(n)), expected[n]) << n;
+  // With SYNC the data pins have the status: A2 of a fetch, 42 of an input cycle.
+  EXPECT_EQ(dump.at("data", 0), "10100010");
+  EXPECT_EQ(dump.at("m1", 0), "1");
+  EXPECT_EQ(dump.at("address", 25 * 1000 / 3 + 1), "11100000111");
+  EXPECT_EQ(dump.at("inp", 25 * 1000 / 3 + 1), "1");
+  expect_converts();
+}
+
+TEST_F(Vcd, SignalsAreChosenByNameAndGroup) {
+  const Dump dump = run("pdp7", "100/ hlt\n  start 100\n", {});
+  EXPECT_EQ(dump.bits.size(), 21U);
+  ASSERT_EQ(sightline({"run", "pdp7", "p.rim", "--start", "100", "--vcd", "c.vcd:pc,display"}).exit_code, 0);
+  const Dump chosen = parsed(read("c.vcd"));
+  std::string names;
+  for (const auto& [name, bits] : chosen.bits) names += name + " ";
+  EXPECT_EQ(names, "edge pc pen request stop ");
+  const Ran wrong = sightline({"run", "pdp7", "p.rim", "--vcd", "c.vcd:pc,diplay"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("found signal \"diplay\""), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("did you mean \"display\""), std::string::npos) << wrong.err;
+}
+
+TEST_F(Vcd, TheRunIsTheSameWithIt) {
+  write("p.s", "100/\nbegin, isz 200\n  jmp begin\n  hlt\n200/ 770000\n  start begin\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "p.s", "-o", "p.rim"}).exit_code, 0);
+  const Ran plain = sightline({"run", "pdp7", "p.rim", "--trace", "a"});
+  const Ran with = sightline({"run", "pdp7", "p.rim", "--trace", "b", "--vcd", "d.vcd"});
+  EXPECT_EQ(plain.out, with.out);
+  EXPECT_TRUE(read("a") == read("b"));
+}
+
+}  // namespace
+}  // namespace sightline::test
