@@ -68,7 +68,7 @@ struct Counters {
   std::uint64_t passes_started = 0;  // IDLA and IDRD
   std::uint64_t passes_stopped = 0;  // by a stop word, or by an edge in vector or increment mode
   std::uint64_t stop_codes = 0;      // words with STOP that ended a pass
-  std::uint64_t edges = 0;           // taken: they stopped a vector or increment, or skipped the rest of a continued vector
+  std::uint64_t edges = 0;           // that ended a pass, in vector or increment mode
   std::uint64_t characters_met = 0;  // words of mode 3 without the Type 342: the display waits for ever
   std::uint64_t subroutines_met = 0;  // words of mode 7 without the Type 347, likewise
   core::Instant last_start = core::never;      // never: none yet

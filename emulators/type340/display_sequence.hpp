@@ -139,12 +139,12 @@ template <class Sink>
 void Display<Sink>::settled(core::Instant t) {
   if (registers_.mode == Mode::vector && registers_.rate.brm == RateMultiplier::full) registers_.halt = true;
   if (registers_.edge()) {
-    ++counters_.edges;
     const bool goes_on = registers_.mode == Mode::vector_continue;
     registers_.escape();
     if (goes_on) {
       raise_request(t);
     } else {
+      if (pass_open_) ++counters_.edges;
       end_pass(t);
     }
   } else if (!registers_.pen_flag && !registers_.request) {

@@ -148,6 +148,12 @@ class Adapter {
       }
       if (running_ && !over_) run();
     }
+    try {
+      finish();
+    } catch (const Refused& refused) {
+      return base::fail(refused.text);
+    }
+    if (broken_) return *broken_;
     return base::Done{};
   }
 
@@ -234,6 +240,7 @@ class Adapter {
     return can;
   }
   Json launch(const Json& arguments) {
+    if (launched_) throw Refused{"found a second launch, expected one in a session"};
     launched_.emplace(accepted(host_.launch(arguments)));
     RunHost run;
     run.run = [this](Machine& machine, const guests::run::Limits& limits, const auto& heard) {
@@ -270,7 +277,14 @@ class Adapter {
   }
   Json disconnect(const Json&) {
     over_ = true;
+    finish();
     return {};
+  }
+  // Once for a machine; also where the client just goes away.
+  void finish() {
+    if (!launched_ || !host_.finish || std::exchange(finished_, true)) return;
+    const auto done = host_.finish(*launched_->prepared.machine);
+    if (!done) throw Refused{done.error().message()};
   }
   Json terminate(const Json&) {
     running_ = false;
@@ -638,6 +652,7 @@ class Adapter {
   bool over_ = false;
   bool stop_on_entry_ = false;
   bool running_ = false;
+  bool finished_ = false;
   Action action_ = Action::go_on;
   std::optional<base::Error> broken_;
   std::optional<Launched> launched_;

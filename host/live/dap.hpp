@@ -36,6 +36,8 @@ struct DapHost {
   // The arguments of `launch`: machine, program (a path or several) and options, an object of the options of `sightline run`
   // without their dashes; a value is text, a number, true, or an array of texts.
   std::function<base::Result<Launched>(const base::Json& arguments)> launch;
+  // The session of a machine is over; an error is shown to the person.
+  std::function<base::Result<base::Done>(const guests::run::Machine&)> finish = {};
 };
 
 // Until the client disconnects. An error: what it sent is not the protocol, and the session cannot go on.

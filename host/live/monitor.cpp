@@ -240,7 +240,7 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
       Verb{"show", 2, "registers|devices|display|stack|time|breaks|conditions|symbols",
            "show that; the stack as the last instructions tell it", &Inside::show},
       Verb{"who", 3, "ADDRESS", "which instruction last wrote the word, when and what", &Inside::who_wrote},
-      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk", &Inside::attach},
+      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of where it points)", &Inside::attach},
       Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Inside::detach},
       Verb{"send", 3, "\"KEYS\"", "type on the console, as the program asks for keys in the runs that follow (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
       Verb{"expect", 3, "\"TEXT\"", "run on until the program has printed the text", &Inside::expect},

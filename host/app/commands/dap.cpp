@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
+#include "host/app/commands/machine_command.hpp"
 #include "host/app/commands/monitor_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"
@@ -91,6 +92,14 @@ ExitCode serve() {
   host.read = [](int milliseconds) { return base::read_stdin_within(milliseconds); };
   host.write = [](std::string_view text) { return base::write_now(STDOUT_FILENO, text); };
   host.launch = launch;
+  host.finish = [](const guests::run::Machine& machine) -> base::Result<base::Done> {
+    try {
+      write_media_back(machine);
+    } catch (const Failure& failure) {
+      return base::fail(failure.what());
+    }
+    return base::Done{};
+  };
   const auto done = live::serve_debug_adapter(host);
   if (!done) throw Failure(ExitCode::bad_input, "dap: " + done.error().message());
   return ExitCode::ok;

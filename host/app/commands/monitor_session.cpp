@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/app/commands/machine_command.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"

@@ -255,11 +255,16 @@ class I8080Vcd {
  public:
   I8080Vcd(VcdWriter writer, core::ClockRate clock) : writer_(std::move(writer)), clock_(clock) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
-  void finish() { writer_.finish(); }
+  void finish(core::TStateInstant now) { writer_.finish(core::nanoseconds_of(clock_.to_nanoseconds(now))); }
 
   void cycle(const machines::I8080Cycle& cycle) {
+    namespace status = i8080::status;
     end_cycle(cycle.time);
-    if (cycle.status == i8080::status::halt_cycle) {
+    const bool first = (cycle.status & status::first) != 0;
+    if (first) opcode_ = cycle.data;
+    // INTE falls as the interrupt is acknowledged.
+    if (first && (cycle.status & status::acknowledge) != 0) show(cycle.time, signal::inte, 0);
+    if (!first && (cycle.status & status::halt) != 0) {
       begin_halt(cycle);
     } else {
       pending_ = cycle;
@@ -311,8 +316,11 @@ class I8080Vcd {
     const auto at = [&cycle](std::int64_t n) { return cycle.time + core::TStates(n); };
     const bool reads = (cycle.status & status::read) != 0;
     const std::int64_t length = (end - cycle.time).count();
-    // Of a fetch the rest is T4, T5 and cycles inside: its wait states cannot be told from them.
-    const std::int64_t waits = (cycle.status & status::first) != 0 ? 0 : length - 3;
+    // Of a fetch the rest is T4, T5 and cycles inside: its wait states cannot be told from them. The last cycle of XTHL has a
+    // T4 and a T5 too.
+    constexpr i8080::Byte xthl = 0xE3;
+    const std::int64_t own = opcode_ == xthl && !reads && length >= 5 ? 5 : 3;
+    const std::int64_t waits = (cycle.status & status::first) != 0 ? 0 : length - own;
     first_t_state(cycle);
     show(at(1), signal::data, cycle.data);
     show(at(1), signal::sync, 0);
@@ -338,6 +346,7 @@ class I8080Vcd {
   VcdWriter writer_;
   core::ClockRate clock_;
   std::optional<machines::I8080Cycle> pending_;
+  i8080::Byte opcode_ = 0;  // of the instruction under way
   core::TStateInstant latest_{};
 };
 
@@ -355,10 +364,10 @@ class Recorder {
       (option == "--trace" ? trace_ : bus_).take(std::move(taker));
     }
   }
-  void finish() {
+  void finish(core::TStateInstant now) {
     trace_.finish();
     bus_.finish();
-    if (vcd) vcd->finish();
+    if (vcd) vcd->finish(now);
   }
 
   // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT is before an
@@ -693,7 +702,7 @@ class I8080Run final : public Machine {
     return Stop{"interrupted", {}};
   }
   void finish() override {
-    if (recorder_) recorder_->finish();
+    if (recorder_) recorder_->finish(processor_.now());
     plotter_.finish();
   }
 

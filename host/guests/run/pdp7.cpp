@@ -105,7 +105,7 @@ class VcdTracer {
  public:
   VcdTracer(VcdWriter writer, const type340::Registers* display) : writer_(std::move(writer)), display_(display) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
-  void finish() { writer_.finish(); }
+  void finish(core::Instant now) { writer_.finish(core::nanoseconds_of(now)); }
 
   void cycle(const pdp7::Cycle& cycle) {
     const std::int64_t at = core::nanoseconds_of(cycle.time);
@@ -474,7 +474,7 @@ class Pdp7Machine final : public Machine {
   }
   void finish() override {
     if (tracer_) tracer_->finish();
-    if (vcd_) vcd_->finish();
+    if (vcd_) vcd_->finish(now());
     sink_.finish();
   }
 
@@ -498,8 +498,9 @@ class Pdp7Machine final : public Machine {
   }
   [[nodiscard]] Result<Done> attach(std::string_view device, const Input& input) override {
     if (device == "disk") return attach_disk(input);
+    if (device == "pen") return attach_pen(input);
     if (device != "reader")
-      return usage(fmt::format("found device \"{}\", expected reader or disk", device));
+      return usage(fmt::format("found device \"{}\", expected reader, disk or pen", device));
     machine_.devices().reader.load(input.bytes);
     return Done{};
   }
@@ -634,7 +635,7 @@ class Pdp7Machine final : public Machine {
                                               counters.passes_stopped, counters.passes_started)});
       std::string ends;
       if (counters.stop_codes != 0) ends += fmt::format("{} stop codes", counters.stop_codes);
-      if (counters.edges != 0) ends += fmt::format("{}{} edges taken", ends.empty() ? "" : ", ", counters.edges);
+      if (counters.edges != 0) ends += fmt::format("{}{} passes ended by an edge", ends.empty() ? "" : ", ", counters.edges);
       if (display->registers().stop) ends += fmt::format("{}stopped now by its own file", ends.empty() ? "" : ", ");
       if (!ends.empty()) lines.push_back({"", ends});
     }
@@ -708,6 +709,13 @@ class Pdp7Machine final : public Machine {
       const bool of_pass = setup_.screen && setup_.picture_wanted && setup_.screen->window.count() == 0;
       if (of_pass && !sink_.has_complete_pass())
         warnings.push_back("the picture shows " + shown(sink_.picture_strokes(now()).size()));
+      if (setup_.picture_wanted && setup_.screen && setup_.screen->window.count() != 0) {
+        const auto newest = sink_.newest_strokes();
+        if (newest.size() == Screen::strokes_kept && newest.front().time + setup_.screen->window > now()) {
+          warnings.push_back(fmt::format("the picture shows the newest {} points; --png-window reaches further back",
+                                         Screen::strokes_kept));
+        }
+      }
       if (of_pass && sink_.has_complete_pass() && now() - sink_.end_of_pass() > oldest_picture) {
         warnings.push_back(fmt::format("the picture shows a pass that ended {} s before the run did; --png-window 0.2 shows what was "
                                        "drawn last, --phosphor what the screen showed",
@@ -763,7 +771,20 @@ class Pdp7Machine final : public Machine {
     return reason;
   }
 
-  // An input without bytes is an empty drive.
+  // An input without a name is no pen.
+  Result<Done> attach_pen(const Input& input) {
+    if (machine_.display() == nullptr) return usage("found no display on this machine, expected one; begin with --display");
+    std::vector<PenMove> script;
+    if (!input.name.empty()) {
+      if (auto done = read_light_pen(input, script); !done) return done;
+    }
+    pen_script_ = std::move(script);
+    next_move_ = 0;
+    machine_.display()->point_light_pen(std::nullopt);
+    return Done{};
+  }
+
+  // An input without a name is an empty drive.
   Result<Done> attach_disk(const Input& input) {
     auto& disk = machine_.devices().disk;
     if (!disk) return usage("found no disk drive on this machine, expected one; begin with --disk FILE");

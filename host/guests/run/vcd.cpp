@@ -73,6 +73,15 @@ void VcdWriter::begin(std::string& text) const {
   text += "$upscope $end\n$enddefinitions $end\n";
 }
 
+void VcdWriter::finish(std::int64_t nanoseconds) {
+  text_.write([&](std::string& text) {
+    if (time_ < 0) begin(text);
+    if (nanoseconds > time_) base::append(text, "#{}\n", nanoseconds);
+  });
+  time_ = std::max(time_, nanoseconds);
+  text_.finish();
+}
+
 void VcdWriter::write(std::int64_t nanoseconds, std::size_t signal, std::uint32_t value) {
   Wire& wire = wires_[signal];
   text_.write([&](std::string& text) {

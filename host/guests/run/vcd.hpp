@@ -41,7 +41,8 @@ class VcdWriter {
                                               std::string_view chosen);
 
   void take(TextTaker taker) { text_.take(std::move(taker)); }
-  void finish() { text_.finish(); }
+  // The last values last until then.
+  void finish(std::int64_t nanoseconds);
 
   // A signal, by its row, shows a value from `nanoseconds` on, which never decrease. Unchanged values are passed over.
   void show(std::int64_t nanoseconds, std::size_t signal, std::uint32_t value) {

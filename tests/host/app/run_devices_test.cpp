@@ -57,8 +57,8 @@ TEST_F(RunDevices, PictureOfTheLastCompletePass) {
 }
 
 TEST_F(RunDevices, AnOldPictureIsNamed) {
-  // IDLA once, then a loop: the only pass is over within a millisecond.
-  write("once.oct", "00100: 200103 700606 600102 000104 020117 220400 102400 003000\n");
+  // IDLA once, then a loop: the only pass, of 65 points on a line, is over within a millisecond.
+  write("once.oct", "00100: 200105 700606 600102 000000 000000 000106 020117 220400 102400 600100 003000\n");
   const Arguments options{"--load", "once.oct", "--start", "100", "--png", "p.png"};
   const auto with = [&options](Arguments more) {
     more.insert(more.begin(), options.begin(), options.end());
@@ -77,7 +77,7 @@ TEST_F(RunDevices, AnOldPictureIsNamed) {
   const Ran all = run(with({"--max-time", "0.3", "--png-window", "0.31"}));
   EXPECT_FALSE(has(all.err, "the picture shows")) << all.err;
   const auto full = sightline::picture::read_png(path("p.png").string());
-  EXPECT_EQ(std::count(full->image.pixels.begin(), full->image.pixels.end(), 255), 1);
+  EXPECT_EQ(std::count(full->image.pixels.begin(), full->image.pixels.end(), 255), 65);
   EXPECT_EQ(run(with({"--png-window", "0"})).exit_code, 2);
   EXPECT_EQ(run(with({"--png-window", "x"})).exit_code, 2);
 }

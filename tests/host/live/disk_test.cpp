@@ -3,41 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "tests/host/app/command_line.hpp"
-#include "tools/asm/pdp7.hpp"
+#include "tests/host/live/disk_system.hpp"
 
 namespace sightline::test {
 namespace {
 
-constexpr std::size_t bytes_of_disk = 4'096'000;
-constexpr std::size_t words_a_track = 80 * 64;
-
 class Disk : public CommandLine {
  protected:
   void SetUp() override {
-    const std::filesystem::path system = std::filesystem::path(SIGHTLINE_TEST_DATA) / "disk_system";
-    ASSERT_EQ(sightline({"asm", "pdp7", (system / "boot.s").string(), "-o", "boot.rim"}).exit_code, 0);
-    std::ifstream stream(system / "kernel.s");
-    const std::string source{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const std::vector<assembler::SourceFile> sources{{"kernel.s", source}};
-    const auto assembly = assembler::assemble_pdp7(sources, {});
-    for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
-    image_.assign(bytes_of_disk, '\0');
-    for (const auto& [address, word] : assembly.image.words) {
-      ASSERT_LT(address, 256U);
-      put(180 * words_a_track + address, word.value());
-    }
+    ASSERT_EQ(sightline({"asm", "pdp7", disk_system_file("boot.s").string(), "-o", "boot.rim"}).exit_code, 0);
+    image_ = disk_system_image();
     write("disk", image_);
   }
-  void put(std::size_t place, std::uint32_t word) {
-    for (unsigned n = 0; n < 4; ++n) image_[4 * place + n] = static_cast<char>(word >> (8 * n));
-  }
+  void put(std::size_t place, std::uint32_t word) { put_disk_word(image_, place, word); }
   static std::uint32_t word(const std::string& image, std::size_t place) {
     std::uint32_t word = 0;
     for (unsigned n = 4; n-- > 0;) word = word << 8 | static_cast<unsigned char>(image[4 * place + n]);

@@ -35,7 +35,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<pdp7::Punch>(56, "pdp7::Punch");
   expect_size<pdp7::Keyboard>(48, "pdp7::Keyboard");
   expect_size<pdp7::Printer>(56, "pdp7::Printer");
-  expect_size<pdp7::Rb09>(112, "pdp7::Rb09");
+  expect_size<pdp7::Rb09>(128, "pdp7::Rb09");
   expect_size<pdp7::rb09::Counters>(32, "pdp7::rb09::Counters");
   expect_size<pdp7::Peripherals>(408, "pdp7::Peripherals");
   expect_size<type340::Registers>(32, "type340::Registers");

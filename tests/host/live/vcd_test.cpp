@@ -185,6 +185,26 @@ TEST_F(Vcd, I8080PinsShowEveryTState) {
   expect_converts();
 }
 
+TEST_F(Vcd, TheLastCycleOfXthlHasFiveTStates) {
+  const Dump dump = run("i8080", "  ORG 100H\n  XTHL\n  HLT\n", {});
+  // 18 T-states: 4, then reads of 3 and 3, a write of 3 and one of 5.
+  std::string states;
+  for (int t = 13; t < 18; ++t) {
+    const std::int64_t time = (static_cast<std::int64_t>(t) * 1000 + 2) / 3;
+    states += dump.at("t", time) + (dump.at("wr", time) == "1" ? "w " : " ");
+    EXPECT_EQ(dump.at("wait", time), "0");
+  }
+  EXPECT_EQ(states, "1 10 11w 100 101 ");
+}
+
+TEST_F(Vcd, ADumpWithoutChangesIsOne) {
+  static_cast<void>(run("pdp7", "100/ hlt\n  start 100\n", {}));
+  ASSERT_EQ(sightline({"run", "pdp7", "p.rim", "--start", "100", "--vcd", "d.vcd:display"}).exit_code, 0);
+  const Dump dump = parsed(read("d.vcd"));
+  EXPECT_EQ(dump.bits.size(), 4U);
+  EXPECT_TRUE(read("d.vcd").ends_with("#1750\n")) << read("d.vcd");
+}
+
 TEST_F(Vcd, SignalsAreChosenByNameAndGroup) {
   const Dump dump = run("pdp7", "100/ hlt\n  start 100\n", {});
   EXPECT_EQ(dump.bits.size(), 21U);

@@ -1,0 +1,386 @@
+// A session of an editor by the Debug Adapter Protocol: what a client sends is written down here as messages, and what must
+// come back follows from the programs: lines, addresses, registers. Then messages that are none.
+#include "host/live/dap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/live/symbols.hpp"
+#include "tests/host/app/command_line.hpp"
+#include "tests/host/guests/run/machine_run.hpp"
+#include "tests/host/live/disk_system.hpp"
+#include "tests/support/effort.hpp"
+#include "tools/asm/i8080.hpp"
+#include "tools/asm/pdp7.hpp"
+#include "tools/image/intel_hex.hpp"
+#include "tools/image/tape.hpp"
+
+namespace sightline::test {
+namespace {
+
+using nlohmann::json;
+
+std::string framed(const std::string& message) {
+  return "Content-Length: " + std::to_string(message.size()) + "\r\n\r\n" + message;
+}
+
+// What was sent back, in order.
+std::vector<json> messages(const std::string& wire) {
+  std::vector<json> all;
+  std::size_t at = 0;
+  while (at < wire.size()) {
+    const std::size_t end = wire.find("\r\n\r\n", at);
+    if (end == std::string::npos) {
+      ADD_FAILURE() << "no header at byte " << at;
+      break;
+    }
+    const std::size_t length = std::stoul(wire.substr(at + 16, end - at - 16));
+    all.push_back(json::parse(wire.substr(end + 4, length)));
+    at = end + 4 + length;
+  }
+  return all;
+}
+
+// The command as an editor starts it. The whole session is one script, so all of it has come when the first request is
+// answered: requests that start a run are held by DapSteps.
+class Dap : public CommandLine {
+ protected:
+  void request(const std::string& command, json arguments = json::object()) {
+    script_ += framed(json{{"seq", ++sequence_}, {"type", "request"}, {"command", command}, {"arguments", std::move(arguments)}}
+                          .dump());
+  }
+  void hold() {
+    const Ran ran = sightline({"dap"}, script_);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    received_ = messages(ran.out);
+    for (std::size_t n = 0; n < received_.size(); ++n) EXPECT_EQ(received_[n].at("seq"), n + 1);
+  }
+  // The answer to the nth request of that name, from 0.
+  json answer(const std::string& command, std::size_t n = 0) {
+    for (const json& message : received_)
+      if (message.at("type") == "response" && message.at("command") == command && n-- == 0) return message;
+    ADD_FAILURE() << "no answer to " << command;
+    return {};
+  }
+  std::vector<json> events(const std::string& name) {
+    std::vector<json> found;
+    for (const json& message : received_)
+      if (message.at("type") == "event" && message.at("event") == name) found.push_back(message.at("body"));
+    return found;
+  }
+
+  std::string script_;
+  int sequence_ = 0;
+  std::vector<json> received_;
+};
+
+TEST_F(Dap, BreakpointsStandInTheSource) {
+  write("p.s",
+        "/ A title line.\n"     // 1
+        "100/\n"                // 2
+        "begin,  lac (3\n"      // 3: 100
+        "        jms store\n"   // 4: 101
+        "        lac (5\n"      // 5: 102
+        "        jms store\n"   // 6: 103
+        "        hlt\n"         // 7: 104
+        "\n"                    // 8
+        "store,  0\n"           // 9: 105
+        "        dac place\n"   // 10: 106
+        "        jmp i store\n" // 11: 107
+        "place,  0\n"           // 12: 110
+        "        start begin\n");
+  const std::string source = path("p.s").string();
+  request("initialize", {{"adapterID", "sightline"}, {"linesStartAt1", true}});
+  request("launch", {{"machine", "pdp7"}, {"program", source}, {"stopOnEntry", true}, {"options", {{"memory", "4k"}}}});
+  request("setBreakpoints", {{"source", {{"path", source}}}, {"breakpoints", {{{"line", 8}}, {{"line", 400}}}}});
+  request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "store+1"}, {"condition", "ac==5"}}, {{"name", "nobody"}}}}});
+  request("configurationDone");
+  request("stackTrace", {{"threadId", 1}});
+  request("disconnect");
+  hold();
+  EXPECT_EQ(answer("initialize").at("body").at("supportsStepBack"), true);
+  ASSERT_EQ(events("initialized").size(), 1U);
+  // A line without code moves to the next that has some.
+  const json lines = answer("setBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(lines[0].at("verified"), true);
+  EXPECT_EQ(lines[0].at("line"), 9);
+  EXPECT_EQ(lines[0].at("instructionReference"), "0x45");
+  EXPECT_EQ(lines[1].at("verified"), false);
+  const json functions = answer("setFunctionBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(functions[0].at("verified"), true);
+  EXPECT_EQ(functions[1].at("verified"), false);
+  const json top = answer("stackTrace").at("body").at("stackFrames").at(0);
+  EXPECT_EQ(top.at("line"), 3);
+  EXPECT_EQ(top.at("instructionPointerReference"), "0x40");
+  EXPECT_EQ(top.at("source").at("name"), "p.s");
+  EXPECT_EQ(events("stopped").at(0).at("reason"), "entry");
+}
+
+// A client that sends a request when the machine stands.
+class DapSteps : public Dap {
+ protected:
+  void hold_with(std::function<base::Result<live::Launched>(const json&)> launch,
+                 std::function<base::Result<base::Done>(const run::Machine&)> finish = {}) {
+    live::DapHost host;
+    host.finish = std::move(finish);
+    std::string wire;
+    std::size_t at = 0;
+    host.read = [&](int milliseconds) -> std::optional<std::string> {
+      if (milliseconds == 0) return std::string();
+      if (at == script_.size()) return std::nullopt;
+      // In two pieces, as it may come.
+      const std::size_t end = std::min(script_.size(), at + (script_.size() - at + 1) / 2);
+      const std::string piece = script_.substr(at, 1 + (end - at) % 97);
+      at += piece.size();
+      return piece;
+    };
+    host.write = [&wire](std::string_view text) {
+      wire += text;
+      return true;
+    };
+    host.launch = [&launch](const base::Json&) { return launch({}); };
+    const auto done = live::serve_debug_adapter(host);
+    EXPECT_TRUE(done.has_value());
+    received_ = messages(wire);
+  }
+  // "PC=00105 AC=000003", of the nth answer to `variables`.
+  std::string registers(std::size_t n, const std::vector<std::string>& names) {
+    std::string text;
+    const json whole = answer("variables", n);
+    for (const json& each : whole.at("body").at("variables")) {
+      const std::string name = each.at("name");
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        text += (text.empty() ? "" : " ") + name + "=" + each.at("value").get<std::string>();
+    }
+    return text;
+  }
+  // Begins a session of a program at its first instruction.
+  void begin() {
+    request("initialize");
+    request("launch");
+    request("configurationDone");
+  }
+  void look() { request("variables", {{"variablesReference", 1}}); }
+};
+
+template <class Assembly>
+live::Launched launched(const run::MachineDescription& description, MachineRun& of, const Assembly& assembly,
+                        const std::string& table, const char* start = "100") {
+  for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
+  of.set("--start", start).monitored();
+  auto prepared = of.prepared();
+  EXPECT_TRUE(prepared.has_value()) << of.refusal();
+  live::Symbols symbols(description.radix);
+  EXPECT_TRUE(symbols.add_table(table));
+  for (const auto& line : run::source_lines(assembly.listing, description.radix)) symbols.add_line(line.address, {line.file, line.line});
+  return {&description, std::move(*prepared), std::move(symbols), {}};
+}
+
+live::Launched pdp7_launched(const std::string& source) {
+  const std::vector<assembler::SourceFile> sources{{"p.s", source}};
+  const auto assembly = assembler::assemble_pdp7(sources, {});
+  const auto tape = image::write_rim(assembly.image, "p.rim");
+  MachineRun of(run::pdp7());
+  of.set_file("--load", "p.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
+  return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols));
+}
+
+live::Launched i8080_launched(const std::string& source) {
+  const std::vector<assembler::SourceFile> sources{{"p.asm", source}};
+  const auto assembly = assembler::assemble_i8080(sources);
+  MachineRun of(run::i8080());
+  of.set_file("--load", "p.hex", image::write_intel_hex(assembly.image)).set("--cpm").set("--console", "ascii");
+  return launched(run::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
+}
+
+TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
+  request("initialize");
+  request("launch");
+  request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "store+1"}}}}});
+  request("dataBreakpointInfo", {{"name", "place"}});
+  request("dataBreakpointInfo", {{"name", "ac"}});
+  request("setDataBreakpoints", {{"breakpoints", {{{"dataId", "0x48"}, {"accessType", "write"}, {"hitCondition", "2"}}}}});
+  request("configurationDone");  // runs to store+1
+  look();
+  request("stackTrace");
+  request("stepOut");  // back at 102
+  look();
+  request("stepBack");  // at JMP I STORE
+  look();
+  request("stepIn");
+  request("next");  // LAC
+  request("setFunctionBreakpoints", {{"breakpoints", json::array()}});
+  request("next");  // over the JMS; the second write of PLACE stops it
+  look();
+  request("reverseContinue");  // to the first write of PLACE: counts are passed over
+  look();
+  request("setVariable", {{"variablesReference", 1}, {"name", "AC"}, {"value", "777"}});
+  request("setVariable", {{"variablesReference", 1}, {"name", "AC"}, {"value", "1000000"}});
+  request("readMemory", {{"memoryReference", "0x40"}, {"count", 5}});
+  request("writeMemory", {{"memoryReference", "0x48"}, {"data", "AQIDAA=="}});
+  request("evaluate", {{"expression", "[place]"}});
+  request("disassemble", {{"memoryReference", "0x40"}, {"instructionOffset", -1}, {"instructionCount", 2}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return pdp7_launched(
+        "100/\nbegin, lac (3\n  jms store\n  lac (5\n  jms store\n  hlt\nstore, 0\n  dac place\n  jmp i store\n"
+        "place, 0\n  start begin\n");
+  });
+  EXPECT_EQ(answer("dataBreakpointInfo", 0).at("body").at("dataId"), "0x48");
+  EXPECT_TRUE(answer("dataBreakpointInfo", 1).at("body").at("dataId").is_null());
+  EXPECT_EQ(registers(0, {"PC", "AC"}), "PC=00106 AC=000003");
+  const json frames = answer("stackTrace").at("body").at("stackFrames");
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].at("line"), 8);
+  EXPECT_EQ(frames[1].at("line"), 3);
+  EXPECT_EQ(frames[1].at("name"), "begin+1");
+  EXPECT_EQ(registers(1, {"PC", "AC"}), "PC=00102 AC=000003");
+  EXPECT_EQ(registers(2, {"PC", "AC"}), "PC=00107 AC=000003");
+  EXPECT_EQ(registers(3, {"PC", "AC"}), "PC=00107 AC=000005");
+  EXPECT_EQ(registers(4, {"PC", "AC"}), "PC=00107 AC=000003");
+  std::string reasons;
+  for (const json& body : events("stopped")) reasons += body.at("reason").get<std::string>() + " ";
+  EXPECT_EQ(reasons, "breakpoint step step step step breakpoint breakpoint ");
+  EXPECT_EQ(answer("setVariable", 0).at("body").at("value"), "000777");
+  EXPECT_EQ(answer("setVariable", 1).at("success"), false);
+  // 200111 is 010111 in hexadecimal; the first five of its bytes and the next word's.
+  EXPECT_EQ(answer("readMemory").at("body").at("data"), "SQABAEU=");
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "601001 = 197121.");
+  const json rows = answer("disassemble").at("body").at("instructions");
+  EXPECT_EQ(rows[0].at("address"), "0x3F");
+  EXPECT_EQ(rows[1].at("line"), 2);
+}
+
+TEST_F(DapSteps, The8080TypesAndIsWatched) {
+  request("initialize", {{"linesStartAt1", false}});
+  request("launch");
+  request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", 4}, {"condition", "a==41+1"}}}}});
+  request("evaluate", {{"expression", "send \"AB\""}, {"context", "repl"}});
+  request("configurationDone");  // to the line behind the CALL with B in A
+  look();
+  request("stackTrace");
+  request("scopes", {{"frameId", 0}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return i8080_launched("\tORG 100H\nAGAIN:\tMVI C,1\n\tCALL 5\n\tNOP\n\tMOV D,A\n\tJMP AGAIN\n");
+  });
+  EXPECT_EQ(answer("setBreakpoints").at("body").at("breakpoints").at(0).at("line"), 4);
+  EXPECT_EQ(registers(0, {"PC", "A"}), "A=42 PC=0106");
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").at(0).at("line"), 4);
+  std::string printed;
+  for (const json& body : events("output"))
+    if (body.at("category") == "stdout") printed += body.at("output").get<std::string>();
+  EXPECT_EQ(printed, "AB");
+}
+
+// The system of disk_test.cpp, by messages.
+TEST_F(DapSteps, ASystemBootsFromADisk) {
+  request("initialize");
+  request("launch", {{"input", "w5Zr5h"}});
+  request("configurationDone");  // runs to the HLT of the command h
+  look();
+  request("disconnect");
+  std::size_t changed = 0;
+  hold_with([](const json&) {
+    const auto assembly = assembled_file(disk_system_file("boot.s"));
+    const auto tape = image::write_rim(assembly.image, "boot.rim");
+    MachineRun of(run::pdp7());
+    of.set_file("--load", "boot.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
+    of.set_file("--disk", "disk", disk_system_image());
+    return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), "7700");
+  },
+            [&changed](const run::Machine& machine) -> base::Result<base::Done> {
+              changed = machine.changed_media().size();
+              return base::Done{};
+            });
+  std::string printed;
+  for (const json& body : events("output"))
+    if (body.at("category") == "stdout") printed += body.at("output").get<std::string>();
+  EXPECT_EQ(printed, "*w5Zk\r\n*r5Z\r\n*h");
+  EXPECT_EQ(events("stopped").at(0).at("text"), "stopped by halt");
+  EXPECT_EQ(changed, 1U);
+}
+
+// --- Messages of any content ---
+
+TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
+  std::mt19937 engine(1121);
+  const auto below = [&engine](std::size_t n) { return engine() % n; };
+  const std::vector<std::string> names{"setBreakpoints", "setFunctionBreakpoints", "setInstructionBreakpoints", "dataBreakpointInfo",
+                                       "setDataBreakpoints", "next", "stepIn", "stepOut", "stepBack", "reverseContinue", "pause",
+                                       "threads", "stackTrace", "scopes", "variables", "setVariable", "evaluate", "readMemory",
+                                       "writeMemory", "disassemble", "nonsense", "launch", "configurationDone"};
+  const std::vector<json> values{1, -1, 0, 1e300, "x", "0x40", "0xFFFFFFFFFFFF", nullptr, true, json::array({1, 2}), json::object(),
+                                 9223372036854775807, "ac+", "AAAA", "====", json::array({json::object()}),
+                                 json::array({{{"line", 3}, {"condition", "("}, {"hitCondition", "0"}}})};
+  const std::vector<std::string> keys{"line", "source", "breakpoints", "name", "memoryReference", "offset", "count", "data", "expression",
+                                      "variablesReference", "value", "instructionCount", "instructionOffset", "startFrame", "levels",
+                                      "dataId", "accessType", "instructionReference", "context"};
+  begin();
+  for (int round = 0; round < tests::effort(400, 100); ++round) {
+    json arguments = json::object();
+    for (std::size_t n = below(6); n > 0; --n) arguments[keys[below(keys.size())]] = values[below(values.size())];
+    request(names[below(names.size())], below(8) == 0 ? values[below(values.size())] : arguments);
+  }
+  const int requests = sequence_;
+  hold_with([](const json&) {
+    auto session = pdp7_launched("100/\nbegin, isz 200\n  jmp begin\n  hlt\n200/ 777000\n  start begin\n");
+    session.prepared.limits.instructions = 20000;  // what follows the HLT need not end
+    return session;
+  });
+  int answers = 0;
+  for (const json& message : received_) answers += message.at("type") == "response" ? 1 : 0;
+  EXPECT_EQ(answers, requests);
+}
+
+TEST_F(Dap, TheArgumentsOfLaunchAreChecked) {
+  const auto refused = [this](json arguments) {
+    script_.clear();
+    sequence_ = 0;
+    request("initialize");
+    request("launch", std::move(arguments));
+    request("threads");
+    request("disconnect");
+    hold();
+    EXPECT_EQ(answer("launch").at("success"), false);
+    EXPECT_EQ(answer("threads").at("message"), "found threads before launch, expected launch first");
+    return answer("launch").value("message", std::string());
+  };
+  EXPECT_NE(refused({{"machine", "pdp8"}}).find("expected machine: pdp7 or i8080"), std::string::npos);
+  EXPECT_NE(refused(json::object()).find("found no machine"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"program", "none.rim"}}).find("none.rim"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"colour", 1}}}}).find("found option colour"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"memory", "7k"}}}}).find("none of its values"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"display", "yes"}}}}).find("expected true or false"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"options", 5}}).find("expected an object"), std::string::npos);
+  write("bad.s", "100/ nonsense\n");
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"program", "bad.s"}}).find("the source has errors"), std::string::npos);
+}
+
+TEST_F(Dap, WhatIsNoMessageEndsTheSession) {
+  const auto ends = [this](const std::string& bytes) {
+    const Ran ran = sightline({"dap"}, bytes);
+    EXPECT_EQ(ran.exit_code, 4) << bytes.substr(0, 40);
+    return ran.err;
+  };
+  EXPECT_NE(ends("GET / HTTP/1.1\r\n\r\n").find("expected one in the headers"), std::string::npos);
+  EXPECT_NE(ends("Content-Length: many\r\n\r\n").find("Content-Length"), std::string::npos);
+  EXPECT_NE(ends("Content-Length: 99999999999\r\n\r\n").find("at most 16777216"), std::string::npos);
+  EXPECT_NE(ends(framed("{")).find("message"), std::string::npos);
+  EXPECT_NE(ends(framed("[1]")).find("expected an object as a message"), std::string::npos);
+  EXPECT_NE(ends(std::string(5000, 'x')).find("without an empty line"), std::string::npos);
+  // A client that goes away is no error.
+  EXPECT_EQ(sightline({"dap"}, "").exit_code, 0);
+  EXPECT_EQ(sightline({"dap"}, "Content-Length: 10\r\n\r\n{").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace sightline::test
