@@ -100,7 +100,7 @@ constexpr std::array<VcdSignal, signal::count> signals{{
     {"display", "stop", 1, "its file has stopped it"},
 }};
 
-// Bus events and registers into a VCD. The display is looked at from outside: between events it says nothing.
+// Bus events and registers into a VCD. Of the display the registers are read when an instruction ends.
 class VcdTracer {
  public:
   VcdTracer(VcdWriter writer, const type340::Registers* display) : writer_(std::move(writer)), display_(display) {}
