@@ -1,21 +1,50 @@
 // The way of bus events to an observer, for those that run a processor: a value that is empty, and costs nothing, when the
 // observer does not want them.
+//
+// An observer that looks for few places among many has a filter: a small value, which the run keeps beside its registers,
+// so that what is not looked for costs one test.
+//   using Filter = ...;
+//   Filter filter() const;
+//     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
+//     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
 #pragma once
 
 namespace sightline::core {
+
+template <class Observer>
+concept Filtered = requires { typename Observer::Filter; };
 
 template <class Observer, bool wanted = Observer::cycles>
 class Reporter {
  public:
   // The observer outlives the reporter.
   explicit constexpr Reporter(Observer& observer) : observer_(&observer) {}
+  // True: stop() is to be asked at the next boundary.
   template <class Cycle>
-  [[gnu::always_inline]] constexpr void operator()(const Cycle& cycle) const {
+  [[gnu::always_inline]] constexpr bool operator()(const Cycle& cycle) const {
     observer_->cycle(cycle);
+    return false;
   }
 
  private:
   Observer* observer_;
+};
+
+template <Filtered Observer>
+class Reporter<Observer, true> {
+ public:
+  explicit constexpr Reporter(Observer& observer) : observer_(&observer), filter_(observer.filter()) {}
+  template <class Cycle>
+  [[gnu::always_inline]] constexpr bool operator()(const Cycle& cycle) const {
+    if (!filter_.wants(cycle)) [[likely]]
+      return false;
+    observer_->cycle(cycle);
+    return true;
+  }
+
+ private:
+  Observer* observer_;
+  typename Observer::Filter filter_;
 };
 
 template <class Observer>
@@ -23,7 +52,33 @@ class Reporter<Observer, false> {
  public:
   explicit constexpr Reporter(Observer&) {}
   template <class Cycle>
-  constexpr void operator()(const Cycle&) const {}
+  constexpr bool operator()(const Cycle&) const {
+    return false;
+  }
+};
+
+// Whether the observer is to be asked at a boundary that has nothing else to it.
+template <class Observer>
+class Arrivals {
+ public:
+  explicit constexpr Arrivals(const Observer&) {}
+  template <class Address>
+  constexpr bool operator()(Address) const {
+    return Observer::stops;
+  }
+};
+
+template <Filtered Observer>
+class Arrivals<Observer> {
+ public:
+  explicit constexpr Arrivals(const Observer& observer) : filter_(observer.filter()) {}
+  template <class Address>
+  [[gnu::always_inline]] constexpr bool operator()(Address next) const {
+    return filter_.arrives(next);
+  }
+
+ private:
+  typename Observer::Filter filter_;
 };
 
 }  // namespace sightline::core

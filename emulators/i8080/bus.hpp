@@ -1,7 +1,8 @@
 // The bus interface of the 8080: one verb is one machine cycle and advances time by itself.
 //
 //   fetch(status, address)          M1, T1 to T4; gives the opcode
-//   read(status, address)           3 T-states; gives the byte taken in T3
+//   operand(status, address)        a byte of the instruction behind its opcode: 3 T-states; gives the byte taken in T3
+//   read(status, address)           the same for any other byte
 //   write(status, address, byte)    3 T-states; the byte is there from T3 on
 //   in(status, port)                3 T-states; the device is asked in T3
 //   out(status, port, byte)         3 T-states; the device gets the byte in T3
@@ -53,6 +54,7 @@ inline constexpr Status halt_cycle = memory_read | halt | read;             // 8
 template <class B>
 concept Bus = requires(B bus, Status cycle, Address address, Byte byte, int t_states, bool on) {
   { bus.fetch(cycle, address) } -> std::same_as<Byte>;
+  { bus.operand(cycle, address) } -> std::same_as<Byte>;
   { bus.read(cycle, address) } -> std::same_as<Byte>;
   bus.write(cycle, address, byte);
   { bus.in(cycle, byte) } -> std::same_as<Byte>;

@@ -290,7 +290,7 @@ class Cpu {
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Byte next_byte() {
-    const Byte byte = load<Jammed>(registers_.pc);
+    const Byte byte = bus_.operand(cycle<Jammed>(status::read_cycle), registers_.pc);
     if constexpr (!Jammed) ++registers_.pc;
     return byte;
   }

@@ -58,6 +58,7 @@ class PinBus {
     return opcode;
   }
 
+  Byte operand(Status cycle, Address address) { return read(cycle, address); }
   Byte read(Status cycle, Address address) {
     begin(cycle, address);
     const Byte byte = board_->read(status_, address);

@@ -165,18 +165,27 @@ class BasicPdp7 {
   [[gnu::noinline]] StopReason run(const Limits& limits, Watcher& watcher) {
     using Bus = Pdp7Bus<BasicPdp7, Watcher>;
     pdp7::Cpu<Bus> cpu(Bus(*this, watcher), configuration_.model, configuration_.timing, state_);
+    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
     for (;;) {
       if constexpr (Watcher::stops) {
-        if (left != 0 && watcher.stop(cpu.bus().now(), cpu.pc())) {
-          reason = StopReason::observer;
-          break;
+        if (arrives(cpu.pc())) [[unlikely]] {
+          if (left != 0 && watcher.stop(cpu.bus().now(), cpu.pc())) {
+            reason = StopReason::observer;
+            break;
+          }
         }
       }
       if (cpu.bus().due()) [[unlikely]] {
         if (left == 0) break;
+        if constexpr (core::Filtered<Watcher>) {
+          if (watcher.stop(cpu.bus().now(), cpu.pc())) {
+            reason = StopReason::observer;
+            break;
+          }
+        }
         if (cpu.bus().now() >= limits.until) {
           reason = StopReason::time_limit;
           break;
@@ -252,7 +261,9 @@ class BasicPdp7 {
   template <class Report>
   [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
                                           std::uint64_t left, Report report) {
-    while (disk_break(now, report) || display_break(now, report) || clock_tick(now, report)) {
+    bool asked = false;
+    const auto tell = [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; };
+    while (disk_break(now, tell) || display_break(now, tell) || clock_tick(now, tell)) {
     }
     if (now >= devices_due_) {
       devices_.advance(now);
@@ -260,7 +271,7 @@ class BasicPdp7 {
     }
     const bool interrupt =
         interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
-    const core::Instant event = std::min(display_due_, devices_due_);
+    const core::Instant event = asked ? now : std::min(display_due_, devices_due_);
     return {now, std::min(event, std::min(until, shortest_end(now, left))), interrupt};
   }
 

@@ -29,11 +29,14 @@ class I8080Bus {
   }
 
   [[gnu::always_inline]] i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
-    return take(i8080::CycleKind::fetch, cycle, address, core::TStates(4));
+    return take(i8080::CycleKind::fetch, cycle, address, core::TStates(4), false);
+  }
+  [[gnu::always_inline]] i8080::Byte operand(i8080::Status cycle, i8080::Address address) {
+    return take(i8080::CycleKind::read, cycle, address, core::TStates(3), true);
   }
   [[gnu::always_inline]] i8080::Byte read(i8080::Status cycle, i8080::Address address) {
     return take(kind_of(cycle, i8080::CycleKind::read, i8080::CycleKind::stack_read), cycle, address,
-                core::TStates(3));
+                core::TStates(3), false);
   }
   [[gnu::always_inline]] void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
     report(cycle, address, byte);
@@ -84,13 +87,13 @@ class I8080Bus {
 
   // Without MEMR the byte comes from the device whose interrupt is being acknowledged.
   [[gnu::always_inline]] i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
-                                          core::TStates length) {
+                                          core::TStates length, bool operand) {
     const core::TStateInstant begun = now_;
     wait(kind, address);
     const i8080::Byte byte = (cycle & i8080::status::memory_read) != 0
                                  ? memory_[address]
                                  : machine_->acknowledge(now_ + third_t_state);
-    report_at(begun, cycle, address, byte);
+    report_at(begun, cycle, address, byte, operand);
     now_ += length;
     return byte;
   }
@@ -108,12 +111,13 @@ class I8080Bus {
     report_at(now_, cycle, address, data);
   }
   [[gnu::always_inline]] void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
-                                        i8080::Byte data) {
+                                        i8080::Byte data, bool operand = false) {
     // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
     if constexpr (Observer::cycles && Observer::instructions) {
-      machine_->report_out_of_line({begun, cycle, address, data}, report_);
+      if (machine_->report_out_of_line({begun, cycle, address, data, operand}, report_)) attention();
     } else if constexpr (Observer::cycles) {
-      machine_->report_at_once({begun, cycle, address, data}, report_);
+      if (machine_->template report_at_once<wants_ends_of_halts<Observer>>({begun, cycle, address, data, operand}, report_))
+        attention();
     }
   }
 

@@ -55,7 +55,9 @@ class I8080Machine {
       fields("now", now_);
       fields("instructions", instructions_);
       fields("halt_sampled", halt_sampled_);
-      fields("after_halt", after_halt_);
+      bool after_halt = halt_ended_ == now_;
+      fields("after_halt", after_halt);
+      halt_ended_ = after_halt ? now_ : core::never_t;
       fields("acknowledging", acknowledging_);
     });
     visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(memory_), 0xFF); });
@@ -67,7 +69,7 @@ class I8080Machine {
     i8080::Cpu<Bus> cpu(Bus(*this, observer_), state_, state_);
     cpu.reset();
     static_cast<i8080::Registers&>(state_) = cpu.registers();
-    after_halt_ = false;
+    halt_ended_ = core::never_t;
   }
 
   // Runs from the state as it is until something stops it; what is due at the boundary where it stops is left to the
@@ -80,13 +82,19 @@ class I8080Machine {
   [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
     using Bus = I8080Bus<I8080Machine, Ports, Watcher>;
     i8080::Cpu<Bus> cpu(Bus(*this, watcher), state_, state_);
+    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
     std::uint64_t count = 0;
     I8080StopReason reason = I8080StopReason::observer;
     while (true) {
       if constexpr (Watcher::stops) {
-        if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
+        if (arrives(cpu.pc())) [[unlikely]] {
+          if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
+        }
       }
       if (cpu.bus().due()) [[unlikely]] {
+        if constexpr (core::Filtered<Watcher>) {
+          if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
+        }
         const Attention found = attend(cpu.bus().now(), limits, count);
         cpu.bus().set_now(found.now);
         cpu.bus().set_deadline(found.deadline);
@@ -199,8 +207,8 @@ class I8080Machine {
       ports_.advance(t);
       if (ports_.interrupt()) {
         state_.halted = false;
-        after_halt_ = true;
-        return {std::max(now, t + core::TStates(3)), core::TStateInstant::min(), {}, false, false, true};
+        halt_ended_ = std::max(now, t + core::TStates(3));
+        return {halt_ended_, core::TStateInstant::min(), {}, false, false, true};
       }
       halt_sampled_ = t + core::TStates(1);
       if (ports_.stopped()) return stopping(std::max(now, halt_sampled_), I8080StopReason::ports);
@@ -217,7 +225,6 @@ class I8080Machine {
 
   void begin_halt(core::TStateInstant second_t_state) {
     halt_sampled_ = second_t_state;
-    after_halt_ = false;
   }
 
   // Everything before `now` has happened.
@@ -249,17 +256,16 @@ class I8080Machine {
   }
 
   // The fetch that ends a halt still says HLTA.
-  template <class Report>
-  [[gnu::always_inline]] void report_at_once(I8080Cycle cycle, Report report) {
-    if ((cycle.status & i8080::status::first) != 0 && after_halt_) {
-      cycle.status |= i8080::status::halt;
-      after_halt_ = false;
+  template <bool ends_of_halts = true, class Report>
+  [[gnu::always_inline]] bool report_at_once(I8080Cycle cycle, Report report) {
+    if constexpr (ends_of_halts) {
+      if (cycle.time == halt_ended_) cycle.status |= i8080::status::halt;
     }
-    report(cycle);
+    return report(cycle);
   }
   template <class Report>
-  [[gnu::noinline]] void report_out_of_line(I8080Cycle cycle, Report report) {
-    report_at_once(cycle, report);
+  [[gnu::noinline]] bool report_out_of_line(I8080Cycle cycle, Report report) {
+    return report_at_once(cycle, report);
   }
 
   Ports& ports_;
@@ -269,7 +275,7 @@ class I8080Machine {
   std::uint64_t instructions_ = 0;
   std::vector<i8080::Byte> memory_;
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
-  bool after_halt_ = false;
+  core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
   bool acknowledging_ = false;
   std::array<i8080::Byte, 3> supplied_{};  // by the device, since the last acknowledge began
   std::size_t supplied_count_ = 0;

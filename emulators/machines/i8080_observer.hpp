@@ -9,6 +9,10 @@
 //   void cycle(const I8080Cycle&);
 //   bool stop(core::TStateInstant now, i8080::Address next);   true ends the run there, before the fetch from `next`; not
 //                                         asked while a halt lasts
+// An observer of cycles that has
+//   static constexpr bool ends_of_halts = false;
+// does without HLTA in the fetch that ends a halt, which each cycle would be asked for. It may have a filter
+// (../core/reporter.hpp).
 // An observer sees; it must not write to the machine.
 #pragma once
 
@@ -36,9 +40,16 @@ struct I8080Cycle {
   i8080::Status status;
   i8080::Address address;
   i8080::Byte data;  // nothing on the bus in the halt cycle: 0
+  bool operand = false;  // a byte of the instruction behind its opcode
 
   friend constexpr bool operator==(const I8080Cycle&, const I8080Cycle&) = default;
 };
+
+template <class Observer>
+inline constexpr bool wants_ends_of_halts = true;
+template <class Observer>
+  requires requires { Observer::ends_of_halts; }
+inline constexpr bool wants_ends_of_halts<Observer> = Observer::ends_of_halts;
 
 struct NoI8080Observer {
   static constexpr bool instructions = false;

@@ -8,6 +8,7 @@
 //   void instruction(const InstructionRecord&);
 //   void cycle(const pdp7::Cycle&);
 //   bool stop(core::Instant now, pdp7::Address next);   true ends the run there, before the fetch from `next`
+// It may have a filter (../core/reporter.hpp).
 // An observer sees; it must not write to the machine.
 #pragma once
 

@@ -35,6 +35,11 @@ class Pdp7Bus {
     return *this;
   }
 
+  [[gnu::always_inline]] core::Word18 fetch(pdp7::Address address) {
+    const core::Word18 word = core_[address];
+    pass(pdp7::Verb::fetch, address, word);
+    return word;
+  }
   [[gnu::always_inline]] core::Word18 read(pdp7::Address address) {
     const core::Word18 word = core_[address];
     pass(pdp7::Verb::read, address, word);
@@ -49,6 +54,10 @@ class Pdp7Bus {
     if (address < words_) core_[address] = word;
     pass(pdp7::Verb::modify, address, word);
     return word;
+  }
+  void interrupt(core::Word18 word) {
+    core_[0] = word;
+    pass(pdp7::Verb::interrupt, 0, word);
   }
   [[gnu::always_inline]] pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
     const auto effect = machine_->input_output(now_, word, ac);
@@ -80,7 +89,9 @@ class Pdp7Bus {
     report({now_, pdp7::machine_cycle, verb, address, word});
     now_ += pdp7::machine_cycle;
   }
-  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) { report_(cycle); }
+  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) {
+    if (report_(cycle)) attention();
+  }
 
   Machine* machine_;
   [[no_unique_address]] core::Reporter<Observer> report_;

@@ -1,11 +1,13 @@
 // The bus interface of the PDP-7 processor: one verb is one machine cycle and advances time by
 // itself.
 //
-//   read(address)     a core cycle that leaves the word as it was (Fetch, Defer, Execute)
+//   fetch(address)    the cycle that takes an instruction to be obeyed
+//   read(address)     another core cycle that leaves the word as it was (Defer, Execute, what XCT leads to)
 //   write(address, w) a core cycle that replaces it
 //   modify(address)   a core cycle that reads, adds one (18 bits, wraps) and rewrites; gives the new word
-//   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow
-//   cycle's stretch idle(duration)    asynchronous time of the EAE
+//   interrupt(w)      the Break cycle of the program interrupt, which writes w at 0
+//   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow cycle's stretch
+//   idle(duration)    asynchronous time of the EAE
 // The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing
 // in this machine obeyed, attention() asks for the next instruction boundary to be looked at (an interrupt
 // may be due).
@@ -21,15 +23,15 @@
 namespace sightline::pdp7 {
 
 // break_* are the cycles stolen from the processor: a data break in either direction, or a clock tick.
-enum class Verb : std::uint8_t { read, write, modify, iot, idle, break_read, break_write, break_modify };
+enum class Verb : std::uint8_t { fetch, read, write, modify, interrupt, iot, idle, break_read, break_write, break_modify };
 
 // One bus event as an observer sees it.
 struct Cycle {
   core::Instant time;  // its beginning
   core::Duration length;
   Verb verb;
-  Address address;    // iot: bits 6-17 of the instruction; idle: 0
-  core::Word18 data;  // read, write: the word; modify: the word rewritten; iot: AC afterwards; idle: 0
+  Address address;    // iot: bits 6-17 of the instruction; idle, interrupt: 0
+  core::Word18 data;  // fetch, read, write, interrupt: the word; modify: the word rewritten; iot: AC afterwards; idle: 0
 
   friend constexpr bool operator==(const Cycle&, const Cycle&) = default;
 };
@@ -51,10 +53,12 @@ struct IotReply {
 template <class B>
 concept Bus = requires(B bus, Address address, core::Word18 word, core::Duration time,
                        std::uint32_t instruction) {
+  { bus.fetch(address) } -> std::same_as<core::Word18>;
   { bus.read(address) } -> std::same_as<core::Word18>;
   bus.write(address, word);
   { bus.modify(address) } -> std::same_as<core::Word18>;
   { bus.iot(instruction, word) } -> std::same_as<IotReply>;
+  bus.interrupt(word);
   bus.idle(time);
   { bus.switches() } -> std::same_as<core::Word18>;
   bus.unanswered(instruction, address);

@@ -73,7 +73,7 @@ class Cpu {
 
   // One instruction; a chain of XCTs and what it ends in is one.
   [[gnu::always_inline]] constexpr Outcome step() {
-    const std::uint32_t word = bus_.read(registers_.pc()).value();
+    const std::uint32_t word = bus_.fetch(registers_.pc()).value();
     registers_.skip();
     if (execute_common(word, registers_.bank())) [[likely]]
       return Outcome::completed;
@@ -96,6 +96,7 @@ class Cpu {
 
   // The program interrupt: the Break cycle that stores the saved word at 0; the next fetch is at 1.
   constexpr void interrupt() {
+    bus_.interrupt(registers_.saved_word());
     enter_bank_zero(1);
     registers_.clear(mode::extend);
     if (timing_->interrupt_cycles > 1) bus_.idle(machine_cycle * (timing_->interrupt_cycles - 1));
@@ -122,7 +123,7 @@ class Cpu {
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
     static_assert(detail::row_of(Operation::law).value ==
                   (detail::row_of(Operation::opr).value | indirect_bit));
-    const auto address = [&] { return effective<indirect>(word, bank); };
+    const auto address = [&]() __attribute__((always_inline)) { return effective<indirect>(word, bank); };
     switch ((word >> 14) & 017U) {
       case detail::code(Operation::dac): bus_.write(address(), registers_.ac); return true;
       case detail::code(Operation::jms): jump_to_subroutine(address()); return true;
@@ -343,13 +344,13 @@ class Cpu {
   // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is
   // at 2. Its Break cycle is taken to follow the instruction directly (unknown).
   constexpr Outcome trap() {
+    bus_.write(0, registers_.saved_word());
     enter_bank_zero(2);
     registers_.set(mode::extend);
     return Outcome::completed;
   }
 
   constexpr void enter_bank_zero(Address next) {
-    bus_.write(0, registers_.saved_word());
     registers_.set_pc(next);
     registers_.clear(~mode::extend);
   }

@@ -26,7 +26,7 @@ class PathWatch {
 
   void cycle(const pdp7::Cycle& cycle) {
     const bool writes = cycle.verb == pdp7::Verb::write, counts = cycle.verb == pdp7::Verb::modify;
-    if (cycle.verb == pdp7::Verb::read && cycle.address == labels_.search) {
+    if (cycle.verb == pdp7::Verb::fetch && cycle.address == labels_.search) {
       begun_ = cycle.time;
       searching_ = true;
     }

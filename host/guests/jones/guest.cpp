@@ -133,6 +133,7 @@ void Watch::instruction(const machines::InstructionRecord& record) {
 
 void Watch::cycle(const pdp7::Cycle& cycle) {
   switch (cycle.verb) {
+    case pdp7::Verb::fetch:
     case pdp7::Verb::read:
       if (const std::int32_t cell = cell_of_[cycle.address & pdp7::in_bank_mask]; cell >= 0)
         seen_[static_cast<std::size_t>(cell)] = true;
@@ -146,6 +147,7 @@ void Watch::cycle(const pdp7::Cycle& cycle) {
     case pdp7::Verb::break_read:
     case pdp7::Verb::break_write:
     case pdp7::Verb::break_modify: ++current_.stolen_cycles; break;
+    case pdp7::Verb::interrupt:
     case pdp7::Verb::iot:
     case pdp7::Verb::idle: break;
   }

@@ -438,89 +438,92 @@ class Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
+// What a monitor's marks leave of the boundaries and cycles of a run. The status of a cycle is known where it is compiled
+// in, so that one test is left of each.
+struct I8080Marked {
+  const std::uint8_t* places;
+  const std::uint8_t* ports;
+
+  explicit I8080Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
+  [[gnu::always_inline]] bool arrives(i8080::Address next) const { return (places[next] & Probe::executed) != 0; }
+  [[gnu::always_inline]] bool wants(const machines::I8080Cycle& cycle) const {
+    namespace status = i8080::status;
+    // The bytes of the instruction itself are not asked for.
+    if (cycle.operand || (cycle.status & status::halt) != 0) return false;
+    if ((cycle.status & status::first) != 0)
+      return (cycle.status & status::acknowledge) != 0 && (places[0] & Probe::at_interrupt) != 0;
+    if ((cycle.status & status::input) != 0) return (ports[port_of(cycle)] & Probe::is_read) != 0;
+    if ((cycle.status & status::output) != 0) return (ports[port_of(cycle)] & Probe::is_written) != 0;
+    if ((cycle.status & status::read) != 0) return (places[cycle.address] & Probe::is_read) != 0;
+    return (places[cycle.address] & Probe::is_written) != 0;
+  }
+  static std::uint8_t port_of(const machines::I8080Cycle& cycle) { return static_cast<std::uint8_t>(cycle.address); }
+};
+
 // The observer of a monitor that has marked instructions alone: it is asked between them.
 class I8080Breaker {
  public:
   static constexpr bool instructions = false;
   static constexpr bool cycles = false;
   static constexpr bool stops = true;
+  using Filter = I8080Marked;
 
-  explicit I8080Breaker(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+  explicit I8080Breaker(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] I8080Marked filter() const { return I8080Marked(probe_); }
 
   // A run begins here: an instruction at this place is passed over.
   void begin(core::TStateInstant now) { begun_ = now; }
-  bool stop(core::TStateInstant now, i8080::Address next) {
-    if ((marks_[next] & Probe::executed) == 0) [[likely]]
-      return false;
-    return arrive(now, next);
+  [[gnu::noinline]] bool stop(core::TStateInstant now, i8080::Address next) {
+    if (now == begun_ || !filter().arrives(next)) return false;
+    probe_.add({Probe::Kind::execution, core::t_states_of(now), next, 0});
+    return true;
   }
 
  private:
-  [[gnu::noinline]] bool arrive(core::TStateInstant now, i8080::Address next) {
-    if (now != begun_) probe_.add({Probe::Kind::execution, core::t_states_of(now), next, 0});
-    return now != begun_;
-  }
-
   Probe& probe_;
-  const std::uint8_t* marks_;
   core::TStateInstant begun_{};
 };
 
-// The observer of a monitor that has marked places. Called for every cycle: what is not marked costs one look.
+// The observer of a monitor that has marked places.
 class I8080Watcher {
  public:
   static constexpr bool instructions = false;
   static constexpr bool cycles = true;
   static constexpr bool stops = true;
+  static constexpr bool ends_of_halts = false;
+  using Filter = I8080Marked;
 
-  explicit I8080Watcher(Probe& probe) : probe_(probe), marks_(probe.marks()), port_marks_(probe.port_marks()) {}
+  explicit I8080Watcher(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] I8080Marked filter() const { return I8080Marked(probe_); }
 
   // A run begins here: an instruction at this place is passed over.
   void begin(core::TStateInstant now) {
     begun_ = now;
     stops_ = !probe_.events().empty();
   }
-  bool stop(core::TStateInstant now, i8080::Address next) {
-    here_ = next;
-    if ((marks_[next] & Probe::executed) != 0 && now != begun_) [[unlikely]]
-      add(Probe::Kind::execution, now, next, 0);
+  [[gnu::noinline]] bool stop(core::TStateInstant now, i8080::Address next) {
+    if (now != begun_ && filter().arrives(next)) add(Probe::Kind::execution, now, next, 0);
     return stops_;
   }
-  [[gnu::always_inline]] void cycle(const machines::I8080Cycle& cycle) {
+  [[gnu::noinline]] void cycle(machines::I8080Cycle cycle) {
     namespace status = i8080::status;
-    const auto port = static_cast<std::uint8_t>(cycle.address);
-    if ((cycle.status & status::first) != 0) {
-      if ((cycle.status & status::acknowledge) != 0 && (marks_[0] & Probe::at_interrupt) != 0)
-        add(Probe::Kind::interrupt, cycle.time, cycle.address, 0);
-    } else if ((cycle.status & status::halt) != 0) {
-      return;
-    } else if ((cycle.status & status::input) != 0) {
-      if ((port_marks_[port] & Probe::is_read) != 0) add(Probe::Kind::port_read, cycle.time, port, cycle.data);
-    } else if ((cycle.status & status::output) != 0) {
-      if ((port_marks_[port] & Probe::is_written) != 0) add(Probe::Kind::port_write, cycle.time, port, cycle.data);
-    } else if ((cycle.status & status::read) != 0) {
-      if ((marks_[cycle.address] & Probe::is_read) != 0 && !reads_instruction(cycle)) [[unlikely]]
-        add(Probe::Kind::read, cycle.time, cycle.address, cycle.data);
-    } else if ((marks_[cycle.address] & Probe::is_written) != 0) [[unlikely]] {
-      add(Probe::Kind::write, cycle.time, cycle.address, cycle.data);
-    }
-  }
-  // The bytes of the instruction itself are read too.
-  [[nodiscard]] bool reads_instruction(const machines::I8080Cycle& cycle) const {
-    return (cycle.status & i8080::status::read) != 0 && static_cast<i8080::Address>(cycle.address - here_) <= 2;
+    if ((cycle.status & status::first) != 0) return add(Probe::Kind::interrupt, cycle.time, cycle.address, 0);
+    if ((cycle.status & status::input) != 0)
+      return add(Probe::Kind::port_read, cycle.time, I8080Marked::port_of(cycle), cycle.data);
+    if ((cycle.status & status::output) != 0)
+      return add(Probe::Kind::port_write, cycle.time, I8080Marked::port_of(cycle), cycle.data);
+    const bool reads = (cycle.status & status::read) != 0;
+    add(reads ? Probe::Kind::read : Probe::Kind::write, cycle.time, cycle.address, cycle.data);
   }
 
  private:
-  [[gnu::noinline]] void add(Probe::Kind kind, core::TStateInstant time, std::uint32_t address, std::uint32_t value) {
+  void add(Probe::Kind kind, core::TStateInstant time, std::uint32_t address, std::uint32_t value) {
     probe_.add({kind, core::t_states_of(time), address, value});
     stops_ = true;
   }
 
   Probe& probe_;
-  const std::uint8_t* marks_;
-  const std::uint8_t* port_marks_;
   core::TStateInstant begun_{};
-  i8080::Address here_ = 0;  // the instruction under way
   bool stops_ = false;
 };
 
@@ -548,9 +551,9 @@ class I8080Listener {
   }
   [[gnu::noinline]] void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
-    watcher_.cycle(cycle);
+    if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
     constexpr i8080::Status not_memory = status::first | status::halt | status::input | status::output;
-    if ((cycle.status & not_memory) != 0 || watcher_.reads_instruction(cycle)) return;
+    if ((cycle.status & not_memory) != 0 || cycle.operand) return;
     entry_.has_address = true;
     entry_.address = cycle.address;
     entry_.value = cycle.data;

@@ -117,12 +117,13 @@ class VcdTracer {
     writer_.show(at, signal::address, asynchronous ? VcdWriter::floating : cycle.address);
     writer_.show(at, signal::data, asynchronous ? VcdWriter::floating : cycle.data.value());
     const bool writes = cycle.verb == pdp7::Verb::write || cycle.verb == pdp7::Verb::modify ||
-                        cycle.verb == pdp7::Verb::break_write || cycle.verb == pdp7::Verb::break_modify;
+                        cycle.verb == pdp7::Verb::interrupt || cycle.verb == pdp7::Verb::break_write ||
+                        cycle.verb == pdp7::Verb::break_modify;
+    if (cycle.verb == pdp7::Verb::interrupt) writer_.show(at, signal::ion, 0);
     writer_.show(at, signal::write, writes ? 1 : 0);
   }
   void instruction(const machines::InstructionRecord& record) {
     const std::int64_t at = core::nanoseconds_of(record.end);
-    cycles_ = 0;
     clear_pulses(at);
     writer_.show(at, signal::pc, record.after.pc);
     writer_.show(at, signal::ac, record.after.ac.value());
@@ -143,16 +144,22 @@ class VcdTracer {
       case pdp7::Verb::break_read:
       case pdp7::Verb::break_write: return signal::brk;
       case pdp7::Verb::break_modify: return signal::tick;
+      case pdp7::Verb::interrupt: return signal::interrupt;
+      case pdp7::Verb::fetch: follow(cycle.data.value()); return signal::fetch;
       default: break;
     }
-    const bool first = cycles_ == 0;
-    if (first && cycle.verb == pdp7::Verb::write) return signal::interrupt;
-    if (first) {
-      const pdp7::Operation operation = pdp7::instruction_of(cycle.data.value()).operation;
-      refers_ = operation <= pdp7::Operation::jmp && (cycle.data.value() & pdp7::indirect_bit) != 0;
+    if (defers_) {
+      defers_ = false;
+      return signal::defer;
     }
-    ++cycles_;
-    return first ? signal::fetch : cycles_ == 2 && refers_ ? signal::defer : signal::execute;
+    if (executes_another_) follow(cycle.data.value());
+    return signal::execute;
+  }
+  // What the cycles after this instruction are for: those of what XCT leads to are told apart, too.
+  void follow(std::uint32_t word) {
+    const pdp7::Operation operation = pdp7::instruction_of(word).operation;
+    defers_ = operation <= pdp7::Operation::jmp && (word & pdp7::indirect_bit) != 0;
+    executes_another_ = operation == pdp7::Operation::xct;
   }
   void iot(const pdp7::Cycle& cycle, std::int64_t end) {
     constexpr std::int64_t shown = 500;
@@ -167,8 +174,8 @@ class VcdTracer {
 
   VcdWriter writer_;
   const type340::Registers* display_;
-  int cycles_ = 0;  // of the instruction under way
-  bool refers_ = false;  // its first address is indirect
+  bool defers_ = false;            // the next cycle takes an indirect address
+  bool executes_another_ = false;  // the cycle after that takes an instruction
   bool pulses_ = false;
 };
 
@@ -191,109 +198,109 @@ class Recorder {
   VcdTracer& vcd_;
 };
 
+// What a monitor's marks leave of the boundaries and cycles of a run.
+struct Marked {
+  const std::uint8_t* places;
+  const std::uint8_t* ports;
+
+  explicit Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
+  [[gnu::always_inline]] bool arrives(pdp7::Address next) const { return (places[next] & Probe::executed) != 0; }
+  [[gnu::always_inline]] bool wants(const pdp7::Cycle& cycle) const {
+    switch (cycle.verb) {
+      case pdp7::Verb::fetch:
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::idle: return false;
+      case pdp7::Verb::read: return (places[cycle.address] & Probe::is_read) != 0;
+      case pdp7::Verb::modify: return (places[cycle.address] & (Probe::is_read | Probe::is_written)) != 0;
+      case pdp7::Verb::write:
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify: return (places[cycle.address] & Probe::is_written) != 0;
+      case pdp7::Verb::interrupt: return (places[0] & (Probe::is_written | Probe::at_interrupt)) != 0;
+      case pdp7::Verb::iot: return (ports[device_of(cycle)] & Probe::executed) != 0;
+    }
+    return true;
+  }
+  static std::uint32_t device_of(const pdp7::Cycle& iot) { return (iot.address >> 6) & 077U; }
+};
+
 // The observer of a monitor that has marked instructions alone: it is asked between them.
 class Breaker {
  public:
   static constexpr bool instructions = false;
   static constexpr bool cycles = false;
   static constexpr bool stops = true;
+  using Filter = Marked;
 
-  explicit Breaker(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+  explicit Breaker(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] Marked filter() const { return Marked(probe_); }
 
   // A run begins here: an instruction at this place is passed over.
   void begin(core::Instant now) { begun_ = now; }
-  bool stop(core::Instant now, pdp7::Address next) {
-    if ((marks_[next] & Probe::executed) == 0) [[likely]]
-      return false;
-    return arrive(now, next);
+  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
+    if (now == begun_ || !filter().arrives(next)) return false;
+    probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
+    return true;
   }
 
  private:
-  [[gnu::noinline]] bool arrive(core::Instant now, pdp7::Address next) {
-    if (now != begun_) probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
-    return now != begun_;
-  }
-
   Probe& probe_;
-  const std::uint8_t* marks_;
   core::Instant begun_{};
 };
 
-// The observer of a monitor that has marked places. Called for every cycle: what is not marked costs one look, and what is
-// done about a marked one takes its arguments by value, or each cycle would be written to memory for it.
+// The observer of a monitor that has marked places.
 class Watcher {
  public:
   static constexpr bool instructions = false;
   static constexpr bool cycles = true;
   static constexpr bool stops = true;
+  using Filter = Marked;
 
-  explicit Watcher(Probe& probe) : probe_(probe), marks_(probe.marks()) {}
+  explicit Watcher(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] Marked filter() const { return Marked(probe_); }
 
   // A run begins here: an instruction at this place is passed over.
   void begin(core::Instant now) {
-    begun_ = boundary_ = now;
+    begun_ = now;
     stops_ = !probe_.events().empty();
   }
-  bool stop(core::Instant now, pdp7::Address next) {
-    boundary_ = now;
-    if ((marks_[next] & Probe::executed) != 0 && now != begun_) [[unlikely]]
-      add(Probe::Kind::execution, now, next, 0);
+  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
+    if (now != begun_ && filter().arrives(next)) add(Probe::Kind::execution, now, next, 0);
     return stops_;
   }
-  [[gnu::always_inline]] void cycle(const pdp7::Cycle& cycle) {
+  [[gnu::noinline]] void cycle(pdp7::Cycle cycle) {
+    const std::uint8_t marks = probe_.marks()[cycle.address];
+    const std::uint32_t word = cycle.data.value();
     switch (cycle.verb) {
-      case pdp7::Verb::read:
-        if ((marks_[cycle.address] & Probe::is_read) != 0) [[unlikely]]
-          read(cycle.time, cycle.address, cycle.data);
-        return;
       case pdp7::Verb::modify:
-      case pdp7::Verb::write:
-        if (marks_[cycle.address] > Probe::executed) [[unlikely]]
-          written(cycle.time, cycle.address, cycle.data, cycle.verb == pdp7::Verb::modify);
+        if ((marks & Probe::is_read) != 0)
+          add(Probe::Kind::read, cycle.time, cycle.address, (cycle.data - core::Word18(1)).value());
+        if ((marks & Probe::is_written) != 0) add(Probe::Kind::write, cycle.time, cycle.address, word);
         return;
-      case pdp7::Verb::iot: {
-        const std::uint32_t device = (cycle.address >> 6) & 077U;
-        if ((probe_.port_marks()[device] & Probe::executed) != 0)
-          add(Probe::Kind::port_write, cycle.time, device, cycle.address | 0700000U);
+      case pdp7::Verb::interrupt:
+        if ((marks & Probe::at_interrupt) != 0)
+          add(Probe::Kind::interrupt, cycle.time, word & pdp7::address_mask, 0);
+        if ((marks & Probe::is_written) != 0) add(Probe::Kind::interrupt_write, cycle.time, cycle.address, word);
         return;
-      }
-      // A cycle stolen at the boundary: the fetch comes after it.
-      case pdp7::Verb::break_read: boundary_ = cycle.time + cycle.length; return;
+      case pdp7::Verb::read: return add(Probe::Kind::read, cycle.time, cycle.address, word);
+      case pdp7::Verb::write: return add(Probe::Kind::write, cycle.time, cycle.address, word);
       case pdp7::Verb::break_write:
-      case pdp7::Verb::break_modify:
-        boundary_ = cycle.time + cycle.length;
-        if ((marks_[cycle.address] & Probe::is_written) != 0)
-          add(Probe::Kind::break_write, cycle.time, cycle.address, cycle.data.value());
-        return;
+      case pdp7::Verb::break_modify: return add(Probe::Kind::break_write, cycle.time, cycle.address, word);
+      case pdp7::Verb::iot:
+        return add(Probe::Kind::port_write, cycle.time, Marked::device_of(cycle), cycle.address | 0700000U);
+      case pdp7::Verb::fetch:
+      case pdp7::Verb::break_read:
       case pdp7::Verb::idle: return;
     }
   }
 
  private:
-  [[gnu::noinline]] void read(core::Instant time, pdp7::Address address, core::Word18 word) {
-    const bool fetch = time == boundary_;
-    if (!fetch) add(Probe::Kind::read, time, address, word.value());
-  }
-  // Only the program interrupt writes before an instruction was fetched.
-  [[gnu::noinline]] void written(core::Instant time, pdp7::Address address, core::Word18 word, bool counts) {
-    const std::uint8_t marks = marks_[address];
-    const bool interrupt = time == boundary_;
-    if (interrupt && (marks & Probe::at_interrupt) != 0)
-      add(Probe::Kind::interrupt, time, word.value() & pdp7::address_mask, 0);
-    if (counts && (marks & Probe::is_read) != 0)
-      add(Probe::Kind::read, time, address, (word - core::Word18(1)).value());
-    if ((marks & Probe::is_written) != 0)
-      add(interrupt ? Probe::Kind::interrupt_write : Probe::Kind::write, time, address, word.value());
-  }
-  [[gnu::noinline]] void add(Probe::Kind kind, core::Instant time, std::uint32_t address, std::uint32_t value) {
+  void add(Probe::Kind kind, core::Instant time, std::uint32_t address, std::uint32_t value) {
     probe_.add({kind, core::nanoseconds_of(time), address, value});
     stops_ = true;
   }
 
   Probe& probe_;
-  const std::uint8_t* marks_;
   core::Instant begun_{};
-  core::Instant boundary_{};
   bool stops_ = false;
 };
 
@@ -307,10 +314,7 @@ class Listener {
   explicit Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
 
   void begin(core::Instant now) { watcher_.begin(now); }
-  bool stop(core::Instant now, pdp7::Address next) {
-    fetched_ = false;
-    return watcher_.stop(now, next);
-  }
+  bool stop(core::Instant now, pdp7::Address next) { return watcher_.stop(now, next); }
   [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
     entry_.time = core::nanoseconds_of(record.time);
     entry_.pc = record.pc;
@@ -321,23 +325,18 @@ class Listener {
     entry_.has_address = false;
   }
   [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
-    watcher_.cycle(cycle);
-    const bool processors = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify ||
-                            cycle.verb == pdp7::Verb::write;
-    if (!processors) return;
-    if (fetched_) {
-      entry_.has_address = true;
-      entry_.address = cycle.address;
-      entry_.value = cycle.data.value();
-    }
-    fetched_ = true;
+    if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
+    const bool uses = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify || cycle.verb == pdp7::Verb::write;
+    if (!uses) return;
+    entry_.has_address = true;
+    entry_.address = cycle.address;
+    entry_.value = cycle.data.value();
   }
 
  private:
   Probe& probe_;
   Watcher watcher_;
   Probe::Entry entry_;
-  bool fetched_ = false;
 };
 
 // A run without a taker of strokes.

@@ -167,6 +167,16 @@ TEST(I8080Machine, ResetBetweenAHaltAndTheFetchThatEndsItForgetsTheHalt) {
   EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);  // not AA, the fetch that ends a halt
 }
 
+TEST(I8080Machine, AHaltThatEndedUnobservedLeavesNoHlta) {
+  Bench bench{0xFB, 0x76, 0x00, 0x00};  // EI; HLT
+  bench.interrupt(50, 51);
+  machines::NoI8080Observer nobody;
+  EXPECT_EQ(bench.machine.run({3, core::never_t}, nobody), I8080StopReason::instruction_limit);
+  bench.run(1);
+  EXPECT_EQ(bench.recorder.seen.back().address, 0x0103);
+  EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);
+}
+
 TEST(I8080Machine, DadHasNoCycleToReport) {
   Bench bench{0x29, 0x76};
   bench.run();

@@ -25,8 +25,9 @@ const std::vector<TranscriptCase>& all_cases() {
 }
 
 std::string text_of(const pdp7::Cycle& cycle) {
-  static constexpr const char* names[] = {"read", "write",      "modify",      "iot",
-                                          "idle", "break_read", "break_write", "break_modify"};
+  // Transcripts have one word for all cycles that read, and one for all that write.
+  static constexpr const char* names[] = {"read", "read", "write",      "modify",      "write",
+                                          "iot",  "idle", "break_read", "break_write", "break_modify"};
   std::ostringstream out;
   out << core::nanoseconds_of(cycle.time) << ' ' << names[static_cast<int>(cycle.verb)] << ' ';
   if (cycle.verb == pdp7::Verb::idle) {

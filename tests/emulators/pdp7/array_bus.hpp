@@ -24,6 +24,8 @@ class ArrayBus {
  public:
   explicit ArrayBus(ArrayMachine& machine) : machine_(&machine) {}
 
+  core::Word18 fetch(pdp7::Address a) { return read(a); }
+  void interrupt(core::Word18 word) { write(0, word); }
   core::Word18 read(pdp7::Address a) {
     ++machine_->cycles;
     return machine_->core.at(a);

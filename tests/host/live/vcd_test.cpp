@@ -106,22 +106,27 @@ class Vcd : public CommandLine {
   }
 };
 
-TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
-  // LAC I 200: fetch, defer, execute; DAC 201; ISZ 202; TLS (an IOT); HLT.
-  const Dump dump = run("pdp7",
-                        "100/\n  lac i 200\n  dac 201\n  isz 202\n  tls\n  hlt\n200/ 300\n  0\n  5\n300/ 123456\n  start 100\n", {});
+constexpr std::int64_t cycle = 1750;
+
+// What each machine cycle from the first on is shown to be for, at its beginning and at its end.
+void expect_cycles(const Dump& dump, const std::vector<std::string>& expected) {
   const auto kind = [&dump](std::int64_t time) {
     std::string kinds;
     for (const char* const each : {"fetch", "defer", "execute", "eae", "brk", "tick", "interrupt"})
       if (dump.at(each, time) == "1") kinds += std::string(kinds.empty() ? "" : " ") + each;
     return kinds;
   };
-  constexpr std::int64_t cycle = 1750;
-  const std::vector<std::string> expected{"fetch", "defer", "execute", "fetch", "execute", "fetch", "execute", "fetch", "fetch"};
   for (std::size_t n = 0; n < expected.size(); ++n) {
     EXPECT_EQ(kind(static_cast<std::int64_t>(n) * cycle), expected[n]) << n;
     EXPECT_EQ(kind(static_cast<std::int64_t>(n + 1) * cycle - 1), expected[n]) << n;
   }
+}
+
+TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
+  // LAC I 200: fetch, defer, execute; DAC 201; ISZ 202; TLS (an IOT); HLT.
+  const Dump dump = run("pdp7",
+                        "100/\n  lac i 200\n  dac 201\n  isz 202\n  tls\n  hlt\n200/ 300\n  0\n  5\n300/ 123456\n  start 100\n", {});
+  expect_cycles(dump, {"fetch", "defer", "execute", "fetch", "execute", "fetch", "execute", "fetch", "fetch"});
   // The defer reads 300 at 200, the execute the word there.
   EXPECT_EQ(dump.at("address", 1 * cycle), "10000000");
   EXPECT_EQ(dump.at("data", 1 * cycle), "11000000");
@@ -141,6 +146,12 @@ TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
   expect_converts();
 }
 
+TEST_F(Vcd, WhatXctLeadsToHasADeferCycleOfItsOwn) {
+  // XCT I 200 takes LAC I 211 at 210, which takes the word at 212.
+  const Dump dump = run("pdp7", "100/\n  xct i 200\n  hlt\n200/ 210\n210/ lac i 211\n212\n5\n  start 100\n", {});
+  expect_cycles(dump, {"fetch", "defer", "execute", "defer", "execute", "fetch"});
+}
+
 TEST_F(Vcd, Pdp7BreaksAndInterruptsAreCyclesOfTheirOwn) {
   const Dump dump = run("pdp7",
                         "1/ jmp 200\n100/\n  lac (400\n  700606\n  ion\n  700406\n  jmp .\n200/ hlt\n400/ 003000\n  start 100\n",
@@ -153,6 +164,12 @@ TEST_F(Vcd, Pdp7BreaksAndInterruptsAreCyclesOfTheirOwn) {
   EXPECT_TRUE(shown("brk"));
   EXPECT_TRUE(shown("interrupt"));
   EXPECT_TRUE(shown("stop"));
+  // The break of the interrupt turns interrupts off, not the instruction after it.
+  const auto& breaks = dump.changes.at("interrupt");
+  const auto taken = std::find_if(breaks.begin(), breaks.end(), [](const auto& change) { return change.second == "1"; });
+  ASSERT_NE(taken, breaks.end());
+  EXPECT_EQ(dump.at("ion", taken->first - 1), "1");
+  EXPECT_EQ(dump.at("ion", taken->first), "0");
   EXPECT_FALSE(shown("tick"));
   EXPECT_FALSE(shown("pen"));
   expect_converts();

@@ -32,7 +32,7 @@ class PieceWatch {
   }
 
   void cycle(const pdp7::Cycle& cycle) {
-    if (cycle.verb == pdp7::Verb::read) return fetched(cycle);
+    if (cycle.verb == pdp7::Verb::fetch) return fetched(cycle);
     if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
     for (Cell& cell : cells_) {
       if (cell.address == cycle.address) cell.word = cycle.data;
