@@ -11,7 +11,7 @@
 //                                         asked while a halt lasts
 // An observer of cycles that has
 //   static constexpr bool ends_of_halts = false;
-// does without HLTA in the fetch that ends a halt, which each cycle would be asked for. It may have a filter
+// does not need HLTA in the fetch that ends a halt, which each cycle would be asked for. It may have a filter
 // (../core/reporter.hpp).
 // An observer sees; it must not write to the machine.
 #pragma once

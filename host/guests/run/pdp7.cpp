@@ -155,7 +155,7 @@ class VcdTracer {
     if (executes_another_) follow(cycle.data.value());
     return signal::execute;
   }
-  // What the cycles after this instruction are for: those of what XCT leads to are told apart, too.
+  // What the cycles after this instruction are for: those of what XCT leads to are distinguished, too.
   void follow(std::uint32_t word) {
     const pdp7::Operation operation = pdp7::instruction_of(word).operation;
     defers_ = operation <= pdp7::Operation::jmp && (word & pdp7::indirect_bit) != 0;
