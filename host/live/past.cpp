@@ -11,6 +11,9 @@ namespace sightline::live {
 using guests::run::Probe;
 
 void Past::remember() {
+  constexpr std::size_t most_calls = 100'000;  // of the host's files
+  const std::int64_t repeats_from = machine_.trim_journal(most_calls);
+  std::erase_if(places_, [repeats_from](const Place& place) { return place.ticks < repeats_from; });
   const std::uint64_t obeyed = machine_.instructions();
   const bool far = places_.empty() || obeyed - std::min(obeyed, places_.back().instructions) >= instructions_apart;
   if (!changed_ && !far) return;
@@ -42,6 +45,7 @@ void Past::thin_out() {
 void Past::forget() {
   places_.clear();
   machine_.probe()->keys.clear();
+  static_cast<void>(machine_.trim_journal(0));
   changed_ = true;
 }
 

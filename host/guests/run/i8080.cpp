@@ -18,6 +18,7 @@
 #include "emulators/i8080/bus.hpp"
 #include "emulators/machines/i8080_machine.hpp"
 #include "host/base/text.hpp"
+#include "host/guests/run/cpm.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -34,21 +35,6 @@ using machines::DeviceKind;
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr core::TStates time_between_questions{1 << 25};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
-
-// The contents of memory for CP/M, and PC after an OUT there.
-constexpr std::array<std::pair<i8080::Address, i8080::Byte>, 7> cpm_stub{{{0x0000, 0xD3},
-                                                                          {0x0001, 0x00},
-                                                                          {0x0005, 0xD3},
-                                                                          {0x0006, 0x01},
-                                                                          {0x0007, 0xC9},
-                                                                          {0x00D3, 0xD3},
-                                                                          {0x00D4, 0x00}}};
-constexpr std::uint8_t exit_port = 0;
-constexpr std::uint8_t bdos_port = 1;
-constexpr i8080::Address behind_exit = 0x0002;
-constexpr i8080::Address behind_returned_exit = 0x00D5;
-constexpr i8080::Address bdos = 0x0005;
-constexpr i8080::Address behind_bdos = 0x0007;
 
 // --- Ports ---
 
@@ -149,17 +135,17 @@ class PlotterTaker {
 
 using Devices = machines::SkalaPorts<PlotterTaker>;
 
-struct StubCall {
+struct PortCall {
   std::uint8_t port;
   std::uint8_t value;
   core::TStateInstant at;
 };
 
-// The machine's devices, and before them the two ports of the CP/M stub and the watch of --strict.
+// The machine's devices, and before them the ports of CP/M's entries and the watch of --strict.
 //
-// Ports see no registers, so a call of the stub only ends the run at the next instruction boundary; the
-// caller then reads the registers there and continues the run. An OUT to 0 or 1 that turns out to be none of
-// the stub's is handed back to the devices.
+// Ports see no registers, so a call of CP/M only ends the run at the next instruction boundary; the
+// caller then reads the registers there and continues the run. An OUT to those ports that turns out to be none of an
+// entry's is handed back to the devices.
 class RunPorts {
  public:
   static constexpr bool waits = Devices::waits;
@@ -173,7 +159,7 @@ class RunPorts {
     return value;
   }
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
-    if (cpm_ && port <= bdos_port) {
+    if (cpm_ && port <= Cpm::last_port) {
       call_ = {port, value, at};
       return;
     }
@@ -185,10 +171,10 @@ class RunPorts {
   [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) { return devices_.acknowledge(now); }
   [[nodiscard]] bool stopped() const { return call_.has_value() || unanswered_; }
 
-  // The OUT to a port of the stub that ended the run, once.
-  [[nodiscard]] std::optional<StubCall> take_call() { return std::exchange(call_, std::nullopt); }
-  // An OUT as if there were no stub.
-  void pass_on(const StubCall& call) {
+  // The OUT to a port of an entry that ended the run, once.
+  [[nodiscard]] std::optional<PortCall> take_call() { return std::exchange(call_, std::nullopt); }
+  // An OUT as if there were no CP/M.
+  void pass_on(const PortCall& call) {
     const std::uint64_t before = devices_.unanswered()[call.port].writes;
     devices_.out(call.port, call.value, call.at);
     if (strict_ && devices_.unanswered()[call.port].writes != before) unanswered_ = true;
@@ -208,7 +194,7 @@ class RunPorts {
 
  private:
   Devices& devices_;
-  std::optional<StubCall> call_;
+  std::optional<PortCall> call_;
   bool cpm_;
   bool strict_;
   bool unanswered_ = false;
@@ -607,10 +593,14 @@ class I8080Run final : public Machine {
       : setup_(std::move(setup)),
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
-        ports_(devices_, setup_.cpm, setup_.strict),
+        ports_(devices_, setup_.cpm.has_value(), setup_.strict),
         processor_(ports_, nobody_) {
     if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
     if (setup_.observed) recorder_.emplace();
+    if (setup_.cpm) {
+      setup_.cpm->journal = setup_.monitored;
+      cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
+    }
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), setup_.machine.clock);
   }
 
@@ -620,7 +610,7 @@ class I8080Run final : public Machine {
   }
   void put(std::uint32_t address, std::uint32_t word) override {
     processor_.memory()[address] = static_cast<i8080::Byte>(word);
-    if (address < loaded_below_.size()) loaded_below_.set(address);
+    loaded_.set(address);
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
@@ -653,26 +643,28 @@ class I8080Run final : public Machine {
   }
 
   [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
-    return setup_.cpm ? image::com_origin : loaded.value_or(0);
+    return cpm_ ? image::com_origin : loaded.value_or(0);
   }
   void start(std::uint32_t address) override {
     processor_.registers().pc = static_cast<i8080::Address>(address);
   }
   [[nodiscard]] Result<Done> ready() override {
-    if (!setup_.cpm) return Done{};
-    for (const auto& [address, byte] : cpm_stub) {
-      if (loaded_below_[address] && processor_.memory()[address] != byte) {
+    if (!cpm_) return Done{};
+    for (const auto& [address, byte] : cpm_->entries()) {
+      if (loaded_[address] && processor_.memory()[address] != byte) {
         return bad_input(fmt::format(
             "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
       }
-      processor_.memory()[address] = byte;
     }
+    cpm_->start(processor_.registers(), processor_.memory());
     return Done{};
   }
 
   void take(std::string_view option, TextTaker taker) override {
     if (option == "--console-out") {
       console_ = std::move(taker);
+    } else if (option == "--list") {
+      list_ = std::move(taker);
     } else if (option == "--strokes") {
       plotter_.take(std::move(taker));
     } else {
@@ -682,7 +674,7 @@ class I8080Run final : public Machine {
 
   // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
-    if (waiting_ && !finish_waiting()) return std::nullopt;
+    if (cpm_ && !cpm_->goes_on(processor())) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
         asked ? std::min(limit, processor_.now() + time_between_questions) : limit;
@@ -739,13 +731,14 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::vector<ReportLine> device_lines() const override { return lines(); }
 
   void type(std::uint8_t code) override {
-    keys_.push_back(code);
-    asked_ = false;
+    if (cpm_) cpm_->type(code);
     if (probe_) probe_->keys.push_back({ticks(), code});
   }
-  [[nodiscard]] bool wants_key() const override { return keys_.empty() && (waiting_ || asked_); }
-  [[nodiscard]] bool waits_for_key() const override { return keys_.empty() && waiting_; }
+  [[nodiscard]] bool wants_key() const override { return cpm_ && cpm_->wants_key(); }
+  [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
+
+  [[nodiscard]] std::int64_t trim_journal(std::size_t most) override { return cpm_ ? cpm_->trim_journal(most) : 0; }
 
   [[nodiscard]] std::uint64_t instructions() const override { return processor_.instructions(); }
   [[nodiscard]] core::Instant now() const override {
@@ -794,11 +787,8 @@ class I8080Run final : public Machine {
     report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock.hertz);
   }
   void add_details(base::Json& report) const override {
-    report["cpm"] = setup_.cpm;
-    if (bdos_caller_) {
-      report["bdos"] =
-          base::Json{{"function", bdos_function_}, {"caller", fmt::format("{:04X}", *bdos_caller_)}};
-    }
+    report["cpm"] = cpm_.has_value();
+    if (cpm_) cpm_->add_details(report);
     if (setup_.keep_console) report["console"] = as_utf8(kept_console_);
     base::Json& devices = report["devices"] = base::Json::object();
     devices_.each_device([&devices](auto row, const auto& device) {
@@ -835,6 +825,8 @@ class I8080Run final : public Machine {
           fmt::format("the report's \"console\" lacks the last {} bytes printed; --console-out FILE takes all",
                       console_left_out_));
     }
+    if (list_dropped_ != 0)
+      warnings.push_back(fmt::format("the list device: {} characters went nowhere; --list FILE takes them", list_dropped_));
     if (plotter_.left_out() != 0)
       warnings.push_back(fmt::format("the drawing lacks the last {} marks of the pen", plotter_.left_out()));
     return warnings;
@@ -881,173 +873,31 @@ class I8080Run final : public Machine {
     visit.section("console", [this](auto& fields) {
       fields.output("printed", kept_console_, console_before_);
       fields("left_out", console_left_out_);
-      fields("bdos_function", bdos_function_);
-      fields.present("bdos_caller", bdos_caller_, [&fields](i8080::Address& caller) { fields("address", caller); });
-      fields.list("keys", keys_, [&fields](i8080::Byte& key) { fields("key", key); });
-      fields.list("line", line_, [&fields](i8080::Byte& key) { fields("key", key); });
-      fields("waiting", waiting_);
-      fields("asked", asked_);
-      fields.require(!waiting_ || (setup_.console && (bdos_function_ == 1 || bdos_function_ == 10)), "waiting",
-                     "0, or 1 in function 1 or 10");
+      fields("list_dropped", list_dropped_);
     });
+    if (cpm_) visit.section("cpm", *cpm_);
   }
 
   // Nothing: the run goes on.
-  std::optional<Stop> answer(const StubCall& call) {
-    const i8080::Address pc = processor_.registers().pc;
-    if (call.port == exit_port && (pc == behind_exit || pc == behind_returned_exit)) return Stop{"exit", {}};
-    if (call.port == bdos_port && pc == behind_bdos) return call_bdos();
+  std::optional<Stop> answer(const PortCall& call) {
+    switch (cpm_->out(call.port, processor())) {
+      case Cpm::Called::answered: return std::nullopt;
+      case Cpm::Called::stopped: return cpm_->stop();
+      case Cpm::Called::no: break;
+    }
     ports_.pass_on(call);
     return ports_.unanswered() ? unanswered() : std::nullopt;
   }
+  [[nodiscard]] Cpm::Processor processor() { return {processor_.registers(), processor_.memory(), ticks()}; }
   // The IN or OUT is before PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
                                       static_cast<i8080::Address>(processor_.registers().pc - 2))};
   }
 
-  std::optional<Stop> call_bdos() {
-    i8080::State& registers = processor_.registers();
-    bdos_function_ = i8080::low(registers.bc);
-    switch (bdos_function_) {
-      case 0: registers.pc = 0; return std::nullopt;
-      case 2: print(std::string(1, static_cast<char>(i8080::low(registers.de)))); return std::nullopt;
-      case 9:
-        if (const auto text = string_at(registers.de)) {
-          print(*text);
-          return std::nullopt;
-        }
-        bdos_caller_ = caller();
-        return Stop{
-            "endless_string",
-            fmt::format("PC {:04X}: stopped: found no $ in memory for BDOS function 9, expected one to end "
-                        "the text",
-                        *bdos_caller_)};
-      case 1:
-      case 10:
-        if (!setup_.console) break;
-        waiting_ = true;
-        line_.clear();
-        static_cast<void>(finish_waiting());
-        return std::nullopt;
-      case 6:
-        if (setup_.console) return direct_input_output(i8080::low(registers.de));
-        break;
-      case 11:
-        if (!setup_.console) break;
-        give_back(key_is_there() ? 0xFF : 0x00);
-        return std::nullopt;
-      default: break;
-    }
-    bdos_caller_ = caller();
-    return Stop{"unknown_bdos",
-                fmt::format("PC {:04X}: stopped: found a call of BDOS function {}, expected {}", *bdos_caller_,
-                            bdos_function_,
-                            setup_.console ? "0, 1, 2, 6, 9, 10 or 11"
-                                           : "0, 2 or 9 (and 1, 6, 10 or 11 with --console MODE)")};
-  }
-
-  // --- Input from the console ---
-
-  void give_back(i8080::Byte value) {
-    i8080::State& registers = processor_.registers();
-    registers.a = value;
-    registers.hl = value;
-    registers.bc = i8080::joined(0, i8080::low(registers.bc));
-  }
-  bool key_is_there() {
-    if (keys_.empty()) asked_ = true;
-    return !keys_.empty();
-  }
-  i8080::Byte take_key() {
-    const i8080::Byte key = keys_.front();
-    keys_.erase(keys_.begin());
-    return key;
-  }
-
-  // Function 6: E is FF for a key or 0, FE for whether there is one, else what to print.
-  std::optional<Stop> direct_input_output(i8080::Byte e) {
-    if (e < 0xFE) {
-      print(std::string(1, static_cast<char>(e)));
-    } else {
-      const bool there = key_is_there();
-      give_back(!there ? 0 : e == 0xFF ? take_key() : 0xFF);
-    }
-    return std::nullopt;
-  }
-
-  // Functions 1 and 10, as far as the keys last. True: the program goes on.
-  bool finish_waiting() {
-    while (waiting_ && !keys_.empty()) {
-      const i8080::Byte key = take_key();
-      if (bdos_function_ == 1) {
-        waiting_ = false;
-        echo(key);
-        give_back(key);
-      } else {
-        edit_line(key);
-      }
-    }
-    return !waiting_;
-  }
-
-  // As CP/M echoes: control characters other than those that move the carriage are not sent.
-  void echo(i8080::Byte key) {
-    constexpr std::string_view carriage = "\r\n\t\b";
-    const char c = static_cast<char>(key & 0x7FU);
-    if (c >= ' ' || carriage.find(c) != std::string_view::npos) print(std::string(1, c));
-  }
-
-  // Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, behind it the
-  // number of characters read and the characters.
-  void edit_line(i8080::Byte key) {
-    const i8080::Address buffer = processor_.registers().de;
-    const auto at = [&](std::size_t n) -> i8080::Byte& {
-      return processor_.memory()[static_cast<i8080::Address>(buffer + n)];
-    };
-    constexpr i8080::Byte ctrl_c = 3, backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24,
-                          rubout = 127;
-    const std::size_t most = at(0);
-    switch (key & 0x7FU) {
-      case ctrl_c:
-        if (!line_.empty()) break;
-        waiting_ = false;
-        print("^C\r\n");
-        processor_.registers().pc = 0;
-        return;
-      case backspace:
-      case rubout:
-        if (line_.empty()) return;
-        line_.pop_back();
-        print("\b \b");
-        return;
-      case ctrl_u:
-      case ctrl_x:
-        line_.clear();
-        print("#\r\n");
-        return;
-      case line_feed:
-      case carriage_return:
-        print("\r");
-        store_line(at);
-        return;
-      default: break;
-    }
-    line_.push_back(key);
-    echo(key);
-    if (line_.size() >= most) store_line(at);
-  }
-  template <class At>
-  void store_line(At at) {
-    const std::size_t count = std::min<std::size_t>(line_.size(), at(0));
-    at(1) = static_cast<i8080::Byte>(count);
-    for (std::size_t n = 0; n < count; ++n) at(2 + n) = line_[n];
-    waiting_ = false;
-  }
-
   void print(std::string_view text) {
     if (console_) console_(text);
-    if (setup_.console) printed_ += text;
+    if (setup_.cpm->console) printed_ += text;
     if (!setup_.keep_console) {
       console_before_ += text.size();
       return;
@@ -1057,27 +907,9 @@ class I8080Run final : public Machine {
     console_left_out_ += text.size() - kept.size();
   }
 
-  // Up to the $ behind it.
-  [[nodiscard]] std::optional<std::string> string_at(i8080::Address address) const {
-    std::string text;
-    for (std::size_t n = 0; n < image::byte_memory_size; ++n) {
-      const i8080::Byte byte = processor_.memory()[address++];
-      if (byte == '$') return text;
-      text.push_back(static_cast<char>(byte));
-    }
-    return std::nullopt;
-  }
-
-  // The CALL 5 whose return address is on the stack. A program may have come by a jump instead.
-  [[nodiscard]] i8080::Address caller() const {
-    const auto at = [this](int address) {
-      return processor_.memory()[static_cast<i8080::Address>(address)];
-    };
-    const int sp = processor_.registers().sp;
-    const int from = i8080::joined(at(sp + 1), at(sp)) - 3;
-    constexpr i8080::Byte call = 0xCD;
-    const bool called = at(from) == call && i8080::joined(at(from + 2), at(from + 1)) == bdos;
-    return called ? static_cast<i8080::Address>(from) : bdos;
+  void list(char c) {
+    if (list_) list_(std::string_view(&c, 1));
+    else ++list_dropped_;
   }
 
   template <class Visit>
@@ -1116,20 +948,15 @@ class I8080Run final : public Machine {
   std::optional<Probe> probe_;
   machines::NoI8080Observer nobody_;
   machines::I8080Machine<RunPorts> processor_;
-  std::bitset<0x100> loaded_below_;
+  std::bitset<0x10000> loaded_;
   TextTaker console_;
   std::string kept_console_;
   std::uint64_t console_before_ = 0;  // bytes printed before the first of kept_console_
   std::uint64_t console_left_out_ = 0;  // bytes
-  // The console: keys to be read, what was printed and not yet handed out.
-  std::vector<i8080::Byte> keys_;
-  std::string printed_;
-  std::vector<i8080::Byte> line_;  // of function 10, under way
-  bool waiting_ = false;           // function 1 or 10 waits for a key
-  bool asked_ = false;             // since the last key was typed, by function 6 or 11
-  // The last BDOS function called, and where, if it ended the run; 0005 if that cannot be told.
-  std::uint8_t bdos_function_ = 0;
-  std::optional<i8080::Address> bdos_caller_;
+  std::string printed_;  // on the console, and not yet handed out
+  TextTaker list_;
+  std::uint64_t list_dropped_ = 0;  // characters, without a taker
+  std::optional<Cpm> cpm_;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "emulators/machines/skala_ports.hpp"
+#include "host/guests/run/cpm.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/vcd.hpp"
 
@@ -30,14 +31,13 @@ namespace sightline::guests::run {
 struct I8080Setup {
   machines::SkalaConfiguration machine;    // the links' bytes are views of `sent`
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
-  bool cpm = false;                        // puts the entries into memory
+  std::optional<CpmSetup> cpm;             // CP/M around the program
   bool strict = false;                     // an access to a port without a device ends the run
   std::vector<std::string> configuration;  // see Machine
   bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") is to come
   std::optional<VcdWriter> vcd;            // of i8080_signals()
   bool monitored = false;                  // it has a probe; instead of a trace and a bus log
   bool keep_console = false;               // what is printed goes into the report
-  bool console = false;                    // with cpm: keys can be typed, take_printed() has what is printed
   bool drawing = false;                    // keep the lines the plotter draws
   bool grey = false;                       // --png
 };

@@ -122,7 +122,12 @@ Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::
 // All that decides how the machine works and is no state; --strict only says where a run ends.
 std::vector<std::string> configuration_of(const I8080Setup& setup) {
   std::vector<std::string> words{fmt::format("--clock {}", setup.machine.clock.hertz)};
-  if (setup.cpm) words.emplace_back("--cpm");
+  if (setup.cpm) {
+    words.emplace_back("--cpm");
+    if (setup.cpm->console || !setup.cpm->drives.empty()) words.emplace_back("--cpm with console or drives");
+    for (const CpmDrive& drive : setup.cpm->drives)
+      words.push_back(fmt::format("--cpm-drive {}{}", static_cast<char>('A' + drive.number), drive.read_only ? ",ro" : ""));
+  }
   SkalaRows::each([&](auto row) {
     using Row = decltype(row);
     if (!is_attached(setup.machine, row)) return;
@@ -139,6 +144,26 @@ std::vector<std::string> configuration_of(const I8080Setup& setup) {
     if (restart) words.push_back(fmt::format("--interrupt {}={}", line.name, *restart));
   });
   return words;
+}
+
+Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
+  if (!arguments.given("--cpm")) {
+    if (arguments.given("--console")) return usage("--console: needs --cpm: the console is that of CP/M");
+    return Done{};
+  }
+  CpmSetup& cpm = setup.cpm.emplace();
+  cpm.console = arguments.given("--console");
+  cpm.arguments = arguments.text("--cpm-args");
+  for (const std::string& text : arguments.list("--cpm-drive")) {
+    auto drive = parse_cpm_drive(text);
+    if (!drive) return usage(drive.error().message());
+    for (const CpmDrive& other : cpm.drives) {
+      if (other.number == drive->number)
+        return usage(fmt::format("--cpm-drive: found two folders for drive {}, expected one", static_cast<char>('A' + other.number)));
+    }
+    cpm.drives.push_back(std::move(*drive));
+  }
+  return Done{};
 }
 
 Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
@@ -158,7 +183,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   for (const std::string& text : arguments.list("--interrupt")) {
     if (const auto done = wire_interrupt(setup.machine, text); !done) return done.error();
   }
-  setup.cpm = arguments.given("--cpm");
+  if (auto done = set_up_cpm(arguments, setup); !done) return done.error();
   setup.strict = arguments.given("--strict");
   setup.observed = arguments.given("--trace") || arguments.given("--bus") || arguments.given("--vcd");
   if (arguments.given("--vcd")) {
@@ -166,9 +191,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (!writer) return writer.error();
     setup.vcd = std::move(*writer);
   }
-  setup.console = arguments.given("--console");
-  if (setup.console && !setup.cpm) return usage("--console: needs --cpm: the console is that of CP/M");
-  setup.keep_console = setup.cpm && arguments.given("--json") && !arguments.given("--console-out");
+  setup.keep_console = setup.cpm.has_value() && arguments.given("--json") && !arguments.given("--console-out");
   setup.monitored = arguments.given("--monitor");
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
@@ -272,6 +295,15 @@ std::vector<Option> run_options() {
       {text, "--start", "ADDRESS", "Begin at this address"},
       {text, "--restore", "FILE", "Continue from this snapshot instead of a program"},
       {flag, "--cpm", {}, "Run a CP/M .COM program"},
+      {.kind = list,
+       .name = "--cpm-drive",
+       .argument = "X=FOLDER[,ro]",
+       .help = "The files of this folder are those of drive X, A to P; ro: the program may not change them",
+       .needs = "--cpm"},
+      {.name = "--cpm-args",
+       .argument = "WORDS",
+       .help = "What is typed behind the program's name",
+       .needs = "--cpm"},
       {.name = "--clock", .argument = "HZ", .help = "The processor's clock", .initial = "3000000"},
       {list, "--set", "REGISTER=VALUE",
        "Set A, F, B, C, D, E, H, L, SP, PC or INTE before the run, in hexadecimal"},
@@ -301,6 +333,11 @@ std::vector<Option> run_options() {
        .needs = "--cpm",
        .stdout_with = "--cpm",
        .content = "what the program prints"},
+      {.kind = stream,
+       .name = "--list",
+       .argument = "FILE",
+       .help = "What the CP/M program sends to the list device",
+       .needs = "--cpm"},
       {.kind = output,
        .name = "--png",
        .argument = "FILE",

@@ -317,6 +317,9 @@ class Machine {
   [[nodiscard]] virtual Result<Done> attach(std::string_view device, const Input&) {
     return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
   }
+  // What a run has had from the host's files is kept, so that it can be repeated from a snapshot without touching them.
+  // Forgets the oldest but so many; the time, in the machine's unit, from which runs can be repeated.
+  [[nodiscard]] virtual std::int64_t trim_journal(std::size_t) { return 0; }
   // Media whose content the program has changed, with the files they came from.
   struct Medium {
     std::string path;

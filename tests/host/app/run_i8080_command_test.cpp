@@ -259,7 +259,7 @@ TEST_F(RunI8080Command, ProgramsThatFail) {
   write("open.com", "\x0E\x0F\xCD\x05\x00\xC3\x00\x00"sv);  // function 15
   const Ran unknown = run({"--cpm", "--load", "open.com", "--json"});
   EXPECT_EQ(unknown.exit_code, 3);
-  EXPECT_TRUE(has(unknown.err, "PC 0102: stopped: found a call of BDOS function 15, expected 0, 2 or 9"))
+  EXPECT_TRUE(has(unknown.err, "PC 0102: stopped: found a call of BDOS function 15 (Open File), expected 0, 2, 5, 9;"))
       << unknown.err;
   EXPECT_EQ(json::parse(unknown.out).at("bdos").at("function"), 15);
   write("endless.com", "\x0E\x09\xCD\x05\x00"sv);

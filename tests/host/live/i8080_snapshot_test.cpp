@@ -232,7 +232,7 @@ TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
   const LawProgram program{"i8080",
                            [] {
                              run::I8080Setup setup;
-                             setup.cpm = true;
+                             setup.cpm.emplace();
                              auto machine = run::make_i8080(std::move(setup));
                              std::uint32_t at = 0x100;
                              // MVI C 2; INR E; CALL 5; JMP 102

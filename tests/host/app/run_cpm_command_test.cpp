@@ -1,0 +1,147 @@
+// `sightline run i8080 --cpm` with drives, a BIOS and a list device; stepping back over what a program does with files.
+// The programs are assembled by `sightline asm`; what they must leave on the host follows from their sources.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using sightline::test::Arguments;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class CpmCommand : public sightline::test::CommandLine {
+ protected:
+  CpmCommand() { std::filesystem::create_directory(path("a")); }
+  void assemble(std::string_view source) {
+    write("p.asm", source);
+    const Ran made = sightline({"asm", "i8080", "p.asm", "-o", "p.com"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  Ran run(Arguments options) {
+    Arguments words{"run", "i8080", "p.com", "--cpm"};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto limited = std::find(words.begin(), words.end(), "--max-instructions");
+    if (limited == words.end()) words.insert(words.end(), {"--max-instructions", "1000000"});
+    return sightline(words);
+  }
+};
+
+TEST_F(CpmCommand, TheExampleCopiesAFile) {
+  std::string content;
+  for (int n = 0; n < 20000; ++n) content += static_cast<char>('a' + n % 23);
+  write("a/from.txt", content);
+  std::filesystem::copy_file(std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "host/examples/copy.asm", path("copy.asm"));
+  ASSERT_EQ(sightline({"asm", "i8080", "copy.asm", "-o", "p.com"}).exit_code, 0);
+  const Ran ran = run({"--cpm-drive", "a=a", "--cpm-args", "from.txt to.txt"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(read("a/TO.TXT"), content + std::string(128 - 20000 % 128, '\x1A'));
+  const Ran none = run({"--cpm-drive", "a=a", "--cpm-args", "none.txt to.txt"});
+  EXPECT_EQ(none.out, "No file");
+  const Ran locked = run({"--cpm-drive", "a=a,ro", "--cpm-args", "from.txt to2.txt"});
+  EXPECT_EQ(locked.exit_code, 3);
+  EXPECT_EQ(locked.out, "\r\nBdos Err On A: R/O\r\n");
+  EXPECT_TRUE(has(locked.err, "in BDOS function 19 (Delete File), after which CP/M ends a program")) << locked.err;
+  EXPECT_FALSE(exists("a/TO2.TXT"));
+}
+
+TEST_F(CpmCommand, AFunctionWithoutItsOptionIsNamedWithIt) {
+  assemble("\tORG 100H\n\tMVI C,15\n\tCALL 5\n\tJMP 0\n");
+  const Ran bare = run({});
+  EXPECT_EQ(bare.exit_code, 3);
+  EXPECT_TRUE(has(bare.err, "PC 0102: stopped: found a call of BDOS function 15 (Open File), expected 0, 2, 5, 9; 1, 6, 10, 11 with "
+                            "--console MODE; 12 to 37 and 40 with --cpm-drive A=FOLDER"))
+      << bare.err;
+  assemble("\tORG 100H\n\tMVI C,27\n\tCALL 5\n\tJMP 0\n");
+  const Ran allocation = run({"--cpm-drive", "a=a"});
+  EXPECT_EQ(allocation.exit_code, 3);
+  EXPECT_TRUE(has(allocation.err, "BDOS function 27 (Get Addr(Alloc)), expected")) << allocation.err;
+}
+
+TEST_F(CpmCommand, TheBiosIsFoundThroughPageZero) {
+  // Prints by CONOUT, found 9 bytes behind WBOOT, and returns at the top level; the top of memory is the word at 6.
+  assemble("\tORG 100H\n\tLHLD 1\n\tLXI D,9\n\tDAD D\n\tMVI C,'!'\n\tLXI D,BACK\n\tPUSH D\n\tPCHL\nBACK:\tLHLD 6\n\tSHLD 200H\n\tRET\n");
+  const Ran ran = run({"--cpm-drive", "a=a", "--dump", "d", "--console-out", "c"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(read("c"), "!");
+  // A line of registers, then 16 bytes a line.
+  std::istringstream dump(read("d"));
+  std::string line;
+  for (int n = 0; n <= 0x200 / 16 + 1; ++n) std::getline(dump, line);
+  EXPECT_EQ(line.substr(0, 5), "06 F1");
+  assemble("\tORG 100H\n\tLHLD 1\n\tLXI D,36\n\tDAD D\n\tPCHL\n");
+  const Ran sectors = run({"--cpm-drive", "a=a"});
+  EXPECT_EQ(sectors.exit_code, 3);
+  EXPECT_TRUE(has(sectors.err, "found a call of READ of the BIOS, expected BOOT")) << sectors.err;
+}
+
+TEST_F(CpmCommand, TheListDeviceHasAFile) {
+  assemble("\tORG 100H\n\tMVI E,'x'\n\tMVI C,5\n\tCALL 5\n\tJMP 0\n");
+  EXPECT_EQ(run({"--list", "l.txt"}).exit_code, 0);
+  EXPECT_EQ(read("l.txt"), "x");
+  EXPECT_TRUE(has(run({}).err, "the list device: 1 characters went nowhere; --list FILE takes them"));
+}
+
+TEST_F(CpmCommand, BiosKeysComeFromTheConsole) {
+  // CONIN at 6 behind WBOOT, its key printed twice by function 2.
+  assemble(
+      "\tORG 100H\n\tLHLD 1\n\tLXI D,6\n\tDAD D\n\tLXI D,BACK\n\tPUSH D\n\tPCHL\nBACK:\tMOV E,A\n\tPUSH D\n\tMVI C,2\n\tCALL 5\n"
+      "\tPOP D\n\tMVI C,2\n\tCALL 5\n\tJMP 0\n");
+  const Ran ran = run({"--console", "ascii", "--send", "k", "--expect", "kk"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "kk");
+}
+
+TEST_F(CpmCommand, SteppingBackLeavesTheFilesAndGivesTheSameAnswers) {
+  // Deletes A:GONE, keeps the answer at 200, then appends a record to A:LOG. Run again, the deletion would fail and the record
+  // be written twice.
+  assemble(
+      "\tORG 100H\n\tLXI D,GONE\n\tMVI C,19\n\tCALL 5\n\tSTA 200H\n\tLXI D,LOG\n\tMVI C,35\n\tCALL 5\n\tLXI D,LOG\n\tMVI C,34\n"
+      "\tCALL 5\n\tNOP\n\tHLT\nGONE:\tDB 0,'GONE       '\n\tDS 24\nLOG:\tDB 0,'LOG        '\n\tDS 24\n");
+  write("a/GONE", "x");
+  write("a/LOG", "");
+  write("do",
+        "deposit 200 55\nrun for 1000 instructions\nassert [200]==0\nback 6\nback 12\nassert [200]==55\nrun for 1000 instructions\n"
+        "assert [200]==0\nhistory 30\nwho 200\n");
+  const Ran ran = sightline({"monitor", "i8080", "p.com", "--cpm", "--cpm-drive", "a=a", "--do", "do"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_FALSE(exists("a/GONE"));
+  EXPECT_EQ(read("a/LOG").size(), 128U);
+  EXPECT_TRUE(has(ran.out, "0108")) << "the STA is in the history: " << ran.out;
+}
+
+TEST_F(CpmCommand, ASnapshotGoesOnWithItsFiles) {
+  assemble(
+      "\tORG 100H\n\tLXI D,F\n\tMVI C,22\n\tCALL 5\n\tMVI A,'1'\n\tSTA 80H\n\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tMVI A,'2'\n\tSTA 80H\n"
+      "\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tJMP 0\nF:\tDB 0,'F       DAT'\n\tDS 24\n");
+  ASSERT_EQ(run({"--cpm-drive", "a=a", "--max-instructions", "16", "--save", "s"}).exit_code, 0);
+  EXPECT_EQ(read("a/F.DAT").size(), 128U);
+  const Ran ran = sightline({"run", "i8080", "--restore", "s", "--cpm", "--cpm-drive", "a=a", "--max-instructions", "1000"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  ASSERT_EQ(read("a/F.DAT").size(), 256U);
+  EXPECT_EQ(read("a/F.DAT")[128], '2');
+  EXPECT_EQ(sightline({"run", "i8080", "--restore", "s", "--cpm"}).exit_code, 4) << "without the drive";
+}
+
+TEST_F(CpmCommand, DrivesThatAreNone) {
+  const auto refused = [this](Arguments options, std::string_view message) {
+    options.insert(options.begin(), {"run", "i8080", "--load", "p.com"});
+    const Ran ran = sightline(options);
+    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    EXPECT_TRUE(has(ran.err, message)) << ran.err;
+  };
+  write("p.com", "\xC9");
+  refused({"--cpm-drive", "a=a"}, "--cpm-drive: needs --cpm");
+  refused({"--cpm", "--cpm-drive", "a=none"}, "--cpm-drive: found \"a=none\", expected a folder behind the =");
+  refused({"--cpm", "--cpm-drive", "q=a"}, "expected X=FOLDER or X=FOLDER,ro with X of A to P");
+  refused({"--cpm", "--cpm-drive", "a=a", "--cpm-drive", "A=a"}, "found two folders for drive A, expected one");
+}
+
+}  // namespace
