@@ -5,9 +5,12 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <cwchar>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -42,6 +45,25 @@ std::filesystem::path history_file() {
   return {};
 }
 
+// A character for libedit, which by itself would pass a signal on to all processes of the terminal; EOF at the end and when a
+// signal has come.
+int next_character(std::FILE*) {
+  std::string bytes;
+  while (base::EndSignals::received() == 0) {
+    unsigned char byte = 0;
+    const ssize_t n = ::read(STDIN_FILENO, &byte, 1);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return EOF;
+    bytes += static_cast<char>(byte);
+    wchar_t character = 0;
+    std::mbstate_t whole{};
+    const std::size_t length = std::mbrtowc(&character, bytes.data(), bytes.size(), &whole);
+    if (length == static_cast<std::size_t>(-2)) continue;  // its other bytes are to come
+    return length == static_cast<std::size_t>(-1) ? byte : static_cast<int>(character);
+  }
+  return EOF;
+}
+
 // The one monitor whose names are completed: libedit calls a plain function.
 const live::Monitor* completed_monitor = nullptr;
 
@@ -61,6 +83,8 @@ class Lines {
   virtual ~Lines() = default;
   // nullopt: no more.
   virtual std::optional<std::string> next(const std::string& prompt) = 0;
+  // The signal that has ended them; 0: none.
+  [[nodiscard]] virtual int ended_by() const { return 0; }
 };
 
 class PipedLines final : public Lines {
@@ -78,6 +102,8 @@ class EditedLines final : public Lines {
     completed_monitor = &monitor;
     rl_readline_name = const_cast<char*>("sightline");
     rl_completion_entry_function = &next_completion;
+    rl_catch_signals = 0;
+    rl_getc_function = &next_character;
     using_history();
     stifle_history(1000);
     if (!file_.empty()) static_cast<void>(read_history(file_.c_str()));
@@ -89,15 +115,27 @@ class EditedLines final : public Lines {
     std::filesystem::create_directories(file_.parent_path(), ignored);
     static_cast<void>(write_history(file_.c_str()));
   }
+  // Ctrl-C drops the line.
   std::optional<std::string> next(const std::string& prompt) override {
-    const std::unique_ptr<char, void (*)(void*)> line(readline(prompt.c_str()), &std::free);
-    if (!line) return std::nullopt;
-    if (*line != '\0') add_history(line.get());
-    return std::string(line.get());
+    for (;;) {
+      const base::EndSignals signals;
+      const std::unique_ptr<char, void (*)(void*)> line(readline(prompt.c_str()), &std::free);
+      ended_by_ = base::EndSignals::received();
+      if (ended_by_ == SIGINT) {
+        static_cast<void>(base::write_now(STDOUT_FILENO, "^C\n"));
+        ended_by_ = 0;
+        continue;
+      }
+      if (!line || ended_by_ != 0) return std::nullopt;
+      if (*line != '\0') add_history(line.get());
+      return std::string(line.get());
+    }
   }
+  [[nodiscard]] int ended_by() const override { return ended_by_; }
 
  private:
   std::filesystem::path file_;
+  int ended_by_ = 0;
 };
 
 // --- A session ---
@@ -241,7 +279,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   }
   printer.end_line();
   machine.finish();
-  return ExitCode::ok;
+  return lines->ended_by() == 0 ? ExitCode::ok : ExitCode::interrupted;
 }
 
 }  // namespace sightline::app

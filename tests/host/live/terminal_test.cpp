@@ -218,5 +218,31 @@ TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
   EXPECT_TRUE(exists("d"));
 }
 
+// At the prompt Ctrl-C drops the line, as in a shell.
+TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
+  start({"monitor", "pdp7", "echo.rim"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("deposit 100 1\003");
+  ASSERT_TRUE(shows("^C")) << shown_;
+  shown_.clear();
+  type("examine 100\r");
+  ASSERT_TRUE(shows("00100 200117")) << shown_;
+  type("quit\r");
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+}
+
+// What is written at the end of a session, the lines typed here, is written then, too.
+TEST_F(Terminal, ASignalAtThePromptEndsTheSessionInOrder) {
+  start({"monitor", "pdp7", "echo.rim"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("examine 100\rdep");
+  ASSERT_TRUE(shows("dep")) << shown_;
+  send_signal(SIGTERM);
+  EXPECT_EQ(ends(), 130);
+  EXPECT_TRUE(restored());
+  EXPECT_NE(read("state/sightline/monitor").find("examine"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sightline::test
