@@ -1,4 +1,4 @@
-// Any bytes as 8080 source. What assembles must come back from the disassembler as the same bytes.
+// Any bytes as 8080 source. What assembles must come back from the disassembler as the same bytes. The size chooses the dialect.
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -12,9 +12,11 @@ namespace {
 
 using namespace sightline;
 
-void check_round_trip(const image::ByteImage& image) {
+void check_round_trip(const image::ByteImage& image, const assembler::I8080Options& read) {
+  assembler::I8080Options options;
+  options.dialect = read.dialect;
   const std::vector<assembler::SourceFile> again{{"again", disassembler::disassemble_i8080(image)}};
-  if (assembler::assemble_i8080(again).image != image) std::abort();
+  if (assembler::assemble_i8080(again, options).image != image) std::abort();
 }
 
 }  // namespace
@@ -26,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   assembler::I8080Options options;
   options.defines = {{"DEFINED", 3}};
   options.most_lines = 3000;
+  options.dialect = static_cast<assembler::I8080Dialect>(size % assembler::i8080_dialect_names.size());
   options.include = [&](const std::string& path) -> std::optional<std::string> {
     if (cut == std::string::npos || path.find('x') != std::string::npos) return std::nullopt;
     return text.substr(cut + 2);
@@ -35,6 +38,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(assembler::write_listing(assembly.listing));
   static_cast<void>(assembler::write_i8080_symbols(assembly.symbols));
   for (const auto& diagnostic : assembly.diagnostics) static_cast<void>(assembler::to_string(diagnostic));
-  if (assembly.ok()) check_round_trip(assembly.image);
+  if (assembly.ok()) check_round_trip(assembly.image, options);
   return 0;
 }

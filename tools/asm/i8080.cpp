@@ -77,10 +77,10 @@ base::Result<I8080Define> parse_i8080_define(std::string_view text) {
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));
   const I8080Token number = lexer.next();
-  if (number.kind != I8080TokenKind::number || lexer.next().kind != I8080TokenKind::end) {
+  if (number.kind != I8080TokenKind::number || number.wrapped || lexer.next().kind != I8080TokenKind::end) {
     return base::fail(
         "found " + quoted(text.substr(equals + 1)) + ", expected " +
-        (number.kind == I8080TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A"));
+        (number.kind == I8080TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A, up to 65535"));
   }
   return I8080Define{std::string(name),
                      static_cast<std::uint16_t>(negative ? 0U - number.number : number.number)};

@@ -1,17 +1,19 @@
-// The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, as far as
-// these agree, for one absolute program.
+// The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, for one absolute program.
+// Where these differ i8080/dialect.hpp says how each is read.
 //
 // clang-format off
 //   label:  OP args ; comment      the colon may be left out when the label begins in column 1
 //   MVI A,'A' ! RET                `!` separates statements; `*` in column 1 begins a comment line
 //   $PRINT                         other lines with `$` in column 1, controls of the listing, are skipped;
 //                                  $INCLUDE(file) is an error: the directive is INCLUDE
-//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A
+//   10 10D 0FFH 17O 17Q 1010B 0x3A $3A X'3A'
 //   $                              the address of the statement; also `*`, where a value is expected
 //   ( )  HIGH LOW  * / MOD SHL SHR  + -  EQ NE LT LE GT GE  NOT  AND  OR XOR
+//                                  also = <> < <= > >=;
 //                                  16 bits, unsigned; true is 0FFFFH
 //   ORG EQU SET DB DW DS DC END
-//   IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF ELSE ENDIF
+//   IF IFE IFDEF IFNDEF IFB IFNB IFIDN IFDIF IF1 IF2 ELSE ENDIF
+//   .RADIX .PHASE .DEPHASE .COMMENT COMMON
 //   INCLUDE MACLIB
 //   name MACRO p,q ... LOCAL x ... EXITM ... ENDM
 //   REPT n, IRP p,<a,b>, IRPC p,text
@@ -26,15 +28,17 @@
 //   4142H. DC adds 80H to the last character.
 // - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
 // - A second byte for one address draws a warning and replaces the first.
-// - END ends the file it is in. Segments (ASEG CSEG DSEG) and PUBLIC change nothing; EXTRN declares, but
-//   to use an external is an error: there is no linker.
-// - `!` in a comment belongs to the comment.
+// - END ends the file it is in. Segments (ASEG CSEG DSEG) have one location, and PUBLIC changes nothing; a name that EXTRN
+//   declares is that of another source of the program: there is no linker.
+// - A label with a colon may have the name of an instruction, a register or an operator between operands; in operands that are
+//   registers it is the register.
+// - An equal definition of a label or EQU, and an IF open at ENDM or END, draw a warning.
 // - A name of a directive is free as a label written with its colon. One that changes nothing (NAME, TITLE,
 //   PAGE, ENTRY, GLOBAL) is also a label in column 1 before an instruction, DB, DW, DS or DC, as in CP/M's
 //   ASM. An indented TITLE or SUBTTL is the directive whatever its text is.
 // - -D NAME=VALUE wins over the source's own EQU or SET, which so becomes its default.
 // - A line has at most 16384 characters, also after expansion.
-// Left out: Z80 mnemonics, relocation, .PHASE, .RADIX, IF1 and IF2.
+// Left out: Z80 mnemonics, relocation.
 // clang-format on
 #pragma once
 
@@ -48,6 +52,7 @@
 
 #include "host/base/result.hpp"
 #include "tools/asm/diagnostic.hpp"
+#include "tools/asm/i8080/dialect.hpp"
 #include "tools/asm/listing.hpp"
 #include "tools/asm/source.hpp"
 #include "tools/image/binary.hpp"
@@ -70,6 +75,7 @@ struct I8080Options {
   std::vector<I8080Define> defines;
   IncludeReader include;  // without one every INCLUDE is an error
   bool listing = true;
+  I8080Dialect dialect = I8080Dialect::common;
   // In one pass, with all expansions and the rows of DS n,x: what takes more does not end.
   std::size_t most_lines = 2'000'000;
 };

@@ -278,6 +278,7 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
   if (!defines) return defines.error();
   options.defines = std::move(*defines);
   options.listing = arguments.given("--listing");
+  options.dialect = assembler::i8080_dialect_named(arguments.text("--dialect")).value_or(assembler::I8080Dialect::common);
   options.include = include;
   const auto assembly = assembler::assemble_i8080(sources, options);
   return Assembled{assembly.diagnostics, program_of(assembly.image), assembly.symbols.size(),
@@ -416,7 +417,11 @@ MachineDescription described() {
   i8080.assembler = {"Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)",
                      "as in a source (10, 0AH, 0x0A)",
                      "Write address, bytes and source, line by line, and the symbols",
-                     {},
+                     {{.name = "--dialect",
+                       .argument = "NAME",
+                       .help = "Whose language the sources are in where they differ: CP/M's MAC and ASM, MACRO-80, or Intel's",
+                       .choices = {assembler::i8080_dialect_names.begin(), assembler::i8080_dialect_names.end()},
+                       .initial = assembler::i8080_dialect_names.front()}},
                      "hex",
                      assemble};
   i8080.disassemblers = {

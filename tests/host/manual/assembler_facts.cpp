@@ -80,12 +80,15 @@ constexpr std::array i8080_cases{
     Refused{"        RST     8", "0 to 7"},
     Refused{"        ORG     LATER\nLATER:  NOP", "ORG, DS, IF and REPT want a value known at their line"},
     Refused{"A1:     NOP\nA1:     NOP", "a label has one place"},
-    Refused{"MOV:    NOP", "names of instructions, registers and operators are taken"},
+    Refused{"MOV     EQU     5", "names of instructions, registers and operators can be labels, with a colon, and nothing else"},
     Refused{"        DB      'AB", "a string ends on its line"},
     Refused{"        EXTRN   X\n        CALL    X", "there is no linker"},
     Refused{"        .Z80", "Intel's mnemonics only"},
     Refused{"        ENDM", "nothing to end"},
     Refused{"        IF      1", "every IF has its ENDIF"},
+    Refused{"        DB      $ABE", "a number, or a name of MACRO-80"},
+    Refused{"        NOP     ; STOP! RET", "in a comment of MAC a statement begins there"},
+    Refused{"        DW      65536", "a word has 16 bits"},
     Refused{"        ELSE", "no IF before it"},
     Refused{"N       EQU     1\nN       EQU     2", "EQU is for ever; SET can change"},
     Refused{"        DW      1/0", "a division by zero"},
@@ -125,6 +128,16 @@ base::Result<std::string> pdp7_refused() {
 
 base::Result<std::string> i8080_refused() {
   return refused(i8080_cases, [](const auto& files) { return assembler::assemble_i8080(files); });
+}
+
+std::string i8080_dialects() {
+  Table table{"", "`common`", "`mac`", "`m80`", "`intel`", "source"};
+  for (const assembler::I8080DialectRow& row : assembler::i8080_dialect_rows()) {
+    using enum assembler::I8080Dialect;
+    const auto says = [&row](assembler::I8080Dialect dialect) { return row.says(assembler::rules_of(dialect)); };
+    table.row({std::string(row.what), says(common), says(mac), says(m80), says(intel), std::string(row.source)});
+  }
+  return table.text();
 }
 
 base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
@@ -172,6 +185,8 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"if_not_blank", "if it is not"},
       {"if_same", "`IFIDN <a>,<b>`: if the texts are the same"},
       {"if_different", "if they differ"},
+      {"if_first_pass", "only while the program is laid out, not when its bytes are made"},
+      {"if_second_pass", "only when the bytes are made"},
       {"else_", "the other case"},
       {"endif", "the end of an IF"},
       {"macro", "`NAME MACRO p,q`: a macro to ENDM"},
@@ -183,11 +198,17 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"exitm", "leave the macro"},
       {"include", "read a file, beside the file it stands in"},
       {"maclib", "the same; also with .LIB behind the name"},
-      {"external", "declares names of other programs; to use one is an error"},
+      {"external", "declares names that other sources of the command define"},
       {"cpu", "`CPU 8080`; another processor is an error"},
       {"z80", "refused"},
       {"title", "a title; not used"},
-      {"ignored", "nothing: controls of listings and segments"},
+      {"radix", "`.RADIX n`: numbers without a suffix are to the base n, 2 to 16; n itself is decimal"},
+      {"phase", "`.PHASE addr`: labels and `$` have their values at addr, bytes stay where they are"},
+      {"dephase", "the end of that"},
+      {"comment", "`.COMMENT *text*`, over any number of lines; any sign will do"},
+      {"common", "`COMMON /NAME/`: what follows lies where the first block of the name does, to the next segment"},
+      {"segment", "the end of a COMMON block; all segments have one location"},
+      {"ignored", "nothing: controls of listings, PUBLIC, NAME"},
   };
   const std::string_view begin = "constexpr std::array directives{";
   const auto words = quoted_words(source, begin);

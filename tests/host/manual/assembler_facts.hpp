@@ -9,6 +9,8 @@ namespace sightline::manual {
 
 [[nodiscard]] base::Result<std::string> pdp7_refused();
 [[nodiscard]] base::Result<std::string> i8080_refused();
+// Where the dialects of 8080 sources differ.
+[[nodiscard]] std::string i8080_dialects();
 // From the source of the assembler, because its tables are not in a header. An error names a word without description.
 [[nodiscard]] base::Result<std::string> pdp7_pseudo_operations(const std::string& source);
 [[nodiscard]] base::Result<std::string> i8080_directives(const std::string& source);

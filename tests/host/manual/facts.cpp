@@ -111,6 +111,7 @@ const std::map<std::string, std::function<Text(const std::string& root)>, std::l
          const auto text = read(root, "tools/asm/pdp7/pseudo.cpp");
          return text ? pdp7_pseudo_operations(text.value()) : text;
        }},
+      {"i8080-dialects", plain(i8080_dialects)},
       {"i8080-directives",
        [](const std::string& root) {
          const auto text = read(root, "tools/asm/i8080/vocabulary.cpp");

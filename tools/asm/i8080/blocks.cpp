@@ -50,9 +50,19 @@ void I8080Pass::conditional(Directive directive, const Head& head) {
 
 // A condition with an error in it is false.
 bool I8080Pass::condition(Directive directive) {
+  if (directive == Directive::if_first_pass || directive == Directive::if_second_pass) {
+    // The passes that lay the program out are the first, the one that makes the bytes is the second.
+    return expect_end() && final_ == (directive == Directive::if_second_pass);
+  }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
+    const std::size_t at = token_.column;
     const auto value = settled("a condition");
-    return value && expect_end() && (*value != 0) == (directive == Directive::if_);
+    if (!value || !expect_end()) return false;
+    const bool odd = (*value & 1U) != 0;
+    if (rules_.if_takes_bit_zero && odd != (*value != 0)) {
+      warning(at, "value " + std::to_string(*value) + " of IF, whose bit 0 alone counts with --dialect intel", "0 or an odd value");
+    }
+    return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
   }
   if (directive == Directive::if_defined || directive == Directive::if_not_defined) {
     if (token_.kind != I8080TokenKind::name) {
@@ -65,7 +75,7 @@ bool I8080Pass::condition(Directive directive) {
                           (found->second.kind == I8080SymbolKind::define && found->second.value));
     return defined == (directive == Directive::if_defined);
   }
-  const Arguments arguments = split_arguments(statement_.text, token_.column);
+  const Arguments arguments = arguments_of(statement_.text, token_.column);
   const auto text = [&](std::size_t i) {
     return i < arguments.list.size() ? arguments.list[i].text : std::string();
   };
@@ -94,11 +104,20 @@ std::optional<std::vector<std::string>> I8080Pass::names_list(std::string_view w
   return names;
 }
 
+Arguments I8080Pass::arguments_of(std::string_view text, std::size_t at) {
+  Arguments arguments = split_arguments(text, at, rules_);
+  if (rules_.dialect == I8080Dialect::common && arguments.bang != std::string_view::npos) {
+    warning(arguments.bang, "'!' in an argument",
+            "--dialect, because it is taken for itself, and with m80 and intel the next character is taken as it is");
+  }
+  return arguments;
+}
+
 void I8080Pass::define_macro(const Head& head) {
   Definition definition;
   definition.macro.name = std::string(head.label);
   definition.macro.defined = place(0);
-  const Word* const reserved = program_.vocabulary.find(folded(head.label));
+  const Word* const reserved = program_.vocabulary.find(key_of(head.label, rules_));
   if (head.label.empty()) {
     error(head.operation_at, "MACRO without a name", "NAME before it");
   } else if (reserved != nullptr) {
@@ -125,14 +144,14 @@ void I8080Pass::repeat(Directive directive) {
   definition.macro.parameters.push_back(token_.value);
   advance();
   if (token_.is(',')) {
-    Arguments given = split_arguments(statement_.text, token_.column + 1);
+    Arguments given = arguments_of(statement_.text, token_.column + 1);
     if (given.unclosed != std::string_view::npos) error(given.unclosed, "'<' without '>'", "'>'");
     const std::string text = given.list.empty() ? std::string() : given.list.front().text;
     if (directive == Directive::irpc) {
       for (const char c : text) definition.rows.push_back({std::string(1, c)});
     } else {
       // Without brackets the arguments are the list themselves.
-      if (given.list.size() < 2) given = split_arguments(text, 0);
+      if (given.list.size() < 2) given = split_arguments(text, 0, rules_);
       for (const Argument& argument : given.list) definition.rows.push_back({argument.text});
     }
     if (definition.rows.empty()) definition.rows.push_back({""});
@@ -154,7 +173,10 @@ void I8080Pass::collect() {
     const Word* const found = word(parsed->operation, WordKind::directive);
     const Directive directive = found == nullptr ? Directive::ignored : found->directive;
     if (opens_definition(directive)) ++definition_->depth;
-    if (directive == Directive::endm && --definition_->depth == 0) return end_definition();
+    if (directive == Directive::endm && --definition_->depth == 0) {
+      if (!parsed->label.empty()) definition_->body.lines.push_back({std::string(parsed->label) + ":", place(parsed->label_at)});
+      return end_definition();
+    }
     if (directive == Directive::local && definition_->depth == 1) {
       read_operands(parsed->operands);
       const auto names = names_list("a local name").value_or(std::vector<std::string>());
@@ -180,19 +202,19 @@ void I8080Pass::end_definition() {
   auto body = std::make_shared<const Body>(std::move(definition.body));
   if (definition.kind == Directive::macro) {
     definition.macro.body = std::move(body);
-    const std::string key = folded(definition.macro.name);
+    const std::string key = key_of(definition.macro.name, rules_);
     if (!key.empty()) macros_.insert_or_assign(key, std::move(definition.macro));
     return;
   }
   push(std::make_unique<I8080Frame>(definition.macro.name, definition.opened, std::move(body),
                                     std::move(definition.macro.parameters), std::move(definition.rows),
-                                    definition.iterations));
+                                    definition.iterations, rules_));
 }
 
 // Expansions
 
 void I8080Pass::call(const Macro& macro, std::size_t operands) {
-  const Arguments arguments = split_arguments(statement_.text, operands);
+  const Arguments arguments = arguments_of(statement_.text, operands);
   if (arguments.unclosed != std::string_view::npos)
     return error(arguments.unclosed, "'<' without '>'", "'>'");
   std::vector<std::string> texts = argument_texts(arguments);
@@ -203,7 +225,7 @@ void I8080Pass::call(const Macro& macro, std::size_t operands) {
   }
   texts.resize(most);
   push(std::make_unique<I8080Frame>(macro.name, place(0), macro.body, macro.parameters,
-                                    std::vector<std::vector<std::string>>{std::move(texts)}, 1));
+                                    std::vector<std::vector<std::string>>{std::move(texts)}, 1, rules_));
 }
 
 std::vector<std::string> I8080Pass::argument_texts(const Arguments& arguments) {

@@ -54,6 +54,12 @@ void I8080Pass::directive(Directive directive, const Head& head) {
     case Directive::cpu: return processor();
     case Directive::z80:
       return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
+    case Directive::radix: return radix();
+    case Directive::phase:
+    case Directive::dephase: return phase(head);
+    case Directive::comment: return comment(head);
+    case Directive::common: return common();
+    case Directive::segment: return leave_common();
     case Directive::title:
     case Directive::ignored: return;
     default: return conditional(directive, head);
@@ -139,6 +145,8 @@ void I8080Pass::space() {
 void I8080Pass::origin() {
   const auto address = settled("an address");
   if (!address || !expect_end()) return;
+  if (phase_ != 0) return error(0, "ORG", ".DEPHASE before it");
+  leave_common();
   location_ = *address;
   said_overflow_ = false;
   shown_value_ = *address;
@@ -179,7 +187,7 @@ void I8080Pass::include(bool library) {
       if (!frame->is_expansion() && frame->file() == *file)
         return error(at, quoted(name) + ", which is being read", "no file that includes itself");
     }
-    push(std::make_unique<I8080Frame>(*file, program_.files[*file].text));
+    push(std::make_unique<I8080Frame>(*file, program_.files[*file].text, rules_));
     return;
   }
   error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
@@ -198,18 +206,79 @@ std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
 }
 
 void I8080Pass::externals() {
-  const std::size_t at = token_.column;
   const auto names = names_list("a name");
   if (!names) return;
   for (const std::string& name : *names) {
     I8080Entry& entry = program_.symbols[name];
     if (entry.name.empty()) entry.name = name;
-    if (entry.value) {
-      error(at, quoted(entry.name) + ", defined in this program", "a name it does not define");
-    } else {
-      entry.external = true;
-    }
+    entry.external = true;  // of another source of this program, or never used
   }
+}
+
+// .RADIX n: its own number is decimal.
+void I8080Pass::radix() {
+  const std::size_t at = std::min(token_.column, statement_.text.size());
+  lexer_ = I8080Lexer(statement_.text, at, rules_);
+  advance();
+  if (token_.kind != I8080TokenKind::number || token_.number < 2 || token_.number > 16)
+    return unexpected("a radix of 2 to 16, decimal");
+  radix_ = token_.number;
+  advance();
+  expect_end();
+}
+
+// .PHASE address: labels and `$` have the values of a program there, the bytes stay where they are.
+void I8080Pass::phase(const Head& head) {
+  if (head.operation == ".dephase") {
+    phase_ = 0;
+    expect_end();
+    return;
+  }
+  const auto address = settled("an address");
+  if (!address || !expect_end()) return;
+  phase_ = (std::uint32_t{*address} - location_) & 0xFFFFU;
+}
+
+// .COMMENT *...*: the first sign ends it when it comes again.
+void I8080Pass::comment(const Head& head) {
+  const std::string_view text = statement_.text;
+  const std::size_t at = skip_blanks(text, head.operands);
+  if (at >= text.size()) return error(head.operation_at, ".COMMENT without a sign", "`.COMMENT *`, and `*` again at its end");
+  if (text.find(text[at], at + 1) != std::string_view::npos) return;
+  comment_end_ = text[at];
+  comment_begun_ = place(head.operation_at);
+}
+
+// COMMON /NAME/: the bytes behind it, to the next segment, lie where those of the first block of the name do.
+void I8080Pass::common() {
+  leave_common();
+  std::string_view text = statement_.text.substr(std::min(token_.column, statement_.text.size()));
+  text = text.substr(0, start_of_comment(text, 0));
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  if (text.size() < 2 || text.front() != '/' || text.back() != '/') return unexpected("/NAME/");
+  block_opened_ = place(token_.column);
+  open_block_ = folded(text.substr(1, text.size() - 2));
+  const auto [block, first] = blocks_.try_emplace(*open_block_, Block{location_, 0});
+  if (first) return;
+  behind_block_ = location_;
+  location_ = block->second.begins;
+}
+
+void I8080Pass::leave_common() {
+  if (!open_block_) return;
+  Block& block = blocks_[*open_block_];
+  const std::uint32_t size = location_ - block.begins;
+  if (behind_block_) {
+    if (size > block.size) {
+      say(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
+          "at most the " + std::to_string(block.size) + " of its first block");
+    }
+    location_ = *behind_block_;
+  } else {
+    block.size = size;
+  }
+  behind_block_.reset();
+  open_block_.reset();
 }
 
 void I8080Pass::processor() {

@@ -1,5 +1,6 @@
 // Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
 // unsigned.
+#include <array>
 #include <utility>
 
 #include "tools/asm/i8080/pass.hpp"
@@ -72,6 +73,10 @@ std::optional<Operator> I8080Pass::operation_of_token() const {
   if (token_.is('-')) return Operator::subtract;
   if (token_.is('*')) return Operator::multiply;
   if (token_.is('/')) return Operator::divide;
+  constexpr std::array relations{std::pair{"=", Operator::eq},  std::pair{"<>", Operator::ne}, std::pair{"<", Operator::lt},
+                                 std::pair{"<=", Operator::le}, std::pair{">", Operator::gt},  std::pair{">=", Operator::ge}};
+  for (const auto& [sign, operation] : relations)
+    if (token_.is_sign(sign)) return operation;
   if (token_.kind != I8080TokenKind::name) return std::nullopt;
   const Word* const found = word(token_.value, WordKind::operation);
   return found == nullptr ? std::nullopt : std::optional(found->operation);
@@ -141,6 +146,7 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
 std::optional<I8080Value> I8080Pass::primary() {
   if (token_.kind == I8080TokenKind::number) {
     const I8080Value value{token_.number, true, false, false};
+    if (token_.wrapped) warning(token_.column, quoted(token_.text), "at most 65535 (0FFFFH): it is taken modulo 65536");
     advance();
     return value;
   }
@@ -151,8 +157,14 @@ std::optional<I8080Value> I8080Pass::primary() {
     return value;
   }
   if (token_.is('$') || token_.is('*')) {
+    const bool behind = location_ != statement_location_;
+    if (behind && rules_.dialect == I8080Dialect::common) {
+      warning(token_.column, quoted(token_.text) + " behind the first item",
+              "--dialect, because it is taken for the address of the statement, and in MAC it is that of the item");
+    }
     advance();
-    return I8080Value{statement_location_ & word_mask, true, false, false};
+    const std::uint32_t here = behind && rules_.location_moves ? location_ : statement_location_;
+    return I8080Value{(here + phase_) & word_mask, true, false, false};
   }
   if (token_.is('(')) {
     auto value = prefix(Operator::add, 0);
@@ -165,6 +177,8 @@ std::optional<I8080Value> I8080Pass::primary() {
     return value;
   }
   const auto operation = operation_of_token();
+  if (token_.kind == I8080TokenKind::name && operation && precedence(*operation) >= 0 && label_of(token_.value) != nullptr)
+    return name_value();
   if (operation == Operator::nul) {
     const I8080Token rest = I8080Lexer(lexer_).next();
     const bool nothing =
@@ -181,14 +195,22 @@ std::optional<I8080Value> I8080Pass::primary() {
   return std::nullopt;
 }
 
+// A label may have the name of an instruction, a register or an operator between operands; null: there is none.
+const I8080Entry* I8080Pass::label_of(const std::string& key) const {
+  const auto found = program_.symbols.find(key);
+  const bool defined = found != program_.symbols.end() && found->second.defined_in_pass != 0;
+  return defined ? &found->second : nullptr;
+}
+
 std::optional<I8080Value> I8080Pass::name_value() {
   const I8080Token name = token_;
-  if (const Word* const found = word(name.value, WordKind::mnemonic)) {
+  const bool is_label = label_of(name.value) != nullptr;
+  if (const Word* const found = word(name.value, WordKind::mnemonic); found != nullptr && !is_label) {
     const auto opcode = opcode_value(found->rows);
     return opcode ? std::optional(I8080Value{*opcode, true, false, false}) : std::nullopt;
   }
   advance();
-  if (const Word* const found = word(name.value, WordKind::register_name))
+  if (const Word* const found = word(name.value, WordKind::register_name); found != nullptr && !is_label)
     return I8080Value{found->value, true, false, false};
   const auto found = program_.symbols.find(name.value);
   const I8080Entry* const entry = found == program_.symbols.end() ? nullptr : &found->second;
@@ -198,7 +220,7 @@ std::optional<I8080Value> I8080Pass::name_value() {
   }
   if (!final_) return I8080Value{0, false, true, false};
   if (entry != nullptr && entry->external) {
-    error(name.column, "external symbol " + quoted(name.text), "one of this program: there is no linker");
+    error(name.column, "external symbol " + quoted(name.text), "one that a source of this program defines: there is no linker");
   } else if (entry != nullptr && entry->defined_in_pass != 0) {
     error(name.column, quoted(name.text) + ", whose own value is not known",
           "an EQU that does not rest on itself");

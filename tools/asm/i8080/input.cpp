@@ -9,8 +9,9 @@ namespace sightline::assembler {
 
 I8080Frame::I8080Frame(std::string name, Position called, std::shared_ptr<const Body> body,
                        std::vector<std::string> names, std::vector<std::vector<std::string>> rows,
-                       std::size_t iterations)
-    : name_(std::move(name)),
+                       std::size_t iterations, const I8080Rules& rules)
+    : rules_(&rules),
+      name_(std::move(name)),
       called_(called),
       body_(std::move(body)),
       names_(std::move(names)),
@@ -32,15 +33,16 @@ bool I8080Frame::next_file_line() {
 
 void I8080Frame::expand(const BodyLine& line) {
   body_place_ = line.at;
-  expanded_ = replace_names(line.text, names_, texts_);
+  expanded_ = replace_names(line.text, names_, texts_, *rules_);
   line_ = expanded_.text;
 }
 
 std::optional<I8080Statement> I8080Frame::next_statement() {
   if (cursor_ > line_.size()) return std::nullopt;
   const bool begins_line = cursor_ == 0;
-  const bool comment = begins_line && !line_.empty() && (line_[0] == '*' || line_[0] == '$');
-  const std::size_t end = comment ? line_.size() : end_of_statement(line_, cursor_, unclosed_);
+  // MAC ends a comment at `!`, but a line with `*` in column 1 at its end (MAC, section 2).
+  const bool comment = begins_line && !line_.empty() && (line_[0] == '*' || (line_[0] == '$' && !rules_->dollar_in_names));
+  const std::size_t end = comment ? line_.size() : end_of_statement(line_, cursor_, unclosed_, *rules_);
   const I8080Statement statement{line_.substr(cursor_, end - cursor_), cursor_, begins_line};
   cursor_ = end + 1;
   return statement;

@@ -24,13 +24,13 @@ struct I8080Statement {
 // follows a macro call on its line comes after the expansion.
 class I8080Frame {
  public:
-  // A file. `text` must outlive the frame.
-  I8080Frame(std::size_t file, std::string_view text) : file_(file), rest_(text) {}
+  // A file. `text` and the rules must outlive the frame.
+  I8080Frame(std::size_t file, std::string_view text, const I8080Rules& rules) : rules_(&rules), file_(file), rest_(text) {}
   // An expansion: the body `iterations` times. In each the row of texts with its number stands for `names`
   // (there are no rows if there are no names), and texts of its own for the local names.
   I8080Frame(std::string name, Position called, std::shared_ptr<const Body> body,
              std::vector<std::string> names, std::vector<std::vector<std::string>> rows,
-             std::size_t iterations);
+             std::size_t iterations, const I8080Rules& rules);
 
   // The next line, or false at the end. `new_local` makes a name that is nowhere else.
   template <class NewLocal>
@@ -68,6 +68,7 @@ class I8080Frame {
   bool next_file_line();
   void expand(const BodyLine& line);
 
+  const I8080Rules* rules_;
   std::size_t file_ = 0;
   std::string_view rest_;
   std::size_t line_number_ = 0;

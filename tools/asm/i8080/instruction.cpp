@@ -103,7 +103,15 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
       return code;
     }
   }
-  const auto value = expression();
+  // A register, even where a label has its name.
+  const Word* const named = alone ? word(first.value, WordKind::register_name) : nullptr;
+  std::optional<I8080Value> value;
+  if (named != nullptr) {
+    advance();
+    value = I8080Value{named->value, true, false, false};
+  } else {
+    value = expression();
+  }
   if (!value) return std::nullopt;
   const auto code = code_of(operand, value->bits);
   if (!code) error(first.column, quoted(first.text), expected_for(operand));

@@ -34,7 +34,7 @@ unsigned radix_of_suffix(char c) {
 }
 
 const char* name_of_radix(unsigned radix) {
-  return radix == 16 ? "hexadecimal" : radix == 8 ? "octal" : radix == 2 ? "binary" : "decimal";
+  return radix == 16 ? "hexadecimal" : radix == 8 ? "octal" : radix == 2 ? "binary" : radix == 10 ? "decimal" : "radix";
 }
 
 // Behind the part in angle brackets that opens at `at`, or npos if it is not closed.
@@ -87,6 +87,20 @@ std::string folded(std::string_view name) {
   return text;
 }
 
+std::string key_of(std::string_view name, const I8080Rules& rules) {
+  if (!rules.dollar_in_names) return folded(name);
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  return text;
+}
+
+std::size_t end_of_name(std::string_view text, std::size_t at, const I8080Rules& rules) {
+  if (!rules.dollar_in_names || at + 1 >= text.size() || text[at] != '$' || !continues_name(text[at + 1]))
+    return end_of_name(text, at);
+  while (at < text.size() && continues_name(text[at])) ++at;
+  return at;
+}
+
 std::size_t end_of_name(std::string_view text, std::size_t at) {
   if (at >= text.size() || !begins_name(text[at])) return at;
   while (at < text.size() && continues_name(text[at])) ++at;
@@ -117,9 +131,11 @@ std::string quoted(std::string_view text) {
   return shown + (text.size() > 24 ? "...'" : "'");
 }
 
-std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed) {
+std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed, const I8080Rules& rules) {
+  if (!rules.bang_separates) return line.size();
   const std::size_t at = find_outside_groups(line, from, "!;", unclosed);
-  return at < line.size() && line[at] == ';' ? line.size() : at;
+  if (at >= line.size() || line[at] != ';') return at;
+  return rules.bang_ends_comment ? std::min(line.find('!', at), line.size()) : line.size();
 }
 
 std::size_t start_of_comment(std::string_view text, std::size_t from) {
@@ -129,13 +145,18 @@ std::size_t start_of_comment(std::string_view text, std::size_t from) {
 
 I8080Token I8080Lexer::next() {
   at_ = skip_blanks(text_, at_);
-  if (at_ >= text_.size() || text_[at_] == ';') return {I8080TokenKind::end, at_, {}, {}, 0};
+  if (at_ >= text_.size() || text_[at_] == ';') return {I8080TokenKind::end, at_, {}, {}};
   const std::size_t start = at_;
   const char c = text_[start];
-  if (begins_name(c)) return name(start);
+  if (end_of_name(text_, start, *rules_) > start) return name(start);
   if (c == '\'' || c == '"') return string(start);
   if (c == '$') return dollar(start);
-  if (!is_digit(c)) return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+  if (!is_digit(c)) {
+    const std::string_view two = text_.substr(start, 2);
+    const std::size_t length = two == "<=" || two == ">=" || two == "<>" ? 2 : 1;
+    at_ += length;
+    return {I8080TokenKind::sign, start, text_.substr(start, length), {}};
+  }
   if (c == '0' && start + 2 < text_.size() && lower(text_[start + 1]) == 'x' &&
       digit_value(text_[start + 2]) < 16)
     return number(start, start + 2, 16);
@@ -143,27 +164,50 @@ I8080Token I8080Lexer::next() {
 }
 
 I8080Token I8080Lexer::name(std::size_t start) {
-  at_ = end_of_name(text_, start);
+  at_ = end_of_name(text_, start, *rules_);
   const std::string_view text = text_.substr(start, at_ - start);
-  return {I8080TokenKind::name, start, text, folded(text), 0};
+  // X'0F', a hexadecimal number of MACRO-80.
+  if (lower(text.front()) == 'x' && text.size() == 1 && at_ + 2 < text_.size() && text_[at_] == '\'' &&
+      digit_value(text_[at_ + 1]) < 16) {
+    I8080Token token = number(start, at_ + 1, 16);
+    if (at_ < text_.size() && text_[at_] == '\'') {
+      ++at_;
+      token.text = text_.substr(start, at_ - start);
+    } else {
+      token.kind = I8080TokenKind::bad;
+      token.value = "hexadecimal digits between quotes";
+    }
+    return token;
+  }
+  I8080Token token{I8080TokenKind::name, start, text, key_of(text, *rules_)};
+  // NAME## is an external of MACRO-80; where it is defined is found like any other name.
+  if (text_.substr(at_).starts_with("##")) at_ += 2;
+  return token;
 }
 
-// `$` before a hexadecimal digit begins a number, else it is the location.
+// `$` before a digit begins a number, else it is the location. Before a letter it could be either or begin a name.
 I8080Token I8080Lexer::dollar(std::size_t start) {
-  if (start + 1 < text_.size() && digit_value(text_[start + 1]) < 16) return number(start, start + 1, 16);
-  return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}, 0};
+  if (start + 1 < text_.size() && is_digit(text_[start + 1])) return number(start, start + 1, 16);
+  if (start + 1 < text_.size() && begins_name(text_[start + 1])) {
+    at_ = end_of_name(text_, start + 1);
+    return {I8080TokenKind::bad, start, text_.substr(start, at_ - start),
+            "a number that begins with a digit, or `$` alone; --dialect m80 has names that begin with `$`"};
+  }
+  return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}};
 }
 
 // A radix of 0 is given by the suffix.
 I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned radix) {
   at_ = digits;
   while (at_ < text_.size() && (digit_value(text_[at_]) < 99 || text_[at_] == '$')) ++at_;
-  I8080Token token{I8080TokenKind::number, start, text_.substr(start, at_ - start), {}, 0};
+  I8080Token token{I8080TokenKind::number, start, text_.substr(start, at_ - start), {}};
   std::string written = folded(text_.substr(digits, at_ - digits));
   if (radix == 0) {
     radix = radix_of_suffix(written.back());
+    // B and D are digits of a radix of 16.
+    if (radix_ > 11 && (radix == 2 || radix == 10)) radix = 0;
     if (radix != 0) written.pop_back();
-    if (radix == 0) radix = 10;
+    if (radix == 0) radix = radix_;
   }
   for (const char c : written) {
     const unsigned digit = digit_value(c);
@@ -173,11 +217,9 @@ I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned ra
                     (radix == 10 ? " or a suffix H O Q B" : "");
       return token;
     }
-    token.number = std::min(token.number * radix + digit, 0x10000U);
-  }
-  if (token.number > 0xFFFF) {
-    token.kind = I8080TokenKind::bad;
-    token.value = "a number up to 65535 (0FFFFH)";
+    token.number = token.number * radix + digit;
+    token.wrapped = token.wrapped || token.number > 0xFFFF;
+    token.number &= 0xFFFFU;
   }
   return token;
 }
@@ -186,10 +228,10 @@ I8080Token I8080Lexer::string(std::size_t start) {
   const std::size_t end = end_of_string(text_, start);
   if (end == std::string_view::npos) {
     at_ = text_.size();
-    return {I8080TokenKind::bad, start, text_.substr(start), "a closing quote", 0};
+    return {I8080TokenKind::bad, start, text_.substr(start), "a closing quote"};
   }
   at_ = end;
-  I8080Token token{I8080TokenKind::string, start, text_.substr(start, end - start), {}, 0};
+  I8080Token token{I8080TokenKind::string, start, text_.substr(start, end - start), {}};
   for (std::size_t i = start + 1; i + 1 < end; ++i) {
     token.value += text_[i];
     if (text_[i] == text_[start]) ++i;

@@ -1,9 +1,7 @@
 // Words of 8080 source: statements of a line, the head of a statement, the tokens of its operands.
 //
-// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM), so is
-// a line number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment
-// that reaches to the end of the line: unlike CP/M ASM, `!` does not end it, because exclamation marks in comments are
-// more common.
+// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM) unless the dialect says
+// otherwise, and so is a line number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +9,31 @@
 #include <string>
 #include <string_view>
 
+#include "tools/asm/i8080/dialect.hpp"
+
 namespace sightline::assembler {
 
 // A name without its `$`, in lower case.
 [[nodiscard]] std::string folded(std::string_view name);
+// A name as its symbol is known by: in lower case, with `$` if it counts.
+[[nodiscard]] std::string key_of(std::string_view name, const I8080Rules& rules);
 [[nodiscard]] bool begins_name(char c);
 [[nodiscard]] bool continues_name(char c);
 [[nodiscard]] bool is_blank(char c);
 // Where the name at `at` ends; `at` if there is none.
 [[nodiscard]] std::size_t end_of_name(std::string_view text, std::size_t at);
+// The same where a name may begin with `$`.
+[[nodiscard]] std::size_t end_of_name(std::string_view text, std::size_t at, const I8080Rules& rules);
 [[nodiscard]] std::size_t skip_blanks(std::string_view text, std::size_t at);
 // Behind the closing quote of the string that opens at `at`, or npos if it is not closed.
 [[nodiscard]] std::size_t end_of_string(std::string_view text, std::size_t at);
 // As much of a token as a message can show.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-// Where the statement at `from` ends: at a `!` outside strings, angle brackets and comments, or at the end of
-// the line. `unclosed` holds the quotes and brackets found not closed in this line, empty at its beginning.
-[[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed);
+// Where the statement at `from` ends: at a `!` that the dialect lets separate statements, outside strings and angle brackets, or
+// at the end of the line. `unclosed` holds the quotes and brackets found not closed in this line, empty at its beginning.
+[[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed,
+                                           const I8080Rules& rules);
 // Where the comment begins, or the length of the text.
 [[nodiscard]] std::size_t start_of_comment(std::string_view text, std::size_t from);
 
@@ -39,9 +44,11 @@ struct I8080Token {
   std::size_t column = 0;  // offset in the statement
   std::string_view text;   // as written
   std::string value;       // name: folded; string: without quotes; bad: what was expected
-  std::uint32_t number = 0;
+  std::uint32_t number = 0;  // 0 to FFFF
+  bool wrapped = false;      // the number was larger: FFFF and less is left of it
 
-  [[nodiscard]] bool is(char sign) const { return kind == I8080TokenKind::sign && text[0] == sign; }
+  [[nodiscard]] bool is(char sign) const { return kind == I8080TokenKind::sign && text.size() == 1 && text[0] == sign; }
+  [[nodiscard]] bool is_sign(std::string_view sign) const { return kind == I8080TokenKind::sign && text == sign; }
   [[nodiscard]] bool is_name(std::string_view name) const {
     return kind == I8080TokenKind::name && value == name;
   }
@@ -50,7 +57,9 @@ struct I8080Token {
 class I8080Lexer {
  public:
   I8080Lexer() = default;
-  I8080Lexer(std::string_view text, std::size_t at) : text_(text), at_(at) {}
+  // Numbers without a suffix have the radix. The rules outlive the lexer.
+  I8080Lexer(std::string_view text, std::size_t at, const I8080Rules& rules = rules_of(I8080Dialect::common), unsigned radix = 10)
+      : text_(text), at_(at), rules_(&rules), radix_(radix) {}
   I8080Token next();
 
  private:
@@ -61,6 +70,8 @@ class I8080Lexer {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  const I8080Rules* rules_ = &rules_of(I8080Dialect::common);
+  unsigned radix_ = 10;
 };
 
 }  // namespace sightline::assembler

@@ -10,14 +10,15 @@ namespace {
 
 class ArgumentSplitter {
  public:
-  ArgumentSplitter(std::string_view text, std::size_t at)
-      : text_(text.substr(0, start_of_comment(text, at))), at_(skip_blanks(text_, at)) {}
+  ArgumentSplitter(std::string_view text, std::size_t at, const I8080Rules& rules)
+      : literal_(rules.literal), text_(text.substr(0, start_of_comment(text, at))), at_(skip_blanks(text_, at)) {}
 
   Arguments split() {
     if (at_ >= text_.size()) return {};
     Arguments arguments;
     while (true) {
       arguments.list.push_back(argument());
+      arguments.bang = bang_;
       if (unclosed_ != std::string_view::npos) arguments.unclosed = unclosed_;
       if (at_ >= text_.size()) return arguments;
       ++at_;  // the comma
@@ -39,13 +40,14 @@ class ArgumentSplitter {
       if (c == '<' && !argument.evaluate) {
         bracketed(argument.text);
         kept = argument.text.size();
-      } else if (c == '^' && at_ + 1 < text_.size()) {
+      } else if (c == literal_ && at_ + 1 < text_.size()) {
         argument.text += text_[at_ + 1];
         at_ += 2;
         kept = argument.text.size();
       } else if (c == '\'' || c == '"') {
         string(argument.text);
       } else {
+        note_bang();
         argument.text += c;
         ++at_;
       }
@@ -63,7 +65,13 @@ class ArgumentSplitter {
         return;
       }
       if (c == '<') ++depth;
-      if (c == '^' && depth == 1 && at_ + 1 < text_.size()) ++at_;
+      // Inside inner brackets the sign stays for the macro that gets them.
+      if (c == literal_ && at_ + 1 < text_.size()) {
+        if (depth > 1) text += c;
+        ++at_;
+      } else {
+        note_bang();
+      }
       text += text_[at_];
     }
     unclosed_ = opened;
@@ -76,16 +84,22 @@ class ArgumentSplitter {
     at_ += length;
   }
 
+  void note_bang() {
+    if (text_[at_] == '!' && bang_ == std::string_view::npos) bang_ = at_;
+  }
+
+  char literal_;
   std::string_view text_;
   std::size_t at_;
+  std::size_t bang_ = std::string_view::npos;
   std::size_t unclosed_ = std::string_view::npos;
 };
 
 class Replacer {
  public:
   Replacer(std::string_view line, const std::vector<std::string>& names,
-           const std::vector<std::string>& texts)
-      : line_(line), names_(names), texts_(texts) {}
+           const std::vector<std::string>& texts, const I8080Rules& rules)
+      : line_(line), names_(names), texts_(texts), rules_(rules) {}
 
   Expansion replace() {
     while (at_ < line_.size() && expansion_.text.size() <= longest_line) {
@@ -127,7 +141,7 @@ class Replacer {
     const bool joined_after = end < line_.size() && line_[end] == '&';
     const bool may_be = quote_ == 0 || joined_before || joined_after;
     const auto found =
-        may_be ? std::find(names_.begin(), names_.end(), folded(line_.substr(at_, end - at_))) : names_.end();
+        may_be ? std::find(names_.begin(), names_.end(), key_of(line_.substr(at_, end - at_), rules_)) : names_.end();
     if (found == names_.end()) return copy(end);
     if (joined_before && dropped_ != at_) expansion_.text.pop_back();
     expansion_.origins.emplace_back(expansion_.text.size(), at_);
@@ -140,6 +154,7 @@ class Replacer {
   std::string_view line_;
   const std::vector<std::string>& names_;
   const std::vector<std::string>& texts_;
+  const I8080Rules& rules_;
   std::size_t at_ = 0;
   std::size_t dropped_ = std::string_view::npos;  // the `&` just before this offset is gone already
   char quote_ = 0;
@@ -148,8 +163,8 @@ class Replacer {
 
 }  // namespace
 
-Arguments split_arguments(std::string_view text, std::size_t from) {
-  return ArgumentSplitter(text, from).split();
+Arguments split_arguments(std::string_view text, std::size_t from, const I8080Rules& rules) {
+  return ArgumentSplitter(text, from, rules).split();
 }
 
 // Inside a replaced text every offset comes from where the name stood.
@@ -164,8 +179,8 @@ std::size_t Expansion::origin_of(std::size_t offset) const {
 }
 
 Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
-                        const std::vector<std::string>& texts) {
-  return Replacer(line, names, texts).replace();
+                        const std::vector<std::string>& texts, const I8080Rules& rules) {
+  return Replacer(line, names, texts, rules).replace();
 }
 
 }  // namespace sightline::assembler

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/asm/i8080/dialect.hpp"
 #include "tools/asm/source.hpp"
 
 namespace sightline::assembler {
@@ -45,12 +46,13 @@ struct Argument {
 struct Arguments {
   std::vector<Argument> list;
   std::size_t unclosed = std::string_view::npos;  // offset of a `<` without `>`
+  std::size_t bang = std::string_view::npos;      // offset of a `!` that is no such sign
 };
 
 // The arguments in text[from...], separated by commas, up to a comment. Blanks around them fall away, `<...>`
-// makes one argument of what it holds and is taken off, `^` takes the next character as it is. An empty text
+// makes one argument of what it holds and is taken off, the dialect's sign takes the next character as it is. An empty text
 // has no arguments.
-[[nodiscard]] Arguments split_arguments(std::string_view text, std::size_t from);
+[[nodiscard]] Arguments split_arguments(std::string_view text, std::size_t from, const I8080Rules& rules);
 
 // A text made of another one, and where its parts come from: pairs of offsets here and there.
 struct Expansion {
@@ -63,6 +65,6 @@ struct Expansion {
 // `names` folded, each replaced by the text of the same index. Ends with the replacement that makes the text
 // longer than longest_line.
 [[nodiscard]] Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
-                                      const std::vector<std::string>& texts);
+                                      const std::vector<std::string>& texts, const I8080Rules& rules);
 
 }  // namespace sightline::assembler

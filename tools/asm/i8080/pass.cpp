@@ -21,13 +21,19 @@ std::string local_name(std::size_t number) {
   return "??" + digits;
 }
 
+// Those that stand before their operand: a label of that name could not be told from it.
+bool is_prefix(Operator operation) {
+  return operation == Operator::not_ || operation == Operator::high || operation == Operator::low || operation == Operator::nul;
+}
+
 }  // namespace
 
 void I8080Pass::run(std::size_t sources) {
   program_.unknown_equates = 0;
   program_.values_moved = false;
   for (std::size_t file = 0; file < sources && !stopped_; ++file) {
-    push(std::make_unique<I8080Frame>(file, program_.files[file].text));
+    radix_ = 10;
+    push(std::make_unique<I8080Frame>(file, program_.files[file].text, rules_));
     while (!frames_.empty() && !stopped_) {
       if (const auto statement = frames_.back()->next_statement()) {
         statement_ = *statement;
@@ -36,6 +42,8 @@ void I8080Pass::run(std::size_t sources) {
         end_of_frame();
       }
     }
+    leave_common();
+    phase_ = 0;
   }
 }
 
@@ -76,22 +84,28 @@ void I8080Pass::end_of_frame() {
   const std::string end =
       frame.is_expansion() ? "the end of " + frame.name() : "the end of " + program_.files[frame.file()].name;
   while (conditionals_.size() > frame.conditionals) {
-    say(Severity::error, conditionals_.back().opened, end + " inside this IF", "ENDIF");
+    say(Severity::warning, conditionals_.back().opened, end + " inside this IF", "ENDIF; it ends here");
     conditionals_.pop_back();
   }
   if (definition_ && definition_->frames == frames_.size()) {
     say(Severity::error, definition_->opened, end + " inside this definition", "ENDM");
     definition_.reset();
   }
+  if (comment_end_ && !frame.is_expansion()) {
+    say(Severity::error, comment_begun_, end + " inside this .COMMENT", "'" + std::string(1, *comment_end_) + "' again");
+    comment_end_.reset();
+  }
   frames_.pop_back();
 }
 
 // Symbols
 
-void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value) {
-  const std::string key = folded(name);
+void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value,
+                      bool any_word) {
+  const std::string key = key_of(name, rules_);
   const Word* const reserved = program_.vocabulary.find(key);
-  if (reserved != nullptr && reserved->kind != WordKind::directive) {
+  const bool precedes = reserved != nullptr && reserved->kind == WordKind::operation && is_prefix(reserved->operation);
+  if (reserved != nullptr && reserved->kind != WordKind::directive && (!any_word || precedes)) {
     return error(at, quoted(name), "a name that is no register, operator or instruction");
   }
   I8080Entry& entry = program_.symbols[key];
@@ -101,8 +115,17 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
       error(at, "label " + quoted(name), "another name: -D defines this one");
     return;
   }
-  if (entry.external) return error(at, quoted(name) + ", declared external", "a name not declared external");
   const bool again = entry.defined_in_pass == number_;
+  const auto bits = static_cast<std::uint16_t>(value.bits);
+  if (again && kind == entry.kind && kind != I8080SymbolKind::set && value.known && entry.value == bits) {
+    return warning(at, "a second definition of " + quoted(name) + " with the same value",
+                   "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
+  }
+  if (!again && rules_.significant != 0 && key.size() > rules_.significant) {
+    warning(at, quoted(name) + " of " + std::to_string(key.size()) + " characters",
+            "at most " + std::to_string(rules_.significant) + ", which are all that count with --dialect " +
+                std::string(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]));
+  }
   if (again && (kind != I8080SymbolKind::set || entry.kind != kind)) {
     return error(
         at, "a second definition of " + quoted(name),
@@ -172,7 +195,7 @@ void I8080Pass::end_statement(I8080Frame& frame) {
 // Tokens and messages
 
 void I8080Pass::read_operands(std::size_t at) {
-  lexer_ = I8080Lexer(statement_.text, at);
+  lexer_ = I8080Lexer(statement_.text, at, rules_, radix_);
   nesting_ = 0;
   advance();
 }
@@ -198,7 +221,10 @@ std::string I8080Pass::shown_token() const {
 
 void I8080Pass::unexpected(std::string expected) {
   error(token_.column, shown_token(),
-        token_.kind == I8080TokenKind::bad ? token_.value : std::move(expected));
+        token_.kind == I8080TokenKind::bad ? token_.value
+        : token_.is('!') && !rules_.bang_separates
+            ? expected + "; --dialect mac separates statements with `!`"
+            : std::move(expected));
 }
 
 Position I8080Pass::place(std::size_t at) const {

@@ -61,7 +61,7 @@ struct I8080Value {
 class I8080Pass {
  public:
   I8080Pass(const I8080Options& options, I8080Program& program, int number, bool final)
-      : options_(options), program_(program), number_(number), final_(final) {}
+      : options_(options), rules_(rules_of(options.dialect)), program_(program), number_(number), final_(final) {}
 
   void run(std::size_t sources);
 
@@ -100,13 +100,16 @@ class I8080Pass {
   void end_of_frame();
   void count_lines(std::size_t more);
   void begin_row();
-  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value);
+  // `any_word`: also one that the language has, but not an operator before its operand.
+  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value, bool any_word = false);
   void emit(std::uint8_t byte);
   void end_statement(I8080Frame& frame);
 
   // Statements (statement.cpp)
   void statement();
   void control_line();
+  [[nodiscard]] bool in_comment();
+  void doubt_comment();
   [[nodiscard]] std::optional<Head> head();
   [[nodiscard]] const Word* word(const std::string& name, WordKind kind) const;
   [[nodiscard]] bool is_operation(const std::string& name) const;
@@ -128,6 +131,11 @@ class I8080Pass {
   [[nodiscard]] std::optional<std::size_t> read_included(const std::string& path);
   void externals();
   void processor();
+  void radix();
+  void phase(const Head& head);
+  void comment(const Head& head);
+  void common();
+  void leave_common();
 
   // Blocks (blocks.cpp)
   void conditional(Directive directive, const Head& head);
@@ -141,6 +149,7 @@ class I8080Pass {
   void call(const Macro& macro, std::size_t operands);
   void exit_macro();
   [[nodiscard]] std::optional<std::vector<std::string>> names_list(std::string_view what);
+  [[nodiscard]] Arguments arguments_of(std::string_view text, std::size_t at);
   [[nodiscard]] std::vector<std::string> argument_texts(const Arguments& arguments);
   void push(std::unique_ptr<I8080Frame> frame);
 
@@ -156,6 +165,7 @@ class I8080Pass {
   [[nodiscard]] bool go_deeper();
   [[nodiscard]] std::optional<I8080Value> primary();
   [[nodiscard]] std::optional<I8080Value> name_value();
+  [[nodiscard]] const I8080Entry* label_of(const std::string& key) const;
   [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a,
                                                   const I8080Value& b, std::size_t at);
   [[nodiscard]] std::optional<Operator> operation_of_token() const;
@@ -178,6 +188,7 @@ class I8080Pass {
   [[nodiscard]] std::string where_from() const;
 
   const I8080Options& options_;
+  const I8080Rules& rules_;
   I8080Program& program_;
   int number_;
   bool final_;
@@ -190,6 +201,19 @@ class I8080Pass {
   I8080Token token_;
   std::uint32_t location_ = 0;
   std::uint32_t statement_location_ = 0;
+  std::uint32_t phase_ = 0;  // added to them where they are values
+  unsigned radix_ = 10;
+  std::optional<char> comment_end_;  // of .COMMENT, whose end is to come
+  Position comment_begun_;
+  // COMMON blocks: where each begins and how long the longest is; the one that is open, and where the program goes on behind it.
+  struct Block {
+    std::uint32_t begins = 0;
+    std::uint32_t size = 0;
+  };
+  std::map<std::string, Block> blocks_;
+  std::optional<std::string> open_block_;
+  Position block_opened_;
+  std::optional<std::uint32_t> behind_block_;
   std::vector<std::uint8_t> bytes_;           // of this statement
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
   bool shown_equated_ = false;                // ... by EQU or SET

@@ -14,8 +14,10 @@ void I8080Pass::statement() {
   bytes_.clear();
   shown_value_.reset();
   shown_equated_ = said_overlap_ = false;
+  if (comment_end_ && in_comment()) return;
+  if (rules_.dialect == I8080Dialect::common) doubt_comment();
   if (definition_) return collect();
-  if (statement_.begins_line && statement_.text.starts_with('$')) return control_line();
+  if (statement_.begins_line && statement_.text.starts_with('$') && !rules_.dollar_in_names) return control_line();
   const auto parsed = head();
   if (!parsed) return;
   if (active()) {
@@ -32,10 +34,37 @@ const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
+// Lines between .COMMENT and its second sign.
+bool I8080Pass::in_comment() {
+  const std::size_t end = statement_.text.find(*comment_end_);
+  if (end != std::string_view::npos) comment_end_.reset();
+  return true;
+}
+
+// `!` in a comment before what could be a statement.
+void I8080Pass::doubt_comment() {
+  if (!final_ || statement_.text.find('!') == std::string_view::npos) return;
+  const std::string_view text = statement_.text;
+  for (std::size_t at = text.find('!', start_of_comment(text, 0)); at != std::string_view::npos; at = text.find('!', at + 1)) {
+    const std::size_t from = skip_blanks(text, at + 1);
+    const std::size_t end = end_of_name(text, from);
+    if (end == from) continue;
+    const bool label = end < text.size() && text[end] == ':';
+    if (!label && !is_operation(folded(text.substr(from, end - from)))) continue;
+    return warning(at, "'!' in a comment before " + quoted(text.substr(from, end - from)),
+                   "--dialect, because with mac a statement begins there");
+  }
+}
+
 // Of Intel's controls only INCLUDE bears on the program: to skip it with the others would lose the file.
 void I8080Pass::control_line() {
   if (!active()) return;
   const std::string_view text = statement_.text.substr(0, start_of_comment(statement_.text, 0));
+  const std::size_t name_ends = end_of_name(text, 1);
+  if (name_ends > 1 && name_ends < text.size() && text[name_ends] == ':') {
+    return error(0, "label " + quoted(text.substr(0, name_ends + 1)),
+                 "one that does not begin with `$`, which --dialect m80 has");
+  }
   for (std::size_t at = 1; at < text.size();) {
     const std::size_t end = end_of_name(text, at);
     const std::string name = folded(text.substr(at, end - at));
@@ -49,7 +78,8 @@ void I8080Pass::control_line() {
 // assemblers.
 std::optional<I8080Pass::Head> I8080Pass::head() {
   const std::string_view text = statement_.text;
-  if (statement_.begins_line && !text.empty() && (text[0] == '*' || text[0] == '$')) return std::nullopt;
+  if (statement_.begins_line && !text.empty() && (text[0] == '*' || (text[0] == '$' && !rules_.dollar_in_names)))
+    return std::nullopt;
   std::size_t at = skip_blanks(text, 0);
   const std::size_t line_number = at;
   while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
@@ -59,13 +89,13 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
   if (at >= text.size() || text[at] == ';') return std::nullopt;
 
   Head result;
-  const std::size_t end = end_of_name(text, at);
+  const std::size_t end = end_of_name(text, at, rules_);
   const std::string_view first = text.substr(at, end - at);
   const std::size_t next = skip_blanks(text, end);
   const auto operation = [&](std::size_t from) {
-    const std::size_t to = end_of_name(text, from);
+    const std::size_t to = end_of_name(text, from, rules_);
     result.word = text.substr(from, to - from);
-    result.operation = folded(result.word);
+    result.operation = key_of(result.word, rules_);
     result.operation_at = from;
     result.operands = to;
   };
@@ -79,9 +109,9 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
     label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
     return result;
   }
-  const std::string second = folded(text.substr(next, end_of_name(text, next) - next));
+  const std::string second = key_of(text.substr(next, end_of_name(text, next) - next), rules_);
   const Word* const after = word(second, WordKind::directive);
-  const Word* const itself = word(folded(first), WordKind::directive);
+  const Word* const itself = word(key_of(first, rules_), WordKind::directive);
   const bool is_title = itself != nullptr && itself->directive == Directive::title && !first_column;
   if (end > at && after != nullptr && !is_title &&
       (after->directive == Directive::equ || after->directive == Directive::set ||
@@ -131,8 +161,9 @@ void I8080Pass::execute(const Head& head) {
 }
 
 void I8080Pass::define_label(const Head& head) {
-  enter(head.label, head.label_at, I8080SymbolKind::label, {statement_location_, true, false, false});
-  shown_value_ = statement_location_;
+  const std::uint32_t value = (statement_location_ + phase_) & 0xFFFFU;
+  enter(head.label, head.label_at, I8080SymbolKind::label, {value, true, false, false}, head.colon);
+  shown_value_ = value;
 }
 
 }  // namespace sightline::assembler

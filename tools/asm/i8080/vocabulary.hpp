@@ -29,6 +29,8 @@ enum class Directive : std::uint8_t {
   if_not_blank,
   if_same,
   if_different,
+  if_first_pass,
+  if_second_pass,
   else_,
   endif,
   macro,
@@ -44,7 +46,13 @@ enum class Directive : std::uint8_t {
   cpu,
   z80,
   title,    // TITLE and SUBTTL: what follows is text, whatever it looks like; nothing to do either
-  ignored,  // listing controls, segments, PUBLIC, NAME: nothing to do in one absolute program
+  radix,
+  phase,
+  dephase,
+  comment,
+  common,
+  segment,  // ASEG CSEG DSEG: one location for all, but a COMMON block ends
+  ignored,  // listing controls, PUBLIC, NAME: nothing to do in one absolute program
 };
 
 enum class Operator : std::uint8_t {

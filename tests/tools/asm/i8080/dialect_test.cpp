@@ -1,0 +1,216 @@
+// Where the 8080 assemblers of the time differ. The bytes expected follow from what their manuals say of each construct: Digital
+// Research's of ASM (1978) and MAC (1980), Microsoft's of MACRO-80 (Utility Software Manual, 1981), Intel's of the 8080/8085
+// assembler (9800301, 1979).
+#include "tools/asm/i8080/dialect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/effort.hpp"
+#include "tests/tools/asm/i8080/assemble.hpp"
+#include "tools/disasm/i8080.hpp"
+
+namespace sightline::assembler {
+namespace {
+
+using enum I8080Dialect;
+
+I8080Assembly assembled(I8080Dialect dialect, const std::string& text) {
+  I8080Options options;
+  options.dialect = dialect;
+  return assemble8080(text, options);
+}
+Bytes bytes(I8080Dialect dialect, const std::string& text) {
+  const auto assembly = assembled(dialect, text);
+  EXPECT_TRUE(assembly.ok()) << text << (assembly.ok() ? "" : messages(assembly)[0]);
+  return bytes_of(assembly);
+}
+std::string first_message(I8080Dialect dialect, const std::string& text) {
+  const auto all = messages(assembled(dialect, text));
+  return all.empty() ? "" : all[0];
+}
+
+// --- What was read without a word as something else ---
+
+// ASM, section 2: "a comment ... extends to the next physical or logical end of line"; `!` is a logical one.
+TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
+  const std::string text = " MVI A,1 ; one ! RET\n";
+  EXPECT_EQ(bytes(mac, text), (Bytes{0x3E, 1, 0xC9}));
+  EXPECT_EQ(bytes(m80, text), (Bytes{0x3E, 1}));
+  EXPECT_EQ(bytes(intel, text), (Bytes{0x3E, 1}));
+  EXPECT_EQ(bytes(common, text), (Bytes{0x3E, 1}));
+  EXPECT_EQ(first_message(common, text),
+            "t.asm:1:16: warning: found '!' in a comment before 'RET', expected --dialect, because with mac a statement begins there");
+  EXPECT_EQ(first_message(common, " NOP ; that is all!\n NOP ; so be it! And no more\n"), "");
+  EXPECT_EQ(first_message(common, " NOP ; go! NEXT: is the label\n").substr(0, 26), "t.asm:1:10: warning: found");
+}
+
+// MAC: `$` is the location counter, which moves on with each byte that DB makes; in MACRO-80 and Intel's assembler it is the
+// address of the statement.
+TEST(I8080Dialect, TheLocationOfLaterItems) {
+  const std::string text = " ORG 100H\n DB 0,0,LOW $\n DW $,$\n";
+  EXPECT_EQ(bytes(mac, text), (Bytes{0, 0, 2, 3, 1, 5, 1}));
+  EXPECT_EQ(bytes(m80, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
+  EXPECT_EQ(bytes(intel, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
+  EXPECT_EQ(bytes(common, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
+  EXPECT_EQ(messages(assembled(common, text)).size(), 2U);
+  EXPECT_EQ(first_message(common, " JMP $+3\n DB $\n"), "");
+}
+
+// MACRO-80, section 2.9, and Intel, chapter 5: `!` takes the next character of an argument literally; MAC has `^`.
+TEST(I8080Dialect, TheSignOfLiteralCharacters) {
+  const std::string macro = "P MACRO X\n DB X\n ENDM\n";
+  EXPECT_EQ(bytes(m80, macro + " P <1!+2>\n"), Bytes{3});
+  EXPECT_EQ(bytes(m80, macro + " P <'!>'>\n"), Bytes{'>'});
+  EXPECT_EQ(bytes(intel, macro + " P <'!>'>\n"), Bytes{'>'});
+  EXPECT_EQ(bytes(mac, macro + " P <'^>'>\n"), Bytes{'>'});
+  EXPECT_EQ(bytes(mac, macro + " P <'!'>\n"), Bytes{'!'});
+  EXPECT_EQ(bytes(common, macro + " P <'!'>\n"), Bytes{'!'});
+  EXPECT_NE(first_message(common, macro + " P <'!'>\n").find("warning: found '!' in an argument, expected --dialect"),
+            std::string::npos);
+}
+
+// MACRO-80, section 2.3: `$` is one of the characters of a name. ASM, section 3: it is passed over in names and numbers.
+TEST(I8080Dialect, DollarsInNames) {
+  EXPECT_EQ(bytes(m80, "$abe EQU 5\nA$B: DB $abe\nAB: DB A$B,AB\n"), (Bytes{5, 0, 1}));
+  EXPECT_EQ(bytes(m80, "$name: JMP $name\n"), (Bytes{0xC3, 0, 0}));
+  EXPECT_EQ(bytes(mac, "A$B: DB 1$2\n DB AB\n"), (Bytes{12, 0}));
+  for (const auto dialect : {common, mac, intel}) {
+    EXPECT_EQ(first_message(dialect, " DB $abe\n").substr(0, 34), "t.asm:1:5: error: found '$abe', ex");
+    EXPECT_EQ(first_message(dialect, " NOP\n$name: JMP 0\n"),
+              "t.asm:2:1: error: found label '$name:', expected one that does not begin with `$`, which --dialect m80 has");
+  }
+  EXPECT_EQ(bytes(common, "$PRINT\n DB $3A\n"), Bytes{0x3A});
+}
+
+// --- The other rows ---
+
+TEST(I8080Dialect, StatementsOfALine) {
+  EXPECT_EQ(bytes(mac, " NOP ! HLT\n"), (Bytes{0, 0x76}));
+  for (const auto dialect : {m80, intel}) {
+    EXPECT_EQ(first_message(dialect, " NOP ! HLT\n"),
+              "t.asm:1:6: error: found '!', expected the end of the statement; --dialect mac separates statements with `!`");
+  }
+}
+
+// Intel, chapter 4: IF looks at the low-order bit.
+TEST(I8080Dialect, BitZeroOfIf) {
+  const std::string text = " IF 2\n DB 1\n ELSE\n DB 0\n ENDIF\n";
+  EXPECT_EQ(bytes(mac, text), Bytes{1});
+  EXPECT_EQ(bytes(m80, text), Bytes{1});
+  EXPECT_EQ(bytes(intel, text), Bytes{0});
+  EXPECT_NE(first_message(intel, text).find("warning: found value 2 of IF"), std::string::npos);
+  EXPECT_EQ(first_message(intel, " IF 0FFFFH\n ENDIF\n IF 0\n ENDIF\n"), "");
+}
+
+TEST(I8080Dialect, LongNamesAreWarnedOf) {
+  EXPECT_EQ(first_message(intel, "SEVENCH: NOP\n"),
+            "t.asm:1:1: warning: found 'SEVENCH' of 7 characters, expected at most 6, which are all that count with --dialect intel");
+  EXPECT_EQ(first_message(m80, "SIXCHR: NOP\n"), "");
+  EXPECT_EQ(first_message(mac, "SEVENTEENCHARACTS: NOP\n").substr(0, 20), "t.asm:1:1: warning: ");
+  EXPECT_EQ(first_message(common, "SEVENTEENCHARACTS: NOP\n"), "");
+}
+
+// --- What all of them have ---
+
+TEST(I8080Dialect, RelationsBySign) {
+  EXPECT_EQ(bytes(m80, " DB 1=1,1<>1,1<2,2<=1,2>1,1>=2\n"), (Bytes{0xFF, 0, 0xFF, 0, 0xFF, 0}));
+  EXPECT_EQ(bytes(common, " DB 1+1=2 AND 3>2\n"), Bytes{0xFF});
+}
+
+TEST(I8080Dialect, LabelsThatAreWordsOfTheLanguage) {
+  EXPECT_EQ(bytes(common, "daa: JMP daa\nLT: JMP LT\nM: MOV A,M\n JMP M\nlda: LDA lda\n"),
+            (Bytes{0xC3, 0, 0, 0xC3, 3, 0, 0x7E, 0xC3, 6, 0, 0x3A, 10, 0}));
+  EXPECT_EQ(bytes(common, " JMP ret\n DB (RET)\nret: NOP\n"), (Bytes{0xC3, 4, 0, 4, 0})) << "also before it is defined";
+  EXPECT_EQ(bytes(common, "LT: DB 1 LT 2\n"), Bytes{0xFF}) << "between operands it is the operator";
+  EXPECT_FALSE(assembled(common, "NOT: NOP\n").ok());
+}
+
+TEST(I8080Dialect, ALabelOnEndm) {
+  EXPECT_EQ(bytes(m80, "P MACRO\n JMP DONE\nDONE: ENDM\n P\n NOP\n"), (Bytes{0xC3, 3, 0, 0}));
+}
+
+TEST(I8080Dialect, WhatIsOpenAtTheEnd) {
+  EXPECT_EQ(bytes(m80, "P MACRO\n IF 1\n DB 1\n ENDM\n P\n DB 2\n"), (Bytes{1, 2}));
+  EXPECT_EQ(first_message(m80, " IF 1\n DB 1\n END\n").substr(0, 20), "t.asm:1:2: warning: ");
+}
+
+TEST(I8080Dialect, EqualDefinitions) {
+  EXPECT_EQ(bytes(common, "A1: EQU 5\nA1 EQU 5\n DB A1\n"), Bytes{5});
+  EXPECT_FALSE(assembled(common, "A1 EQU 5\nA1 EQU 6\n").ok());
+  EXPECT_FALSE(assembled(common, "A1: NOP\nA1: NOP\n").ok());
+}
+
+// MACRO-80: passes, radix, phase, comments, common blocks, externals, X'..'.
+TEST(I8080Dialect, DirectivesOfMacro80) {
+  EXPECT_EQ(bytes(m80, " IF1\nONE EQU 7\n ENDIF\n IF2\n DB ONE\n ENDIF\n"), Bytes{7});
+  EXPECT_EQ(bytes(m80, " .RADIX 16\n DB 10,0FB,1D,11Q\n .RADIX 10\n DB 10\n .RADIX 2\n DB 101,10D\n"),
+            (Bytes{0x10, 0xFB, 0x1D, 9, 10, 5, 10}));
+  EXPECT_EQ(bytes(m80, " ORG 100H\n NOP\n .PHASE 200H\nX: JMP X\n DW $\n .DEPHASE\nY: DW Y\n"),
+            (Bytes{0, 0xC3, 0, 2, 3, 2, 6, 1}));
+  EXPECT_EQ(bytes(m80, " DB 1\n .COMMENT * DB 2\n DB 3\n DB 4 * DB 5\n DB 6\n .COMMENT /one line/\n DB 7\n"), (Bytes{1, 6, 7}));
+  EXPECT_FALSE(assembled(m80, " .COMMENT *\n NOP\n").ok());
+  EXPECT_EQ(bytes(m80, " CALL SUB##\n EXTRN TOP\n DW TOP\nSUB:: RET\nTOP: NOP\n"), (Bytes{0xCD, 5, 0, 6, 0, 0xC9, 0}));
+  EXPECT_EQ(bytes(m80, " DB X'0F',x'a'\n"), (Bytes{0x0F, 0x0A}));
+  EXPECT_FALSE(assembled(m80, " DB X'0G'\n").ok());
+}
+
+TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
+  EXPECT_EQ(bytes(m80, " DB 1\n COMMON /C/\nA1: DS 2\nB1: DB 9\n CSEG\n DB 2\n COMMON /C/\nA2: DS 2\n CSEG\n DB A1,A2\n"),
+            (Bytes{1, 0, 0, 9, 2, 1, 1}));
+  EXPECT_FALSE(assembled(m80, " COMMON /C/\n DS 1\n CSEG\n COMMON /C/\n DS 2\n").ok());
+  EXPECT_FALSE(assembled(m80, " COMMON C\n").ok());
+}
+
+TEST(I8080Dialect, NumbersWrapWithAWarning) {
+  EXPECT_EQ(bytes(common, " DW 65536,10001H\n"), (Bytes{0, 0, 1, 0}));
+  EXPECT_EQ(messages(assembled(common, " DW 65536,10001H\n")).size(), 2U);
+}
+
+TEST(I8080Dialect, ExternalsAreFoundInOtherSourcesOfTheCommand) {
+  const std::vector<SourceFile> sources{{"a.asm", " EXTRN PUTC\n CALL PUTC\n"}, {"b.asm", " PUBLIC PUTC\nPUTC: RET\n"}};
+  const auto assembly = assemble_i8080(sources);
+  EXPECT_TRUE(assembly.ok());
+  EXPECT_EQ(bytes_of(assembly), (Bytes{0xCD, 3, 0, 0xC9}));
+}
+
+// --- Laws ---
+
+TEST(I8080Dialect, TheDisassemblerIsReadTheSameInEach) {
+  std::mt19937 random(1974);
+  for (int program = 0; program < tests::effort(1000, 100); ++program) {
+    image::ByteImage image;
+    auto at = static_cast<std::uint16_t>(random() % 0xFF00);
+    for (unsigned n = 0; n < 40; ++n) {
+      if (random() % 16 == 0) at = static_cast<std::uint16_t>(at + random() % 5);
+      image.put(at++, static_cast<std::uint8_t>(random()));
+    }
+    const std::vector<SourceFile> sources{{"again", disassembler::disassemble_i8080(image)}};
+    for (const auto dialect : {common, mac, m80, intel}) {
+      I8080Options options;
+      options.dialect = dialect;
+      options.listing = false;
+      const auto assembly = assemble_i8080(sources, options);
+      ASSERT_TRUE(assembly.diagnostics.empty()) << to_string(assembly.diagnostics[0]);
+      ASSERT_EQ(assembly.image, image) << program;
+    }
+  }
+}
+
+TEST(I8080Dialect, NamesAndRowsAreWhole) {
+  for (const std::string_view name : i8080_dialect_names) {
+    const auto dialect = i8080_dialect_named(name);
+    ASSERT_TRUE(dialect) << name;
+    EXPECT_EQ(rules_of(*dialect).dialect, *dialect);
+  }
+  EXPECT_FALSE(i8080_dialect_named("z80"));
+  for (const I8080DialectRow& row : i8080_dialect_rows()) {
+    bool differs = false;
+    for (const auto dialect : {mac, m80, intel}) differs = differs || row.says(rules_of(dialect)) != row.says(rules_of(common));
+    EXPECT_TRUE(differs) << row.what;
+  }
+}
+
+}  // namespace
+}  // namespace sightline::assembler

@@ -1,0 +1,95 @@
+// See dialect.hpp.
+#include "tools/asm/i8080/dialect.hpp"
+
+#include <algorithm>
+
+namespace sightline::assembler {
+namespace {
+
+constexpr I8080Rules common{};
+constexpr I8080Rules mac{.dialect = I8080Dialect::mac, .bang_ends_comment = true, .location_moves = true, .significant = 16};
+constexpr I8080Rules m80{.dialect = I8080Dialect::m80,
+                         .bang_separates = false,
+                         .literal = '!',
+                         .dollar_in_names = true,
+                         .significant = 6};
+constexpr I8080Rules intel{.dialect = I8080Dialect::intel,
+                           .bang_separates = false,
+                           .literal = '!',
+                           .if_takes_bit_zero = true,
+                           .significant = 6};
+
+bool is_common(const I8080Rules& rules) {
+  return rules.dialect == I8080Dialect::common;
+}
+
+constexpr std::array rows{
+    I8080DialectRow{"`!` outside strings and comments",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.bang_separates ? "separates statements" : "an error";
+                    },
+                    "ASM, section 2; MAC, section 2"},
+    I8080DialectRow{"`!` in a comment",
+                    [](const I8080Rules& rules) -> std::string {
+                      if (is_common(rules)) return "belongs to it; a warning if a statement could begin there";
+                      return rules.bang_ends_comment ? "ends it" : "belongs to it";
+                    },
+                    "ASM, section 2: a comment extends to the next end of line or `!`"},
+    I8080DialectRow{"`$` behind the first item of DB and DW",
+                    [](const I8080Rules& rules) -> std::string {
+                      const std::string all = "the address of the statement";
+                      return is_common(rules) ? all + "; a warning" : rules.location_moves ? "the address of the item" : all;
+                    },
+                    "MAC, section 4; MACRO-80, section 2.4; Intel, chapter 2"},
+    I8080DialectRow{"to take the next character of a macro argument as it is",
+                    [](const I8080Rules& rules) -> std::string {
+                      const std::string sign = std::string("`") + rules.literal + "`";
+                      return is_common(rules) ? sign + "; a warning at `!`" : sign;
+                    },
+                    "MAC, section 8; MACRO-80, section 2.9; Intel, chapter 5"},
+    I8080DialectRow{"`$` in a name",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.dollar_in_names ? "a character like others, also the first" : "passed over; not the first";
+                    },
+                    "ASM, section 3; MACRO-80, section 2.3"},
+    I8080DialectRow{"`$` before a digit",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.dollar_in_names ? "begins a name" : "a hexadecimal number";
+                    },
+                    "of this assembler, but for MACRO-80, section 2.3"},
+    I8080DialectRow{"`IF` is true",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.if_takes_bit_zero ? "if bit 0 is 1; a warning if that is not the same as: not 0" : "if not 0";
+                    },
+                    "ASM, section 4; Intel, chapter 4"},
+    I8080DialectRow{"characters of a name that count",
+                    [](const I8080Rules& rules) -> std::string {
+                      if (rules.significant == 0) return "all";
+                      return std::to_string(rules.significant) + "; all count here, with a warning";
+                    },
+                    "MAC, section 2; MACRO-80, section 2.3; Intel, chapter 2"},
+};
+
+}  // namespace
+
+const I8080Rules& rules_of(I8080Dialect dialect) {
+  switch (dialect) {
+    case I8080Dialect::mac: return mac;
+    case I8080Dialect::m80: return m80;
+    case I8080Dialect::intel: return intel;
+    case I8080Dialect::common: break;
+  }
+  return common;
+}
+
+std::optional<I8080Dialect> i8080_dialect_named(std::string_view name) {
+  const auto found = std::find(i8080_dialect_names.begin(), i8080_dialect_names.end(), name);
+  if (found == i8080_dialect_names.end()) return std::nullopt;
+  return static_cast<I8080Dialect>(found - i8080_dialect_names.begin());
+}
+
+std::span<const I8080DialectRow> i8080_dialect_rows() {
+  return rows;
+}
+
+}  // namespace sightline::assembler

@@ -1,0 +1,47 @@
+// How the assemblers of the time differ in reading the same 8080 source: one row for each difference. The assembler decides by
+// the rules, and the manual's table is made from the rows.
+//
+// Without a dialect the common language is read: what means the same in all of them. What does not is taken as stated there, with a
+// warning where another dialect would make other bytes of it.
+//
+// Sources: Digital Research, "CP/M MAC Macro Assembler: Language Manual and Applications Guide" (1980) and "CP/M Assembler (ASM)
+// User's Guide"; Microsoft, "Utility Software Manual", MACRO-80 (1981); Intel, "8080/8085 Assembly Language Programming Manual" (1979,
+// 9800301).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sightline::assembler {
+
+enum class I8080Dialect : std::uint8_t { common, mac, m80, intel };
+
+struct I8080Rules {
+  I8080Dialect dialect = I8080Dialect::common;
+  bool bang_ends_comment = false;      // a statement begins behind `!` in a comment
+  bool bang_separates = true;          // statements of a line
+  bool location_moves = false;         // `$` behind the first item of DB or DW is where that item goes
+  char literal = '^';                  // in macro arguments: the next character is taken as it is
+  bool dollar_in_names = false;        // `$` is a character of a name like any other
+  bool if_takes_bit_zero = false;      // of the value of IF, not whether it is 0
+  std::size_t significant = 0;         // characters of a name; 0: all
+};
+
+[[nodiscard]] const I8080Rules& rules_of(I8080Dialect dialect);
+// "mac", "m80", "intel"; none for others.
+[[nodiscard]] std::optional<I8080Dialect> i8080_dialect_named(std::string_view name);
+inline constexpr std::array<std::string_view, 4> i8080_dialect_names{"common", "mac", "m80", "intel"};
+
+struct I8080DialectRow {
+  std::string_view what;
+  std::string (*says)(const I8080Rules& rules);
+  std::string_view source;
+};
+[[nodiscard]] std::span<const I8080DialectRow> i8080_dialect_rows();
+
+}  // namespace sightline::assembler
