@@ -27,6 +27,7 @@
 // Left out: the FORTRAN pseudo-operations EXTERNAL, INTERNAL, LIBFRM, and the Cambridge dialect.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,7 +53,13 @@ struct Define {
 // expected ...".
 [[nodiscard]] base::Result<Define> parse_define(std::string_view text);
 
+enum class Dialect : std::uint8_t {
+  dec,   // DIGITAL-7-3-S, as above
+  bell,  // `as` of Bell Laboratories, 1970: pdp7/bell.hpp
+};
+
 struct Options {
+  Dialect dialect = Dialect::dec;  // `bell` has none of the other options but `defines`
   std::vector<Define> defines;
   bool twos_complement = false;
   bool undefined_are_variables = false;
@@ -70,13 +77,14 @@ struct ProgramSymbol {
 };
 
 struct Assembly {
+  Dialect dialect = Dialect::dec;
   image::CoreImage image;               // empty if there was an error
   std::vector<ProgramSymbol> symbols;   // in alphabetical order
   std::vector<ListingLine> listing;     // address, octal word, source
   std::vector<Diagnostic> diagnostics;  // in the order of the source
 
   [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // By the assembler's own rule: any case, first six characters.
+  // By the rule of the dialect: any case and six characters, or this case and eight.
   [[nodiscard]] std::optional<core::Word18> value_of(std::string_view name) const;
 };
 

@@ -193,6 +193,12 @@ struct Disassembler {
   std::string_view help;
   std::string_view file_help;
   std::string (*disassemble)(const Program& program);
+  // Languages of the assembler's option --dialect in which it writes, too. `own` is that of `disassemble`.
+  struct Dialects {
+    std::string_view own = {};
+    std::vector<std::pair<std::string_view, Result<std::string> (*)(const Program& program)>> others = {};
+  };
+  Dialects dialects = {};
 };
 
 // --- A run ---

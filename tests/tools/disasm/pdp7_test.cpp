@@ -82,5 +82,46 @@ TEST(DisassemblePdp7, SourceHasOriginsAndComments) {
   EXPECT_EQ(disassemble_pdp7({}), "");
 }
 
+// --- The dialect of Bell Laboratories ---
+
+assembler::Assembly assemble_bell(std::string text) {
+  assembler::Options options;
+  options.dialect = assembler::Dialect::bell;
+  const std::vector<assembler::SourceFile> sources{{"disassembly", std::move(text)}};
+  return assembler::assemble_pdp7(sources, options);
+}
+
+// 8K words at a time, which is all that the dialect has.
+TEST(DisassemblePdp7Bell, EveryWordComesBack) {
+  for (std::uint32_t block = 0; block < 32; block += tests::effort(1U, 9U)) {
+    image::CoreImage image;
+    for (std::uint32_t i = 0; i <= image::field_mask; ++i) image.words[i] = Word18(block << 13 | i);
+    const auto source = disassemble_pdp7_bell(image);
+    ASSERT_TRUE(source) << source.error().message();
+    const assembler::Assembly assembly = assemble_bell(*source);
+    ASSERT_TRUE(assembly.diagnostics.empty()) << assembler::to_string(assembly.diagnostics.front());
+    ASSERT_EQ(assembly.image.words, image.words);
+  }
+}
+
+TEST(DisassemblePdp7Bell, WritesItsNumbersAndComments) {
+  const image::CoreImage image{{{0, Word18(0200010)}, {0100, Word18(0653111)}, {0101, Word18(0740030)}}, 0100};
+  const auto source = disassemble_pdp7_bell(image);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(*source,
+            ".. = 0\n"
+            "   lac 010               \" 00000 200010\n"
+            ". = 000100\n"
+            "   mul-011               \" 00100 653111\n"
+            "   0740030               \" 00101 740030\n"
+            "\" start 00100\n");
+}
+
+TEST(DisassemblePdp7Bell, RefusesWhatTheDialectCannotAddress) {
+  const auto source = disassemble_pdp7_bell({{{017777, Word18(0)}, {020000, Word18(0)}}, {}});
+  ASSERT_FALSE(source);
+  EXPECT_EQ(source.error().found, "a word at 20000");
+}
+
 }  // namespace
 }  // namespace sightline::disassembler

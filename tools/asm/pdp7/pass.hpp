@@ -3,12 +3,14 @@
 // the words. Only that last pass reports diagnostics, so that none is reported twice.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,9 @@ struct Pdp7Program {
   std::vector<std::uint32_t> pool_bases;  // address of each literal pool, in the order of their placing
   std::vector<EmittedWord> words;
   std::vector<std::pair<Position, Diagnostic>> diagnostics;
+  // Of the dialect of Bell Laboratories alone (bell.hpp): all definitions of 0: to 9:, and the value of `..`.
+  std::array<std::vector<std::uint32_t>, 10> relative_labels;
+  std::optional<std::uint32_t> base;
   std::optional<std::uint32_t> start;
 };
 
@@ -114,6 +119,10 @@ class Pdp7Pass {
   std::map<std::uint32_t, Position> occupied_;
   std::set<std::string> clashes_;
 };
+
+// The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
+// there and what follows must be right too: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
+[[nodiscard]] std::string_view pseudo_operation_named(std::string_view word);
 
 // A token as a message shows it.
 [[nodiscard]] std::string describe(const Token& token);

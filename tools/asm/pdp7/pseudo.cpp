@@ -16,9 +16,9 @@ std::optional<std::uint32_t> trimmed_ascii(char c) {
   return std::nullopt;
 }
 
-// The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
-// there and what follows must be right too: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
-std::string_view pseudo_name(std::string_view word) {
+}  // namespace
+
+std::string_view pseudo_operation_named(std::string_view word) {
   constexpr std::array<std::string_view, 10> names{"text",  "title",   "ifzero", "ifnzro",    "start",
                                                    "pause", "decimal", "octal",  "constants", "variables"};
   const std::string lower = lower_case(word.substr(0, 12));
@@ -29,11 +29,9 @@ std::string_view pseudo_name(std::string_view word) {
   return {};
 }
 
-}  // namespace
-
 bool Pdp7Pass::pseudo_operation() {
   const Position at = token_.at;
-  const std::string_view name = pseudo_name(token_.text);
+  const std::string_view name = pseudo_operation_named(token_.text);
   if (name.empty()) return false;
   if (name == "text") {
     text();
@@ -101,7 +99,7 @@ void Pdp7Pass::skip_block(const Position& opened) {
       return error(opened, "'<' that is never closed", "'>' before the end of the file");
     }
     if (at_start && token_.kind == TokenKind::name) {
-      const std::string_view name = pseudo_name(token_.text);
+      const std::string_view name = pseudo_operation_named(token_.text);
       const TokenKind next = following().kind;
       const bool defined = next == TokenKind::comma || next == TokenKind::equals;
       if (name == "text" && !defined) static_cast<void>(lexer_.delimited());
