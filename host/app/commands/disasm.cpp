@@ -44,6 +44,7 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   const auto file = accepted(file_argument(machine, "FILE", arguments.text("FILE")));
   const auto input = read_named(file.path);
   auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  for (const std::string& warning : program.warnings) warn(warning);
   keep_range(program, address_argument(machine, arguments, "--start").value_or(0),
              address_argument(machine, arguments, "--end").value_or(UINT32_MAX));
   const std::string source = source_of(disassembler, program, arguments);

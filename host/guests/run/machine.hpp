@@ -128,6 +128,7 @@ struct Program {
   std::optional<std::uint32_t> start;
   // Of a dump: numbers of registers, as in the description, and their values; PC among them.
   std::vector<std::pair<std::size_t, std::uint32_t>> registers = {};
+  std::vector<std::string> warnings = {};  // of reading it
 };
 
 // A form of a program in a file.

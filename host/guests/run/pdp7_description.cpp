@@ -276,9 +276,12 @@ bool is(std::span<const std::uint8_t> bytes) {
 
 Result<Program> read_image(std::span<const std::uint8_t> bytes, const std::string& file,
                            std::optional<std::uint32_t> address) {
-  const auto core = image::read_image(bytes, file, address);
+  std::vector<std::string> warnings;
+  const auto core = image::read_image(bytes, file, address, &warnings);
   if (!core) return bad_input(core.error().message(base::MessageStyle::compiler));
-  return program_of(core.value());
+  Program program = program_of(core.value());
+  program.warnings = std::move(warnings);
+  return program;
 }
 
 template <auto write>

@@ -69,6 +69,10 @@ constexpr std::array pdp7_cases{
     Refused{"start 100\nstart 200", "what follows START is not read"},
     Refused{"hlt )", "a bracket that nothing opened"},
     Refused{"*200", "an origin is `200/`"},
+    Refused{"external sqrt", "there is no linker"},
+    Refused{"libfrm", "there is no linker"},
+    Refused{"jmp 1f", "a construct of the other dialect"},
+    Refused{"loop: lac x", "a construct of the other dialect"},
 };
 
 constexpr std::array i8080_cases{
@@ -134,11 +138,15 @@ base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
       {"ifzero", "`IFZERO a <...>`: assemble the part in brackets if a is +0 or -0"},
       {"ifnzro", "`IFNZRO a <...>`: if a is not zero"},
       {"start", "`START a`: the end of the source, and the start address a"},
-      {"pause", "the end of this source; the next follows"},
+      {"pause", "the end of a tape; what follows in the source is read as the next one"},
       {"decimal", "numbers are decimal from here to the end of the file"},
       {"octal", "numbers are octal again"},
       {"constants", "the literals used so far are placed here"},
       {"variables", "the variables used so far are placed here, in alphabetical order"},
+      {"punch", "nothing: all words are written"},
+      {"external", "`EXTERNAL a b`: names that another source of the program defines"},
+      {"internal", "`INTERNAL a b`: names for other sources, defined in this one"},
+      {"libfrm", "refused: the library must be among the sources"},
   };
   const auto words = quoted_words(source, "names{");
   if (!words) return words.error();

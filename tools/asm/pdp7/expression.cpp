@@ -66,7 +66,7 @@ std::optional<Value> Pdp7Pass::primary() {
     case TokenKind::hash: return symbol();
     case TokenKind::open: return literal();
     case TokenKind::dot: advance(); return Value::number(location_);
-    default: error(token_.at, describe(token_), std::string(a_term)); return std::nullopt;
+    default: error(token_.at, found_here(), std::string(a_term)); return std::nullopt;
   }
 }
 
@@ -75,6 +75,10 @@ std::optional<Value> Pdp7Pass::number() {
   advance();
   const char highest = decimal_ ? '9' : '7';
   std::uint32_t n = 0;
+  if (token.text.size() == 2 && (token.text[1] == 'f' || token.text[1] == 'b')) {
+    error(token.at, describe(token) + ", a relative label of --dialect bell", "a tag with a name");
+    return std::nullopt;
+  }
   for (const char c : token.text) {
     if (c < '0' || c > highest) {
       error(token.at, "'" + std::string(1, c) + "' in number " + describe(token),
@@ -93,7 +97,7 @@ std::optional<Value> Pdp7Pass::number() {
   return value;
 }
 
-// name, #name or name#
+// name, #name or name#, with # or $
 std::optional<Value> Pdp7Pass::symbol() {
   bool marked = token_.kind == TokenKind::hash;
   if (marked) advance();
@@ -110,8 +114,9 @@ std::optional<Value> Pdp7Pass::symbol() {
   Symbol& found = look_up(name);
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
-    if (!options_.undefined_are_variables) {
-      error(name.at, "undefined symbol " + describe(name),
+    const bool external = program_.externals.contains(program_.symbols.key(name.text));
+    if (!options_.undefined_are_variables && !external) {  // an external one is reported where it is declared
+      error(name.at, "undefined symbol " + describe(name) + (name.text == "sys" ? ", a system call of --dialect bell" : ""),
             "a tag, an assignment, or #" + std::string(name.text));
     }
     return Value::unknown();

@@ -39,6 +39,7 @@ struct Pdp7Program {
   std::array<std::vector<std::uint32_t>, 10> relative_labels;
   std::optional<std::uint32_t> base;
   std::optional<std::uint32_t> start;
+  std::set<std::string> externals;  // keys of the names that EXTERNAL declares
 };
 
 class Pdp7Pass {
@@ -59,13 +60,15 @@ class Pdp7Pass {
   void statement();
   bool pseudo_operation();  // true if the statement is one
   void end_statement();
-  void define_tag(Token name);
-  void assign(Token name);
-  void assemble_expression();
+  void define_tag(Token name, std::uint32_t value, int form);
+  [[nodiscard]] bool assign(Token name);  // true if it was a tag: more of the statement may follow
   void text();
   void conditional(bool when_zero);
   void skip_block(const Position& opened);
-  void end_of_file(bool start);
+  void end_of_file();
+  void next_tape();
+  void declare(bool external);
+  void refuse_undefined_declarations();
   void place_literals(const Position& at);
   void place_variables(const Position& at);
   void emit(std::uint32_t word, const Position& at, std::string stands_for = {});
@@ -90,6 +93,8 @@ class Pdp7Pass {
   [[nodiscard]] bool at_end_of_statement() const;
   void skip_statement();
   Symbol& look_up(const Token& name);
+  // What stands here, as a message shows it; with the dialect to which it belongs, if that is not this one.
+  [[nodiscard]] std::string found_here() const;
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
   void say(Severity severity, const Position& at, std::string found, std::string expected);
@@ -118,6 +123,7 @@ class Pdp7Pass {
   std::set<std::string> placed_variables_;
   std::map<std::uint32_t, Position> occupied_;
   std::set<std::string> clashes_;
+  std::vector<std::pair<Token, bool>> declared_;  // of EXTERNAL (true) and INTERNAL
 };
 
 // The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
