@@ -33,9 +33,10 @@ void keep_range(guests::run::Program& program, std::uint32_t first, std::uint32_
 }
 
 // Failure bad_input if the dialect cannot say it.
-std::string source_of(const Disassembler& disassembler, const guests::run::Program& program, const Arguments& arguments) {
+std::string source_of(const Disassembler& disassembler, const guests::run::Program& program, const Arguments& arguments,
+                      const std::string& file) {
   for (const auto& [name, write] : disassembler.dialects.others)
-    if (arguments.text("--dialect") == name) return accepted(write(program));
+    if (arguments.text("--dialect") == name) return accepted(write(program, file));
   return disassembler.disassemble(program);
 }
 
@@ -47,7 +48,7 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   for (const std::string& warning : program.warnings) warn(warning);
   keep_range(program, address_argument(machine, arguments, "--start").value_or(0),
              address_argument(machine, arguments, "--end").value_or(UINT32_MAX));
-  const std::string source = source_of(disassembler, program, arguments);
+  const std::string source = source_of(disassembler, program, arguments, input.name);
   Output output(arguments.text("--output"));
   output.write(source);
   output.commit();

@@ -194,10 +194,12 @@ struct Disassembler {
   std::string_view help;
   std::string_view file_help;
   std::string (*disassemble)(const Program& program);
-  // Languages of the assembler's option --dialect in which it writes, too. `own` is that of `disassemble`.
+  // Languages of the assembler's option --dialect in which it writes, too. `own` is that of `disassemble`. The error of one
+  // that cannot say the program names the file.
   struct Dialects {
+    using Write = Result<std::string> (*)(const Program& program, const std::string& file);
     std::string_view own = {};
-    std::vector<std::pair<std::string_view, Result<std::string> (*)(const Program& program)>> others = {};
+    std::vector<std::pair<std::string_view, Write>> others = {};
   };
   Dialects dialects = {};
 };

@@ -320,10 +320,12 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
                    source_lines(assembly.listing, 8)};
 }
 
-Result<std::string> disassemble_bell(const Program& program) {
+Result<std::string> disassemble_bell(const Program& program, const std::string& file) {
   auto text = disassembler::disassemble_pdp7_bell(core_image(program));
-  if (!text) return bad_input(text.error().message(base::MessageStyle::compiler));
-  return std::move(*text);
+  if (text) return std::move(*text);
+  base::Error error = text.error();
+  error.file = file;
+  return bad_input(error.message(base::MessageStyle::compiler));
 }
 
 template <auto disassembler>

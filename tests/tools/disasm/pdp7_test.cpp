@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -101,6 +106,44 @@ TEST(DisassemblePdp7Bell, EveryWordComesBack) {
     const assembler::Assembly assembly = assemble_bell(*source);
     ASSERT_TRUE(assembly.diagnostics.empty()) << assembler::to_string(assembly.diagnostics.front());
     ASSERT_EQ(assembly.image.words, image.words);
+  }
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The Jones program with both multiplications, and every example: from DEC's language into that of Bell Laboratories and back.
+TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
+  namespace fs = std::filesystem;
+  const fs::path root = SIGHTLINE_SOURCE_DIR;
+  std::map<std::string, std::vector<assembler::SourceFile>> programs;
+  for (const std::string folder : {"firmware/pdp7/jones", "host/examples/pdp7", "host/examples/type340"}) {
+    for (const auto& entry : fs::directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".s") continue;
+      const std::string name = folder.starts_with("firmware") ? folder : entry.path().string();
+      programs[name].push_back({entry.path().string(), text_of(entry.path())});
+    }
+  }
+  auto& jones = programs["firmware/pdp7/jones"];
+  ASSERT_EQ(jones.size(), 7U);
+  std::sort(jones.begin(), jones.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  jones.push_back({"scene", "scene, 0\n"});
+  ASSERT_GE(programs.size(), 10U);
+  for (const auto& [name, sources] : programs) {
+    for (const std::uint32_t eae : {0U, 1U}) {
+      assembler::Options options;
+      options.defines = {{"EAE", Word18(eae)}};
+      const auto assembled = assembler::assemble_pdp7(sources, options);
+      ASSERT_TRUE(assembled.ok()) << name << assembler::to_string(assembled.diagnostics.front());
+      const auto source = disassemble_pdp7_bell(assembled.image);
+      ASSERT_TRUE(source) << name << source.error().message();
+      const auto again = assemble_bell(*source);
+      EXPECT_TRUE(again.diagnostics.empty()) << name;
+      EXPECT_EQ(again.image.words, assembled.image.words) << name;
+    }
   }
 }
 

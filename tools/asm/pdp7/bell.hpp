@@ -5,7 +5,7 @@
 //   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
 //
 // Source: as.s, the assembler's own source (pdp7-unix, scans/as.s); the names in parentheses are its labels.
-// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits go on with it; eight characters count
+// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight characters count
 //   (gs2), and `a` is not `A`. `;` and the end of the line end a statement, `"` begins a comment (gchar).
 // - Numbers are decimal, octal with a leading 0 (gs3). All arithmetic is two's complement in 18 bits (oper).
 // - Blank is OR. `+` and `-` bind more closely, and blanks beside them count for nothing (gpair, expr).

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/tools/asm/assemble.hpp"
 
@@ -208,6 +211,76 @@ TEST(BellErrors, AllOfAProgramInOneRun) {
   EXPECT_EQ(a.diagnostics[2].column, 16U);
   EXPECT_EQ(a.diagnostics[3].file, "b.s");
   EXPECT_EQ(a.diagnostics[4].line, 3U);
+}
+
+// Random programs whose words the generator knows, because it counts the locations and knows the codes itself.
+class Generated {
+ public:
+  explicit Generated(unsigned seed) : dice_(seed) {
+    for (std::uint32_t at = 0; at < length; ++at) word(at);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const Words& words() const { return words_; }
+
+ private:
+  static constexpr std::uint32_t length = 200;
+
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(dice_() % n); }
+  static std::string octal(std::uint32_t n) {
+    std::string digits;
+    for (; n != 0; n >>= 3) digits.insert(digits.begin(), static_cast<char>('0' + (n & 7)));
+    return "0" + digits;
+  }
+  void add(const std::string& text, std::uint32_t word) {
+    text_ += text + (below(3) == 0 ? "; " : below(2) == 0 ? " \" a, comment: (1)\n" : "\n");
+    words_.push_back(word & 0777777);
+  }
+  // Every location has a label, every third a relative one.
+  void word(std::uint32_t at) {
+    static const std::vector<std::pair<std::string, std::uint32_t>> memory{
+        {"dac", 0040000}, {"jms", 0100000}, {"lac", 0200000}, {"tad", 0340000}, {"isz", 0440000}, {"jmp", 0600000}};
+    text_ += "l" + std::to_string(at) + ": ";
+    if (at % 3 == 0) text_ += "4: ";
+    const std::uint32_t number = below(01000000);
+    switch (below(6)) {
+      case 0: return add(std::to_string(number), number);
+      case 1: return add(octal(number), number);
+      case 2: return add("-" + std::to_string(number), 01000000 - number);
+      case 3: {
+        const auto a = static_cast<char>('a' + below(26));
+        const auto b = static_cast<char>('A' + below(26));
+        return add(std::string("<") + a + b + ">", static_cast<std::uint32_t>(a) * 512 + static_cast<std::uint32_t>(b));
+      }
+      case 4: {
+        const bool forward = at + 3 < length && below(2) == 0;
+        const std::uint32_t target = at / 3 * 3 + (forward ? 3 : 0);
+        return add(forward ? "lac 4f" : "lac 4b", 0200000 + target);
+      }
+      default: {
+        const auto& [name, code] = memory[below(6)];
+        const std::uint32_t target = below(length);
+        const std::uint32_t offset = below(10);
+        const bool indirect = below(2) == 0;
+        return add(name + " l" + std::to_string(target) + "+" + std::to_string(offset) + (indirect ? " i" : ""),
+                   code + target + offset + (indirect ? 020000 : 0));
+      }
+    }
+  }
+
+  std::mt19937 dice_;
+  std::string text_;
+  Words words_;
+};
+
+TEST(BellLanguage, GeneratedProgramsHaveTheirWords) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Generated program(seed);
+    const Assembly at_0 = bell("..=0\n" + program.text());
+    ASSERT_EQ(messages(at_0), Texts{}) << program.text();
+    ASSERT_EQ(words(at_0), program.words()) << program.text();
+    const Assembly elsewhere = bell("..=01000\n" + program.text());
+    ASSERT_EQ(words(elsewhere, 01000).size(), program.words().size());
+  }
 }
 
 // As large as the kernel of 1970, with labels of both kinds: the words are known, and the limit is ten times what a
