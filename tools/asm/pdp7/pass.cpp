@@ -262,6 +262,7 @@ void Pdp7Pass::place_variables(const Position& at) {
 std::string Pdp7Pass::found_here() const {
   const std::string shown = describe(token_);
   if (token_.kind == TokenKind::less) return shown + ", which begins a character in --dialect bell";
+  if (token_.kind == TokenKind::comma) return shown + ", which is this location in the Cambridge dialect";
   if (token_.kind != TokenKind::bad) return shown;
   if (token_.text == "\"") return shown + ", which begins a comment in --dialect bell";
   if (token_.text == ":") return shown + ", which ends a label in --dialect bell";

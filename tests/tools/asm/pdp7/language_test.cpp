@@ -262,7 +262,7 @@ TEST(Pdp7Language, NameEqualsExpressionComma) {
   const Assembly a = assemble("cdr\ncdr 1\ncdr i\ncdr=jms, 0\nbase=100, 7\nlac base");
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{0100003, 0100004, 0120003, 0, 7, 0200104}));
-  EXPECT_EQ(messages(assemble("here=, 5")), (Texts{"t.s:1:6: error: found ',', expected a number, a name, '.' or '('"}));
+  EXPECT_EQ(messages(assemble("here=, 5")), (Texts{"t.s:1:6: error: found ',', which is this location in the Cambridge dialect, expected a number, a name, '.' or '('"}));
 }
 
 TEST(Pdp7Language, ATagByAnExpressionHasOnePlace) {
@@ -302,6 +302,17 @@ TEST(Pdp7Language, DeclaredNamesMustBeDefined) {
   EXPECT_EQ(messages(assemble("libfrm")),
             (Texts{"t.s:1:1: error: found LIBFRM, which asks DEC's Linking Loader for a library, expected the library among "
                    "the sources of the program"}));
+}
+
+TEST(Pdp7Language, OtherAssemblersConstructsAreNamed) {
+  for (const auto& [text, name] : {std::pair<std::string, std::string>{"djs=0\ndjs , 2", "the Cambridge dialect"},
+                                   {"disp", "the Cambridge dialect"},
+                                   {"nodisp", "the Cambridge dialect"},
+                                   {"*200", "PAL of the PDP-8"}}) {
+    const Texts all = messages(assemble(text));
+    ASSERT_FALSE(all.empty()) << text;
+    EXPECT_NE(all.front().find(name), std::string::npos) << all.front();
+  }
 }
 
 // Sources of the other dialect are refused by its name, and make no words.
