@@ -153,7 +153,7 @@ bool BellPass::label_or_assignment() {
   } else if (next == ':' && name.size() == 1) {
     define_relative_label(name[0]);
   } else {
-    error(at, "'" + std::string(name.substr(0, 20)) + next + "'", "a relative label 0: to 9:, or a name");
+    error(at, shown_name(std::string(name.substr(0, 40)) + next), "a relative label 0: to 9:, or a name");
     if (next == '=') skip_statement();
   }
   return true;
@@ -170,14 +170,14 @@ void BellPass::define_label(std::string_view name, const Position& at) {
     const std::string where = symbol.defined.line == 0 ? "the command line"
                                                        : sources_[symbol.defined.file].name + ":" +
                                                              std::to_string(symbol.defined.line);
-    return error(at, "label '" + std::string(name) + "', already defined at " + where, "a name of its own");
+    return error(at, "label " + shown_name(name) + ", already defined at " + where, "a name of its own");
   }
   if (symbol.kind == SymbolKind::permanent) symbol.was_permanent = true;
   if (symbol.was_permanent) {
-    warning(at, "label '" + std::string(name) + "', which hides the instruction of this name", "a name of its own");
+    warning(at, "label " + shown_name(name) + ", which hides the instruction of this name", "a name of its own");
   }
   if (final_ && symbol.value != location_.value) {
-    error(at, "label '" + std::string(name) + "' at another location than in the pass before",
+    error(at, "label " + shown_name(name) + " at another location than in the pass before",
           "locations that do not depend on themselves");
   }
   symbol.kind = SymbolKind::tag;
@@ -207,19 +207,19 @@ void BellPass::assign(std::string_view name, const Position& at) {
   Symbol& symbol = look_up(name, at);
   if (symbol.kind == SymbolKind::define) return;
   if (symbol.kind == SymbolKind::tag) {
-    return error(at, "an assignment to '" + std::string(name) + "', which is a label", "a name of its own");
+    return error(at, "an assignment to " + shown_name(name) + ", which is a label", "a name of its own");
   }
   const int form = value->relocatable != 0 ? relocatable_form : 0;
   const bool same = symbol.kind == SymbolKind::permanent && symbol.value == value->value && form == 0;
   if (symbol.kind == SymbolKind::permanent && !same && value->known) symbol.was_permanent = true;
   if (symbol.was_permanent) {
-    warning(at, "an assignment to '" + std::string(name) + "', which changes the instruction of this name",
+    warning(at, "an assignment to " + shown_name(name) + ", which changes the instruction of this name",
             "a name of its own");
   }
   const bool first = symbol.defined_in_pass != number_;
   if (!first && value->known && symbol.value && symbol.value != value->value) symbol.several_values = true;
   if (final_ && first && !symbol.several_values && symbol.value != value->value) {
-    error(at, "'" + std::string(name) + "' with another value than in the pass before",
+    error(at, shown_name(name) + " with another value than in the pass before",
           "a definition that does not depend on itself");
   }
   // A source that repeats the machine's own value leaves it the name of an instruction.
@@ -304,7 +304,7 @@ Symbol& BellPass::look_up(std::string_view name, const Position& at) {
   Symbol& symbol = program_.symbols[name];
   if (final_ && (name.size() > 8 || symbol.name.size() > 8) && name != symbol.name &&
       clashes_.insert(std::string(name)).second) {
-    warning(at, "'" + std::string(name) + "', the same symbol as '" + symbol.name + "'",
+    warning(at, shown_name(name) + ", the same symbol as " + shown_name(symbol.name),
             "names that differ in their first eight characters");
   }
   return symbol;

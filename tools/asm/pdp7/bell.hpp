@@ -42,6 +42,9 @@ inline constexpr std::uint32_t relocatable_label = 01000000;
 
 [[nodiscard]] bool bell_letter(char c);
 
+// A name as a message shows it, the first 40 characters.
+[[nodiscard]] std::string shown_name(std::string_view name);
+
 // Puts the names that the dialect has beside those of the machine into the table.
 void enter_bell_symbols(SymbolTable& symbols);
 

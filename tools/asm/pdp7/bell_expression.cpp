@@ -25,6 +25,11 @@ bool seven_bits(char c) {
 
 }  // namespace
 
+std::string shown_name(std::string_view name) {
+  constexpr std::size_t most = 40;
+  return "'" + std::string(name.substr(0, most)) + (name.size() > most ? "...'" : "'");
+}
+
 // Letters in the sense of as.s (lactab, class 6).
 bool bell_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '*';
@@ -171,13 +176,13 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
   const bool of_source = found.kind == SymbolKind::tag || found.kind == SymbolKind::assigned;
   const bool later = of_source && found.defined_in_pass != number_;
   if (later && (found.several_values || in_location_)) {
-    error(at, "'" + std::string(name) + "' before its first definition",
+    error(at, shown_name(name) + " before its first definition",
           in_location_ ? "a name that is defined before, because the location depends on it"
                        : "an earlier assignment, because it is assigned several values");
     return Number{0, 0, false};
   }
   if (!found.value) {
-    error(at, "'" + std::string(name) + "' without a value", "a definition that does not depend on itself");
+    error(at, shown_name(name) + " without a value", "a definition that does not depend on itself");
     return Number{0, 0, false};
   }
   const auto form = static_cast<Form>(found.form);
@@ -188,7 +193,7 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
 
 // With what the writer may have meant: another dialect's word, or another case.
 void BellPass::undefined(std::string_view name, const Position& at) {
-  const std::string shown = "'" + std::string(name.substr(0, 40)) + "'";
+  const std::string shown = shown_name(name);
   const std::string lower = lower_case(name);
   const Symbol* const small = lower == name ? nullptr : program_.symbols.find(lower);
   if (small != nullptr && small->kind == SymbolKind::permanent) {

@@ -70,6 +70,13 @@ TEST(BellLanguage, Characters) {
             (Words{0141000, 0141142, 0142, 0141012, 0141142, 076, 073001, 040012, 0141142, 061}));
 }
 
+// How printed sources of 1970 write strings: >x for the right half, blanks and any other sign, a label before `..`.
+TEST(BellLanguage, CharactersAsInPrintedSources) {
+  EXPECT_EQ(words_at_0("<g>o;< > ;< > \" end\n<*z>\n<;;<:;<? 012\n.>;->;:>;=>\njms 7; 3:..; ..\nlac 3b\na:b:4:5\nlac b"),
+            (Words{0147157, 040040, 040040, 052172, 073000, 072000, 077012, 056, 055, 072, 075, 0100007, 0, 0, 0200014, 5,
+                   0200017}));
+}
+
 // assm4: a label is `.`; several can stand before one word.
 TEST(BellLanguage, Labels) {
   EXPECT_EQ(words_at_0("a: b: c : 5\nlac b\nd:\ne: lac d; lac e; Lac: 0\nlac Lac"),
@@ -201,6 +208,15 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
   expect("1\n.=.-1\n2", "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word a "
                         "location");
   expect("_x", "1:1: error: found '_', expected a name, a number, '.' or a character <a");
+}
+
+TEST(BellErrors, LongNamesAreShownByTheirBeginning) {
+  const std::string name(100000, 'x');
+  EXPECT_EQ(first_message(name), "t.s:1:1: error: found undefined name '" + std::string(40, 'x') +
+                                     "...', expected a label or an assignment in one of the sources");
+  for (const std::string& text : {name + ": 1\n" + name + ": 2", name + "=1;" + name + ": 2", name + ": 1;" + name + "=3",
+                                  std::string(100000, '1') + ": 5", std::string(100000, '1'), "1" + name})
+    EXPECT_LT(first_message(text).size(), 200U) << first_message(text).substr(0, 100);
 }
 
 TEST(BellErrors, AllOfAProgramInOneRun) {
