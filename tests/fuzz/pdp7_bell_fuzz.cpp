@@ -1,5 +1,5 @@
-// Any bytes as PDP-7 source in the dialect of Bell Laboratories. What assembles must come back from the dialect's
-// disassembler as the same words, and as the same words again from that of DEC's language.
+// Any bytes as PDP-7 source in the dialect of Bell Laboratories. What assembles must come back from the
+// dialect's disassembler as the same words, and as the same words again from that of DEC's language.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -22,7 +22,8 @@ void check_round_trips(const image::CoreImage& image) {
   const auto text = disassembler::disassemble_pdp7_bell(image);
   if (!text) std::abort();  // the dialect makes no words that it cannot say
   if (assemble({{"again", *text}}, assembler::Dialect::bell).image != image) std::abort();
-  if (assemble({{"dec", disassembler::disassemble_pdp7(image)}}, assembler::Dialect::dec).image != image) std::abort();
+  if (assemble({{"dec", disassembler::disassemble_pdp7(image)}}, assembler::Dialect::dec).image != image)
+    std::abort();
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Which symbol a name means: the one by the rule of DEC's assembler, or the one so written where that means several.
+// Which symbol a name means: the one by the rule of DEC's assembler, or the one so written where that means
+// several.
 #include "host/live/symbols.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ TEST(Symbols, AnyCaseAndSixCharactersOnThePdp7) {
 // The dialect of Bell Laboratories has both names of each pair.
 TEST(Symbols, ANameThatMeansTwoMustBeWrittenOut) {
   Symbols symbols(8);
-  ASSERT_TRUE(symbols.add_table("a 000001\nA 000002\nu.ofiles 000003\nu.ofilex 000004\nb 000005\nB 000005\n"));
+  ASSERT_TRUE(
+      symbols.add_table("a 000001\nA 000002\nu.ofiles 000003\nu.ofilex 000004\nb 000005\nB 000005\n"));
   EXPECT_EQ(symbols.value("a"), 1U);
   EXPECT_EQ(symbols.value("A"), 2U);
   EXPECT_EQ(symbols.value("u.ofilex"), 4U);

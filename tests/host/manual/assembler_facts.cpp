@@ -75,6 +75,26 @@ constexpr std::array pdp7_cases{
     Refused{"loop: lac x", "a construct of the other dialect"},
 };
 
+constexpr std::array bell_cases{
+    Refused{"begin, lac 5", "a construct of DEC's language"},
+    Refused{"lac (5", "a construct of DEC's language"},
+    Refused{"lac 5 / five", "a construct of DEC's language"},
+    Refused{"LAC 5", "case matters"},
+    Refused{"sys open", "the sources define the names of system calls"},
+    Refused{"a: 1\na: 2", "`as` takes the second place from there on"},
+    Refused{"lac -1", "`as` makes 177777 of it: lac minus 1"},
+    Refused{"law -3", "757775 is no LAW; -3 alone is one: 777775"},
+    Refused{"08", "a leading 0 means octal"},
+    Refused{"262144", "a word has 18 bits"},
+    Refused{"jmp 1f", "no label 1: behind it"},
+    Refused{"10: 5", "relative labels are 0: to 9:"},
+    Refused{"a: lac a+a", "`..` would have to be added twice"},
+    Refused{"1+", "`as` adds 0"},
+    Refused{"1\n..=0", "what was before would be elsewhere"},
+    Refused{". = 020000", "core ends at 017777"},
+    Refused{"iof: 0", "only a warning: the name is a label in all of the program"},
+};
+
 constexpr std::array i8080_cases{
     Refused{"        JMP     NOWHERE", "an undefined name"},
     Refused{"        MVI     A,300", "a byte is -128 to 255"},
@@ -125,6 +145,12 @@ base::Error undescribed(const std::string& word) {
 
 base::Result<std::string> pdp7_refused() {
   return refused(pdp7_cases, [](const auto& files) { return assembler::assemble_pdp7(files); });
+}
+
+base::Result<std::string> bell_refused() {
+  assembler::Options options;
+  options.dialect = assembler::Dialect::bell;
+  return refused(bell_cases, [&options](const auto& files) { return assembler::assemble_pdp7(files, options); });
 }
 
 base::Result<std::string> i8080_refused() {

@@ -8,6 +8,7 @@
 namespace sightline::manual {
 
 [[nodiscard]] base::Result<std::string> pdp7_refused();
+[[nodiscard]] base::Result<std::string> bell_refused();  // of the dialect of Bell Laboratories
 [[nodiscard]] base::Result<std::string> i8080_refused();
 // From the source of the assembler, because its tables are not in a header. An error names a word without description.
 [[nodiscard]] base::Result<std::string> pdp7_pseudo_operations(const std::string& source);

@@ -161,11 +161,13 @@ bool BellPass::label_or_assignment() {
 
 void BellPass::define_label(std::string_view name, const Position& at) {
   if (name == location_name || name == base_name) {
-    return error(at, "label '" + std::string(name) + "'", "a name of its own; '" + std::string(name) + " =' sets it");
+    return error(at, "label '" + std::string(name) + "'",
+                 "a name of its own; '" + std::string(name) + " =' sets it");
   }
   base_used_ = true;
   Symbol& symbol = look_up(name, at);
-  const bool again = symbol.kind == SymbolKind::tag && (symbol.defined != at || symbol.defined_in_pass == number_);
+  const bool again =
+      symbol.kind == SymbolKind::tag && (symbol.defined != at || symbol.defined_in_pass == number_);
   if (again || symbol.kind == SymbolKind::assigned || symbol.kind == SymbolKind::define) {
     const std::string where = symbol.defined.line == 0 ? "the command line"
                                                        : sources_[symbol.defined.file].name + ":" +
@@ -174,7 +176,8 @@ void BellPass::define_label(std::string_view name, const Position& at) {
   }
   if (symbol.kind == SymbolKind::permanent) symbol.was_permanent = true;
   if (symbol.was_permanent) {
-    warning(at, "label " + shown_name(name) + ", which hides the instruction of this name", "a name of its own");
+    warning(at, "label " + shown_name(name) + ", which hides the instruction of this name",
+            "a name of its own");
   }
   if (final_ && symbol.value != location_.value) {
     error(at, "label " + shown_name(name) + " at another location than in the pass before",

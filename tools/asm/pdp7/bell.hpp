@@ -1,25 +1,29 @@
-// The dialect of Bell Laboratories' assembler `as` of 1970, one reading of all sources (see pdp7/pass.hpp for what the
-// passes do).
+// The dialect of Bell Laboratories' assembler `as` of 1970, one reading of all sources (see pdp7/pass.hpp for
+// what the passes do).
 //
 //   label:   1: jmp 1b; jmp 2f     name = expression     . = . + 10      " comment to the end of the line
 //   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
 //
 // Source: as.s, the assembler's own source (pdp7-unix, scans/as.s); the names in parentheses are its labels.
-// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight characters count
+// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight
+// characters count
 //   (gs2), and `a` is not `A`. `;` and the end of the line end a statement, `"` begins a comment (gchar).
 // - Numbers are decimal, octal with a leading 0 (gs3). All arithmetic is two's complement in 18 bits (oper).
 // - Blank is OR. `+` and `-` bind more closely, and blanks beside them count for nothing (gpair, expr).
 // - `<a` is a character in the left half of a word, `a>` in the right half, so `<ab>` both (lqot, rqot).
-// - `1:` can be defined often: 1b is the last definition before, 1f the next one behind; ten of them, 0 to 9 (assm3, gs3).
-// - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word with one of
+// - `1:` can be defined often: 1b is the last definition before, 1f the next one behind; ten of them, 0 to 9
+// (assm3, gs3).
+// - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word
+// with one of
 //   them (process). The difference of two is a number.
 // - The last location is 017777 (assm2).
-// The sources of 1970 define the names of instructions themselves (the file sop.s). Here those of the instruction table
-// are known, and `sys`, which is `cal i`; a source may define them again. The names of system calls are its own.
+// The sources of 1970 define the names of instructions themselves (the file sop.s). Here those of the
+// instruction table are known, and `sys`, which is `cal i`; a source may define them again. The names of
+// system calls are its own.
 //
-// Stricter than as.s, where that would make other words without a message: a name with two places, an operand that
-// changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in succession, a comma (as.s
-// takes it for a blank), `..` set after the first word or label.
+// Stricter than as.s, where that would make other words without a message: a name with two places, an operand
+// that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
+// succession, a comma (as.s takes it for a blank), `..` set after the first word or label.
 #pragma once
 
 #include <array>
@@ -36,7 +40,8 @@
 namespace sightline::assembler {
 
 inline constexpr std::uint32_t first_bell_base = 4096;  // `..` unless the source sets it (init, d4096)
-// What a Symbol of the dialect has as its form, and what a relative label has beside its location, if `..` is to be added.
+// What a Symbol of the dialect has as its form, and what a relative label has beside its location, if `..` is
+// to be added.
 inline constexpr int relocatable_form = 100;
 inline constexpr std::uint32_t relocatable_label = 01000000;
 
@@ -114,9 +119,9 @@ class BellPass {
   std::size_t line_ = 1;
   std::size_t line_start_ = 0;
   Number location_{0, 1, true};
-  bool base_used_ = false;                  // by a word or a label: it cannot change any more
-  bool character_before_ = false;           // the operand just read was <a
-  bool in_location_ = false;                // reading what `.` or `..` is set to
+  bool base_used_ = false;                    // by a word or a label: it cannot change any more
+  bool character_before_ = false;             // the operand just read was <a
+  bool in_location_ = false;                  // reading what `.` or `..` is set to
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
   std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass
   std::map<std::uint32_t, Position> occupied_;

@@ -44,7 +44,8 @@ std::optional<BellPass::Number> BellPass::expression() {
     if (!separated && !character_before_) return left;
     const std::optional<Number> right = sum();
     if (!right) return std::nullopt;
-    left = Number{left->value | right->value, left->relocatable + right->relocatable, left->known && right->known};
+    left = Number{left->value | right->value, left->relocatable + right->relocatable,
+                  left->known && right->known};
   }
   return left;
 }
@@ -72,9 +73,11 @@ std::optional<BellPass::Number> BellPass::sum() {
     if (!right) return std::nullopt;
     const bool known = left->known && right->known;
     if (operation == '+') {
-      left = Number{(left->value + right->value) & core::Word18::mask, left->relocatable + right->relocatable, known};
+      left = Number{(left->value + right->value) & core::Word18::mask, left->relocatable + right->relocatable,
+                    known};
     } else {
-      left = Number{(left->value - right->value) & core::Word18::mask, left->relocatable - right->relocatable, known};
+      left = Number{(left->value - right->value) & core::Word18::mask, left->relocatable - right->relocatable,
+                    known};
     }
   }
 }
@@ -93,14 +96,16 @@ std::optional<BellPass::Number> BellPass::operand() {
   return std::nullopt;
 }
 
-// <a, a> and >a. The last is not in as.s; printed sources have it, and as7 (pdp7-unix, tools/as7) reads it as a>.
+// <a, a> and >a. The last is not in as.s; printed sources have it, and as7 (pdp7-unix, tools/as7) reads it as
+// a>.
 std::optional<BellPass::Number> BellPass::character() {
   const Position at = position();
   const bool left = peek() == '<';
   const bool behind = !left && peek(1) != '>';
   const char c = left || behind ? peek(1) : peek();
   if (!seven_bits(c) || (left && c == '"')) {
-    error(at, "no character " + std::string(left || behind ? "behind '" : "before '") + (left ? '<' : '>') + "'",
+    error(at,
+          "no character " + std::string(left || behind ? "behind '" : "before '") + (left ? '<' : '>') + "'",
           c == '"' ? "another than '\"', which begins a comment; its code is 042"
                    : "one of ASCII, blank to '~', or its code as a number");
     return std::nullopt;
@@ -121,7 +126,8 @@ std::optional<BellPass::Number> BellPass::number() {
     return relative_label(at, static_cast<std::size_t>(digits[0] - '0'), next == 'f');
   }
   if (bell_letter(next)) {
-    const std::string shown(text_.substr(start, std::min<std::size_t>(take_name().size() + digits.size(), 20)));
+    const std::string shown(
+        text_.substr(start, std::min<std::size_t>(take_name().size() + digits.size(), 20)));
     error(at, "'" + shown + "'", "a number, or a relative label 0b to 9b or 0f to 9f");
     return std::nullopt;
   }
@@ -143,7 +149,8 @@ std::optional<BellPass::Number> BellPass::number() {
 }
 
 // A forward one is taken from the pass before: the definition behind as many as this pass has met.
-std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit, bool forward) {
+std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit,
+                                                         bool forward) {
   const auto& met = relative_[digit];
   const auto& all = program_.relative_labels[digit];
   std::uint32_t label = 0;
@@ -194,6 +201,7 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
 // With what the writer may have meant: another dialect's word, or another case.
 void BellPass::undefined(std::string_view name, const Position& at) {
   const std::string shown = shown_name(name);
+  if (peek() == ',') return error(at, shown + ", a tag of --dialect dec", "a label, with ':' behind the name");
   const std::string lower = lower_case(name);
   const Symbol* const small = lower == name ? nullptr : program_.symbols.find(lower);
   if (small != nullptr && small->kind == SymbolKind::permanent) {
@@ -207,8 +215,7 @@ void BellPass::undefined(std::string_view name, const Position& at) {
 
 std::optional<BellPass::Number> BellPass::checked(Number value, const Position& at) {
   if (!value.known || value.relocatable == 0 || value.relocatable == 1) return value;
-  error(at,
-        value.relocatable < 0 ? "a number minus a location" : "the sum of two locations",
+  error(at, value.relocatable < 0 ? "a number minus a location" : "the sum of two locations",
         "at most one location that is added, or the difference of two");
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
-// The dialect of Bell Laboratories' `as` of 1970. The words are worked out by hand from the instruction formats (P4-17 to
-// P4-23, P4-58) and from as.s, the assembler's own source (pdp7-unix, scans/as.s), whose labels each test names.
+// The dialect of Bell Laboratories' `as` of 1970. The words are worked out by hand from the instruction
+// formats (P4-17 to P4-23, P4-58) and from as.s, the assembler's own source (pdp7-unix, scans/as.s), whose
+// labels each test names.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -51,12 +52,14 @@ TEST(BellLanguage, PlusAndMinusBindMoreCloselyThanBlanks) {
   EXPECT_EQ(words_at_0("1 2 4\n5 4\n1 9+7\n9+7 1\n1 + 2 4\n6 -2 1"), (Words{7, 5, 021, 021, 7, 5}));
 }
 
-// The indirect bit is ORed wherever it stands: a trailing i as in the kernel, a leading one as in as.s itself.
+// The indirect bit is ORed wherever it stands: a trailing i as in the kernel, a leading one as in as.s
+// itself.
 TEST(BellLanguage, InstructionsAndTheTrailingI) {
-  EXPECT_EQ(words_at_0("x: lac x\ndac x+1 i\ndac i 8\njmp .-1\njms x i\nspa cla\ncla cma\nlrss 9\nalss 9\nllss 27\n"
-                       "law 017\nxct x"),
-            (Words{0200000, 0060001, 0060010, 0600002, 0120000, 0751100, 0750001, 0660511, 0660711, 0660633, 0760017,
-                   0400000}));
+  EXPECT_EQ(
+      words_at_0("x: lac x\ndac x+1 i\ndac i 8\njmp .-1\njms x i\nspa cla\ncla cma\nlrss 9\nalss 9\nllss 27\n"
+                 "law 017\nxct x"),
+      (Words{0200000, 0060001, 0060010, 0600002, 0120000, 0751100, 0750001, 0660511, 0660711, 0660633,
+             0760017, 0400000}));
 }
 
 // lactab: `;` has the class of the end of a line (5), `"` stops all to it (gchar).
@@ -70,11 +73,14 @@ TEST(BellLanguage, Characters) {
             (Words{0141000, 0141142, 0142, 0141012, 0141142, 076, 073001, 040012, 0141142, 061}));
 }
 
-// How printed sources of 1970 write strings: >x for the right half, blanks and any other sign, a label before `..`.
+// How printed sources of 1970 write strings: >x for the right half, blanks and any other sign, a label before
+// `..`.
 TEST(BellLanguage, CharactersAsInPrintedSources) {
-  EXPECT_EQ(words_at_0("<g>o;< > ;< > \" end\n<*z>\n<;;<:;<? 012\n.>;->;:>;=>\njms 7; 3:..; ..\nlac 3b\na:b:4:5\nlac b"),
-            (Words{0147157, 040040, 040040, 052172, 073000, 072000, 077012, 056, 055, 072, 075, 0100007, 0, 0, 0200014, 5,
-                   0200017}));
+  EXPECT_EQ(
+      words_at_0(
+          "<g>o;< > ;< > \" end\n<*z>\n<;;<:;<? 012\n.>;->;:>;=>\njms 7; 3:..; ..\nlac 3b\na:b:4:5\nlac b"),
+      (Words{0147157, 040040, 040040, 052172, 073000, 072000, 077012, 056, 055, 072, 075, 0100007, 0, 0,
+             0200014, 5, 0200017}));
 }
 
 // assm4: a label is `.`; several can stand before one word.
@@ -85,8 +91,10 @@ TEST(BellLanguage, Labels) {
 
 // assm3 counts the definitions of 0 to 9; gs3 looks for the count of f and the last of b.
 TEST(BellLanguage, RelativeLabels) {
-  EXPECT_EQ(words_at_0("1: jmp 1b\njmp 1f\n1: jmp 1b; jmp 1f\n2: 1: 0\njmp 2b\n1f-1b; 1: 7\n0: lac 0b; lac 9f+1\n9: 0"),
-            (Words{0600000, 0600002, 0600002, 0600004, 0, 0600004, 3, 7, 0200010, 0200013, 0}));
+  EXPECT_EQ(
+      words_at_0(
+          "1: jmp 1b\njmp 1f\n1: jmp 1b; jmp 1f\n2: 1: 0\njmp 2b\n1f-1b; 1: 7\n0: lac 0b; lac 9f+1\n9: 0"),
+      (Words{0600000, 0600002, 0600002, 0600004, 0, 0600004, 3, 7, 0200010, 0200013, 0}));
 }
 
 // The idiom of the kernel: t counts the temporaries of all routines, 9: reserves them.
@@ -115,7 +123,8 @@ TEST(BellLanguage, SystemCalls) {
 }
 
 TEST(BellLanguage, SeveralSourcesAreOneProgram) {
-  const std::vector<SourceFile> sources{{"a.s", "..=0\nlac d1\n1: jmp 1f\nlac d1"}, {"b.s", "\" b\n1: 5\nd1: 1\njmp 1b"}};
+  const std::vector<SourceFile> sources{{"a.s", "..=0\nlac d1\n1: jmp 1f\nlac d1"},
+                                        {"b.s", "\" b\n1: 5\nd1: 1\njmp 1b"}};
   const Assembly a = assemble_pdp7(sources, bell_options());
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{0200004, 0600003, 0200004, 5, 1, 0600003}));
@@ -125,23 +134,28 @@ TEST(BellLanguage, SeveralSourcesAreOneProgram) {
 TEST(BellLanguage, EightCharactersOfANameCount) {
   const Assembly a = bell("..=0\nabcdefgh1: 7\nlac abcdefgh2\nA: 1\na: 2\nlac a\n.x.y: 3");
   EXPECT_EQ(words(a), (Words{7, 0200000, 1, 2, 0200003, 3}));
-  EXPECT_EQ(messages(a), (Texts{"t.s:3:5: warning: found 'abcdefgh2', the same symbol as 'abcdefgh1', expected names that "
-                                "differ in their first eight characters"}));
+  EXPECT_EQ(messages(a),
+            (Texts{"t.s:3:5: warning: found 'abcdefgh2', the same symbol as 'abcdefgh1', expected names that "
+                   "differ in their first eight characters"}));
 }
 
 // A file such as sop.s says again what the instruction table says; the instructions stay known as such.
 TEST(BellLanguage, SourcesMayDefineTheInstructions) {
-  EXPECT_EQ(words_at_0("lac = 0200000\ni = 020000\nmine = 0700501\nlac 5 i\nmine"), (Words{0220005, 0700501}));
-  EXPECT_EQ(first_message("lac = 0200000\nlac -1"),
-            "t.s:2:1: error: found word 177777, which is no lac, expected an operand from 0 to 017777, and i");
+  EXPECT_EQ(words_at_0("lac = 0200000\ni = 020000\nmine = 0700501\nlac 5 i\nmine"),
+            (Words{0220005, 0700501}));
+  EXPECT_EQ(
+      first_message("lac = 0200000\nlac -1"),
+      "t.s:2:1: error: found word 177777, which is no lac, expected an operand from 0 to 017777, and i");
 }
 
 // as.s has no names of its own, so its source can have a label iof.
 TEST(BellLanguage, LabelsHideInstructions) {
   const Assembly a = bell("..=0\nlac iof\niof: 5");
   EXPECT_EQ(words(a), (Words{0200001, 5}));
-  EXPECT_EQ(messages(a), (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected a "
-                                "name of its own"}));
+  EXPECT_EQ(
+      messages(a),
+      (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected a "
+             "name of its own"}));
 }
 
 TEST(BellLanguage, DefinesWinOverAssignments) {
@@ -163,8 +177,8 @@ TEST(BellLanguage, ListingHasEveryWord) {
 // Each construct of the other dialect is named with that dialect; none makes a word in silence.
 TEST(BellErrors, ConstructsOfDecAreNamedWithTheirDialect) {
   const std::string dec = "--dialect dec";
-  for (const std::string source : {"begin, lac 5", "lac (5", "lac 5 / comment", "lac a#", "lac $a", "1!2", "3&1", "decimal",
-                                   "start 100", "text /abc/", "LAC 5", "variables"}) {
+  for (const std::string source : {"begin, lac 5", "lac (5", "lac 5 / comment", "lac a#", "lac $a", "1!2",
+                                   "3&1", "decimal", "start 100", "text /abc/", "LAC 5", "variables"}) {
     const Assembly a = bell(source);
     EXPECT_FALSE(a.ok()) << source;
     EXPECT_TRUE(a.image.words.empty()) << source;
@@ -178,35 +192,55 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
   const auto expect = [](const std::string& source, const std::string& message) {
     EXPECT_EQ(first_message(source), "t.s:" + message) << source;
   };
-  expect("lac nowhere", "1:5: error: found undefined name 'nowhere', expected a label or an assignment in one of the sources");
-  expect("08", "1:1: error: found '8' in octal number '08', expected octal digits; a decimal number begins with another "
-               "digit than 0");
+  expect(
+      "lac nowhere",
+      "1:5: error: found undefined name 'nowhere', expected a label or an assignment in one of the sources");
+  expect("begin, lac 5",
+         "1:1: error: found 'begin', a tag of --dialect dec, expected a label, with ':' behind the name");
+  expect("08",
+         "1:1: error: found '8' in octal number '08', expected octal digits; a decimal number begins with "
+         "another "
+         "digit than 0");
   expect("262144", "1:1: error: found number '262144', expected at most 0777777, which is 18 bits");
   expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected a name of its own");
-  expect("a: 1\na = 2", "2:1: error: found an assignment to 'a', which is a label, expected a name of its own");
+  expect("a: 1\na = 2",
+         "2:1: error: found an assignment to 'a', which is a label, expected a name of its own");
   expect("jmp 1f", "1:5: error: found '1f' without a label 1: behind it, expected the label, or 1b");
   expect("jmp 1b\n1: 0", "1:5: error: found '1b' without a label 1: before it, expected the label, or 1f");
   expect("12: 0", "1:1: error: found '12:', expected a relative label 0: to 9:, or a name");
   expect("10f", "1:1: error: found '10f', expected a number, or a relative label 0b to 9b or 0f to 9f");
   expect("1+", "1:3: error: found the end of the file, expected a name, a number, '.' or a character <a");
-  expect("a: lac a+a", "1:4: error: found the sum of two locations, expected at most one location that is added, or the "
-                       "difference of two");
-  expect("a: 1-a", "1:4: error: found a number minus a location, expected at most one location that is added, or the "
-                   "difference of two");
-  expect("law -3", "1:1: error: found word 757775, which is no law, expected an operand that fits the instruction");
-  expect("<\"a", "1:1: error: found no character behind '<', expected another than '\"', which begins a comment; its code "
-                 "is 042");
-  expect("<\n", "1:1: error: found no character behind '<', expected one of ASCII, blank to '~', or its code as a number");
-  expect("1\n..=0", "2:4: error: found '..' set after the first word or label, expected one value for the program, at its "
-                    "beginning");
+  expect("a: lac a+a",
+         "1:4: error: found the sum of two locations, expected at most one location that is added, or the "
+         "difference of two");
+  expect("a: 1-a",
+         "1:4: error: found a number minus a location, expected at most one location that is added, or the "
+         "difference of two");
+  expect("law -3",
+         "1:1: error: found word 757775, which is no law, expected an operand that fits the instruction");
+  expect("<\"a",
+         "1:1: error: found no character behind '<', expected another than '\"', which begins a comment; its "
+         "code "
+         "is 042");
+  expect("<\n",
+         "1:1: error: found no character behind '<', expected one of ASCII, blank to '~', or its code as a "
+         "number");
+  expect(
+      "1\n..=0",
+      "2:4: error: found '..' set after the first word or label, expected one value for the program, at its "
+      "beginning");
   expect(".=020000", "1:3: error: found location 020000, expected one up to 017777");
-  expect("..=0\n.=017777\n1;2", "3:3: error: found a word after location 017777, expected the end of the program");
-  expect(".=a\na: 0", "1:3: error: found 'a' before its first definition, expected a name that is defined before, because "
-                      "the location depends on it");
-  expect("lac t\nt=1\nt=2", "1:5: error: found 't' before its first definition, expected an earlier assignment, because it "
-                            "is assigned several values");
-  expect("1\n.=.-1\n2", "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word a "
-                        "location");
+  expect("..=0\n.=017777\n1;2",
+         "3:3: error: found a word after location 017777, expected the end of the program");
+  expect(".=a\na: 0",
+         "1:3: error: found 'a' before its first definition, expected a name that is defined before, because "
+         "the location depends on it");
+  expect("lac t\nt=1\nt=2",
+         "1:5: error: found 't' before its first definition, expected an earlier assignment, because it "
+         "is assigned several values");
+  expect("1\n.=.-1\n2",
+         "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word a "
+         "location");
   expect("_x", "1:1: error: found '_', expected a name, a number, '.' or a character <a");
 }
 
@@ -214,8 +248,9 @@ TEST(BellErrors, LongNamesAreShownByTheirBeginning) {
   const std::string name(100000, 'x');
   EXPECT_EQ(first_message(name), "t.s:1:1: error: found undefined name '" + std::string(40, 'x') +
                                      "...', expected a label or an assignment in one of the sources");
-  for (const std::string& text : {name + ": 1\n" + name + ": 2", name + "=1;" + name + ": 2", name + ": 1;" + name + "=3",
-                                  std::string(100000, '1') + ": 5", std::string(100000, '1'), "1" + name})
+  for (const std::string& text :
+       {name + ": 1\n" + name + ": 2", name + "=1;" + name + ": 2", name + ": 1;" + name + "=3",
+        std::string(100000, '1') + ": 5", std::string(100000, '1'), "1" + name})
     EXPECT_LT(first_message(text).size(), 200U) << first_message(text).substr(0, 100);
 }
 
@@ -229,7 +264,8 @@ TEST(BellErrors, AllOfAProgramInOneRun) {
   EXPECT_EQ(a.diagnostics[4].line, 3U);
 }
 
-// Random programs whose words the generator knows, because it counts the locations and knows the codes itself.
+// Random programs whose words the generator knows, because it counts the locations and knows the codes
+// itself.
 class Generated {
  public:
   explicit Generated(unsigned seed) : dice_(seed) {
@@ -254,7 +290,8 @@ class Generated {
   // Every location has a label, every third a relative one.
   void word(std::uint32_t at) {
     static const std::vector<std::pair<std::string, std::uint32_t>> memory{
-        {"dac", 0040000}, {"jms", 0100000}, {"lac", 0200000}, {"tad", 0340000}, {"isz", 0440000}, {"jmp", 0600000}};
+        {"dac", 0040000}, {"jms", 0100000}, {"lac", 0200000},
+        {"tad", 0340000}, {"isz", 0440000}, {"jmp", 0600000}};
     text_ += "l" + std::to_string(at) + ": ";
     if (at % 3 == 0) text_ += "4: ";
     const std::uint32_t number = below(01000000);
@@ -265,7 +302,8 @@ class Generated {
       case 3: {
         const auto a = static_cast<char>('a' + below(26));
         const auto b = static_cast<char>('A' + below(26));
-        return add(std::string("<") + a + b + ">", static_cast<std::uint32_t>(a) * 512 + static_cast<std::uint32_t>(b));
+        return add(std::string("<") + a + b + ">",
+                   static_cast<std::uint32_t>(a) * 512 + static_cast<std::uint32_t>(b));
       }
       case 4: {
         const bool forward = at + 3 < length && below(2) == 0;
@@ -277,8 +315,9 @@ class Generated {
         const std::uint32_t target = below(length);
         const std::uint32_t offset = below(10);
         const bool indirect = below(2) == 0;
-        return add(name + " l" + std::to_string(target) + "+" + std::to_string(offset) + (indirect ? " i" : ""),
-                   code + target + offset + (indirect ? 020000 : 0));
+        return add(
+            name + " l" + std::to_string(target) + "+" + std::to_string(offset) + (indirect ? " i" : ""),
+            code + target + offset + (indirect ? 020000 : 0));
       }
     }
   }
@@ -299,8 +338,8 @@ TEST(BellLanguage, GeneratedProgramsHaveTheirWords) {
   }
 }
 
-// As large as the kernel of 1970, with labels of both kinds: the words are known, and the limit is ten times what a
-// slow machine needs.
+// As large as the kernel of 1970, with labels of both kinds. It takes some milliseconds; the limit is for
+// sanitizers on a busy machine, and finds what is not linear.
 TEST(BellLanguage, ThreeThousandWords) {
   std::string text = "..=0\n";
   for (int i = 0; i < 1000; ++i) {
@@ -315,7 +354,7 @@ TEST(BellLanguage, ThreeThousandWords) {
   EXPECT_EQ(a.image.words.at(1), core::Word18(0220003));
   EXPECT_EQ(a.image.words.at(5), core::Word18(0600005));
   EXPECT_EQ(a.image.words.at(2998), core::Word18(0220000));
-  RecordProperty("seconds", std::to_string(taken.count()));
+  EXPECT_LT(taken.count(), 1.0);
 }
 
 }  // namespace
