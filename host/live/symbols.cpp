@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-
+#include <set>
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
 
@@ -19,6 +19,7 @@ std::string Symbols::key(std::string_view name) const {
 }
 
 base::Result<base::Done> Symbols::add_table(std::string_view text) {
+  std::set<std::string> met;  // keys of this table: a later table wins, a second symbol of the same does not
   for (std::size_t number = 1; !text.empty(); ++number) {
     std::string_view line = take_line(text);
     if (without_blanks(line).empty()) continue;
@@ -30,7 +31,13 @@ base::Result<base::Done> Symbols::add_table(std::string_view text) {
                          .expected = "NAME VALUE, as `sightline asm --symbols` writes them"};
     }
     values_[name] = static_cast<std::uint32_t>(*value);
-    keys_[key(name)] = static_cast<std::uint32_t>(*value);
+    std::optional<std::uint32_t>& same = keys_[key(name)];
+    const bool first = met.insert(key(name)).second;
+    if (first) {
+      same = static_cast<std::uint32_t>(*value);
+    } else if (same != static_cast<std::uint32_t>(*value)) {
+      same.reset();
+    }
     by_value_.emplace(static_cast<std::uint32_t>(*value), name);
   }
   return base::Done{};
@@ -48,7 +55,9 @@ void Symbols::add_listing(std::string_view text) {
 
 std::optional<std::uint32_t> Symbols::value(std::string_view name) const {
   const auto found = keys_.find(key(name));
-  return found == keys_.end() ? std::nullopt : std::optional(found->second);
+  if (found == keys_.end() || found->second) return found == keys_.end() ? std::nullopt : found->second;
+  const auto written = values_.find(name);
+  return written == values_.end() ? std::nullopt : std::optional(written->second);
 }
 
 std::string Symbols::near(std::uint32_t address) const {

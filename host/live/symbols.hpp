@@ -23,7 +23,8 @@ class Symbols {
   // Lines `ADDRESS CODE SOURCE`, others are passed over.
   void add_listing(std::string_view text);
 
-  // Any case; on the PDP-7 the assembler's own rule, the first six characters.
+  // Any case; on the PDP-7 the first six characters, as in DEC's language. Where that means several symbols of a program,
+  // which there can be in the dialect of Bell Laboratories, the name as it is written.
   [[nodiscard]] std::optional<std::uint32_t> value(std::string_view name) const;
   // "begin", "begin+5", or empty: no symbol is near. A symbol may be a number of any meaning: only those that
   // belong to an address of the listing count, if there is one.
@@ -47,7 +48,7 @@ class Symbols {
 
   int radix_;
   std::map<std::string, std::uint32_t, std::less<>> values_;  // as written
-  std::map<std::string, std::uint32_t, std::less<>> keys_;
+  std::map<std::string, std::optional<std::uint32_t>, std::less<>> keys_;  // nothing: several symbols
   std::map<std::uint32_t, std::string> by_value_;
   std::map<std::uint32_t, std::string> sources_;
   std::map<std::uint32_t, Place> places_;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "tools/asm/pdp7/bell.hpp"
 #include "tools/asm/pdp7/pass.hpp"
 
 namespace sightline::assembler {
@@ -23,6 +25,10 @@ void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, For
   symbol.form = static_cast<int>(form);
 }
 
+SymbolTable table_of(Dialect dialect) {
+  return dialect == Dialect::bell ? SymbolTable(8, false) : SymbolTable(6);
+}
+
 void enter_permanent_symbols(SymbolTable& symbols) {
   for (const auto& row : pdp7::instructions) {
     enter(symbols, row.mnemonic, row.value, form_of_instruction(row.value), SymbolKind::permanent);
@@ -37,7 +43,7 @@ void enter_permanent_symbols(SymbolTable& symbols) {
 auto layout(const Pdp7Program& program) {
   std::map<std::string, std::optional<std::uint32_t>> values;
   for (const auto& [key, symbol] : program.symbols) values.emplace(key, symbol.value);
-  return std::pair(std::move(values), program.pool_bases);
+  return std::tuple(std::move(values), program.pool_bases, program.relative_labels);
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -119,7 +125,7 @@ base::Result<Define> parse_define(std::string_view text) {
 }
 
 std::optional<core::Word18> Assembly::value_of(std::string_view name) const {
-  const SymbolTable rule(6);
+  const SymbolTable rule = table_of(dialect);
   const std::string key = rule.key(name);
   for (const ProgramSymbol& symbol : symbols) {
     if (rule.key(symbol.name) == key) return symbol.value;
@@ -129,21 +135,31 @@ std::optional<core::Word18> Assembly::value_of(std::string_view name) const {
 
 Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& options) {
   Assembly assembly;
+  assembly.dialect = options.dialect;
   if (sources.empty()) return assembly;
+  const bool bell = options.dialect == Dialect::bell;
   Pdp7Program program;
+  program.symbols = table_of(options.dialect);
   enter_permanent_symbols(program.symbols);
+  if (bell) enter_bell_symbols(program.symbols);
   for (const Define& define : options.defines) {
     enter(program.symbols, define.name, define.value.value(), Form::plain, SymbolKind::define);
     program.symbols[define.name].name = define.name;
   }
   int pass = 0;
+  const auto read = [&](bool final = false) {
+    if (bell) return BellPass(sources, program, pass, final).run();
+    Pdp7Pass(sources, options, program, pass, final).run();
+  };
   for (auto before = layout(program); ++pass <= most_layout_passes;) {
-    Pdp7Pass(sources, options, program, pass, false).run();
+    read();
     auto after = layout(program);
     if (after == before) break;
     before = std::move(after);
   }
-  Pdp7Pass(sources, options, program, pass + 1, true).run();
+  ++pass;
+  read(true);
+  if (bell) relocate_bell_symbols(program);
 
   std::stable_sort(program.diagnostics.begin(), program.diagnostics.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

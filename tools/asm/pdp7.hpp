@@ -4,7 +4,8 @@
 //   lac x   dac i 10   jmp .-2   lac (5   dac buf 5   spa cla   tad (-1+1)   ; separates statements on a line
 //   space or + adds, - subtracts, ! ors, & ands, from left to right; `.` is the location; `i` sets bit 4
 //   DECIMAL OCTAL (each file begins in octal), TEXT /abc/, TITLE ..., VARIABLES, CONSTANTS, PAUSE, START
-//   [expr], IFZERO expr <...>, IFNZRO expr <...>
+//   [expr], IFZERO expr <...>, IFNZRO expr <...>, PUNCH, EXTERNAL a b, INTERNAL a b
+//   name=jms, is a tag whose value is the expression and the location (Cambridge, 1972)
 //
 // Case does not matter and the first six characters of a name count (a warning if two names differ only after
 // them). A word such as START or TEXT is a pseudo-operation only as the first word of a statement and not
@@ -17,16 +18,19 @@
 //   would make 711101 of `spa cla`. Mixing skips of opposite sense warns: bit 1000 inverts all of them.
 // - What does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which
 //   a plain sum would turn into an OPR), a step count above 77.
-// - An undefined symbol is an error; `#x` or `x#` at one of its uses makes it a variable.
+// - An undefined symbol is an error; `#x` or `x#`, or with `$` for `#`, at one of its uses makes it a variable.
 //   Options::undefined_are_variables gives DEC's rule, under which a typing error is a variable.
 // - Literals are pooled by value. They are placed at CONSTANTS, variables at VARIABLES (in alphabetical
 //   order), the rest at the end: literals, then variables.
 // - TEXT packs three characters of trimmed ASCII (lower case as upper) to a word, high first, filled up with
-//   00: the code of the Type 342. What follows START or PAUSE in a file is not read.
+//   00: the code of the Type 342. What follows START in a file is not read; what follows PAUSE is another tape.
 // - -D NAME=VALUE wins over the source's own NAME=..., which so becomes its default.
-// Left out: the FORTRAN pseudo-operations EXTERNAL, INTERNAL, LIBFRM, and the Cambridge dialect.
+// - PUNCH makes no difference: all words are written. EXTERNAL and INTERNAL must name what a source defines.
+// Left out: LIBFRM of the FORTRAN system, and what else the Cambridge dialect has. Constructs of --dialect bell are
+// refused with its name.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,7 +56,13 @@ struct Define {
 // expected ...".
 [[nodiscard]] base::Result<Define> parse_define(std::string_view text);
 
+enum class Dialect : std::uint8_t {
+  dec,   // DIGITAL-7-3-S, as above
+  bell,  // `as` of Bell Laboratories, 1970: pdp7/bell.hpp
+};
+
 struct Options {
+  Dialect dialect = Dialect::dec;  // `bell` has none of the other options but `defines`
   std::vector<Define> defines;
   bool twos_complement = false;
   bool undefined_are_variables = false;
@@ -70,13 +80,14 @@ struct ProgramSymbol {
 };
 
 struct Assembly {
+  Dialect dialect = Dialect::dec;
   image::CoreImage image;               // empty if there was an error
   std::vector<ProgramSymbol> symbols;   // in alphabetical order
   std::vector<ListingLine> listing;     // address, octal word, source
   std::vector<Diagnostic> diagnostics;  // in the order of the source
 
   [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // By the assembler's own rule: any case, first six characters.
+  // By the rule of the dialect: any case and six characters, or this case and eight.
   [[nodiscard]] std::optional<core::Word18> value_of(std::string_view name) const;
 };
 

@@ -11,7 +11,8 @@ std::string lower_case(std::string_view text) {
 }
 
 std::string SymbolTable::key(std::string_view name) const {
-  return lower_case(name.substr(0, significant_));
+  const std::string_view part = name.substr(0, significant_);
+  return any_case_ ? lower_case(part) : std::string(part);
 }
 
 Symbol& SymbolTable::operator[](std::string_view name) {

@@ -1,4 +1,4 @@
-// Symbols by name. Upper and lower case are the same, and only the first characters of a name count: two names that
+// Symbols by name. Upper and lower case are the same unless the table is told otherwise, and only the first characters of a name count: two names that
 // agree in those are the same symbol. The table remembers how each was first written, for messages and listings.
 #pragma once
 
@@ -34,12 +34,13 @@ struct Symbol {
 
 class SymbolTable {
  public:
-  explicit SymbolTable(std::size_t significant) : significant_(significant) {}
+  explicit SymbolTable(std::size_t significant, bool any_case = true)
+      : significant_(significant), any_case_(any_case) {}
 
   // Makes an undefined symbol if there is none.
   Symbol& operator[](std::string_view name);
   [[nodiscard]] const Symbol* find(std::string_view name) const;
-  // Lower case, cut to the significant characters.
+  // Cut to the significant characters; in lower case if case does not matter.
   [[nodiscard]] std::string key(std::string_view name) const;
 
   [[nodiscard]] auto begin() { return symbols_.begin(); }
@@ -49,6 +50,7 @@ class SymbolTable {
 
  private:
   std::size_t significant_;
+  bool any_case_;
   std::map<std::string, Symbol, std::less<>> symbols_;
 };
 

@@ -125,6 +125,21 @@ std::optional<std::string> opr(std::uint32_t word) {
   return names.empty() ? std::nullopt : std::optional(joined(names));
 }
 
+bool alphanumeric(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+}
+
+// An instruction of DEC's language with its octal numbers as `as` reads them, with a leading 0.
+std::string with_leading_zeros(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins = text[at] >= '1' && text[at] <= '9' && (at == 0 || !alphanumeric(text[at - 1]));
+    if (begins) result += '0';
+    result += text[at];
+  }
+  return result;
+}
+
 std::string memory_reference(std::uint32_t word, std::uint32_t address, const pdp7::Instruction& row) {
   const std::string name = std::string(row.mnemonic) + ((word & pdp7::indirect_bit) != 0 ? " i" : "");
   const std::uint32_t field = word & image::field_mask;
@@ -143,6 +158,25 @@ std::string disassemble_word(core::Word18 word, std::uint32_t address) {
   if (!text && row.instruction_class == Class::eae) text = eae(value, row);
   if (!text && row.instruction_class == Class::opr) text = opr(value);
   return text.value_or(octal(value, 6));
+}
+
+base::Result<std::string> disassemble_pdp7_bell(const image::CoreImage& image) {
+  constexpr std::size_t comment_column = 24;
+  std::string text = ".. = 0\n";
+  std::uint32_t next = 0;
+  for (const auto& [address, word] : image.words) {
+    if (address > image::field_mask) {
+      return base::Error{.found = "a word at " + octal(address, 5),
+                         .expected = "words up to 17777, where --dialect bell ends (--end 17777 leaves the others out)"};
+    }
+    if (address != next) text += ". = 0" + octal(address, 5) + "\n";
+    next = address + 1;
+    std::string line = "   " + with_leading_zeros(disassemble_word(word, address));
+    if (line.size() < comment_column) line.resize(comment_column, ' ');
+    text += line + " \" " + octal(address, 5) + " " + octal(word.value(), 6) + "\n";
+  }
+  if (image.start) text += "\" start " + octal(*image.start, 5) + "\n";
+  return text;
 }
 
 std::string disassemble_pdp7(const image::CoreImage& image) {

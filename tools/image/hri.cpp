@@ -6,7 +6,7 @@
 namespace sightline::image {
 
 base::Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file,
-                                 std::uint32_t address) {
+                                 std::uint32_t address, std::vector<std::string>* warnings) {
   constexpr std::string_view word_or_end = "a word, the last with hole 7 in its third line";
   TapeReader reader(tape, file);
   CoreImage image;
@@ -15,7 +15,9 @@ base::Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string
     if (!read) return read.error();
     if (!read.value()) return reader.error(tape.size(), "the end of the tape", std::string(word_or_end));
     const TapeWord word = *read.value();
-    if (word.last) {
+    if (word.early && !reader.at_end_of_block()) return reader.early_error(word, word_or_end);
+    if (word.early && warnings != nullptr) warnings->push_back(reader.early_warning(word));
+    if (word.last || word.early) {
       if (word.value == hlt) return image;
       if ((word.value & opcode_mask) != jmp) {
         return reader.error(word.byte, "last word " + base::octal(word.value, 6), "JMP start or HLT");

@@ -14,19 +14,26 @@ bool printing(std::uint8_t byte) {
   return (byte >= ' ' && byte < 0177) || (byte >= '\t' && byte <= '\r');
 }
 
-// True if the first line with hole 7 in the third line of a word is also the last of its block.
-bool hole7_ends_a_block(std::span<const std::uint8_t> tape) {
+enum class End { none, proper, early };
+
+// Whether the first word with hole 7 is also the last of its block, and the line of the hole the third.
+End hole7_ends_a_block(std::span<const std::uint8_t> tape) {
   std::size_t line_of_word = 0;
+  bool early = false;
   for (std::size_t i = 0; i < tape.size(); ++i) {
     if ((tape[i] & hole8) == 0) {
       line_of_word = 0;
       continue;
     }
-    if (line_of_word == 2 && (tape[i] & hole7) != 0)
-      return i + 1 == tape.size() || (tape[i + 1] & hole8) == 0;
+    const bool hole = (tape[i] & hole7) != 0;
+    if (line_of_word == 2 && (hole || early)) {
+      if (i + 1 < tape.size() && (tape[i + 1] & hole8) != 0) return End::none;
+      return hole ? End::proper : End::early;
+    }
+    early = early || hole;
     line_of_word = (line_of_word + 1) % 3;
   }
-  return false;
+  return End::none;
 }
 
 }  // namespace
@@ -35,7 +42,8 @@ base::Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_
   constexpr std::string_view any = "an octal core image, a RIM tape or an HRI tape";
   if (bytes.empty()) return base::Error{std::string(file), "", "an empty file", std::string(any)};
   if (std::all_of(bytes.begin(), bytes.end(), printing)) return Format::octal;
-  if (hole7_ends_a_block(bytes)) return Format::hri;
+  const End end = hole7_ends_a_block(bytes);
+  if (end == End::proper || (end == End::early && !read_rim(bytes, file))) return Format::hri;
   TapeReader reader(bytes, file);
   const auto first = reader.next(any);
   if (!first) return first.error();
@@ -50,7 +58,7 @@ base::Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_
 }
 
 base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
-                                   std::optional<std::uint32_t> address) {
+                                   std::optional<std::uint32_t> address, std::vector<std::string>* warnings) {
   const auto format = recognise(bytes, file);
   if (!format) return format.error();
   switch (format.value()) {
@@ -58,13 +66,13 @@ base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::str
     case Format::rim:
       if (address)
         return base::Error{std::string(file), "", "an address for a RIM tape", "none: the tape has its own"};
-      return read_rim(bytes, file);
+      return read_rim(bytes, file, warnings);
     case Format::hri: break;
   }
   if (!address)
     return base::Error{std::string(file), "", "an HRI tape without an address",
                        "the address to read it in at"};
-  return read_hri(bytes, file, *address);
+  return read_hri(bytes, file, *address, warnings);
 }
 
 }  // namespace sightline::image

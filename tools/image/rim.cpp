@@ -12,7 +12,8 @@ constexpr std::string_view pair_or_end = "DAC address, JMP start or HLT";
 
 }  // namespace
 
-base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file) {
+base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file,
+                                 std::vector<std::string>* warnings) {
   TapeReader reader(tape, file);
   CoreImage image;
   for (;;) {
@@ -23,6 +24,9 @@ base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string
     if (word.last)
       return reader.error(word.byte, "word " + base::octal(word.value, 6) + " with hole 7",
                           "a RIM tape without hole 7");
+    const bool ends = (word.value & opcode_mask) == jmp || word.value == hlt;
+    if (word.early && !ends) return reader.early_error(word, pair_or_end);
+    if (word.early && warnings != nullptr) warnings->push_back(reader.early_warning(word));
     if ((word.value & opcode_mask) == jmp) {
       image.start = word.value & field_mask;
       return image;
@@ -35,6 +39,7 @@ base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string
     const auto data = reader.next(expected);
     if (!data) return data.error();
     if (!data.value()) return reader.error(tape.size(), "the end of the tape", expected);
+    if (data.value()->early) return reader.early_error(*data.value(), expected);
     if (data.value()->last)
       return reader.error(data.value()->byte, "a word with hole 7", expected + " without hole 7");
     image.words.insert_or_assign(word.value & field_mask, core::Word18(data.value()->value));

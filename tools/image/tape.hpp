@@ -10,6 +10,9 @@
 // HRI (hardware read-in, the READ IN key): words for successive addresses from the ADDRESS switches upward;
 // hole 7 in the third line of a word marks the last one, which is not stored but executed: JMP start, or HLT.
 //
+// Hole 7 in another line of the last word is read with a warning: so punched are tapes whose punch was a line ahead. In any
+// other word it is damage. A RIM tape needs no hole 7, and has it in no third line.
+//
 // Left out: the FF ("funny") format of DEC's one-pass assembler, whose loader resolves symbols; no tape of
 // ours needs it.
 #pragma once
@@ -17,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,9 +31,11 @@ namespace sightline::image {
 
 using Tape = std::vector<std::uint8_t>;  // one byte a line, hole 1 = bit 0, hole 8 = 0200
 
-[[nodiscard]] base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file);
+// Warnings ("FILE: byte N: ..., expected ...") are added to `warnings`, unless it is null.
+[[nodiscard]] base::Result<CoreImage> read_rim(std::span<const std::uint8_t> tape, std::string_view file,
+                                               std::vector<std::string>* warnings = nullptr);
 [[nodiscard]] base::Result<CoreImage> read_hri(std::span<const std::uint8_t> tape, std::string_view file,
-                                               std::uint32_t address);
+                                               std::uint32_t address, std::vector<std::string>* warnings = nullptr);
 
 // Fails on words above 17777, on words that would overwrite the RIM loader, and on a start address above
 // 17777. An image without a start address ends with HLT.
@@ -41,11 +47,13 @@ using Tape = std::vector<std::uint8_t>;  // one byte a line, hole 1 = bit 0, hol
 enum class Format { octal, rim, hri };
 
 // Which of the three a file is, by content alone: a text of printing characters is octal; a tape whose first
-// block ends with hole 7 is HRI; a tape that begins with a DAC is RIM.
+// block ends with a word with hole 7 is HRI, unless that hole is early and the tape can be read as RIM; a tape that begins
+// with a DAC is RIM.
 [[nodiscard]] base::Result<Format> recognise(std::span<const std::uint8_t> bytes, std::string_view file);
 
 // Recognises and reads. An HRI tape needs the address; a RIM tape has its own and refuses one.
 [[nodiscard]] base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::string_view file,
-                                                 std::optional<std::uint32_t> address);
+                                                 std::optional<std::uint32_t> address,
+                                                 std::vector<std::string>* warnings = nullptr);
 
 }  // namespace sightline::image

@@ -4,18 +4,6 @@
 #include "host/base/result.hpp"
 
 namespace sightline::image {
-namespace {
-
-// What is wrong with a line that ought to be one of a word, if anything.
-std::string bad_line(std::uint8_t line, bool third) {
-  if ((line & hole8) == 0) return "line " + base::octal(line, 3) + " without hole 8 inside a word";
-  if (!third && (line & hole7) != 0)
-    return "line " + base::octal(line, 3) + " with hole 7 before the third line of a word";
-  return {};
-}
-
-}  // namespace
-
 base::Error TapeReader::error(std::size_t byte, std::string found, std::string expected) const {
   return base::Error{std::string(file_), "byte " + std::to_string(byte), std::move(found),
                      std::move(expected)};
@@ -44,13 +32,28 @@ base::Result<std::optional<TapeWord>> TapeReader::next(std::string_view expected
       return error(at_, "the end of the tape inside a word", "three lines of " + std::string(expected));
     }
     const std::uint8_t holes = tape_[at_];
-    if (std::string found = bad_line(holes, line == 2); !found.empty()) {
-      return error(at_, std::move(found), "three lines with hole 8 of " + std::string(expected));
+    if ((holes & hole8) == 0) {
+      return error(at_, "line " + base::octal(holes, 3) + " without hole 8 inside a word",
+                   "three lines with hole 8 of " + std::string(expected));
     }
+    if (line != 2 && (holes & hole7) != 0) word.early = at_;
     word.value = word.value << 6 | (holes & data_holes);
     word.last = (holes & hole7) != 0;
   }
   return std::optional<TapeWord>{word};
+}
+
+base::Error TapeReader::early_error(const TapeWord& word, std::string_view expected) const {
+  const std::size_t byte = word.early.value_or(word.byte);
+  return error(byte, "line " + base::octal(tape_[byte], 3) + " with hole 7 before the third line of a word",
+               "three lines with hole 8 of " + std::string(expected));
+}
+
+std::string TapeReader::early_warning(const TapeWord& word) const {
+  const std::size_t byte = word.early.value_or(word.byte);
+  const base::Error warning = error(byte, "hole 7 in line " + std::to_string(byte - word.byte + 1) + " of the last word",
+                              "it in line 3; the tape is read to this word");
+  return warning.message();
 }
 
 void punch_feed(Tape& tape) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "host/base/result.hpp"
@@ -24,6 +25,7 @@ struct TapeWord {
   std::uint32_t value = 0;
   std::size_t byte = 0;  // of its first line
   bool last = false;     // hole 7 in its third line
+  std::optional<std::size_t> early = {};  // the byte of a line before with hole 7, which belongs into the third
 };
 
 class TapeReader {
@@ -33,7 +35,12 @@ class TapeReader {
   // The next word, or nothing at the end of the tape. `expected` says what for, if the tape is damaged.
   [[nodiscard]] base::Result<std::optional<TapeWord>> next(std::string_view expected);
   [[nodiscard]] base::Error error(std::size_t byte, std::string found, std::string expected) const;
-  [[nodiscard]] std::size_t position() const { return at_; }
+  // Of a word with hole 7 before its third line: what is wrong with it inside the tape, where it is damage; what to warn of
+  // where the tape ends with it.
+  [[nodiscard]] base::Error early_error(const TapeWord& word, std::string_view expected) const;
+  [[nodiscard]] std::string early_warning(const TapeWord& word) const;
+  // No line of another word follows directly.
+  [[nodiscard]] bool at_end_of_block() const { return at_ == tape_.size() || (tape_[at_] & hole8) == 0; }
 
  private:
   [[nodiscard]] std::optional<base::Error> skip_feed(std::string_view expected);

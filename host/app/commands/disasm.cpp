@@ -32,15 +32,25 @@ void keep_range(guests::run::Program& program, std::uint32_t first, std::uint32_
     throw Failure(ExitCode::bad_input, "--start, --end: found no word of the program in this range, expected one");
 }
 
+// Failure bad_input if the dialect cannot say it.
+std::string source_of(const Disassembler& disassembler, const guests::run::Program& program, const Arguments& arguments,
+                      const std::string& file) {
+  for (const auto& [name, write] : disassembler.dialects.others)
+    if (arguments.text("--dialect") == name) return accepted(write(program, file));
+  return disassembler.disassemble(program);
+}
+
 ExitCode disassemble(const MachineDescription& machine, const Disassembler& disassembler,
                      const Arguments& arguments) {
   const auto file = accepted(file_argument(machine, "FILE", arguments.text("FILE")));
   const auto input = read_named(file.path);
   auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  for (const std::string& warning : program.warnings) warn(warning);
   keep_range(program, address_argument(machine, arguments, "--start").value_or(0),
              address_argument(machine, arguments, "--end").value_or(UINT32_MAX));
+  const std::string source = source_of(disassembler, program, arguments, input.name);
   Output output(arguments.text("--output"));
-  output.write(disassembler.disassemble(program));
+  output.write(source);
   output.commit();
   return ExitCode::ok;
 }
@@ -58,6 +68,15 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine,
   }
   options.push_back({text, "--start", "ADDRESS", "Begin at this address; what lies before it is left out"});
   options.push_back({text, "--end", "ADDRESS", "Stop after this address"});
+  if (!disassembler.dialects.others.empty()) {
+    std::vector<std::string_view> names{disassembler.dialects.own};
+    for (const auto& [name, write] : disassembler.dialects.others) names.push_back(name);
+    options.push_back({.name = "--dialect",
+                       .argument = "NAME",
+                       .help = "Language of the source, as `sightline asm --dialect` reads it",
+                       .choices = names,
+                       .initial = disassembler.dialects.own});
+  }
   options.push_back({.name = "-o,--output",
                      .argument = "FILE",
                      .help = "Where the source goes; - is standard output",

@@ -36,6 +36,13 @@ std::string first_error(const std::vector<assembler::Diagnostic>& diagnostics) {
   return {};
 }
 
+// The assembler's option of which language sources are in; null if it reads one.
+const guests::run::Option* dialect_option(const MachineDescription& machine) {
+  const auto& options = machine.assembler.options;
+  const auto found = std::find_if(options.begin(), options.end(), [](const auto& each) { return each.name == "--dialect"; });
+  return found == options.end() ? nullptr : &*found;
+}
+
 // Replaces sources in --load by what they assemble to. Failure bad_input.
 Programs assemble_sources(const MachineDescription& machine, Arguments& arguments) {
   Programs programs{{}, live::Symbols(machine.radix)};
@@ -47,6 +54,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     const std::vector<assembler::SourceFile> sources{{path, read_input_text(path)}};
     Arguments options(machine.assembler.options);
     options.value("--listing").flag = true;
+    if (dialect_option(machine) != nullptr) options.value("--dialect").text = arguments.text("--dialect");
     const auto assembled = accepted(machine.assembler.assemble(sources, options, read_include));
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
@@ -93,6 +101,7 @@ std::vector<guests::run::Option> monitor_options(const MachineDescription& machi
     if (option.kind == OptionKind::output) continue;
     options.push_back(option);
   }
+  if (const auto* const dialect = dialect_option(machine)) options.push_back(*dialect);
   options.push_back({OptionKind::list, "--symbols", "FILE", "Symbols of the program, as `sightline asm --symbols` writes them"});
   options.push_back({OptionKind::list, "--listing", "FILE", "Its listing, whose lines are shown with the instructions"});
   options.push_back({OptionKind::list, "--do", "FILE", "Commands to begin with"});

@@ -128,6 +128,7 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
     const Format* const format = find_format(description, *file, input, {}, &arguments);
     const auto program = read_as(description, format, *file, input);
     if (!program) return program.error();
+    loaded.warnings.insert(loaded.warnings.end(), program->warnings.begin(), program->warnings.end());
     if (format != nullptr && !format->meant_for.empty() && !arguments.given(format->meant_for)) {
       loaded.warnings.push_back(fmt::format("{}: found a {} file, expected {} with it; {}", input.name, format->ending,
                                             format->meant_for, format->missing));

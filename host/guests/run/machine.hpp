@@ -128,6 +128,7 @@ struct Program {
   std::optional<std::uint32_t> start;
   // Of a dump: numbers of registers, as in the description, and their values; PC among them.
   std::vector<std::pair<std::size_t, std::uint32_t>> registers = {};
+  std::vector<std::string> warnings = {};  // of reading it
 };
 
 // A form of a program in a file.
@@ -193,6 +194,14 @@ struct Disassembler {
   std::string_view help;
   std::string_view file_help;
   std::string (*disassemble)(const Program& program);
+  // Languages of the assembler's option --dialect in which it writes, too. `own` is that of `disassemble`. The error of one
+  // that cannot say the program names the file.
+  struct Dialects {
+    using Write = Result<std::string> (*)(const Program& program, const std::string& file);
+    std::string_view own = {};
+    std::vector<std::pair<std::string_view, Write>> others = {};
+  };
+  Dialects dialects = {};
 };
 
 // --- A run ---

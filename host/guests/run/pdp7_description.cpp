@@ -276,9 +276,12 @@ bool is(std::span<const std::uint8_t> bytes) {
 
 Result<Program> read_image(std::span<const std::uint8_t> bytes, const std::string& file,
                            std::optional<std::uint32_t> address) {
-  const auto core = image::read_image(bytes, file, address);
+  std::vector<std::string> warnings;
+  const auto core = image::read_image(bytes, file, address, &warnings);
   if (!core) return bad_input(core.error().message(base::MessageStyle::compiler));
-  return program_of(core.value());
+  Program program = program_of(core.value());
+  program.warnings = std::move(warnings);
+  return program;
 }
 
 template <auto write>
@@ -293,12 +296,21 @@ Result<Bytes> write_octal(const Program& program, const std::string&) {
   return Bytes(text.begin(), text.end());
 }
 
+constexpr std::string_view bell_dialect = "bell";
+
 Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
                            const TextReader&) {
   assembler::Options options;
   auto defines = read_defines(arguments, assembler::parse_define);
   if (!defines) return defines.error();
   options.defines = std::move(*defines);
+  if (arguments.text("--dialect") == bell_dialect) {
+    options.dialect = assembler::Dialect::bell;
+    for (const std::string_view option : {"--twos-complement", "--undefined-are-variables", "--title"}) {
+      if (arguments.given(option))
+        return usage(fmt::format("{}: found --dialect {}, expected it with --dialect dec only", option, bell_dialect));
+    }
+  }
   options.twos_complement = arguments.given("--twos-complement");
   options.undefined_are_variables = arguments.given("--undefined-are-variables");
   options.first_line_is_title = arguments.given("--title");
@@ -306,6 +318,14 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
   return Assembled{assembly.diagnostics, program_of(assembly.image), assembly.symbols.size(),
                    assembler::write_listing(assembly.listing), assembler::write_symbols(assembly.symbols),
                    source_lines(assembly.listing, 8)};
+}
+
+Result<std::string> disassemble_bell(const Program& program, const std::string& file) {
+  auto text = disassembler::disassemble_pdp7_bell(core_image(program));
+  if (text) return std::move(*text);
+  base::Error error = text.error();
+  error.file = file;
+  return bad_input(error.message(base::MessageStyle::compiler));
 }
 
 template <auto disassembler>
@@ -402,10 +422,15 @@ MachineDescription described() {
   pdp7.time_limit = "--max-time";
   pdp7.parse_time = parse_time;
   pdp7.make = make;
-  pdp7.assembler = {"Assemble PDP-7 symbolic source (DEC syntax, DIGITAL-7-3-S)",
+  pdp7.assembler = {"Assemble PDP-7 symbolic source (DEC, DIGITAL-7-3-S; or `as` of Bell Laboratories)",
                     "in octal",
                     "Write address, octal word and source, line by line",
-                    {{flag, "--twos-complement", {}, "-1 is 777777 (default: one's complement, 777776)"},
+                    {{.name = "--dialect",
+                      .argument = "NAME",
+                      .help = "Language of the sources: DEC's, or that of Bell Laboratories' `as` of 1970",
+                      .choices = {"dec", bell_dialect},
+                      .initial = "dec"},
+                     {flag, "--twos-complement", {}, "-1 is 777777 (default: one's complement, 777776)"},
                      {flag,
                       "--undefined-are-variables",
                       {},
@@ -415,7 +440,8 @@ MachineDescription described() {
                     assemble};
   constexpr std::string_view file_help = "Tape or octal core image, FILE[@ADDRESS], ADDRESS in octal";
   pdp7.disassemblers = {
-      {"pdp7", "PDP-7 instructions", file_help, disassemble<disassembler::disassemble_pdp7>},
+      {"pdp7", "PDP-7 instructions", file_help, disassemble<disassembler::disassemble_pdp7>,
+       {"dec", {{bell_dialect, disassemble_bell}}}},
       {"type340", "Display words of the Type 340", file_help,
        disassemble<disassembler::disassemble_type340>}};
   return pdp7;

@@ -57,6 +57,39 @@ TEST_F(AsmCommand, ListingAndSymbols) {
   EXPECT_TRUE(has(sightline({"asm", "pdp7", "a.s", "--symbols", "-"}).out, "go 000100\n"));
 }
 
+// The words by hand: lac 102 of the next source, sys 3 is cal i 3, -1 in two's complement; <ab> is 141 and 142.
+TEST_F(AsmCommand, TheDialectOfBell) {
+  write("a.s", ".. = 0100\nopen = 3\n   lac 1f\" next\n   sys open; -1\n");
+  write("b.s", "1: <ab>; 10; 010\n");
+  const auto ran = sightline({"asm", "pdp7", "--dialect", "bell", "a.s", "b.s", "--format", "octal", "-o", "-"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "00100:")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "200103 020003 777777 141142 000012 000010")) << ran.out;
+}
+
+TEST_F(AsmCommand, EachDialectRefusesTheOtherByName) {
+  write("a.s", source);
+  write("b.s", "a: lac 1f \" five\n1: 5\n");
+  const auto bell = sightline({"asm", "pdp7", "--dialect", "bell", "a.s", "-o", "a.rim"});
+  EXPECT_EQ(bell.exit_code, 4);
+  EXPECT_TRUE(has(bell.err, "a.s:1:4: error: found '/', an origin or a comment of --dialect dec")) << bell.err;
+  EXPECT_FALSE(exists("a.rim"));
+  const auto dec = sightline({"asm", "pdp7", "b.s"});
+  EXPECT_EQ(dec.exit_code, 4);
+  EXPECT_TRUE(has(dec.err, "b.s:1:2: error: found ':', which ends a label in --dialect bell")) << dec.err;
+  const auto clash = sightline({"asm", "pdp7", "--dialect", "bell", "--twos-complement", "b.s"});
+  EXPECT_EQ(clash.exit_code, 2);
+  EXPECT_TRUE(has(clash.err, "--twos-complement: found --dialect bell")) << clash.err;
+  EXPECT_EQ(sightline({"asm", "pdp7", "--dialect", "unix", "b.s"}).exit_code, 2);
+}
+
+TEST_F(AsmCommand, TheMonitorReadsBothDialects) {
+  write("b.s", ".. = 0100\na: lac five\n   hlt\nfive: 5\n");
+  const auto ran = sightline({"monitor", "pdp7", "b.s", "--dialect", "bell", "--start", "100"}, "continue\nassert ac==5\n");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
+  EXPECT_EQ(sightline({"monitor", "pdp7", "b.s"}, "quit\n").exit_code, 4);
+}
+
 TEST_F(AsmCommand, WithoutOutputOnlyChecks) {
   write("a.s", source);
   const auto ran = sightline({"asm", "pdp7", "a.s"});

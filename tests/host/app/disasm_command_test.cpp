@@ -22,6 +22,34 @@ TEST_F(DisasmCommand, RoundTripOfEveryFormat) {
   }
 }
 
+TEST_F(DisasmCommand, TheDialectOfBell) {
+  write("a.oct", "00100: 220010 751100 777776 653111\n");
+  const auto ran = sightline({"disasm", "pdp7", "a.oct", "--dialect", "bell", "-o", "a.s"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(read("a.s"), ". = 000100\n   lac i 010 ")) << read("a.s");
+  ASSERT_EQ(sightline({"asm", "pdp7", "--dialect", "bell", "a.s", "--format", "octal", "-o", "b.oct"}).exit_code, 0);
+  EXPECT_EQ(sightline({"disasm", "pdp7", "b.oct"}).out, sightline({"disasm", "pdp7", "a.oct"}).out);
+  write("high.oct", "20000: 000001\n");
+  const auto refused = sightline({"disasm", "pdp7", "high.oct", "--dialect", "bell"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_TRUE(has(refused.err, "high.oct: error: found a word at 20000") && has(refused.err, "--end 17777")) << refused.err;
+  EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--dialect", "mac"}).exit_code, 2);
+}
+
+// Hole 7 of the last word one line early, in a RIM tape and in an HRI tape: 5 at 100, start 100.
+TEST_F(DisasmCommand, EarlyHole7IsReadWithAWarning) {
+  write("early.rim", std::string("\0\0\x84\x81\x80\x80\x80\x85\xB0\xC1\x80\0", 12));
+  write("early.hri", std::string("\0\x80\x80\x85\xB0\xC1\x80\0", 8));
+  for (const auto& [file, byte] : {std::pair<std::string, std::string>{"early.rim", "9"}, {"early.hri@100", "5"}}) {
+    const auto ran = sightline({"disasm", "pdp7", file});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(has(ran.out, "/ 00100 000005\n        start 00100\n")) << ran.out;
+    EXPECT_TRUE(has(ran.err, file.substr(0, 9) + ": byte " + byte + ": hole 7 in line 2 of the last word")) << ran.err;
+    const auto running = sightline({"run", "pdp7", file, "--max-instructions", "1"});
+    EXPECT_TRUE(has(running.err, "warning: " + file.substr(0, 9) + ": byte " + byte + ": hole 7")) << running.err;
+  }
+}
+
 TEST_F(DisasmCommand, APartOfAProgram) {
   write("a.oct", "00100: 200105 340106 740040 600100\n");
   const std::string part = sightline({"disasm", "pdp7", "a.oct", "--start", "101", "--end", "102"}).out;

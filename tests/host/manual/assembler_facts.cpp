@@ -69,6 +69,30 @@ constexpr std::array pdp7_cases{
     Refused{"start 100\nstart 200", "what follows START is not read"},
     Refused{"hlt )", "a bracket that nothing opened"},
     Refused{"*200", "an origin is `200/`"},
+    Refused{"external sqrt", "there is no linker"},
+    Refused{"libfrm", "there is no linker"},
+    Refused{"jmp 1f", "a construct of the other dialect"},
+    Refused{"loop: lac x", "a construct of the other dialect"},
+};
+
+constexpr std::array bell_cases{
+    Refused{"begin, lac 5", "a construct of DEC's language"},
+    Refused{"lac (5", "a construct of DEC's language"},
+    Refused{"lac 5 / five", "a construct of DEC's language"},
+    Refused{"LAC 5", "case matters"},
+    Refused{"sys open", "the sources define the names of system calls"},
+    Refused{"a: 1\na: 2", "`as` takes the second place from there on"},
+    Refused{"lac -1", "`as` makes 177777 of it: lac minus 1"},
+    Refused{"law -3", "757775 is no LAW; -3 alone is one: 777775"},
+    Refused{"08", "a leading 0 means octal"},
+    Refused{"262144", "a word has 18 bits"},
+    Refused{"jmp 1f", "no label 1: behind it"},
+    Refused{"10: 5", "relative labels are 0: to 9:"},
+    Refused{"a: lac a+a", "`..` would have to be added twice"},
+    Refused{"1+", "`as` adds 0"},
+    Refused{"1\n..=0", "what was before would be elsewhere"},
+    Refused{". = 020000", "core ends at 017777"},
+    Refused{"iof: 0", "only a warning: the name is a label in all of the program"},
 };
 
 constexpr std::array i8080_cases{
@@ -126,6 +150,12 @@ base::Result<std::string> pdp7_refused() {
   return refused(pdp7_cases, [](const auto& files) { return assembler::assemble_pdp7(files); });
 }
 
+base::Result<std::string> bell_refused() {
+  assembler::Options options;
+  options.dialect = assembler::Dialect::bell;
+  return refused(bell_cases, [&options](const auto& files) { return assembler::assemble_pdp7(files, options); });
+}
+
 base::Result<std::string> i8080_refused() {
   return refused(i8080_cases, [](const auto& files) { return assembler::assemble_i8080(files); });
 }
@@ -147,11 +177,15 @@ base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
       {"ifzero", "`IFZERO a <...>`: assemble the part in brackets if a is +0 or -0"},
       {"ifnzro", "`IFNZRO a <...>`: if a is not zero"},
       {"start", "`START a`: the end of the source, and the start address a"},
-      {"pause", "the end of this source; the next follows"},
+      {"pause", "the end of a tape; what follows in the source is read as the next one"},
       {"decimal", "numbers are decimal from here to the end of the file"},
       {"octal", "numbers are octal again"},
       {"constants", "the literals used so far are placed here"},
       {"variables", "the variables used so far are placed here, in alphabetical order"},
+      {"punch", "nothing: all words are written"},
+      {"external", "`EXTERNAL a b`: names that another source of the program defines"},
+      {"internal", "`INTERNAL a b`: names for other sources, defined in this one"},
+      {"libfrm", "refused: the library must be among the sources"},
   };
   const auto words = quoted_words(source, "names{");
   if (!words) return words.error();

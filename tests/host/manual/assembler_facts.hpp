@@ -8,6 +8,7 @@
 namespace sightline::manual {
 
 [[nodiscard]] base::Result<std::string> pdp7_refused();
+[[nodiscard]] base::Result<std::string> bell_refused();  // of the dialect of Bell Laboratories
 [[nodiscard]] base::Result<std::string> i8080_refused();
 // Where the dialects of 8080 sources differ.
 [[nodiscard]] std::string i8080_dialects();

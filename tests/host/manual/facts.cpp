@@ -105,6 +105,7 @@ const std::map<std::string, std::function<Text(const std::string& root)>, std::l
       {"calcomp-status", plain(calcomp_status)},
       {"i8251-status", plain(i8251_status)},
       {"pdp7-refused", [](const std::string&) { return pdp7_refused(); }},
+      {"bell-refused", [](const std::string&) { return bell_refused(); }},
       {"i8080-refused", [](const std::string&) { return i8080_refused(); }},
       {"pdp7-pseudo-operations",
        [](const std::string& root) {

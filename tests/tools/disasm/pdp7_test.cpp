@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -80,6 +85,85 @@ TEST(DisassemblePdp7, SourceHasOriginsAndComments) {
             "        cal 7            / 00200 000007\n"
             "        start 00100\n");
   EXPECT_EQ(disassemble_pdp7({}), "");
+}
+
+// --- The dialect of Bell Laboratories ---
+
+assembler::Assembly assemble_bell(std::string text) {
+  assembler::Options options;
+  options.dialect = assembler::Dialect::bell;
+  const std::vector<assembler::SourceFile> sources{{"disassembly", std::move(text)}};
+  return assembler::assemble_pdp7(sources, options);
+}
+
+// 8K words at a time, which is all that the dialect has.
+TEST(DisassemblePdp7Bell, EveryWordComesBack) {
+  for (std::uint32_t block = 0; block < 32; block += tests::effort(1U, 9U)) {
+    image::CoreImage image;
+    for (std::uint32_t i = 0; i <= image::field_mask; ++i) image.words[i] = Word18(block << 13 | i);
+    const auto source = disassemble_pdp7_bell(image);
+    ASSERT_TRUE(source) << source.error().message();
+    const assembler::Assembly assembly = assemble_bell(*source);
+    ASSERT_TRUE(assembly.diagnostics.empty()) << assembler::to_string(assembly.diagnostics.front());
+    ASSERT_EQ(assembly.image.words, image.words);
+  }
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The Jones program with both multiplications, and every example: from DEC's language into that of Bell Laboratories and back.
+TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
+  namespace fs = std::filesystem;
+  const fs::path root = SIGHTLINE_SOURCE_DIR;
+  std::map<std::string, std::vector<assembler::SourceFile>> programs;
+  for (const std::string folder : {"firmware/pdp7/jones", "host/examples/pdp7", "host/examples/type340"}) {
+    for (const auto& entry : fs::directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".s") continue;
+      const std::string name = folder.starts_with("firmware") ? folder : entry.path().string();
+      programs[name].push_back({entry.path().string(), text_of(entry.path())});
+    }
+  }
+  auto& jones = programs["firmware/pdp7/jones"];
+  ASSERT_EQ(jones.size(), 7U);
+  std::sort(jones.begin(), jones.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  jones.push_back({"scene", "scene, 0\n"});
+  ASSERT_GE(programs.size(), 10U);
+  for (const auto& [name, sources] : programs) {
+    for (const std::uint32_t eae : {0U, 1U}) {
+      assembler::Options options;
+      options.defines = {{"EAE", Word18(eae)}};
+      const auto assembled = assembler::assemble_pdp7(sources, options);
+      ASSERT_TRUE(assembled.ok()) << name << assembler::to_string(assembled.diagnostics.front());
+      const auto source = disassemble_pdp7_bell(assembled.image);
+      ASSERT_TRUE(source) << name << source.error().message();
+      const auto again = assemble_bell(*source);
+      EXPECT_TRUE(again.diagnostics.empty()) << name;
+      EXPECT_EQ(again.image.words, assembled.image.words) << name;
+    }
+  }
+}
+
+TEST(DisassemblePdp7Bell, WritesItsNumbersAndComments) {
+  const image::CoreImage image{{{0, Word18(0200010)}, {0100, Word18(0653111)}, {0101, Word18(0740030)}}, 0100};
+  const auto source = disassemble_pdp7_bell(image);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(*source,
+            ".. = 0\n"
+            "   lac 010               \" 00000 200010\n"
+            ". = 000100\n"
+            "   mul-011               \" 00100 653111\n"
+            "   0740030               \" 00101 740030\n"
+            "\" start 00100\n");
+}
+
+TEST(DisassemblePdp7Bell, RefusesWhatTheDialectCannotAddress) {
+  const auto source = disassemble_pdp7_bell({{{017777, Word18(0)}, {020000, Word18(0)}}, {}});
+  ASSERT_FALSE(source);
+  EXPECT_EQ(source.error().found, "a word at 20000");
 }
 
 }  // namespace

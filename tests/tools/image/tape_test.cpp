@@ -138,6 +138,48 @@ TEST(Hri, DamageIsNamedWithItsByte) {
             "HRI tape");
 }
 
+// A punch that was a line or two ahead: hole 7 stands before the third line of the last word.
+TEST(EarlyHole7, EndsAnHriTapeWithAWarning) {
+  for (const std::size_t line : {6U, 7U}) {
+    const Tape tape = with(with(hri_lines, 8, 0200), line, static_cast<std::uint8_t>(hri_lines[line] | 0100));
+    std::vector<std::string> warnings;
+    const auto read = read_hri(tape, "t", 0300, &warnings);
+    ASSERT_TRUE(read) << message(read);
+    EXPECT_EQ(read.value(), (CoreImage{{{0300, Word18(0123456)}, {0301, Word18(1)}}, 0100}));
+    EXPECT_EQ(warnings, (std::vector<std::string>{"t: byte " + std::to_string(line) + ": hole 7 in line " +
+                                                  std::to_string(line - 5) +
+                                                  " of the last word, expected it in line 3; the tape is read to this word"}));
+    EXPECT_EQ(recognise(tape, "t").value(), Format::hri);
+    EXPECT_TRUE(read_hri(tape, "t", 0300));
+  }
+}
+
+TEST(EarlyHole7, EndsARimTapeWithAWarning) {
+  Tape tape = with(rim_lines, 7, 0301);
+  for (int with_read_ahead = 0; with_read_ahead < 2; ++with_read_ahead) {
+    std::vector<std::string> warnings;
+    EXPECT_EQ(recognise(tape, "t").value(), Format::rim);
+    const auto read = read_image(tape, "t", {}, &warnings);
+    ASSERT_TRUE(read) << message(read);
+    EXPECT_EQ(read.value(), (CoreImage{{{0100, Word18(0123456)}}, 0100}));
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0].substr(0, 30), "t: byte 7: hole 7 in line 2 of");
+    tape.insert(tape.end(), {0200, 0200, 0200});
+  }
+}
+
+TEST(EarlyHole7, InsideATapeIsDamage) {
+  EXPECT_EQ(message(read_hri(with(hri_lines, 1, 0334), "t", 0)),
+            "t:byte 1: error: found line 334 with hole 7 before the third line of a word, expected three lines with hole 8 "
+            "of a word, the last with hole 7 in its third line");
+  EXPECT_EQ(message(read_rim(with(rim_lines, 3, 0312), "t")),
+            "t:byte 3: error: found line 312 with hole 7 before the third line of a word, expected three lines with hole 8 "
+            "of the data word for address 00100");
+  // A last word that is no JMP and no HLT stays an error.
+  EXPECT_EQ(message(read_hri(first_lines(with(hri_lines, 4, 0300), 6), "t", 0)),
+            "t:byte 3: error: found last word 000001, expected JMP start or HLT");
+}
+
 TEST(Recognition, IsByContent) {
   const std::string text = "00100: 123456\n";
   const Tape octal_bytes(text.begin(), text.end());

@@ -10,6 +10,13 @@ namespace {
 constexpr int deepest_literal = 16;  // a literal in a literal in ...: more is a source gone wrong
 constexpr std::string_view a_term = "a number, a name, '.' or '('";
 
+// The dialect to which an undefined name belongs, as far as one can tell.
+std::string dialect_of(std::string_view name) {
+  const std::string lower = lower_case(name.substr(0, 6));
+  if (lower == "sys") return ", a system call of --dialect bell";
+  return lower == "disp" || lower == "nodisp" ? ", a pseudo-operation of the Cambridge dialect" : "";
+}
+
 }  // namespace
 
 bool Pdp7Pass::starts_a_term() const {
@@ -66,8 +73,11 @@ std::optional<Value> Pdp7Pass::primary() {
     case TokenKind::hash: return symbol();
     case TokenKind::open: return literal();
     case TokenKind::dot: advance(); return Value::number(location_);
-    default: error(token_.at, describe(token_), std::string(a_term)); return std::nullopt;
+    default: break;
   }
+  const bool of_pal = token_.kind == TokenKind::bad && token_.text == "*";
+  error(token_.at, found_here() + (of_pal ? ", which sets the location in PAL of the PDP-8" : ""), std::string(a_term));
+  return std::nullopt;
 }
 
 std::optional<Value> Pdp7Pass::number() {
@@ -75,6 +85,10 @@ std::optional<Value> Pdp7Pass::number() {
   advance();
   const char highest = decimal_ ? '9' : '7';
   std::uint32_t n = 0;
+  if (token.text.size() == 2 && (token.text[1] == 'f' || token.text[1] == 'b')) {
+    error(token.at, describe(token) + ", a relative label of --dialect bell", "a tag with a name");
+    return std::nullopt;
+  }
   for (const char c : token.text) {
     if (c < '0' || c > highest) {
       error(token.at, "'" + std::string(1, c) + "' in number " + describe(token),
@@ -93,7 +107,7 @@ std::optional<Value> Pdp7Pass::number() {
   return value;
 }
 
-// name, #name or name#
+// name, #name or name#, with # or $
 std::optional<Value> Pdp7Pass::symbol() {
   bool marked = token_.kind == TokenKind::hash;
   if (marked) advance();
@@ -110,8 +124,9 @@ std::optional<Value> Pdp7Pass::symbol() {
   Symbol& found = look_up(name);
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
-    if (!options_.undefined_are_variables) {
-      error(name.at, "undefined symbol " + describe(name),
+    const bool external = program_.externals.contains(program_.symbols.key(name.text));
+    if (!options_.undefined_are_variables && !external) {  // an external one is reported where it is declared
+      error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
     }
     return Value::unknown();

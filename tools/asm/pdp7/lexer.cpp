@@ -25,7 +25,8 @@ TokenKind punctuation(char c) {
     case ',': return TokenKind::comma;
     case '=': return TokenKind::equals;
     case '/': return TokenKind::origin;
-    case '#': return TokenKind::hash;
+    case '#':
+    case '$': return TokenKind::hash;
     case '<': return TokenKind::less;
     case '>': return TokenKind::greater;
     case ';': return TokenKind::semicolon;

@@ -41,8 +41,10 @@ void Pdp7Pass::run() {
     read_file(i);
     end = token_.at;
   }
+  if (final_) refuse_undefined_declarations();
   if (options_.undefined_are_variables) {
     for (auto& [key, symbol] : program_.symbols) {
+      if (program_.externals.contains(key)) continue;
       if (symbol.kind == SymbolKind::undefined) symbol.kind = SymbolKind::variable;
       if (symbol.kind == SymbolKind::variable && !placed_variables_.contains(key))
         pending_variables_.insert(key);
@@ -85,7 +87,7 @@ void Pdp7Pass::skip_statement() {
 // What may stand between statements: an end of line, `;`, or `>` of an open conditional.
 void Pdp7Pass::end_statement() {
   if (!at_end_of_statement()) {
-    error(token_.at, describe(token_), "an operator or the end of the statement");
+    error(token_.at, found_here(), "an operator or the end of the statement");
     skip_statement();
   }
   while (token_.kind == TokenKind::greater) {
@@ -104,15 +106,22 @@ void Pdp7Pass::statement() {
     if (token_.kind == TokenKind::name) {
       const Token next = following();
       if (next.kind == TokenKind::comma && !next.after_blank) {
-        define_tag(token_);
+        define_tag(token_, location_, 0);
         advance();
         advance();
         continue;
       }
-      if (next.kind == TokenKind::equals) return assign(token_);
+      if (next.kind == TokenKind::equals) {
+        if (!assign(token_)) return;
+        continue;
+      }
       if (pseudo_operation()) return;
     }
     const Position at = token_.at;
+    if (token_.kind == TokenKind::dot && following().kind == TokenKind::equals) {
+      error(at, "'.=', which sets the location in --dialect bell", "the address and a '/' straight after it");
+      return skip_statement();
+    }
     const std::optional<Value> value = expression();
     if (token_.kind != TokenKind::origin) {
       emit(value ? finished(*value, at) : 0, at);
@@ -130,7 +139,7 @@ void Pdp7Pass::statement() {
   }
 }
 
-void Pdp7Pass::define_tag(Token name) {
+void Pdp7Pass::define_tag(Token name, std::uint32_t value, int form) {
   Symbol& symbol = look_up(name);
   const bool again =
       symbol.kind == SymbolKind::tag && (symbol.defined != name.at || symbol.defined_in_pass == number_);
@@ -145,33 +154,47 @@ void Pdp7Pass::define_tag(Token name) {
     error(name.at, "symbol " + describe(name) + ", already defined at " + where, "a name of its own");
     return;
   }
-  if (final_ && symbol.value != location_) {
+  if (final_ && symbol.value != value) {
     error(name.at, "tag " + describe(name) + " at another address than in the pass before",
           "addresses that do not depend on themselves");
   }
   symbol.kind = SymbolKind::tag;
   symbol.defined = name.at;
-  symbol.value = location_;
+  symbol.value = value;
+  symbol.form = form;
   symbol.defined_in_pass = number_;
 }
 
-void Pdp7Pass::assign(Token name) {
+// name=expression, defines a tag whose value is the expression and the location: of `cdr=jms, 0` the word `cdr` is a
+// call. The form is that of the Cambridge assembler of 1972.
+bool Pdp7Pass::assign(Token name) {
   advance();
   advance();
   const Position at = token_.at;
   const std::optional<Value> value = expression();
-  if (!value) return skip_statement();
+  if (!value) {
+    skip_statement();
+    return false;
+  }
+  if (token_.kind == TokenKind::comma) {
+    std::vector<Remark> remarks;
+    Value here = arithmetic_.combine(*value, Value::number(location_), remarks);
+    remark(at, remarks);
+    define_tag(name, finished(here, at), static_cast<int>(here.form));
+    advance();
+    return true;
+  }
   const std::uint32_t word = finished(*value, at);
   const bool names_microinstruction = value->bare_number && form_of_instruction(word) == Form::micro;
   const Form form = names_microinstruction ? Form::micro : value->form;
   Symbol& symbol = look_up(name);
-  if (symbol.kind == SymbolKind::define) return;
+  if (symbol.kind == SymbolKind::define) return false;
   if (symbol.kind == SymbolKind::tag || symbol.kind == SymbolKind::variable) {
     error(name.at,
           "an assignment to " + describe(name) + ", which is a " +
               (symbol.kind == SymbolKind::tag ? "tag" : "variable"),
           "a name of its own");
-    return;
+    return false;
   }
   if (symbol.kind == SymbolKind::permanent && symbol.value != word) symbol.was_permanent = true;
   if (symbol.was_permanent) {
@@ -188,6 +211,7 @@ void Pdp7Pass::assign(Token name) {
   symbol.value = value->known ? std::optional(word) : std::nullopt;
   symbol.form = static_cast<int>(form);
   symbol.defined_in_pass = number_;
+  return false;
 }
 
 void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_for) {
@@ -233,6 +257,16 @@ void Pdp7Pass::place_variables(const Position& at) {
     placed_variables_.insert(key);
   }
   pending_variables_.clear();
+}
+
+std::string Pdp7Pass::found_here() const {
+  const std::string shown = describe(token_);
+  if (token_.kind == TokenKind::less) return shown + ", which begins a character in --dialect bell";
+  if (token_.kind == TokenKind::comma) return shown + ", which is this location in the Cambridge dialect";
+  if (token_.kind != TokenKind::bad) return shown;
+  if (token_.text == "\"") return shown + ", which begins a comment in --dialect bell";
+  if (token_.text == ":") return shown + ", which ends a label in --dialect bell";
+  return shown;
 }
 
 Symbol& Pdp7Pass::look_up(const Token& name) {

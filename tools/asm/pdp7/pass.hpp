@@ -3,12 +3,14 @@
 // the words. Only that last pass reports diagnostics, so that none is reported twice.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,7 +35,11 @@ struct Pdp7Program {
   std::vector<std::uint32_t> pool_bases;  // address of each literal pool, in the order of their placing
   std::vector<EmittedWord> words;
   std::vector<std::pair<Position, Diagnostic>> diagnostics;
+  // Of the dialect of Bell Laboratories alone (bell.hpp): all definitions of 0: to 9:, and the value of `..`.
+  std::array<std::vector<std::uint32_t>, 10> relative_labels;
+  std::optional<std::uint32_t> base;
   std::optional<std::uint32_t> start;
+  std::set<std::string> externals;  // keys of the names that EXTERNAL declares
 };
 
 class Pdp7Pass {
@@ -54,13 +60,15 @@ class Pdp7Pass {
   void statement();
   bool pseudo_operation();  // true if the statement is one
   void end_statement();
-  void define_tag(Token name);
-  void assign(Token name);
-  void assemble_expression();
+  void define_tag(Token name, std::uint32_t value, int form);
+  [[nodiscard]] bool assign(Token name);  // true if it was a tag: more of the statement may follow
   void text();
   void conditional(bool when_zero);
   void skip_block(const Position& opened);
-  void end_of_file(bool start);
+  void end_of_file();
+  void next_tape();
+  void declare(bool external);
+  void refuse_undefined_declarations();
   void place_literals(const Position& at);
   void place_variables(const Position& at);
   void emit(std::uint32_t word, const Position& at, std::string stands_for = {});
@@ -85,6 +93,8 @@ class Pdp7Pass {
   [[nodiscard]] bool at_end_of_statement() const;
   void skip_statement();
   Symbol& look_up(const Token& name);
+  // What stands here, as a message shows it; with the dialect to which it belongs, if that is not this one.
+  [[nodiscard]] std::string found_here() const;
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
   void say(Severity severity, const Position& at, std::string found, std::string expected);
@@ -113,7 +123,12 @@ class Pdp7Pass {
   std::set<std::string> placed_variables_;
   std::map<std::uint32_t, Position> occupied_;
   std::set<std::string> clashes_;
+  std::vector<std::pair<Token, bool>> declared_;  // of EXTERNAL (true) and INTERNAL
 };
+
+// The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
+// there and what follows must be right too: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
+[[nodiscard]] std::string_view pseudo_operation_named(std::string_view word);
 
 // A token as a message shows it.
 [[nodiscard]] std::string describe(const Token& token);

@@ -16,11 +16,11 @@ std::optional<std::uint32_t> trimmed_ascii(char c) {
   return std::nullopt;
 }
 
-// The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
-// there and what follows must be right too: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
-std::string_view pseudo_name(std::string_view word) {
-  constexpr std::array<std::string_view, 10> names{"text",  "title",   "ifzero", "ifnzro",    "start",
-                                                   "pause", "decimal", "octal",  "constants", "variables"};
+}  // namespace
+
+std::string_view pseudo_operation_named(std::string_view word) {
+  constexpr std::array<std::string_view, 14> names{"text",      "title",     "ifzero", "ifnzro",   "start",    "pause", "decimal", "octal",
+                                                   "constants", "variables", "punch",  "external", "internal", "libfrm"};
   const std::string lower = lower_case(word.substr(0, 12));
   for (const std::string_view name : names) {
     const bool long_enough = lower.size() == name.size() || lower.size() >= 6;
@@ -29,11 +29,9 @@ std::string_view pseudo_name(std::string_view word) {
   return {};
 }
 
-}  // namespace
-
 bool Pdp7Pass::pseudo_operation() {
   const Position at = token_.at;
-  const std::string_view name = pseudo_name(token_.text);
+  const std::string_view name = pseudo_operation_named(token_.text);
   if (name.empty()) return false;
   if (name == "text") {
     text();
@@ -42,7 +40,13 @@ bool Pdp7Pass::pseudo_operation() {
   if (name == "title") lexer_.skip_line();
   advance();
   if (name == "ifzero" || name == "ifnzro") conditional(name == "ifzero");
-  if (name == "start" || name == "pause") end_of_file(name == "start");
+  if (name == "start") end_of_file();
+  if (name == "pause") next_tape();
+  if (name == "external" || name == "internal") declare(name == "external");
+  if (name == "libfrm") {
+    error(at, "LIBFRM, which asks DEC's Linking Loader for a library", "the library among the sources of the program");
+    skip_statement();
+  }
   if (name == "decimal" || name == "octal") decimal_ = name == "decimal";
   if (name == "constants") place_literals(at);
   if (name == "variables") place_variables(at);
@@ -101,7 +105,7 @@ void Pdp7Pass::skip_block(const Position& opened) {
       return error(opened, "'<' that is never closed", "'>' before the end of the file");
     }
     if (at_start && token_.kind == TokenKind::name) {
-      const std::string_view name = pseudo_name(token_.text);
+      const std::string_view name = pseudo_operation_named(token_.text);
       const TokenKind next = following().kind;
       const bool defined = next == TokenKind::comma || next == TokenKind::equals;
       if (name == "text" && !defined) static_cast<void>(lexer_.delimited());
@@ -115,10 +119,48 @@ void Pdp7Pass::skip_block(const Position& opened) {
   }
 }
 
-void Pdp7Pass::end_of_file(bool start) {
+// PAUSE ends a tape. Several may have been copied into one file: what follows is read like another file. Its first line
+// is a title again if those of the files are.
+void Pdp7Pass::next_tape() {
+  if (!at_end_of_statement()) {
+    error(token_.at, describe(token_), "the end of the statement");
+    return skip_statement();
+  }
+  decimal_ = false;
+  if (!options_.first_line_is_title || token_.kind != TokenKind::newline) return;
+  lexer_.skip_line();
+  advance();
+}
+
+// EXTERNAL and INTERNAL of the FORTRAN assembly system (DIGITAL-7-3-S, appendix 3): names of other tapes, and names for
+// them. The sources are one program here, so any name can be used in all of them; what is declared must be defined.
+void Pdp7Pass::declare(bool external) {
+  if (at_end_of_statement()) error(token_.at, describe(token_), "names");
+  for (; !at_end_of_statement(); advance()) {
+    if (token_.kind == TokenKind::comma) continue;
+    if (token_.kind != TokenKind::name) {
+      error(token_.at, describe(token_), "a name");
+      return skip_statement();
+    }
+    if (look_up(token_).kind == SymbolKind::permanent)
+      error(token_.at, "permanent symbol " + describe(token_), "a name of its own");
+    declared_.emplace_back(token_, external);
+    if (external) program_.externals.insert(program_.symbols.key(token_.text));
+  }
+}
+
+void Pdp7Pass::refuse_undefined_declarations() {
+  for (const auto& [name, external] : declared_) {
+    if (program_.symbols[name.text].kind != SymbolKind::undefined) continue;
+    error(name.at, (external ? "external symbol " : "internal symbol ") + describe(name) + ", which no source defines",
+          external ? "the source that defines it on the command line, too: there is no linker" : "its definition");
+  }
+}
+
+void Pdp7Pass::end_of_file() {
   const Position at = token_.at;
   file_ended_ = true;
-  if (start && !at_end_of_statement()) {
+  if (!at_end_of_statement()) {
     const std::optional<Value> value = expression();
     if (program_.start) error(at, "a second start address", "one START with an address");
     if (value) program_.start = address_of(*value, at, "start address");
@@ -127,7 +169,7 @@ void Pdp7Pass::end_of_file(bool start) {
   if (!blocks_.empty()) return;
   while (token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon) advance();
   if (token_.kind != TokenKind::end) {
-    warning(token_.at, describe(token_) + " after " + (start ? "START" : "PAUSE") + ", which is not read",
+    warning(token_.at, describe(token_) + " after START, which is not read",
             "the end of the file");
   }
 }

@@ -232,5 +232,99 @@ TEST(Pdp7Language, ListingShowsAddressWordAndSource) {
   EXPECT_EQ(write_listing(assemble(source).listing), expected);
 }
 
+// DIGITAL-7-3-S designates variables by # or $.
+TEST(Pdp7Language, DollarMarksAVariableLikeHash) {
+  const Assembly a = assemble("lac sum$\ndac $next\nlac sum\ntad next#");
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{0200005, 0040004, 0200005, 0340004, 0, 0}));
+}
+
+// Several tapes in one file: each begins in octal.
+TEST(Pdp7Language, PauseInTheMiddleBeginsAnotherTape) {
+  const Assembly a = assemble("decimal\n10\npause\n10\nx, 7\npause\n\ndecimal; 11; pause; 11\nstart x\n");
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{012, 010, 7, 013, 011}));
+  EXPECT_EQ(a.image.start, 2U);
+  Options options;
+  options.first_line_is_title = true;
+  EXPECT_EQ(words(assemble("first tape\n1\npause\nsecond tape\n2\npause", options)), (Words{1, 2}));
+  EXPECT_EQ(messages(assemble("pause 5")), (Texts{"t.s:1:7: error: found '5', expected the end of the statement"}));
+}
+
+TEST(Pdp7Language, PauseInAConditionalKeepsItOpen) {
+  const Assembly a = assemble("ifzero 0 <1\npause\n2>\n3");
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{1, 2, 3}));
+}
+
+// The Cambridge assembler of 1972: `cdr=jms,` at 3 is jms 3, so that cdr alone is a call.
+TEST(Pdp7Language, NameEqualsExpressionComma) {
+  const Assembly a = assemble("cdr\ncdr 1\ncdr i\ncdr=jms, 0\nbase=100, 7\nlac base");
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{0100003, 0100004, 0120003, 0, 7, 0200104}));
+  EXPECT_EQ(messages(assemble("here=, 5")), (Texts{"t.s:1:6: error: found ',', which is this location in the Cambridge dialect, expected a number, a name, '.' or '('"}));
+}
+
+TEST(Pdp7Language, ATagByAnExpressionHasOnePlace) {
+  EXPECT_EQ(messages(assemble("f=jms, 0\nf=jms, 0")),
+            (Texts{"t.s:2:1: error: found symbol 'f', already defined at t.s:1, expected a name of its own"}));
+  EXPECT_EQ(messages(assemble("f=jms, 0\nf=5")),
+            (Texts{"t.s:2:1: error: found an assignment to 'f', which is a tag, expected a name of its own"}));
+  EXPECT_EQ(messages(assemble("lac=jms, 0")),
+            (Texts{"t.s:1:1: error: found permanent symbol 'lac' as a tag, expected a name of its own"}));
+}
+
+TEST(Pdp7Language, PunchMakesNoWord) {
+  const Assembly a = assemble("1\npunch\n2\npunch, 3\nlac punch");
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{1, 2, 3, 0200002}));
+}
+
+// DIGITAL-7-3-S, appendix 3. All sources are one program, so the declarations only have to be true.
+TEST(Pdp7Language, ExternalAndInternalNames) {
+  const std::vector<SourceFile> sources{{"a", "external sqrt, cube\njms sqrt\njms cube\n"},
+                                        {"b", "internal sqrt\ninternal cube\nsqrt, 0\ncube=17\n"}};
+  const Assembly a = assemble_pdp7(sources);
+  EXPECT_EQ(messages(a), Texts{});
+  EXPECT_EQ(words(a), (Words{0100002, 0100017, 0}));
+}
+
+TEST(Pdp7Language, DeclaredNamesMustBeDefined) {
+  EXPECT_EQ(messages(assemble("external sqrt\njms sqrt\njms sqrt\ninternal cube")),
+            (Texts{"t.s:1:10: error: found external symbol 'sqrt', which no source defines, expected the source that defines "
+                   "it on the command line, too: there is no linker",
+                   "t.s:4:10: error: found internal symbol 'cube', which no source defines, expected its definition"}));
+  Options options;
+  options.undefined_are_variables = true;
+  EXPECT_EQ(messages(assemble("external sqrt\njms sqrt", options)).size(), 1U);
+  EXPECT_EQ(messages(assemble("external")), (Texts{"t.s:1:9: error: found the end of the file, expected names"}));
+  EXPECT_EQ(messages(assemble("external lac 5")).size(), 2U);
+  EXPECT_EQ(messages(assemble("libfrm")),
+            (Texts{"t.s:1:1: error: found LIBFRM, which asks DEC's Linking Loader for a library, expected the library among "
+                   "the sources of the program"}));
+}
+
+TEST(Pdp7Language, OtherAssemblersConstructsAreNamed) {
+  for (const auto& [text, name] : {std::pair<std::string, std::string>{"djs=0\ndjs , 2", "the Cambridge dialect"},
+                                   {"disp", "the Cambridge dialect"},
+                                   {"nodisp", "the Cambridge dialect"},
+                                   {"*200", "PAL of the PDP-8"}}) {
+    const Texts all = messages(assemble(text));
+    ASSERT_FALSE(all.empty()) << text;
+    EXPECT_NE(all.front().find(name), std::string::npos) << all.front();
+  }
+}
+
+// Sources of the other dialect are refused by its name, and make no words.
+TEST(Pdp7Language, ConstructsOfBellAreNamedWithTheirDialect) {
+  for (const std::string source : {"loop: lac 5", "lac 5 \" comment", "jmp 1f", "jmp 2b", ".=.+5", "<ab>", "sys 5", "1: 0"}) {
+    const Assembly a = assemble(source);
+    EXPECT_FALSE(a.ok()) << source;
+    bool named = false;
+    for (const std::string& text : messages(a)) named = named || text.find("--dialect bell") != std::string::npos;
+    EXPECT_TRUE(named) << source << ": " << messages(a).front();
+  }
+}
+
 }  // namespace
 }  // namespace sightline::assembler

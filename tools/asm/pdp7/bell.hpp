@@ -1,0 +1,131 @@
+// The dialect of Bell Laboratories' assembler `as` of 1970, one reading of all sources (see pdp7/pass.hpp for
+// what the passes do).
+//
+//   label:   1: jmp 1b; jmp 2f     name = expression     . = . + 10      " comment to the end of the line
+//   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
+//
+// Source: as.s, the assembler's own source (pdp7-unix, scans/as.s); the names in parentheses are its labels.
+// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight
+// characters count
+//   (gs2), and `a` is not `A`. `;` and the end of the line end a statement, `"` begins a comment (gchar).
+// - Numbers are decimal, octal with a leading 0 (gs3). All arithmetic is two's complement in 18 bits (oper).
+// - Blank is OR. `+` and `-` bind more closely, and blanks beside them count for nothing (gpair, expr).
+// - `<a` is a character in the left half of a word, `a>` in the right half, so `<ab>` both (lqot, rqot).
+// - `1:` can be defined often: 1b is the last definition before, 1f the next one behind; ten of them, 0 to 9
+// (assm3, gs3).
+// - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word
+// with one of
+//   them (process). The difference of two is a number.
+// - The last location is 017777 (assm2).
+// The sources of 1970 define the names of instructions themselves (the file sop.s). Here those of the
+// instruction table are known, and `sys`, which is `cal i`; a source may define them again. The names of
+// system calls are its own.
+//
+// Stricter than as.s, where that would make other words without a message: a name with two places, an operand
+// that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
+// succession, a comma (as.s takes it for a blank), `..` set after the first word or label.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tools/asm/pdp7/pass.hpp"
+
+namespace sightline::assembler {
+
+inline constexpr std::uint32_t first_bell_base = 4096;  // `..` unless the source sets it (init, d4096)
+// What a Symbol of the dialect has as its form, and what a relative label has beside its location, if `..` is
+// to be added.
+inline constexpr int relocatable_form = 100;
+inline constexpr std::uint32_t relocatable_label = 01000000;
+
+[[nodiscard]] bool bell_letter(char c);
+
+// A name as a message shows it, the first 40 characters.
+[[nodiscard]] std::string shown_name(std::string_view name);
+
+// Puts the names that the dialect has beside those of the machine into the table.
+void enter_bell_symbols(SymbolTable& symbols);
+
+// Adds the value of `..` to the relocatable symbols, after the last pass.
+void relocate_bell_symbols(Pdp7Program& program);
+
+class BellPass {
+ public:
+  BellPass(std::span<const SourceFile> sources, Pdp7Program& program, int number, bool final);
+
+  void run();
+
+ private:
+  struct Number {
+    std::uint32_t value = 0;
+    int relocatable = 0;  // 1: the value of `..` is to be added; another number than 0 and 1 cannot be
+    bool known = true;
+  };
+
+  // Characters. `peek` is '\0' at the end of the file, and a comment is skipped like one.
+  [[nodiscard]] char peek(std::size_t ahead = 0) const;
+  [[nodiscard]] Position position() const { return {file_, line_, at_ - line_start_ + 1}; }
+  [[nodiscard]] bool at_end_of_statement() const;
+  void advance(std::size_t characters) { at_ += characters; }
+  void skip_blanks();
+  void skip_statement();
+  [[nodiscard]] std::string_view take_name();
+  [[nodiscard]] std::string found() const;
+
+  // Statements
+  void read_file(std::size_t index);
+  void statement();
+  [[nodiscard]] bool label_or_assignment();
+  void define_label(std::string_view name, const Position& at);
+  void define_relative_label(char digit);
+  void assign(std::string_view name, const Position& at);
+  void set_location(const Number& value, const Position& at);
+  void set_base(const Number& value, const Position& at);
+  void make_word();
+
+  // Expressions. Nothing after an error, which is reported.
+  [[nodiscard]] std::optional<Number> expression();
+  [[nodiscard]] std::optional<Number> sum();
+  [[nodiscard]] std::optional<Number> operand();
+  [[nodiscard]] std::optional<Number> number();
+  [[nodiscard]] std::optional<Number> character();
+  [[nodiscard]] std::optional<Number> relative_label(const Position& at, std::size_t digit, bool forward);
+  [[nodiscard]] std::optional<Number> symbol(std::string_view name, const Position& at);
+  [[nodiscard]] std::optional<Number> checked(Number value, const Position& at);
+  void undefined(std::string_view name, const Position& at);
+
+  [[nodiscard]] std::uint32_t relocated(const Number& value) const;
+  [[nodiscard]] bool location_in_core(const Position& at);
+  void emit(std::uint32_t word, const Position& at);
+  Symbol& look_up(std::string_view name, const Position& at);
+  void error(const Position& at, std::string found, std::string expected);
+  void warning(const Position& at, std::string found, std::string expected);
+  void say(Severity severity, const Position& at, std::string found, std::string expected);
+
+  std::span<const SourceFile> sources_;
+  Pdp7Program& program_;
+  int number_;
+  bool final_;
+  std::string_view text_;
+  std::size_t file_ = 0;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_start_ = 0;
+  Number location_{0, 1, true};
+  bool base_used_ = false;                    // by a word or a label: it cannot change any more
+  bool character_before_ = false;             // the operand just read was <a
+  bool in_location_ = false;                  // reading what `.` or `..` is set to
+  std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
+  std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass
+  std::map<std::uint32_t, Position> occupied_;
+  std::set<std::string> clashes_;
+};
+
+}  // namespace sightline::assembler
