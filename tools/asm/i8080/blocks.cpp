@@ -21,6 +21,16 @@ std::string_view without_private_comment(std::string_view text) {
   return text.substr(at).starts_with(";;") ? text.substr(0, at) : text;
 }
 
+// As it is read again: a first digit above 9 has a 0 before it.
+std::string in_radix(unsigned value, unsigned radix) {
+  std::string digits;
+  do {
+    digits.insert(digits.begin(), "0123456789ABCDEF"[value % radix]);
+    value /= radix;
+  } while (value != 0);
+  return digits.front() > '9' ? "0" + digits : digits;
+}
+
 const char* name_of(Directive directive) {
   return directive == Directive::rept ? "REPT" : directive == Directive::irp ? "IRP" : "IRPC";
 }
@@ -238,7 +248,7 @@ std::vector<std::string> I8080Pass::argument_texts(const Arguments& arguments) {
     read_operands(argument.column);
     const auto value = settled("a value");
     if (value && !token_.is(',')) expect_end();
-    texts.push_back(std::to_string(value.value_or(0)));
+    texts.push_back(in_radix(value.value_or(0), radix_));
   }
   return texts;
 }

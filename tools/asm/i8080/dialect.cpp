@@ -28,46 +28,46 @@ constexpr std::array rows{
                     [](const I8080Rules& rules) -> std::string {
                       return rules.bang_separates ? "separates statements" : "an error";
                     },
-                    "ASM, section 2; MAC, section 2"},
+                    "ASM, section 3.2"},
     I8080DialectRow{"`!` in a comment",
                     [](const I8080Rules& rules) -> std::string {
                       if (is_common(rules)) return "belongs to it; a warning if a statement could begin there";
                       return rules.bang_ends_comment ? "ends it" : "belongs to it";
                     },
-                    "ASM, section 2: a comment extends to the next end of line or `!`"},
+                    "ASM, section 3.2: a comment lasts to the next real or logical end of line; MACRO-80, 2.3.1"},
     I8080DialectRow{"`$` behind the first item of DB and DW",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string all = "the address of the statement";
                       return is_common(rules) ? all + "; a warning" : rules.location_moves ? "the address of the item" : all;
                     },
-                    "MAC, section 4; MACRO-80, section 2.4; Intel, chapter 2"},
+                    "MAC; MACRO-80, 2.11: its value at the start of the statement; Intel"},
     I8080DialectRow{"to take the next character of a macro argument as it is",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string sign = std::string("`") + rules.literal + "`";
                       return is_common(rules) ? sign + "; a warning at `!`" : sign;
                     },
-                    "MAC, section 8; MACRO-80, section 2.9; Intel, chapter 5"},
+                    "MAC; MACRO-80, 2.7.9; Intel"},
     I8080DialectRow{"`$` in a name",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.dollar_in_names ? "a character like others, also the first" : "passed over; not the first";
                     },
-                    "ASM, section 3; MACRO-80, section 2.3"},
+                    "ASM, section 3.2; MACRO-80, 2.3.2"},
     I8080DialectRow{"`$` before a digit",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.dollar_in_names ? "begins a name" : "a hexadecimal number";
                     },
-                    "of this assembler, but for MACRO-80, section 2.3"},
+                    "of this assembler; MACRO-80, 2.3.2"},
     I8080DialectRow{"`IF` is true",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.if_takes_bit_zero ? "if bit 0 is 1; a warning if that is not the same as: not 0" : "if not 0";
                     },
-                    "ASM, section 4; Intel, chapter 4"},
+                    "MACRO-80, 2.6.26; Intel"},
     I8080DialectRow{"characters of a name that count",
                     [](const I8080Rules& rules) -> std::string {
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "MAC, section 2; MACRO-80, section 2.3; Intel, chapter 2"},
+                    "ASM, section 3.2; MACRO-80, 2.3.2; Intel"},
 };
 
 }  // namespace

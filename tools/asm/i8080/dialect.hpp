@@ -4,9 +4,9 @@
 // Without a dialect the common language is read: what means the same in all of them. What does not is taken as stated there, with a
 // warning where another dialect would make other bytes of it.
 //
-// Sources: Digital Research, "CP/M MAC Macro Assembler: Language Manual and Applications Guide" (1980) and "CP/M Assembler (ASM)
-// User's Guide"; Microsoft, "Utility Software Manual", MACRO-80 (1981); Intel, "8080/8085 Assembly Language Programming Manual" (1979,
-// 9800301).
+// Sources: Digital Research, "CP/M Operating System Manual", chapter 3 on ASM, and the language manual of MAC; Microsoft, "Utility
+// Software Manual", chapter 2 on MACRO-80; Intel, "8080/8085 Assembly Language Programming Manual" (9800301). Rows that name no
+// section rest on how programs of the time were written, not on a page.
 #pragma once
 
 #include <array>

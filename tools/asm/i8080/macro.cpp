@@ -8,10 +8,17 @@
 namespace sightline::assembler {
 namespace {
 
+// Where the comment begins; a semicolon behind the sign for literal characters begins none.
+std::size_t end_of_arguments(std::string_view text, std::size_t at, char literal) {
+  std::size_t end = start_of_comment(text, at);
+  while (end < text.size() && end > at && text[end - 1] == literal) end = start_of_comment(text, end + 1);
+  return end;
+}
+
 class ArgumentSplitter {
  public:
   ArgumentSplitter(std::string_view text, std::size_t at, const I8080Rules& rules)
-      : literal_(rules.literal), text_(text.substr(0, start_of_comment(text, at))), at_(skip_blanks(text_, at)) {}
+      : literal_(rules.literal), text_(text.substr(0, end_of_arguments(text, at, literal_))), at_(skip_blanks(text_, at)) {}
 
   Arguments split() {
     if (at_ >= text_.size()) return {};

@@ -108,6 +108,7 @@ class I8080Pass {
   // Statements (statement.cpp)
   void statement();
   void control_line();
+  [[nodiscard]] bool is_control(std::string_view text) const;
   [[nodiscard]] bool in_comment();
   void doubt_comment();
   [[nodiscard]] std::optional<Head> head();

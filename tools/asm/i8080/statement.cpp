@@ -17,7 +17,7 @@ void I8080Pass::statement() {
   if (comment_end_ && in_comment()) return;
   if (rules_.dialect == I8080Dialect::common) doubt_comment();
   if (definition_) return collect();
-  if (statement_.begins_line && statement_.text.starts_with('$') && !rules_.dollar_in_names) return control_line();
+  if (statement_.begins_line && statement_.text.starts_with('$') && is_control(statement_.text)) return control_line();
   const auto parsed = head();
   if (!parsed) return;
   if (active()) {
@@ -32,6 +32,14 @@ void I8080Pass::statement() {
 const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
   const Word* found = program_.vocabulary.find(name);
   return found != nullptr && found->kind == kind ? found : nullptr;
+}
+
+// `$` in column 1 begins a control of the listing. Where it may begin a name, only those that MACRO-80 has are controls.
+bool I8080Pass::is_control(std::string_view text) const {
+  if (!rules_.dollar_in_names) return true;
+  const std::size_t from = skip_blanks(text, 1);
+  const std::string name = folded(text.substr(from, end_of_name(text, from) - from));
+  return name == "eject" || name == "title" || name == "include";
 }
 
 // Lines between .COMMENT and its second sign.
@@ -78,7 +86,7 @@ void I8080Pass::control_line() {
 // assemblers.
 std::optional<I8080Pass::Head> I8080Pass::head() {
   const std::string_view text = statement_.text;
-  if (statement_.begins_line && !text.empty() && (text[0] == '*' || (text[0] == '$' && !rules_.dollar_in_names)))
+  if (statement_.begins_line && !text.empty() && (text[0] == '*' || (text[0] == '$' && is_control(text))))
     return std::nullopt;
   std::size_t at = skip_blanks(text, 0);
   const std::size_t line_number = at;

@@ -1,6 +1,6 @@
 // Where the 8080 assemblers of the time differ. The bytes expected follow from what their manuals say of each construct: Digital
-// Research's of ASM (1978) and MAC (1980), Microsoft's of MACRO-80 (Utility Software Manual, 1981), Intel's of the 8080/8085
-// assembler (9800301, 1979).
+// Research's of ASM (CP/M Operating System Manual, chapter 3) and MAC, Microsoft's of MACRO-80 (Utility Software Manual, chapter 2),
+// Intel's of the 8080/8085 assembler (9800301).
 #include "tools/asm/i8080/dialect.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ std::string first_message(I8080Dialect dialect, const std::string& text) {
 
 // --- What was read without a word as something else ---
 
-// ASM, section 2: "a comment ... extends to the next physical or logical end of line"; `!` is a logical one.
+// ASM, section 3.2: a comment lasts to the next real or logical end of line, and `!` is a logical one. MACRO-80, 2.3.1: to the
+// carriage return.
 TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
   const std::string text = " MVI A,1 ; one ! RET\n";
   EXPECT_EQ(bytes(mac, text), (Bytes{0x3E, 1, 0xC9}));
@@ -46,8 +47,7 @@ TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
   EXPECT_EQ(first_message(common, " NOP ; go! NEXT: is the label\n").substr(0, 26), "t.asm:1:10: warning: found");
 }
 
-// MAC: `$` is the location counter, which moves on with each byte that DB makes; in MACRO-80 and Intel's assembler it is the
-// address of the statement.
+// MACRO-80, 2.11: `$` is the value of the location counter at the start of the statement; that of MAC moves on with each byte.
 TEST(I8080Dialect, TheLocationOfLaterItems) {
   const std::string text = " ORG 100H\n DB 0,0,LOW $\n DW $,$\n";
   EXPECT_EQ(bytes(mac, text), (Bytes{0, 0, 2, 3, 1, 5, 1}));
@@ -58,10 +58,11 @@ TEST(I8080Dialect, TheLocationOfLaterItems) {
   EXPECT_EQ(first_message(common, " JMP $+3\n DB $\n"), "");
 }
 
-// MACRO-80, section 2.9, and Intel, chapter 5: `!` takes the next character of an argument literally; MAC has `^`.
+// MACRO-80, 2.7.9: `!` enters the next character of an argument literally, so `!;` and `<;>` are the same; MAC has `^`.
 TEST(I8080Dialect, TheSignOfLiteralCharacters) {
   const std::string macro = "P MACRO X\n DB X\n ENDM\n";
   EXPECT_EQ(bytes(m80, macro + " P <1!+2>\n"), Bytes{3});
+  EXPECT_EQ(bytes(m80, "P MACRO X\n DB '&X'\n ENDM\n P !;\n P <;>\n"), (Bytes{';', ';'}));
   EXPECT_EQ(bytes(m80, macro + " P <'!>'>\n"), Bytes{'>'});
   EXPECT_EQ(bytes(intel, macro + " P <'!>'>\n"), Bytes{'>'});
   EXPECT_EQ(bytes(mac, macro + " P <'^>'>\n"), Bytes{'>'});
@@ -71,7 +72,7 @@ TEST(I8080Dialect, TheSignOfLiteralCharacters) {
             std::string::npos);
 }
 
-// MACRO-80, section 2.3: `$` is one of the characters of a name. ASM, section 3: it is passed over in names and numbers.
+// MACRO-80, 2.3.2: `$` is one of the characters of a name. ASM, section 3.2: it is passed over in names.
 TEST(I8080Dialect, DollarsInNames) {
   EXPECT_EQ(bytes(m80, "$abe EQU 5\nA$B: DB $abe\nAB: DB A$B,AB\n"), (Bytes{5, 0, 1}));
   EXPECT_EQ(bytes(m80, "$name: JMP $name\n"), (Bytes{0xC3, 0, 0}));
@@ -94,7 +95,7 @@ TEST(I8080Dialect, StatementsOfALine) {
   }
 }
 
-// Intel, chapter 4: IF looks at the low-order bit.
+// Intel: IF looks at the low-order bit. MACRO-80, 2.6.26: true if not 0.
 TEST(I8080Dialect, BitZeroOfIf) {
   const std::string text = " IF 2\n DB 1\n ELSE\n DB 0\n ENDIF\n";
   EXPECT_EQ(bytes(mac, text), Bytes{1});
@@ -142,7 +143,7 @@ TEST(I8080Dialect, EqualDefinitions) {
   EXPECT_FALSE(assembled(common, "A1: NOP\nA1: NOP\n").ok());
 }
 
-// MACRO-80: passes, radix, phase, comments, common blocks, externals, X'..'.
+// MACRO-80, 2.6.26 IF1 and IF2, 2.6.22 .RADIX, 2.6.29 .PHASE, 2.6.20 .COMMENT, 2.3.2 NAME##, 2.3.3 X'..', 2.11 controls.
 TEST(I8080Dialect, DirectivesOfMacro80) {
   EXPECT_EQ(bytes(m80, " IF1\nONE EQU 7\n ENDIF\n IF2\n DB ONE\n ENDIF\n"), Bytes{7});
   EXPECT_EQ(bytes(m80, " .RADIX 16\n DB 10,0FB,1D,11Q\n .RADIX 10\n DB 10\n .RADIX 2\n DB 101,10D\n"),
@@ -154,6 +155,10 @@ TEST(I8080Dialect, DirectivesOfMacro80) {
   EXPECT_EQ(bytes(m80, " CALL SUB##\n EXTRN TOP\n DW TOP\nSUB:: RET\nTOP: NOP\n"), (Bytes{0xCD, 5, 0, 6, 0, 0xC9, 0}));
   EXPECT_EQ(bytes(m80, " DB X'0F',x'a'\n"), (Bytes{0x0F, 0x0A}));
   EXPECT_FALSE(assembled(m80, " DB X'0G'\n").ok());
+  EXPECT_EQ(bytes(m80, "$EJECT\n$TITLE('x')\n$ EJECT\n DB 1\n"), Bytes{1});
+  EXPECT_FALSE(assembled(m80, "$INCLUDE X\n").ok());
+  // 2.7.9: % gives the number in the current radix.
+  EXPECT_EQ(bytes(m80, "P MACRO X\n DB X\n ENDM\n .RADIX 16\n P %0FE\n .RADIX 2\n P %101\n"), (Bytes{0xFE, 5}));
 }
 
 TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
