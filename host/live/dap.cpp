@@ -230,12 +230,14 @@ class Adapter {
 
   Json initialize(const Json& arguments) {
     if (member(arguments, "linesStartAt1").boolean() == false) first_line_ = 0;
+    if (member(arguments, "columnsStartAt1").boolean() == false) first_column_ = 0;
     Json can = Json::object();
     for (const char* const each :
          {"supportsConfigurationDoneRequest", "supportsConditionalBreakpoints", "supportsHitConditionalBreakpoints",
           "supportsFunctionBreakpoints", "supportsInstructionBreakpoints", "supportsDataBreakpoints", "supportsStepBack",
           "supportsEvaluateForHovers", "supportsSetVariable", "supportsReadMemoryRequest", "supportsWriteMemoryRequest",
-          "supportsDisassembleRequest", "supportsSteppingGranularity", "supportsTerminateRequest"})
+          "supportsDisassembleRequest", "supportsSteppingGranularity", "supportsTerminateRequest", "supportsSetExpression",
+          "supportsCompletionsRequest"})
       can[each] = true;
     return can;
   }
@@ -259,6 +261,7 @@ class Adapter {
     run.print = [this](std::string_view text) { output("stdout", text); };
     debugger_.emplace(*launched_->description, *launched_->prepared.machine, launched_->prepared.limits,
                       std::move(launched_->symbols), std::move(run));
+    if (launched_->radix != 0) debugger_->set_radix(launched_->radix);
     for (const std::string& warning : launched_->warnings) output("console", warning + "\n");
     debugger_->send(text_in(arguments, "input"));
     stop_on_entry_ = flag_in(arguments, "stopOnEntry");
@@ -366,6 +369,7 @@ class Adapter {
   Json data_breakpoint_info(const Json& arguments) {
     const std::string name = text_in(arguments, "name");
     if (debugger_->register_named(name)) return Json{{"dataId", Json()}, {"description", "a register cannot be watched"}};
+    if (debugger_->is_state(name)) return Json{{"dataId", Json()}, {"description", name + " is no word of memory"}};
     const auto at = debugger_->address_of(name);
     if (!at) return Json{{"dataId", Json()}, {"description", at.error().message()}};
     return Json{{"dataId", reference(*at)},
@@ -389,6 +393,26 @@ class Adapter {
 
   enum class Action : std::uint8_t { go_on, one, over, out };
 
+  // An editor steps by lines in a source and by instructions in the disassembly.
+  void begin_step(Action action, const Json& arguments) {
+    by_lines_ = text_in(arguments, "granularity") != "instruction";
+    begin_running(action);
+  }
+  // A line of a macro makes several instructions: to the first that is of another, or of the same again.
+  Halted step() {
+    const std::uint32_t begun = debugger_->pc();
+    const Symbols::Place* const line = debugger_->symbols().place(begun);
+    constexpr int most = 65536;
+    Halted halted;
+    for (int n = 0; n < most; ++n) {
+      halted = action_ == Action::over ? debugger_->step_over() : debugger_->run({.instructions = 1});
+      if (!by_lines_ || line == nullptr || halted.why != Halted::Why::goal || debugger_->pc() == begun) return halted;
+      const Symbols::Place* const now = debugger_->symbols().place(debugger_->pc());
+      if (now == nullptr || now->line != line->line || now->file != line->file) return halted;
+    }
+    return halted;
+  }
+
   void begin_running(Action action) {
     running_ = true;
     action_ = action;
@@ -397,12 +421,12 @@ class Adapter {
     begin_running(Action::go_on);
     return Json{{"allThreadsContinued", true}};
   }
-  Json next(const Json&) {
-    begin_running(Action::over);
+  Json next(const Json& arguments) {
+    begin_step(Action::over, arguments);
     return {};
   }
-  Json step_in(const Json&) {
-    begin_running(Action::one);
+  Json step_in(const Json& arguments) {
+    begin_step(Action::one, arguments);
     return {};
   }
   Json step_out(const Json&) {
@@ -419,9 +443,11 @@ class Adapter {
     return {};
   }
   Json reverse_continue(const Json&) {
-    const bool met = accepted(debugger_->back_to_breakpoint());
+    action_ = Action::out;  // what waits meanwhile is for the machine where it will be, but for a pause
+    const auto met = accepted(debugger_->back_to_breakpoint());
     afterwards_.push_back([this, met] {
-      stopped(met ? "breakpoint" : "entry", met ? std::string() : std::string("the past reaches no further"));
+      if (!met) return stopped("pause", {});
+      stopped(*met ? "breakpoint" : "entry", *met ? std::string() : std::string("the past reaches no further"));
     });
     return {};
   }
@@ -430,8 +456,8 @@ class Adapter {
     Halted halted;
     switch (action_) {
       case Action::go_on: halted = debugger_->run({}); break;
-      case Action::one: halted = debugger_->run({.instructions = 1}); break;
-      case Action::over: halted = debugger_->step_over(); break;
+      case Action::one:
+      case Action::over: halted = step(); break;
       case Action::out: {
         auto out = debugger_->step_out();
         running_ = out.has_value();
@@ -486,7 +512,7 @@ class Adapter {
   void add_place(Json& object, std::uint32_t at) const {
     const Symbols::Place* const place = debugger_->symbols().place(at);
     object["line"] = place == nullptr ? 0 : static_cast<std::int64_t>(place->line) - 1 + first_line_;
-    object["column"] = place == nullptr ? 0 : first_line_;
+    object["column"] = place == nullptr ? 0 : first_column_;
     if (place == nullptr) return;
     std::error_code ignored;
     const std::filesystem::path path = std::filesystem::absolute(place->file, ignored);
@@ -525,8 +551,10 @@ class Adapter {
     const auto add = [&list](std::string_view name, std::string_view value) {
       list.push_back(Json{{"name", name}, {"value", value}, {"evaluateName", name}, {"variablesReference", 0}});
     };
-    const auto add_lines = [&add](const std::vector<guests::run::ReportLine>& lines) {
-      for (const auto& line : lines) add(line.label, line.text);
+    // Texts for a person; no expression gives them.
+    const auto add_lines = [&list](const std::vector<guests::run::ReportLine>& lines) {
+      for (const auto& line : lines)
+        list.push_back(Json{{"name", line.label}, {"value", line.text}, {"variablesReference", 0}});
     };
     switch (integer_in(arguments, "variablesReference", 0)) {
       case of_registers:
@@ -556,6 +584,40 @@ class Adapter {
       throw Refused{fmt::format("found {}, expected {} of {} bits", text_in(arguments, "value"), each.what, each.bits)};
     debugger_->set(*number, static_cast<std::uint32_t>(value));
     return Json{{"value", debugger_->register_text(*number).substr(name.size() + 1)}};
+  }
+  // A register by its name, or a word of memory as [address].
+  Json set_expression(const Json& arguments) {
+    const std::string expression = text_in(arguments, "expression");
+    if (debugger_->register_named(expression)) {
+      Json request = arguments;
+      request["name"] = expression;
+      request["variablesReference"] = std::int64_t{of_registers};
+      return set_variable(request);
+    }
+    const std::string_view place = base::without_blanks(expression);
+    if (place.size() < 3 || place.front() != '[' || place.back() != ']')
+      throw Refused{fmt::format("found {}, expected a register or a word as [ADDRESS]", expression)};
+    const std::uint32_t at = accepted(debugger_->address_of(place.substr(1, place.size() - 2)));
+    const std::int64_t value = accepted(debugger_->evaluate(text_in(arguments, "value")));
+    if (value < 0 || value >= std::int64_t{1} << debugger_->description().word_bits)
+      throw Refused{fmt::format("found {}, expected a word of {} bits", text_in(arguments, "value"), debugger_->description().word_bits)};
+    debugger_->put(at, static_cast<std::uint32_t>(value));
+    return Json{{"value", debugger_->word(static_cast<std::uint32_t>(value))}};
+  }
+  // Names that begin with what stands before the cursor.
+  Json completions(const Json& arguments) {
+    const std::string text = text_in(arguments, "text");
+    const std::int64_t column = integer_in(arguments, "column", first_column_) - first_column_;
+    std::string_view before = std::string_view(text).substr(0, static_cast<std::size_t>(std::clamp<std::int64_t>(
+                                                                   column, 0, static_cast<std::int64_t>(text.size()))));
+    const std::size_t begun = before.find_last_of(" ()[]+-*/&|!<>=~^%");
+    if (begun != std::string_view::npos) before.remove_prefix(begun + 1);
+    Json targets = Json::array();
+    for (const std::string& name : debugger_->names()) {
+      if (base::lower_case(name).starts_with(base::lower_case(before)))
+        targets.push_back(Json{{"label", name}, {"length", before.size()}, {"start", column - static_cast<std::int64_t>(before.size())}});
+    }
+    return Json{{"targets", std::move(targets)}};
   }
   Json evaluate(const Json& arguments) {
     const std::string text = text_in(arguments, "expression");
@@ -612,11 +674,25 @@ class Adapter {
     const std::int64_t words = debugger_->machine().words();
     constexpr std::int64_t most = 4096;
     const std::int64_t count = std::clamp<std::int64_t>(integer_in(arguments, "instructionCount", 0), 0, most);
-    // Backwards an instruction is a word; where one begins there cannot be known.
-    std::int64_t at = begin + std::clamp<std::int64_t>(integer_in(arguments, "instructionOffset", 0), -words, words);
+    const std::int64_t offset = std::clamp<std::int64_t>(integer_in(arguments, "instructionOffset", 0), -most, most);
+    std::vector<std::uint32_t> before;
+    if (offset < 0) before = debugger_->instructions_before(static_cast<std::uint32_t>(begin), static_cast<std::size_t>(-offset));
+    std::int64_t at = begin;
+    for (std::int64_t n = 0; n < offset && at < words; ++n)
+      at += debugger_->machine().instruction_at(static_cast<std::uint32_t>(at)).words;
+    // Rows before the beginning of memory have addresses below it.
+    const std::int64_t missing = offset < 0 ? -offset - static_cast<std::int64_t>(before.size()) : 0;
     Json list = Json::array();
     for (std::int64_t n = 0; n < count; ++n) {
       Json row = Json::object();
+      const std::int64_t row_before = n - missing;
+      if (n < missing) {
+        at = -1;
+      } else if (row_before < static_cast<std::int64_t>(before.size())) {
+        at = before[static_cast<std::size_t>(row_before)];
+      } else if (row_before == static_cast<std::int64_t>(before.size()) && offset < 0) {
+        at = begin;
+      }
       if (at < 0 || at >= words) {
         row = Json{{"address", fmt::format("0x{:X}", std::max<std::int64_t>(at, 0))}, {"instruction", "outside memory"}};
         row["presentationHint"] = "invalid";
@@ -649,11 +725,13 @@ class Adapter {
   std::vector<std::function<void()>> afterwards_;  // what follows the response
   std::int64_t sent_ = 0;
   std::int64_t first_line_ = 1;  // the number of the first line in the client's words
+  std::int64_t first_column_ = 1;
   bool over_ = false;
   bool stop_on_entry_ = false;
   bool running_ = false;
   bool finished_ = false;
   Action action_ = Action::go_on;
+  bool by_lines_ = false;
   std::optional<base::Error> broken_;
   std::optional<Launched> launched_;
   std::optional<Debugger> debugger_;
@@ -687,6 +765,8 @@ std::span<const Adapter::Command> Adapter::commands() {
       Command{"scopes", true, &Adapter::scopes},
       Command{"variables", true, &Adapter::variables},
       Command{"setVariable", true, &Adapter::set_variable},
+      Command{"setExpression", true, &Adapter::set_expression},
+      Command{"completions", true, &Adapter::completions},
       Command{"evaluate", true, &Adapter::evaluate},
       Command{"readMemory", true, &Adapter::read_memory},
       Command{"writeMemory", true, &Adapter::write_memory},

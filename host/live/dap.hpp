@@ -25,6 +25,7 @@ struct Launched {
   guests::run::Prepared prepared;
   Symbols symbols{8};
   std::vector<std::string> warnings = {};
+  int radix = 0;  // of values; 0: that of the machine
 };
 
 struct DapHost {

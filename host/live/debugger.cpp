@@ -75,6 +75,24 @@ std::string Debugger::instruction_text(std::uint32_t at) const {
   return source.empty() ? text : fmt::format("{}  ; {}", text, source);
 }
 
+std::vector<std::uint32_t> Debugger::instructions_before(std::uint32_t at, std::size_t count) const {
+  constexpr std::uint32_t longest = 3, slack = 16;
+  const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(count, at));
+  const std::uint32_t earliest = at - std::min(at, longest * wanted + slack);
+  std::vector<unsigned> words;  // of the instruction that would begin there
+  for (std::uint32_t place = earliest; place < at; ++place) words.push_back(std::max(1U, machine_.instruction_at(place).words));
+  // From the farthest beginning that comes out at `at`: instructions that begin wrong soon fall into step.
+  std::vector<std::uint32_t> starts;
+  for (std::uint32_t begin = earliest; begin < at && starts.size() < wanted; ++begin) {
+    std::vector<std::uint32_t> found;
+    std::uint32_t place = begin;
+    for (; place < at; place += words[place - earliest]) found.push_back(place);
+    if (place == at && found.size() > starts.size()) starts = std::move(found);
+  }
+  if (starts.size() > count) starts.erase(starts.begin(), starts.end() - static_cast<std::ptrdiff_t>(count));
+  return starts;
+}
+
 std::string Debugger::time_text(std::int64_t ticks) const {
   const std::int64_t second = machine_.ticks_a_second();
   const auto nanoseconds =
@@ -112,6 +130,21 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   }
   if (const auto value = symbols_.value(name)) return *value;
   return std::nullopt;
+}
+
+bool Debugger::is_state(std::string_view name) const {
+  const std::string lowered = base::lower_case(name);
+  if (lowered == "time" || lowered == "instructions") return true;
+  const auto conditions = machine_.conditions();
+  return std::any_of(conditions.begin(), conditions.end(), [&lowered](const auto& each) { return each.first == lowered; });
+}
+
+std::vector<std::string> Debugger::names() const {
+  std::vector<std::string> names{"time", "instructions"};
+  for (const auto& each : description_.registers) names.push_back(base::lower_case(each.name));
+  for (const auto& [name, holds] : machine_.conditions()) names.emplace_back(name);
+  for (const auto& [name, value] : symbols_.all()) names.push_back(name);
+  return names;
 }
 
 base::Result<std::int64_t> Debugger::evaluate(std::string_view expression) const {
@@ -336,9 +369,9 @@ base::Result<Done> Debugger::back(std::uint64_t instructions) {
   return past_.go_back_to(machine_.instructions() - instructions);
 }
 
-base::Result<bool> Debugger::back_to_breakpoint() {
+base::Result<std::optional<bool>> Debugger::back_to_breakpoint() {
   show_printed();
-  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe); });
+  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe); }, host_.interrupted);
 }
 
 std::vector<Past::Entry> Debugger::history(std::size_t n) {

@@ -81,6 +81,9 @@ class Debugger {
   // "begin+5: lac i 00010", with the line of the source if there is one.
   [[nodiscard]] std::string instruction_text(std::uint32_t at) const;
   [[nodiscard]] std::string time_text(std::int64_t ticks) const;
+  // Where so many instructions before `at` begin, the last one ending there; fewer at the beginning of memory. Where instructions have
+  // several words that is a guess, the best there is.
+  [[nodiscard]] std::vector<std::uint32_t> instructions_before(std::uint32_t at, std::size_t count) const;
   // Where the machine is and what it does next: a line.
   [[nodiscard]] std::string status() const;
 
@@ -89,6 +92,10 @@ class Debugger {
   [[nodiscard]] std::uint32_t pc() const { return machine_.get(pc_); }
   [[nodiscard]] std::size_t pc_register() const { return pc_; }
   [[nodiscard]] std::optional<std::size_t> register_named(std::string_view name) const;
+  // Whether a name is one of time, instructions and the conditions: values that are in no register or word.
+  [[nodiscard]] bool is_state(std::string_view name) const;
+  // All names that expressions know.
+  [[nodiscard]] std::vector<std::string> names() const;
   // Names are registers (of the 8080 pairs too), time, instructions, conditions, symbols.
   [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view expression) const;
   [[nodiscard]] base::Result<std::uint32_t> address_of(std::string_view expression) const;
@@ -127,8 +134,8 @@ class Debugger {
 
   [[nodiscard]] base::Result<base::Done> back(std::uint64_t instructions);
   // To the last place before here where a breakpoint, whatever its condition and count, would have stopped a run; false: to the
-  // beginning of the past.
-  [[nodiscard]] base::Result<bool> back_to_breakpoint();
+  // beginning of the past; nullopt: it was interrupted, and the machine is where it was.
+  [[nodiscard]] base::Result<std::optional<bool>> back_to_breakpoint();
   [[nodiscard]] std::vector<Past::Entry> history(std::size_t n);
   [[nodiscard]] std::optional<Past::Writer> last_writer(std::uint32_t at);
   // The latest first, as far as the last some ten thousand instructions show them.

@@ -122,12 +122,16 @@ void Past::look_back(Work work) {
   probe = kept;
 }
 
-base::Result<bool> Past::go_back_to_event(const std::function<void(Probe&)>& mark) {
+base::Result<std::optional<bool>> Past::go_back_to_event(const std::function<void(Probe&)>& mark,
+                                                         const std::function<bool()>& interrupted) {
   if (places_.empty()) return base::fail("there is no past yet");
   const Boundary now = here();
   std::optional<std::uint64_t> found;
+  bool given_up = false;
   look_back([&] {
     for (std::size_t segment = places_.size(); segment-- > 0 && !found;) {
+      given_up = interrupted();
+      if (given_up) return;
       mark(*machine_.probe());
       restore(places_[segment]);
       run_again(end_of(segment, now), [&] {
@@ -135,9 +139,10 @@ base::Result<bool> Past::go_back_to_event(const std::function<void(Probe&)>& mar
       });
     }
   });
+  if (given_up) return std::optional<bool>();
   const auto done = go_back_to(found.value_or(places_.front().instructions));
   if (!done) return done.error();
-  return found.has_value();
+  return std::optional<bool>(found.has_value());
 }
 
 std::vector<Past::Entry> Past::history(std::size_t n) {

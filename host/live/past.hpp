@@ -41,7 +41,9 @@ class Past {
 
   // To the last boundary before here at which a run watched by these marks would have stopped; false: there is none, and the
   // machine is where the past begins.
-  [[nodiscard]] base::Result<bool> go_back_to_event(const std::function<void(guests::run::Probe&)>& mark);
+  // nullopt: `interrupted`, which is asked now and then, said so, and the machine is where it was.
+  [[nodiscard]] base::Result<std::optional<bool>> go_back_to_event(const std::function<void(guests::run::Probe&)>& mark,
+                                                                   const std::function<bool()>& interrupted);
 
   using Entry = guests::run::Probe::Entry;
   // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been

@@ -2,6 +2,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,6 +51,7 @@ Arguments arguments_of(const Json& request, std::span<const guests::run::Option>
   Arguments arguments(options);
   const auto set = [&](std::string_view name, const Json& value) {
     const auto option = std::find_if(options.begin(), options.end(), [&name](const auto& each) { return each.key() == name; });
+    if (name == "--do" || name == "--speed") refuse("found option " + std::string(name.substr(2)) + ", which is for a terminal");
     if (option == options.end()) refuse("found option " + std::string(name.substr(2)) + ", expected one of `sightline monitor`");
     Arguments::Value& into = arguments.value(name);
     const bool several = option->kind == OptionKind::list || option->kind == OptionKind::files;
@@ -79,17 +82,25 @@ base::Result<live::Launched> launch(const Json& request) {
     if (!request.is_object()) refuse("found " + describe(request) + " as arguments, expected an object");
     const MachineDescription& machine = machine_named(request);
     const std::vector<guests::run::Option> options = monitor_options(machine);
-    MonitoredMachine made = make_monitored(machine, arguments_of(request, options));
+    const Arguments arguments = arguments_of(request, options);
+    MonitoredMachine made = make_monitored(machine, arguments);
     std::vector<std::string> warnings = made.prepared.warnings;
-    return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings)};
+    return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings),
+                          radix_of(arguments)};
   } catch (const Failure& failure) {
     return base::fail(failure.what());
   }
 }
 
+// A signal that ends the process ends the session, as does a client that has gone: what was written on disks is put back.
 ExitCode serve() {
+  const base::EndSignals signals;
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   live::DapHost host;
-  host.read = [](int milliseconds) { return base::read_stdin_within(milliseconds); };
+  host.read = [](int milliseconds) -> std::optional<std::string> {
+    if (base::EndSignals::received() != 0) return std::nullopt;
+    return base::read_stdin_within(milliseconds);
+  };
   host.write = [](std::string_view text) { return base::write_now(STDOUT_FILENO, text); };
   host.launch = launch;
   host.finish = [](const guests::run::Machine& machine) -> base::Result<base::Done> {
@@ -102,7 +113,7 @@ ExitCode serve() {
   };
   const auto done = live::serve_debug_adapter(host);
   if (!done) throw Failure(ExitCode::bad_input, "dap: " + done.error().message());
-  return ExitCode::ok;
+  return base::EndSignals::received() == 0 ? ExitCode::ok : ExitCode::interrupted;
 }
 
 }  // namespace

@@ -199,6 +199,11 @@ ExitCode exit_code_of(live::Answer::Kind kind) {
 
 }  // namespace
 
+int radix_of(const Arguments& arguments) {
+  const std::string& radix = arguments.text("--radix");
+  return radix.empty() ? 0 : radix == "16" ? 16 : radix == "10" ? 10 : 8;
+}
+
 ExitCode hold_monitor_session(MonitorSetup setup) {
   Machine& machine = setup.machine;
   const Arguments& arguments = setup.arguments;
@@ -244,8 +249,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   };
   live::Monitor session(setup.description, machine, setup.limits, std::move(setup.symbols), std::move(host));
 
-  const std::string& radix = arguments.text("--radix");
-  if (!radix.empty()) session.set_radix(radix == "16" ? 16 : radix == "10" ? 10 : 8);
+  if (const int radix = radix_of(arguments); radix != 0) session.set_radix(radix);
 
   std::unique_ptr<Lines> lines;
   if (terminal) {

@@ -12,6 +12,9 @@ namespace sightline::app {
 // The options of the monitor: those of `run` that make a machine, and its own.
 [[nodiscard]] std::vector<guests::run::Option> monitor_options(const guests::run::MachineDescription& machine);
 
+// --radix; 0: that of the machine.
+[[nodiscard]] int radix_of(const guests::run::Arguments& arguments);
+
 // A machine made with --monitor; sources among its programs are assembled in place.
 struct MonitoredMachine {
   guests::run::Prepared prepared;

@@ -281,6 +281,100 @@ TEST_F(DapSteps, The8080TypesAndIsWatched) {
   EXPECT_EQ(printed, "AB");
 }
 
+// Instructions of one to three bytes: the rows before an address end there, as the assembler wrote them.
+TEST_F(DapSteps, RowsBeforeAnAddressOfThe8080) {
+  begin();
+  request("disassemble", {{"memoryReference", "0x10B"}, {"instructionOffset", -5}, {"instructionCount", 7}});
+  request("disassemble", {{"memoryReference", "0x1"}, {"instructionOffset", -3}, {"instructionCount", 4}});
+  request("disassemble", {{"memoryReference", "0x100"}, {"instructionOffset", 2}, {"instructionCount", 1}});
+  request("disassemble", {{"memoryReference", "0xFFFF"}, {"instructionOffset", 3}, {"instructionCount", 2}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return i8080_launched("\tORG 100H\n\tLXI H,2121H\n\tMVI A,21H\n\tINX H\n\tCALL 2121H\n\tMVI M,3EH\n\tHLT\n");
+  });
+  const auto addresses = [this](std::size_t n) {
+    std::string text;
+    const json whole = answer("disassemble", n);
+    for (const json& row : whole.at("body").at("instructions")) text += row.at("address").get<std::string>() + " ";
+    return text;
+  };
+  EXPECT_EQ(addresses(0), "0x100 0x103 0x105 0x106 0x109 0x10B 0x10C ");
+  const json edge = answer("disassemble", 1).at("body").at("instructions");
+  ASSERT_EQ(edge.size(), 4U);
+  EXPECT_EQ(edge[0].at("presentationHint"), "invalid");
+  EXPECT_EQ(edge[1].at("presentationHint"), "invalid");
+  EXPECT_EQ(edge[2].at("address"), "0x0");
+  EXPECT_EQ(edge[3].at("address"), "0x1");
+  EXPECT_EQ(addresses(2), "0x105 ");
+  EXPECT_EQ(answer("disassemble", 3).at("body").at("instructions").size(), 2U);
+}
+
+// A line of a macro makes three instructions; an editor steps over them all, and through them in the disassembly.
+TEST_F(DapSteps, StepsByLinesAndByInstructions) {
+  request("initialize", {{"columnsStartAt1", false}});
+  request("launch");
+  request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "begin"}}}}});
+  request("configurationDone");
+  request("next", {{"threadId", 1}, {"granularity", "statement"}});
+  look();
+  request("stepIn", {{"granularity", "instruction"}});
+  look();
+  request("stackTrace");
+  request("next", {{"granularity", "line"}});  // the two that are left of the line
+  look();
+  request("next");  // JMP to itself: once
+  look();
+  request("disconnect");
+  hold_with([](const json&) {
+    return i8080_launched("\tORG 100H\nUP3:\tMACRO\n\tINX H\n\tINX H\n\tINX H\n\tENDM\n\tNOP\nBEGIN:\tNOP\n"
+                          "\tREPT 1\n\tINR A ! INR A ! INR A\n\tENDM\nSELF:\tJMP SELF\n");
+  });
+  EXPECT_EQ(registers(0, {"PC"}), "PC=0102");
+  EXPECT_EQ(registers(1, {"PC"}), "PC=0103");
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").at(0).at("column"), 0);
+  EXPECT_EQ(registers(2, {"PC"}), "PC=0105");
+  EXPECT_EQ(registers(3, {"PC"}), "PC=0105");
+}
+
+TEST_F(DapSteps, ExpressionsAreSetAndCompleted) {
+  begin();
+  request("setExpression", {{"expression", "AC"}, {"value", "17"}});
+  request("setExpression", {{"expression", "[place]"}, {"value", "ac+1"}});
+  request("setExpression", {{"expression", "place"}, {"value", "1"}});
+  request("setExpression", {{"expression", "[place]"}, {"value", "1000000"}});
+  request("evaluate", {{"expression", "[place]"}, {"context", "watch"}});
+  request("completions", {{"text", "ac+pl"}, {"column", 6}});
+  request("dataBreakpointInfo", {{"name", "time"}});
+  request("variables", {{"variablesReference", 3}});
+  request("disconnect");
+  hold_with([](const json&) { return pdp7_launched("100/\nbegin, hlt\nplace, 5\nplan=7\n  start begin\n"); });
+  EXPECT_EQ(answer("setExpression", 0).at("body").at("value"), "000017");
+  EXPECT_EQ(answer("setExpression", 1).at("body").at("value"), "000020");
+  EXPECT_EQ(answer("setExpression", 2).at("success"), false);
+  EXPECT_EQ(answer("setExpression", 3).at("success"), false);
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "000020 = 16.");
+  std::string labels;
+  const json targets = answer("completions").at("body").at("targets");
+  for (const json& each : targets) labels += each.at("label").get<std::string>() + " ";
+  EXPECT_EQ(labels, "place plan ");
+  EXPECT_EQ(targets.at(0).at("start"), 3);
+  EXPECT_EQ(targets.at(0).at("length"), 2);
+  EXPECT_TRUE(answer("dataBreakpointInfo").at("body").at("dataId").is_null());
+  for (const json& each : answer("variables").at("body").at("variables")) EXPECT_FALSE(each.contains("evaluateName"));
+}
+
+// The radix of `launch` is that of the values.
+TEST_F(Dap, TheRadixIsAnOption) {
+  write("p.s", "100/\nbegin, lac (12\n  hlt\n  start begin\n");
+  request("initialize");
+  request("launch", {{"machine", "pdp7"}, {"program", path("p.s").string()}, {"stopOnEntry", true}, {"options", {{"radix", 16}}}});
+  request("configurationDone");
+  request("evaluate", {{"expression", "begin+1"}});
+  request("disconnect");
+  hold();
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "00041 = 65.");
+}
+
 // The system of disk_test.cpp, by messages.
 TEST_F(DapSteps, ASystemBootsFromADisk) {
   request("initialize");
@@ -317,13 +411,13 @@ TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
   const std::vector<std::string> names{"setBreakpoints", "setFunctionBreakpoints", "setInstructionBreakpoints", "dataBreakpointInfo",
                                        "setDataBreakpoints", "next", "stepIn", "stepOut", "stepBack", "reverseContinue", "pause",
                                        "threads", "stackTrace", "scopes", "variables", "setVariable", "evaluate", "readMemory",
-                                       "writeMemory", "disassemble", "nonsense", "launch", "configurationDone"};
+                                       "writeMemory", "disassemble", "setExpression", "completions", "nonsense", "launch", "configurationDone"};
   const std::vector<json> values{1, -1, 0, 1e300, "x", "0x40", "0xFFFFFFFFFFFF", nullptr, true, json::array({1, 2}), json::object(),
                                  9223372036854775807, "ac+", "AAAA", "====", json::array({json::object()}),
                                  json::array({{{"line", 3}, {"condition", "("}, {"hitCondition", "0"}}})};
   const std::vector<std::string> keys{"line", "source", "breakpoints", "name", "memoryReference", "offset", "count", "data", "expression",
                                       "variablesReference", "value", "instructionCount", "instructionOffset", "startFrame", "levels",
-                                      "dataId", "accessType", "instructionReference", "context"};
+                                      "dataId", "accessType", "instructionReference", "context", "text", "column", "granularity"};
   begin();
   for (int round = 0; round < tests::effort(400, 100); ++round) {
     json arguments = json::object();
@@ -360,9 +454,26 @@ TEST_F(Dap, TheArgumentsOfLaunchAreChecked) {
   EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"colour", 1}}}}).find("found option colour"), std::string::npos);
   EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"memory", "7k"}}}}).find("none of its values"), std::string::npos);
   EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"display", "yes"}}}}).find("expected true or false"), std::string::npos);
+  EXPECT_NE(refused({{"machine", "pdp7"}, {"options", {{"do", "f"}}}}).find("which is for a terminal"), std::string::npos);
   EXPECT_NE(refused({{"machine", "pdp7"}, {"options", 5}}).find("expected an object"), std::string::npos);
   write("bad.s", "100/ nonsense\n");
   EXPECT_NE(refused({{"machine", "pdp7"}, {"program", "bad.s"}}).find("the source has errors"), std::string::npos);
+}
+
+// A signal ends the session of an endless program in order: the exit code says so, the client hears no half message.
+TEST_F(Dap, ASignalEndsTheSession) {
+  write("p.s", "100/\nbegin, jmp begin\n  start begin\n");
+  request("initialize");
+  request("launch", {{"machine", "pdp7"}, {"program", path("p.s").string()}});
+  request("configurationDone");
+  write("in", script_);
+  const std::string command = "cd '" + path(".").string() + "' && { cat in; sleep 2; } | timeout --foreground -s TERM 1 '" +
+                              SIGHTLINE_COMMAND "' dap > out; echo $? > code";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  received_ = messages(read("out"));
+  EXPECT_EQ(answer("launch").at("success"), true);
+  // timeout says 124 when it has sent the signal.
+  EXPECT_EQ(read("code"), "124\n");
 }
 
 TEST_F(Dap, WhatIsNoMessageEndsTheSession) {
