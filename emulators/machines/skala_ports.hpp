@@ -3,10 +3,11 @@
 //   30-33  ALT-256 raster board                      E4-E7  8255, parallel link to the host
 //   40-4F  EF9365 raster board, 50 its colour latch  EC-EF  8251, serial link (data even, control odd)
 //   60     CalComp 565 command and status            F0     Minigraf 0507, write only
+//   00-01  Altair 88-SIO with a terminal             10-11  Altair 88-2SIO with a terminal, first channel
 //
 // A new device is its file in emulators/devices, a row here and a test: options, interrupt names and counts
 // of `sightline run i8080` follow from the row. Large (64 KB a raster): let a SkalaPorts live on the heap.
-// Sources: Intel SBC 80/10 for E4-EF; the other addresses are this machine's own.
+// Sources: Intel SBC 80/10 for E4-EF; the addresses of the Altair's boards are MITS's; the others are this machine's own.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@
 #include "../core/stroke.hpp"
 #include "../core/tstates.hpp"
 #include "../devices/alt256.hpp"
+#include "../devices/altair_serial.hpp"
 #include "../devices/calcomp565.hpp"
 #include "../devices/ef9365.hpp"
 #include "../devices/minigraf0507.hpp"
@@ -30,9 +32,9 @@
 namespace sightline::machines {
 
 // What a device is: a host offers the devices of a kind under one option, and takes from each what its kind
-// gives (a raster, strokes, the bytes that it sent to the host). Any other device it attaches by name, with
+// gives (a raster, strokes, the bytes that it sent to the host); a terminal is where a console can be. Any other device it attaches by name, with
 // --device, and takes the counts only.
-enum class DeviceKind : std::uint8_t { raster_board, plotter, link, other };
+enum class DeviceKind : std::uint8_t { raster_board, plotter, link, terminal, other };
 
 // The bytes that a host sends over a link; they must stay where they are. No value: no such chip.
 using HostBytes = std::optional<std::span<const std::uint8_t>>;
@@ -317,7 +319,70 @@ struct SerialRow {
   }
 };
 
-using SkalaRows = PortRows<Ef9365Row, Alt256Row, CalComp565Row, Minigraf0507Row, ParallelRow, SerialRow>;
+// What the rows of both boards have in common.
+template <devices::AltairBoard board>
+struct AltairRow {
+  template <class>
+  using Device = devices::AltairSerial;
+  static constexpr DeviceKind kind = DeviceKind::terminal;
+
+  static std::uint8_t read(devices::AltairSerial& serial, std::uint8_t port, core::TStateInstant at) {
+    return serial.read(port & 1U, at);
+  }
+  static void write(devices::AltairSerial& serial, std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    serial.write(port & 1U, value, at);
+  }
+  static bool requests(const devices::AltairSerial& serial, std::size_t) { return serial.interrupt(); }
+  template <class Take>
+  static void count(const devices::AltairSerial& serial, Take take) {
+    take("received", serial.counts().received);
+    take("sent", serial.counts().sent);
+    take("overwritten", serial.counts().overwritten);
+  }
+};
+
+struct AltairSioRow : AltairRow<devices::AltairBoard::sio> {
+  struct Configuration {
+    bool sio = false;
+    std::uint32_t sio_baud = 9600;
+    Restart sio_restart;
+  };
+  static constexpr std::string_view name = "sio";
+  static constexpr std::string_view choice = "sio";
+  static constexpr bool Configuration::*attached = &Configuration::sio;
+  static constexpr std::uint32_t Configuration::*baud = &Configuration::sio_baud;
+  static constexpr std::array reads{PortRange{0x00, 0x01}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{InterruptLine<Configuration>{"sio", &Configuration::sio_restart}};
+
+  template <class Sink>
+  static void make(std::optional<devices::AltairSerial>& serial, const Configuration& wanted, core::ClockRate clock, Sink&) {
+    if (wanted.sio) serial.emplace(clock, devices::AltairBoard::sio, wanted.sio_baud);
+  }
+};
+
+struct Altair2SioRow : AltairRow<devices::AltairBoard::two_sio> {
+  struct Configuration {
+    bool two_sio = false;
+    std::uint32_t two_sio_baud = 9600;
+    Restart two_sio_restart;
+  };
+  static constexpr std::string_view name = "2sio";
+  static constexpr std::string_view choice = "2sio";
+  static constexpr bool Configuration::*attached = &Configuration::two_sio;
+  static constexpr std::uint32_t Configuration::*baud = &Configuration::two_sio_baud;
+  static constexpr std::array reads{PortRange{0x10, 0x11}};
+  static constexpr std::array writes = reads;
+  static constexpr std::array lines{InterruptLine<Configuration>{"2sio", &Configuration::two_sio_restart}};
+
+  template <class Sink>
+  static void make(std::optional<devices::AltairSerial>& serial, const Configuration& wanted, core::ClockRate clock, Sink&) {
+    if (wanted.two_sio) serial.emplace(clock, devices::AltairBoard::two_sio, wanted.two_sio_baud);
+  }
+};
+
+using SkalaRows = PortRows<Ef9365Row, Alt256Row, CalComp565Row, Minigraf0507Row, ParallelRow, SerialRow, AltairSioRow,
+                           Altair2SioRow>;
 using SkalaConfiguration = SkalaRows::Configuration;
 
 template <class PlotterSink = core::NoStrokes>
@@ -332,6 +397,8 @@ class SkalaPorts : public PortTable<PlotterSink, SkalaRows> {
   [[nodiscard]] auto* minigraf0507() { return this->template device<Minigraf0507Row>(); }
   [[nodiscard]] auto* parallel() { return this->template device<ParallelRow>(); }
   [[nodiscard]] auto* serial() { return this->template device<SerialRow>(); }
+  [[nodiscard]] auto* sio() { return this->template device<AltairSioRow>(); }
+  [[nodiscard]] auto* two_sio() { return this->template device<Altair2SioRow>(); }
 };
 
 }  // namespace sightline::machines

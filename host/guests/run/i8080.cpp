@@ -680,6 +680,10 @@ class I8080Run final : public Machine {
         asked ? std::min(limit, processor_.now() + time_between_questions) : limit;
     const std::uint64_t left = limits.instructions - std::min(processor_.instructions(), limits.instructions);
     const auto reason = run_observed({left, until});
+    each_terminal([this](auto& terminal) {
+      const auto bytes = terminal.take_printed();
+      if (!bytes.empty()) print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
     // A call of CP/M is answered before a monitor looks at the machine.
     if (probe_ && !probe_->events().empty() && reason != machines::I8080StopReason::ports) return Stop{stopped_by_probe, {}};
     switch (reason) {
@@ -732,9 +736,14 @@ class I8080Run final : public Machine {
 
   void type(std::uint8_t code) override {
     if (cpm_) cpm_->type(code);
+    each_terminal([code](auto& terminal) { terminal.type(code); });
     if (probe_) probe_->keys.push_back({ticks(), code});
   }
-  [[nodiscard]] bool wants_key() const override { return cpm_ && cpm_->wants_key(); }
+  [[nodiscard]] bool wants_key() const override {
+    bool wants = cpm_ && cpm_->wants_key();
+    each_terminal([&wants](const auto& terminal) { wants = wants || terminal.wants_key(); });
+    return wants;
+  }
   [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
 
@@ -888,6 +897,18 @@ class I8080Run final : public Machine {
     ports_.pass_on(call);
     return ports_.unanswered() ? unanswered() : std::nullopt;
   }
+  template <class Visit>
+  void each_terminal(Visit visit) {
+    devices_.each_device([&visit](auto row, auto& device) {
+      if constexpr (decltype(row)::kind == DeviceKind::terminal) visit(device);
+    });
+  }
+  template <class Visit>
+  void each_terminal(Visit visit) const {
+    devices_.each_device([&visit](auto row, const auto& device) {
+      if constexpr (decltype(row)::kind == DeviceKind::terminal) visit(device);
+    });
+  }
   [[nodiscard]] Cpm::Processor processor() { return {processor_.registers(), processor_.memory(), ticks()}; }
   // The IN or OUT is before PC.
   std::optional<Stop> unanswered() const {
@@ -897,7 +918,7 @@ class I8080Run final : public Machine {
 
   void print(std::string_view text) {
     if (console_) console_(text);
-    if (setup_.cpm->console) printed_ += text;
+    if (setup_.console) printed_ += text;
     if (!setup_.keep_console) {
       console_before_ += text.size();
       return;

@@ -38,6 +38,7 @@ struct I8080Setup {
   std::optional<VcdWriter> vcd;            // of i8080_signals()
   bool monitored = false;                  // it has a probe; instead of a trace and a bus log
   bool keep_console = false;               // what is printed goes into the report
+  bool console = false;                    // keys can be typed, take_printed() has what is printed
   bool drawing = false;                    // keep the lines the plotter draws
   bool grey = false;                       // --png
 };

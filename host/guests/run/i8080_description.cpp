@@ -55,6 +55,16 @@ std::string line_names(std::string_view separator, std::string_view last_separat
   return names;
 }
 
+// The option that attaches one device of a kind.
+const char* option_of(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::raster_board: return "--board";
+    case DeviceKind::plotter: return "--plotter";
+    case DeviceKind::terminal: return "--terminal";
+    default: return "--device";
+  }
+}
+
 bool is_attached(const SkalaConfiguration& machine, auto row) {
   if constexpr (decltype(row)::kind == DeviceKind::link) {
     return (machine.*decltype(row)::bytes).has_value();
@@ -75,7 +85,7 @@ void attach(const Arguments& arguments, const FileReader& read, I8080Setup& setu
       const auto& wanted = arguments.list("--device");
       setup.machine.*Row::attached = std::find(wanted.begin(), wanted.end(), Row::choice) != wanted.end();
     } else {
-      const char* const option = Row::kind == DeviceKind::raster_board ? "--board" : "--plotter";
+      const char* const option = option_of(Row::kind);
       setup.machine.*Row::attached = arguments.text(option) == Row::choice;
     }
   });
@@ -136,7 +146,8 @@ std::vector<std::string> configuration_of(const I8080Setup& setup) {
     } else if constexpr (Row::kind == DeviceKind::other) {
       words.push_back(fmt::format("--device {}", Row::choice));
     } else {
-      words.push_back(fmt::format("--{} {}", Row::kind == DeviceKind::raster_board ? "board" : "plotter", Row::choice));
+      words.push_back(fmt::format("{} {}", option_of(Row::kind), Row::choice));
+      if constexpr (Row::kind == DeviceKind::terminal) words.push_back(fmt::format("--baud {}", setup.machine.*Row::baud));
     }
   });
   each_line([&](auto, const auto& line) {
@@ -146,9 +157,24 @@ std::vector<std::string> configuration_of(const I8080Setup& setup) {
   return words;
 }
 
+Result<Done> set_baud(const Arguments& arguments, SkalaConfiguration& machine) {
+  constexpr std::uint64_t slowest = 50, fastest = 1'000'000;
+  if (!arguments.given("--baud")) return Done{};
+  const std::string& text = arguments.text("--baud");
+  const auto baud = count_argument("--baud", text);
+  if (!baud) return baud.error();
+  if (*baud < slowest || *baud > fastest) return usage(fmt::format("--baud: found {}, expected {} to {}", text, slowest, fastest));
+  SkalaRows::each([&](auto row) {
+    using Row = decltype(row);
+    if constexpr (Row::kind == DeviceKind::terminal) machine.*Row::baud = static_cast<std::uint32_t>(*baud);
+  });
+  return Done{};
+}
+
 Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
   if (!arguments.given("--cpm")) {
-    if (arguments.given("--console")) return usage("--console: needs --cpm: the console is that of CP/M");
+    if (arguments.given("--console") && !arguments.given("--terminal"))
+      return usage("--console: needs --cpm or --terminal: the console is that of CP/M, or on a serial board of the Altair");
     return Done{};
   }
   CpmSetup& cpm = setup.cpm.emplace();
@@ -184,6 +210,10 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (const auto done = wire_interrupt(setup.machine, text); !done) return done.error();
   }
   if (auto done = set_up_cpm(arguments, setup); !done) return done.error();
+  if (auto done = set_baud(arguments, setup.machine); !done) return done.error();
+  setup.console = arguments.given("--console");
+  if (arguments.given("--console-out") && !setup.cpm && !arguments.given("--terminal"))
+    return usage("--console-out: needs --cpm or --terminal");
   setup.strict = arguments.given("--strict");
   setup.observed = arguments.given("--trace") || arguments.given("--bus") || arguments.given("--vcd");
   if (arguments.given("--vcd")) {
@@ -313,6 +343,12 @@ std::vector<Option> run_options() {
       {flag, "--strict", {}, "Stop at a port without a device (exit code 3)"},
       {text, "--board", "BOARD", "Attach a raster board", choices<DeviceKind::raster_board>()},
       {text, "--plotter", "PLOTTER", "Attach a plotter", choices<DeviceKind::plotter>()},
+      {text, "--terminal", "BOARD", "Attach a serial board of the Altair with a terminal, which --console is", choices<DeviceKind::terminal>()},
+      {.name = "--baud",
+       .argument = "N",
+       .help = "Bits a second of the terminal's line",
+       .shown_initial = "9600",
+       .needs = "--terminal"},
       {.name = "--plotter-start",
        .argument = "X,Y",
        .help = "Where the CalComp's pen stands first, in steps",
@@ -330,8 +366,8 @@ std::vector<Option> run_options() {
       {.kind = stream,
        .name = "--console-out",
        .argument = "FILE",
-       .help = "What the CP/M program prints",
-       .needs = "--cpm",
+       .help = "What the CP/M program prints, or sends to the terminal",
+       .needs = {},
        .stdout_with = "--cpm",
        .content = "what the program prints"},
       {.kind = stream,
@@ -369,7 +405,7 @@ std::vector<Option> run_options() {
                           .needs = option});
     }
   });
-  const auto console = console_options("The console of CP/M");
+  const auto console = console_options("The console of CP/M, or the terminal,");
   options.insert(options.end(), console.begin(), console.end());
   options.insert(options.end(), rest.begin(), rest.end());
   options.insert(options.end(), received.begin(), received.end());

@@ -29,6 +29,7 @@ SkalaConfiguration everything() {
   configuration.calcomp565_start = {100, 100};
   configuration.parallel = host_bytes;
   configuration.serial = host_bytes;
+  configuration.sio = configuration.two_sio = true;
   return configuration;
 }
 
@@ -115,14 +116,14 @@ TEST_F(SkalaPorts, WithAllDevicesOnlyTheirPortsAnswer) {
     in(port);
     answered += ports->unanswered()[static_cast<std::size_t>(port)].reads == 0;
   }
-  // 30, 40-4F, 50, 60, E4-E7, EC-EF; the Minigraf cannot be read.
-  EXPECT_EQ(answered, 1 + 16 + 1 + 1 + 4 + 4);
+  // 0, 1, 10, 11, 30, 40-4F, 50, 60, E4-E7, EC-EF; the Minigraf cannot be read.
+  EXPECT_EQ(answered, 4 + 1 + 16 + 1 + 1 + 4 + 4);
   answered = 0;
   for (int port = 0; port < 256; ++port) {
     out(port, 0);
     answered += ports->unanswered()[static_cast<std::size_t>(port)].writes == 0;
   }
-  EXPECT_EQ(answered, 4 + 16 + 1 + 1 + 4 + 4 + 1);
+  EXPECT_EQ(answered, 4 + 4 + 16 + 1 + 1 + 4 + 4 + 1);
 }
 
 TEST_F(SkalaPorts, UnconnectedDevicesNeverInterrupt) {

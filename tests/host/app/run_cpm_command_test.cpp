@@ -144,4 +144,25 @@ TEST_F(CpmCommand, DrivesThatAreNone) {
   refused({"--cpm", "--cpm-drive", "a=a", "--cpm-drive", "A=a"}, "found two folders for drive A, expected one");
 }
 
+// A program for the Altair: what is typed comes back by the 2SIO, a character in ten bits of the line.
+TEST_F(CpmCommand, TheTerminalOfAnAltairIsTheConsole) {
+  std::filesystem::copy_file(std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "host/examples/boards/altair.asm", path("p.asm"));
+  ASSERT_EQ(sightline({"asm", "i8080", "p.asm", "-o", "p.hex"}).exit_code, 0);
+  const auto session = [this](Arguments options) {
+    Arguments words{"run", "i8080", "p.hex", "--terminal", "2sio", "--max-states", "30000000"};
+    words.insert(words.end(), options.begin(), options.end());
+    return sightline(words);
+  };
+  const Ran ran = session({"--console", "ascii", "--send", "Hi\\e"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "Hi");
+  EXPECT_TRUE(has(ran.err, "stopped by      halt")) << ran.err;
+  const Ran slow = session({"--console", "ascii", "--send", "abc\\e", "--baud", "110", "--dump", "d"});
+  EXPECT_EQ(slow.out, "abc");
+  // Three characters of a tenth of a second each must have been received before the last key.
+  EXPECT_TRUE(has(slow.err, "emulated time   0.3")) << slow.err;
+  EXPECT_TRUE(has(session({"--console", "ascii", "--baud", "7"}).err, "--baud: found 7, expected 50 to 1000000"));
+  EXPECT_TRUE(has(sightline({"run", "i8080", "p.hex", "--baud", "300"}).err, "--baud: needs --terminal"));
+}
+
 }  // namespace

@@ -314,7 +314,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--strokes", "s"}, "--strokes: needs --plotter");
   refused({"--svg", "s"}, "--svg: needs --plotter");
   refused({"--console-out", "c"}, "--console-out: needs --cpm");
-  refused({"--console", "ascii"}, "--console: needs --cpm");
+  refused({"--console", "ascii"}, "--console: needs --cpm or --terminal");
   refused({"--cpm", "--console", "c.txt"}, "--console: found \"c.txt\", expected ascii, parity, unix or upper");
   refused({"--cpm", "--console", "ascii", "--speed", "fast"}, "--speed: found \"fast\"");
   refused({"--cpm", "--console", "ascii", "--send", "\\q"}, "--send: found \"\\q\", expected \\r");

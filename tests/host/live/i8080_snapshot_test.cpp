@@ -82,6 +82,8 @@ run::I8080Setup everything() {
   run::I8080Setup setup;
   machines::SkalaConfiguration& machine = setup.machine;
   machine.ef9365 = machine.alt256 = machine.calcomp565 = machine.minigraf0507 = true;
+  machine.sio = machine.two_sio = true;
+  machine.two_sio_restart = 6;
   machine.ef9365_restart = 1;
   machine.calcomp565_restart = 2;
   machine.parallel_restart = 3;

@@ -236,7 +236,9 @@ TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
 TEST_F(Terminal, ASignalAtThePromptEndsTheSessionInOrder) {
   start({"monitor", "pdp7", "echo.rim"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
-  type("examine 100\rdep");
+  type("examine 100\r");
+  ASSERT_TRUE(shows("lac 117")) << shown_;
+  type("dep");
   ASSERT_TRUE(shows("dep")) << shown_;
   send_signal(SIGTERM);
   EXPECT_EQ(ends(), 130);

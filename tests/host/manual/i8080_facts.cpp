@@ -207,6 +207,7 @@ std::string i8080_ports() {
     std::string option;
     if constexpr (Row::kind == machines::DeviceKind::raster_board) option = "--board " + std::string(Row::choice);
     if constexpr (Row::kind == machines::DeviceKind::plotter) option = "--plotter " + std::string(Row::choice);
+    if constexpr (Row::kind == machines::DeviceKind::terminal) option = "--terminal " + std::string(Row::choice);
     if constexpr (Row::kind == machines::DeviceKind::link) option = "--" + std::string(Row::name) + " FILE";
     std::string lines;
     for (const auto& line : Row::lines) lines += (lines.empty() ? "" : ", ") + std::string(line.name);

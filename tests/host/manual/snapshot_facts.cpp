@@ -127,6 +127,7 @@ std::string snapshot_pdp7() {
 std::string snapshot_i8080() {
   machines::SkalaConfiguration configuration;
   configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 = true;
+  configuration.sio = configuration.two_sio = true;
   configuration.parallel.emplace();
   configuration.serial.emplace();
   core::NoStrokes sink;

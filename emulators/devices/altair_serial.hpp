@@ -1,0 +1,151 @@
+// The serial boards of the Altair 8800, each with a terminal at the other end of its line: the 88-SIO (revision 1) and the first
+// channel of the 88-2SIO, a Motorola 6850.
+//
+//            read status                        write control        data
+//   88-SIO   bit 0: 0 there is a character      bit 0 receive,       one port on, both ways
+//            bit 7: 0 one can be sent           bit 1 send interrupt
+//   88-2SIO  bit 0: 1 there is a character      bits 1-0 both 1: reset; bit 7 receive interrupt,
+//            bit 1: 1 one can be sent           bits 6-5 01: send interrupt; bit 7 of the status: a request
+//
+// A character takes ten bits' time of the line, eleven at up to 110 baud, in either direction. One more can be written while one is
+// sent; what is written on top of that takes its place and is counted. The terminal's next character comes when the last one has
+// been read, but not sooner than the line allows: it is a terminal that is asked to wait, so that nothing typed is lost. What is sent
+// is on the terminal when its transmission begins.
+// Left out: parity and framing errors, overrun, modem lines, word lengths (the terminal takes what comes), and the board's jumpers for
+// other speeds while it runs. Sources: MITS 88-SIO and 88-2SIO manuals (1975, 1977), from their register tables as programs use them;
+// Motorola MC6850 data sheet (1978).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "../core/tstates.hpp"
+
+namespace sightline::devices {
+
+enum class AltairBoard : std::uint8_t { sio, two_sio };
+
+struct AltairSerialCounts {
+  std::uint64_t received = 0;     // characters that the program has read
+  std::uint64_t sent = 0;
+  std::uint64_t overwritten = 0;  // before they were sent: a driver's error
+};
+
+class AltairSerial {
+ public:
+  AltairSerial(core::ClockRate rate, AltairBoard board, std::uint32_t baud)
+      : board_(board), character_(rate.t_states_in(core::Duration(bits_at(baud) * 1'000'000'000 / baud))) {}
+
+  // Port 0: status and control; 1: data.
+  [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
+    advance(at);
+    if ((port & 1U) == 0) {
+      asked_ = asked_ || keys_.empty();
+      return status();
+    }
+    if (!key_is_there()) {
+      asked_ = asked_ || keys_.empty();
+      return last_read_;
+    }
+    last_read_ = keys_.front();
+    keys_.erase(keys_.begin());
+    next_key_ = now_ + character_;
+    ++counts_.received;
+    return last_read_;
+  }
+  void write(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    advance(at);
+    if ((port & 1U) == 0) {
+      control_ = value;
+      if (board_ == AltairBoard::two_sio && (value & 3U) == 3) holding_ = false;
+      return;
+    }
+    if (!holding_ && line_free_ <= now_) return send(value, now_);
+    if (holding_) ++counts_.overwritten;
+    held_ = value;
+    holding_ = true;
+  }
+  // All that happens up to and including `now` has happened.
+  void advance(core::TStateInstant now) {
+    now_ = std::max(now_, now);
+    if (!holding_ || line_free_ > now_) return;
+    holding_ = false;
+    send(held_, line_free_);
+  }
+  // The next instant at which a flag changes by itself.
+  [[nodiscard]] core::TStateInstant deadline() const {
+    core::TStateInstant next = core::never_t;
+    if (holding_) next = line_free_;
+    if (!keys_.empty() && next_key_ > now_) next = std::min(next, next_key_);
+    return next;
+  }
+  [[nodiscard]] bool interrupt() const {
+    const bool sends = board_ == AltairBoard::sio ? (control_ & 2U) != 0 : (control_ & 0x60U) == 0x20;
+    const bool receives = board_ == AltairBoard::sio ? (control_ & 1U) != 0 : (control_ & 0x80U) != 0;
+    return (receives && key_is_there()) || (sends && !holding_);
+  }
+
+  // The terminal's side. A key that is typed is sent as soon as the line and the program allow.
+  void type(std::uint8_t code) {
+    keys_.push_back(code);
+    asked_ = false;
+  }
+  // All keys have been read, and the program has looked for another.
+  [[nodiscard]] bool wants_key() const { return keys_.empty() && asked_; }
+  // What has been sent since the last call.
+  [[nodiscard]] std::vector<std::uint8_t> take_printed() { return std::exchange(printed_, {}); }
+
+  [[nodiscard]] const AltairSerialCounts& counts() const { return counts_; }
+
+  // Between two runs nothing printed waits to be taken.
+  template <class Visitor>
+  void visit_state(Visitor& visit) {
+    visit("now", now_);
+    visit("control", control_);
+    visit("last_read", last_read_);
+    visit("held", held_);
+    visit("holding", holding_);
+    visit("line_free", line_free_);
+    visit("next_key", next_key_);
+    visit("asked", asked_);
+    visit.list("keys", keys_, [&visit](std::uint8_t& key) { visit("key", key); });
+    visit("received", counts_.received);
+    visit("sent", counts_.sent);
+    visit("overwritten", counts_.overwritten);
+    if constexpr (Visitor::restores) printed_.clear();
+  }
+
+ private:
+  static constexpr std::int64_t bits_at(std::uint32_t baud) { return baud <= 110 ? 11 : 10; }
+
+  void send(std::uint8_t character, core::TStateInstant begins) {
+    printed_.push_back(character);
+    ++counts_.sent;
+    line_free_ = begins + character_;
+  }
+  [[nodiscard]] bool key_is_there() const { return !keys_.empty() && next_key_ <= now_; }
+  [[nodiscard]] std::uint8_t status() const {
+    const bool in = key_is_there(), out = !holding_;
+    if (board_ == AltairBoard::sio) return static_cast<std::uint8_t>((in ? 0U : 1U) | (out ? 0U : 0x80U));
+    return static_cast<std::uint8_t>((in ? 1U : 0U) | (out ? 2U : 0U) | (interrupt() ? 0x80U : 0U));
+  }
+
+  AltairBoard board_;
+  core::TStates character_;
+  core::TStateInstant now_{};
+  std::uint8_t control_ = 0;
+  std::uint8_t last_read_ = 0;
+  std::uint8_t held_ = 0;  // written, and waiting for the line
+  bool holding_ = false;
+  core::TStateInstant line_free_{};  // the character before has been sent
+  core::TStateInstant next_key_{};   // the next one cannot be there sooner
+  bool asked_ = false;               // for a key, since the last was typed
+  std::vector<std::uint8_t> keys_;
+  std::vector<std::uint8_t> printed_;
+  AltairSerialCounts counts_;
+};
+
+}  // namespace sightline::devices

@@ -1,0 +1,118 @@
+// The Altair's serial boards, register by register. At 3 MHz and 9600 baud a character is ten bits, 3125 T-states. Expected flags are those
+// of MITS's register tables and of the MC6850 data sheet.
+#include "emulators/devices/altair_serial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace sightline {
+namespace {
+
+using devices::AltairBoard;
+using devices::AltairSerial;
+
+constexpr std::int64_t character = 3125;
+constexpr std::uint8_t status = 0, data = 1;
+
+struct Line {
+  AltairSerial serial;
+  explicit Line(AltairBoard board, std::uint32_t baud = 9600) : serial(core::ClockRate{}, board, baud) {}
+  int in(std::uint8_t port, std::int64_t t) { return serial.read(port, core::at_t_state(t)); }
+  void out(std::uint8_t port, int value, std::int64_t t) { serial.write(port, static_cast<std::uint8_t>(value), core::at_t_state(t)); }
+  std::string printed() {
+    const auto bytes = serial.take_printed();
+    return {bytes.begin(), bytes.end()};
+  }
+};
+
+TEST(AltairSerial, TheSioSaysReadyWithZeros) {
+  Line line(AltairBoard::sio);
+  EXPECT_EQ(line.in(status, 0), 0x01);
+  line.serial.type('k');
+  EXPECT_EQ(line.in(status, 10), 0x00);
+  EXPECT_EQ(line.in(data, 20), 'k');
+  EXPECT_EQ(line.in(status, 30), 0x01);
+  line.out(data, 'A', 100);
+  EXPECT_EQ(line.in(status, 110), 0x01) << "the first character is sent at once, another can be written";
+  line.out(data, 'B', 120);
+  EXPECT_EQ(line.in(status, 130), 0x81);
+  EXPECT_EQ(line.in(status, 100 + character - 1), 0x81);
+  EXPECT_EQ(line.in(status, 100 + character), 0x01);
+  EXPECT_EQ(line.printed(), "AB");
+}
+
+TEST(AltairSerial, The2SioSaysReadyWithOnes) {
+  Line line(AltairBoard::two_sio);
+  line.out(status, 0x03, 0);
+  line.out(status, 0x15, 5);
+  EXPECT_EQ(line.in(status, 10), 0x02);
+  line.serial.type('x');
+  EXPECT_EQ(line.in(status, 20), 0x03);
+  EXPECT_EQ(line.in(data, 30), 'x');
+  EXPECT_EQ(line.in(status, 40), 0x02);
+}
+
+TEST(AltairSerial, TheNextKeyComesNoSoonerThanTheLineAllows) {
+  Line line(AltairBoard::two_sio);
+  line.serial.type('a');
+  line.serial.type('b');
+  EXPECT_EQ(line.in(data, 1000), 'a');
+  EXPECT_EQ(line.in(status, 1000 + character - 1), 0x02);
+  EXPECT_EQ(line.in(status, 1000 + character), 0x03);
+  EXPECT_EQ(line.in(data, 1000 + character), 'b');
+  EXPECT_FALSE(line.serial.wants_key());
+  EXPECT_EQ(line.in(status, 2 * character + 1000), 0x02);
+  EXPECT_TRUE(line.serial.wants_key());
+  line.serial.type('c');
+  EXPECT_FALSE(line.serial.wants_key());
+}
+
+TEST(AltairSerial, WhatIsWrittenTooSoonTakesThePlaceOfWhatWaits) {
+  Line line(AltairBoard::two_sio);
+  for (const char c : {'1', '2', '3'}) line.out(data, c, 0);
+  line.serial.advance(core::at_t_state(10 * character));
+  EXPECT_EQ(line.printed(), "13");
+  EXPECT_EQ(line.serial.counts().overwritten, 1U);
+  EXPECT_EQ(line.serial.counts().sent, 2U);
+}
+
+TEST(AltairSerial, TenCharactersASecondAt110Baud) {
+  Line line(AltairBoard::sio, 110);
+  line.out(data, 'A', 0);
+  line.out(data, 'B', 1);
+  EXPECT_EQ(line.in(status, 300'000 - 1) & 0x80, 0x80);  // eleven bits are a tenth of a second
+  EXPECT_EQ(line.in(status, 300'000) & 0x80, 0);
+}
+
+TEST(AltairSerial, InterruptsAsTheControlSays) {
+  Line line(AltairBoard::two_sio);
+  EXPECT_FALSE(line.serial.interrupt());
+  line.out(status, 0x20, 0);  // send
+  EXPECT_TRUE(line.serial.interrupt());
+  EXPECT_EQ(line.in(status, 1), 0x82);
+  line.out(data, 'A', 2);
+  line.out(data, 'B', 3);
+  EXPECT_FALSE(line.serial.interrupt());
+  EXPECT_EQ(line.serial.deadline(), core::at_t_state(2 + character));
+  line.serial.advance(line.serial.deadline());
+  EXPECT_TRUE(line.serial.interrupt());
+  line.out(status, 0x80, 2 * character);  // receive
+  EXPECT_FALSE(line.serial.interrupt());
+  line.serial.type('k');
+  EXPECT_TRUE(line.serial.interrupt());
+  EXPECT_EQ(line.in(data, 2 * character + 1), 'k');
+  line.serial.type('l');
+  EXPECT_FALSE(line.serial.interrupt());
+  EXPECT_EQ(line.serial.deadline(), core::at_t_state(3 * character + 1));
+  Line sio(AltairBoard::sio);
+  sio.out(status, 0x02, 0);
+  EXPECT_TRUE(sio.serial.interrupt());
+  sio.out(status, 0x01, 1);
+  EXPECT_FALSE(sio.serial.interrupt());
+  sio.serial.type('k');
+  EXPECT_TRUE(sio.serial.interrupt());
+}
+
+}  // namespace
+}  // namespace sightline
