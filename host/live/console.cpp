@@ -124,7 +124,9 @@ class Session {
     machine_.type(code_of_key(options_.codes, keys_.front()));
     keys_.pop_front();
     waited_ = 0;
-    if (keys_.empty()) send_next();
+    if (!keys_.empty()) return;
+    send_next();
+    if (scripted_) look_for({});
   }
 
   // The program wants a key, and there is none to type: one slice more.

@@ -398,7 +398,7 @@ class Adapter {
     by_lines_ = text_in(arguments, "granularity") != "instruction";
     begin_running(action);
   }
-  // A line of a macro makes several instructions: to the first that is of another, or of the same again.
+  // A line of a macro makes several instructions: to the first that is of another, or of this one from its beginning.
   Halted step() {
     const std::uint32_t begun = debugger_->pc();
     const Symbols::Place* const line = debugger_->symbols().place(begun);

@@ -26,6 +26,20 @@ inline constexpr bool is_time<core::TickCount<Tick>> = true;
 template <class Tick>
 inline constexpr bool is_time<core::TickInstant<Tick>> = true;
 
+// Fields that come again and again, as those of 256 ports, are written once.
+std::string once(const std::string& fields) {
+  constexpr std::string_view between = "; ";
+  constexpr std::size_t often = 8;
+  const std::string first = fields.substr(0, fields.find(between));
+  const std::size_t again = fields.find(std::string(between) + first + std::string(between));
+  if (again == std::string::npos) return fields;
+  const std::string unit = fields.substr(0, again);
+  std::string all = unit;
+  std::size_t times = 1;
+  for (; all.size() < fields.size(); ++times) all += std::string(between) + unit;
+  return all == fields && times >= often ? fmt::format("{} times ({})", times, unit) : fields;
+}
+
 // A visitor (emulators/core/visit_state.hpp) that writes names and types, one row for each section.
 class Describer {
  public:
@@ -70,7 +84,7 @@ class Describer {
   void section(std::string_view name, What&& what) {
     fields_.clear();
     guests::run::visit_what(*this, what);
-    table_->row({code(name), fields_});
+    table_->row({code(name), once(fields_)});
   }
   template <class Element, class Each>
   void list(std::string_view name, std::vector<Element>&, Each each) {
