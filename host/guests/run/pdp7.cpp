@@ -12,6 +12,7 @@
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
+#include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -460,8 +461,9 @@ class Pdp7Machine final : public Machine {
     const std::uint64_t done = machine_.counts().instructions;
     const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
-    const auto reason =
-        run_observed({asked ? std::min(left, cycles_between_questions) : left, std::min(limit, move_pen())});
+    const auto reason = run_observed(
+        {asked ? std::min(left, cycles_between_questions) : left, std::min({limit, move_pen(), next_frame()})});
+    film();
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
     if (probe_ && !probe_->events().empty() && reason != machines::StopReason::halt) return Stop{stopped_by_probe, {}};
@@ -474,6 +476,7 @@ class Pdp7Machine final : public Machine {
   void finish() override {
     if (tracer_) tracer_->finish();
     if (vcd_) vcd_->finish(now());
+    if (setup_.movie_rate != 0 && movie_.frames() == 0) take_frame(now());
     sink_.finish();
   }
 
@@ -679,6 +682,10 @@ class Pdp7Machine final : public Machine {
 
   [[nodiscard]] std::vector<std::string> warnings() const override {
     std::vector<std::string> warnings;
+    if (movie_.frames() == most_frames && frame_at_ <= now()) {
+      warnings.push_back(fmt::format("the movie ends at {} s, after {} photographs; a smaller --movie-rate makes it longer",
+                                     seconds_text(frame_at_ - frame_time()), most_frames));
+    }
     for (const machines::Unanswered& entry : machine_.unanswered()) {
       if (warnings.size() == most_warnings) {
         warnings.push_back(
@@ -734,6 +741,7 @@ class Pdp7Machine final : public Machine {
     if constexpr (Sink::consumes) {
       if (machine_.display() == nullptr) return {};
       if (option == "--phosphor") return photograph();
+      if (option == "--movie") return *movie_.finish();
       const auto strokes = sink_.picture_strokes(now());
       if (option == "--svg")
         return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
@@ -837,12 +845,32 @@ class Pdp7Machine final : public Machine {
     return strokes == 0 ? "nothing, no point was lit"
                         : fmt::format("no complete pass; the {} newest points", strokes);
   }
+  [[nodiscard]] picture::Image developed(core::Instant at) const {
+    picture::PhosphorPhotograph photograph(std::max(core::Instant{}, at - shutter_time), at);
+    photograph.expose(sink_.newest_strokes());  // later ones add nothing
+    return photograph.develop();
+  }
+  // The movie: a photograph at each frame's time, so that a run is the same with it.
+  [[nodiscard]] core::Instant next_frame() {
+    if (setup_.movie_rate == 0 || movie_.frames() == most_frames) return core::never;
+    if (frame_at_ == core::Instant{}) frame_at_ = now() + frame_time();
+    return frame_at_;
+  }
+  void film() {
+    while (next_frame() <= now()) {
+      take_frame(frame_at_);
+      frame_at_ += frame_time();
+    }
+  }
+  [[nodiscard]] core::Duration frame_time() const { return core::seconds(1) / setup_.movie_rate; }
+  void take_frame(core::Instant at) {
+    if constexpr (Sink::consumes) static_cast<void>(movie_.add(developed(at)));
+  }
+
   [[nodiscard]] Bytes photograph() const {
     const core::Instant open = std::max(core::Instant{}, now() - shutter_time);
-    picture::PhosphorPhotograph photograph(open, now());
-    photograph.expose(sink_.newest_strokes());
     return *picture::encode_png(
-        photograph.develop(),
+        developed(now()),
         {{"Software", "sightline " SIGHTLINE_VERSION},
          {"Shutter", fmt::format("{} to {} ns of emulated time", core::nanoseconds_of(open),
                                  core::nanoseconds_of(now()))}});
@@ -855,6 +883,10 @@ class Pdp7Machine final : public Machine {
   std::optional<VcdTracer> vcd_;
   std::optional<Probe> probe_;
   machines::Pdp7<Sink> machine_;
+  static constexpr std::uint32_t most_frames = 750;
+  picture::ApngWriter movie_{{1, static_cast<std::uint16_t>(std::max(1U, setup_.movie_rate))}, 0,
+                             {{"Software", "sightline " SIGHTLINE_VERSION}}};
+  core::Instant frame_at_{};  // of the movie, the next one; 0: none yet
   core::Word18 switches_;  // their current setting
   std::string disk_path_;  // of the disk in the drive; empty: none, or it is not written back
   std::vector<PenMove> pen_script_;

@@ -38,6 +38,7 @@ struct Pdp7Setup {
   std::optional<VcdWriter> vcd;          // of pdp7_signals(); take("--vcd") is to come
   bool monitored = false;                // it has a probe; instead of a trace
   bool picture_wanted = false;           // an output shows it
+  std::uint32_t movie_rate = 0;          // photographs a second of emulated time; 0: no movie
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
 };
 

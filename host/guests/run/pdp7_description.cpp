@@ -148,7 +148,19 @@ std::string timing_help() {
 Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   Screen::Wishes wishes;
   wishes.picture = arguments.given("--png") || arguments.given("--svg");
-  wishes.photograph = arguments.given("--phosphor");
+  wishes.photograph = arguments.given("--phosphor") || arguments.given("--movie");
+  if (arguments.given("--movie")) {
+    constexpr std::uint64_t usual = 25, most = 100;
+    std::uint64_t rate = usual;
+    if (arguments.given("--movie-rate")) {
+      const auto wanted = count_argument("--movie-rate", arguments.text("--movie-rate"));
+      if (!wanted) return wanted.error();
+      rate = *wanted;
+    }
+    if (rate == 0 || rate > most)
+      return usage(fmt::format("--movie-rate: found {}, expected 1 to {} pictures a second", arguments.text("--movie-rate"), most));
+    setup.movie_rate = static_cast<std::uint32_t>(rate);
+  }
   setup.picture_wanted = wishes.picture;
   if (arguments.given("--png-window")) {
     const auto window = parse_seconds(arguments.text("--png-window"));
@@ -382,6 +394,12 @@ std::vector<Option> run_options() {
       {output, "--png", "FILE", "The last complete pass through the display file, 1024x1024, crisp"},
       {text, "--png-window", "SECONDS", "--png and --svg show all strokes of the last so many seconds instead"},
       {output, "--phosphor", "FILE", "A photograph of the P7 screen, the last 0.2 s (PNG)"},
+      {output, "--movie", "FILE", "Such photographs one after the other (APNG), at most 750"},
+      {.name = "--movie-rate",
+       .argument = "N",
+       .help = "So many of them to a second of emulated time",
+       .shown_initial = "25",
+       .needs = "--movie"},
       {output, "--svg", "FILE", "The same pass as lines in millimetres"},
       {output, "--punch", "FILE", "What was punched, a byte a line of tape"},
       {output, "--teletype", "FILE", "What was typed, seven-bit codes"},

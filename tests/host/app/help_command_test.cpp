@@ -58,6 +58,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
                                      "--png",
                                      "--svg",
                                      "--phosphor",
+                                     "--movie",
                                      "--json",
                                      "--reader",
                                      "--punch",

@@ -56,6 +56,36 @@ TEST_F(RunDevices, PictureOfTheLastCompletePass) {
   EXPECT_TRUE(has(read("strokes"), " 320 256 7 00111\n"));
 }
 
+// Ten photographs a second: the one at 0.1 s is that of a run that ends there, whose first boundary is at most a cycle later.
+TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
+  write("picture.oct", picture);
+  const Arguments plain{"--load", "picture.oct", "--start", "100", "--max-time", "0.35"};
+  Arguments filmed = plain;
+  filmed.insert(filmed.end(), {"--movie", "m.png", "--movie-rate", "10", "--strokes", "filmed"});
+  const json with = report(filmed);
+  Arguments drawn = plain;
+  drawn.insert(drawn.end(), {"--strokes", "drawn"});
+  EXPECT_EQ(with.at("instructions"), report(drawn).at("instructions"));
+  EXPECT_EQ(read("filmed"), read("drawn"));
+  // acTL: the number of frames, big-endian, behind the name of the chunk.
+  const std::string movie = read("m.png");
+  const std::size_t control = movie.find("acTL");
+  ASSERT_NE(control, std::string::npos);
+  EXPECT_EQ(movie.substr(control + 4, 4), std::string("\0\0\0\3", 4));
+  // fcTL: the delay, 1 of 10 seconds.
+  const std::size_t frame = movie.find("fcTL");
+  EXPECT_EQ(movie.substr(frame + 24, 4), std::string("\0\1\0\12", 4));
+  ASSERT_EQ(run({"--load", "picture.oct", "--start", "100", "--max-time", "0.1", "--phosphor", "photo.png"}).exit_code, 0);
+  const auto first = sightline::picture::read_png(path("m.png").string());
+  const auto photo = sightline::picture::read_png(path("photo.png").string());
+  ASSERT_TRUE(first && photo);
+  int differ = 0;
+  for (std::size_t n = 0; n < photo->image.pixels.size(); ++n)
+    differ = std::max(differ, std::abs(int{first->image.pixels[n]} - int{photo->image.pixels[n]}));
+  EXPECT_LE(differ, 1);
+  EXPECT_EQ(run({"--load", "picture.oct", "--movie", "m", "--movie-rate", "0"}).exit_code, 2);
+}
+
 TEST_F(RunDevices, AnOldPictureIsNamed) {
   // IDLA once, then a loop: the only pass, of 65 points on a line, is over within a millisecond.
   write("once.oct", "00100: 200105 700606 600102 000000 000000 000106 020117 220400 102400 600100 003000\n");
