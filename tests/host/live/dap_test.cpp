@@ -360,7 +360,9 @@ TEST_F(DapSteps, ExpressionsAreSetAndCompleted) {
   EXPECT_EQ(targets.at(0).at("start"), 3);
   EXPECT_EQ(targets.at(0).at("length"), 2);
   EXPECT_TRUE(answer("dataBreakpointInfo").at("body").at("dataId").is_null());
-  for (const json& each : answer("variables").at("body").at("variables")) EXPECT_FALSE(each.contains("evaluateName"));
+  const json devices = answer("variables").at("body").at("variables");
+  EXPECT_FALSE(devices.empty());
+  for (const json& each : devices) EXPECT_FALSE(each.contains("evaluateName"));
 }
 
 // The radix of `launch` is that of the values.

@@ -356,11 +356,11 @@ TEST_F(CpmDrives, NothingOutsideIsTouchedWhateverIsAskedFor) {
   fs::create_directory_symlink(base_ / "outside", base_ / "a" / "OUTSIDE");
   std::mt19937 dice(1979);
   const auto die = [&dice](unsigned sides) { return dice() % sides; };
-  constexpr std::string_view likely = "ABCANARY/.\\ ?*\x80\xFF\x00";
+  constexpr std::string_view likely("ABCANARY/.\\ ?*\x80\xFF\x00", 17);
   for (int n = 0; n < 60000; ++n) {
     const auto at = static_cast<std::uint16_t>(die(4) == 0 ? dice() : 0x5C);
     for (std::uint16_t k = 0; k < 36; ++k) {
-      if (die(3) == 0) memory_[static_cast<std::uint16_t>(at + k)] = static_cast<std::uint8_t>(die(3) == 0 ? dice() : static_cast<std::uint8_t>(likely[die(17)]));
+      if (die(3) == 0) memory_[static_cast<std::uint16_t>(at + k)] = static_cast<std::uint8_t>(die(3) == 0 ? dice() : static_cast<std::uint8_t>(likely[die(static_cast<unsigned>(likely.size()))]));
     }
     if (die(8) == 0) put_name(die(2) == 0 ? "CANARY" : "../X", 0x5C);
     if (die(2) == 0) memory_[at] = static_cast<std::uint8_t>(die(3));
