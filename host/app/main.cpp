@@ -15,6 +15,7 @@ void add_commands(const Command& program) {
   add_skala_command(program);
   add_draw_command(program);
   add_compare_command(program);
+  add_explain_command(program);
   add_spin_command(program);
   add_sweep_command(program);
   add_asm_command(program);

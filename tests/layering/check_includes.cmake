@@ -28,7 +28,8 @@ set(RULES
   "host/live=host/base,host/guests/run,emulators,tools/asm,tools/disasm,tools/image"
   "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/app=host/base,host/compare,host/guests,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+  "host/explain=host/base,host/geometry,host/scene,host/picture,host/algorithms"
+  "host/app=host/base,host/compare,host/explain,host/guests,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "host/algorithms/exact/face_shadow.hpp"
 #include "host/algorithms/exact/image_grid.hpp"
@@ -10,13 +12,46 @@
 namespace sightline::algorithms::exact {
 namespace {
 
+// What a search without a listener tells: nothing, and the compiler leaves it out.
+struct Unwatched {
+  void edge(const picture::LineEdge&) {}
+  void compared(const picture::LineEdge&, const Occluder&, bool, const EdgeShadow&) {}
+  void result(const picture::LineEdge&, bool, std::span<const picture::LinePiece>) {}
+};
+
+// Tells a Trace what is seen of an edge after each comparison.
+class Watched {
+ public:
+  Watched(const EdgeMesh& mesh, Trace& trace) : mesh_(mesh), trace_(trace) {}
+
+  void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
+  void compared(const picture::LineEdge& edge, const Occluder& occluder, bool hidden, const EdgeShadow& shadow) {
+    std::vector<picture::LinePiece> left;
+    if (!hidden) shadow.append_visible(left);
+    const auto face = std::lower_bound(
+        mesh_.faces.begin(), mesh_.faces.end(), occluder.first_corner,
+        [](const MeshFace& f, std::uint32_t corner) { return f.first_corner < corner; });
+    trace_.compared(edge, static_cast<std::uint32_t>(face - mesh_.faces.begin()), left);
+  }
+  void result(const picture::LineEdge& edge, bool drawn, std::span<const picture::LinePiece> pieces) {
+    trace_.result(edge, drawn, pieces);
+  }
+
+ private:
+  const EdgeMesh& mesh_;
+  Trace& trace_;
+};
+
 // Holds one edge after the other against the occluders near it.
+template <class Listener>
 class Search {
  public:
-  explicit Search(const View& view) : view_(view), grid_(view), shadow_(view), met_(view.occluders.size()) {}
+  Search(const View& view, Listener listener)
+      : view_(view), grid_(view), shadow_(view), met_(view.occluders.size()), listener_(listener) {}
 
   void append_visible(std::uint32_t edge, std::vector<picture::LinePiece>& pieces) {
     shadow_.begin(edge);
+    listener_.edge(view_.mesh->edges[edge]);
     const picture::LineEdge& ends = view_.mesh->edges[edge];
     const std::int64_t depth = std::max(view_.depths[ends.from], view_.depths[ends.to]);
     const ImageBounds& bounds = view_.bounds[edge];
@@ -37,7 +72,10 @@ class Search {
       if (occluder.depth >= depth) return false;
       if (met_[index] == edge + 1) continue;
       met_[index] = edge + 1;
-      if (occluder.bounds.meets(bounds) && shadow_.add(occluder)) return true;
+      if (!occluder.bounds.meets(bounds)) continue;
+      const bool hidden = shadow_.add(occluder);
+      listener_.compared(view_.mesh->edges[edge], occluder, hidden, shadow_);
+      if (hidden) return true;
     }
     return false;
   }
@@ -46,18 +84,31 @@ class Search {
   ImageGrid grid_;
   EdgeShadow shadow_;
   std::vector<std::uint32_t> met_;  // the edge, plus one, that an occluder was last compared with
+  Listener listener_;
 };
+
+template <class Listener>
+picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener) {
+  const View view = make_view(mesh, camera);
+  Search<Listener> search(view, listener);
+  picture::LinePicture picture;
+  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
+    const std::size_t before = picture.pieces.size();
+    if (view.drawn[edge] != 0) search.append_visible(edge, picture.pieces);
+    listener.result(mesh.edges[edge], view.drawn[edge] != 0, std::span(picture.pieces).subspan(before));
+  }
+  return picture;
+}
 
 }  // namespace
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera) {
-  const View view = make_view(mesh, camera);
-  Search search(view);
-  picture::LinePicture picture;
-  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
-    if (view.drawn[edge] != 0) search.append_visible(edge, picture.pieces);
-  }
-  return picture;
+  return search_edges(mesh, camera, Unwatched());
+}
+
+picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {
+  const EdgeMesh mesh = make_edge_mesh(scene);
+  return search_edges(mesh, camera, Watched(mesh, trace));
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {

@@ -12,6 +12,9 @@
 // integers, correctly rounded, which keep their order.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "host/algorithms/exact/edge_mesh.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -22,5 +25,18 @@ namespace sightline::algorithms::exact {
 [[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera);
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
                                                  const scene::PolyCamera& camera);
+
+// Hears what a search does, in order. A search without one is compiled apart and pays nothing for it.
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  virtual void edge(const picture::LineEdge& edge) = 0;
+  // After the edge was held against a face, counted over all bodies from 0: what is left of it.
+  virtual void compared(const picture::LineEdge& edge, std::uint32_t face, std::span<const picture::LinePiece> left) = 0;
+  // What is seen of it. Not `searched`: its own solid hides it, or it is behind the eye.
+  virtual void result(const picture::LineEdge& edge, bool searched, std::span<const picture::LinePiece> seen) = 0;
+};
+[[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                 Trace& trace);
 
 }  // namespace sightline::algorithms::exact

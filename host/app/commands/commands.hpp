@@ -14,6 +14,7 @@ void add_jones_command(const Command& program);
 void add_run_command(const Command& program);
 void add_monitor_command(const Command& program);
 void add_dap_command(const Command& program);
+void add_explain_command(const Command& program);
 void add_scene_command(const Command& program);
 void add_skala_command(const Command& program);
 void add_spin_command(const Command& program);

@@ -1,0 +1,11 @@
+// The lesson of `exact` (host/algorithms/exact): an edge, the faces that may hide it, what is left.
+#pragma once
+
+#include "host/explain/explain.hpp"
+
+namespace sightline::explain {
+
+[[nodiscard]] base::Result<Lesson> explain_exact(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                 const scene::CellComplex* complex);
+
+}  // namespace sightline::explain

@@ -1,0 +1,18 @@
+// A lesson as one page of HTML that plays it: no network, no other file.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "host/explain/lesson.hpp"
+
+namespace sightline::explain {
+
+// The player's sources by file name, for the pages that play lessons.
+[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> player_files();
+
+[[nodiscard]] std::string page_of(const Lesson& lesson);
+
+}  // namespace sightline::explain

@@ -1,0 +1,141 @@
+#include "host/explain/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline::explain {
+namespace {
+
+double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Space unit(const scene::PolyPoint& v) {
+  const Space s = space(v);
+  const double length = std::sqrt(dot(s, s));
+  return length > 0 ? Space{s[0] / length, s[1] / length, s[2] / length} : s;
+}
+
+Space between(const Space& a, const Space& b, double t) {
+  return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
+}
+
+constexpr double widest = 1.43;  // the tangent of 55 degrees
+
+}  // namespace
+
+ImageStage::ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& camera)
+    : scene_(scene), camera_(camera), axes_{unit(camera.right), unit(camera.up), unit(camera.forward)} {
+  double farthest = 1;
+  for (const auto& vertex : scene.vertices) farthest = std::max(farthest, std::abs(seen_from_eye(space(vertex))[2]));
+  nearest_ = camera.perspective ? farthest / 1000 : -1e300;
+  bool first = true;
+  for (const picture::LineEdge& edge : picture::edges_of(scene)) {
+    for (const Point& p : line_in_image(space(scene.vertices[edge.from]), space(scene.vertices[edge.to]))) {
+      for (std::size_t a = 0; a < 2; ++a) {
+        const double value = camera.perspective ? std::clamp(p[a], -widest, widest) : p[a];
+        low_[a] = first ? value : std::min(low_[a], value);
+        high_[a] = first ? value : std::max(high_[a], value);
+      }
+      first = false;
+    }
+  }
+  const double margin = std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-6}) * 0.04;
+  for (std::size_t a = 0; a < 2; ++a) {
+    low_[a] -= margin;
+    high_[a] += margin;
+  }
+}
+
+Space ImageStage::seen_from_eye(const Space& p) const {
+  const Space eye = space(camera_.eye);
+  const Space d{p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
+  return {dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2])};
+}
+
+Point ImageStage::projected(const Space& p) const {
+  return camera_.perspective ? Point{p[0] / p[2], p[1] / p[2]} : Point{p[0], p[1]};
+}
+
+// What of a line is before the eye; false: nothing.
+bool ImageStage::cut(Space& from, Space& to) const {
+  if (!camera_.perspective) return true;
+  if (from[2] < nearest_ && to[2] < nearest_) return false;
+  if (from[2] < nearest_) from = between(from, to, (nearest_ - from[2]) / (to[2] - from[2]));
+  if (to[2] < nearest_) to = between(to, from, (nearest_ - to[2]) / (from[2] - to[2]));
+  return true;
+}
+
+Sheet ImageStage::sheet(std::string title) const { return {std::move(title), low_, high_}; }
+
+std::vector<Point> ImageStage::line_in_image(const Space& from, const Space& to) const {
+  Space a = seen_from_eye(from);
+  Space b = seen_from_eye(to);
+  if (!cut(a, b)) return {};
+  return {projected(a), projected(b)};
+}
+
+std::vector<Point> ImageStage::outline_in_image(std::span<const Space> corners) const {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    Space a = seen_from_eye(corners[i]);
+    Space b = seen_from_eye(corners[(i + 1) % corners.size()]);
+    const bool leaves = camera_.perspective && b[2] < nearest_;
+    if (!cut(a, b)) continue;
+    points.push_back(projected(a));
+    if (leaves) points.push_back(projected(b));
+  }
+  return points;
+}
+
+void ImageStage::add_line(std::vector<Mark>& marks, Look look, const Space& from, const Space& to) const {
+  std::vector<Point> points = line_in_image(from, to);
+  if (!points.empty()) marks.push_back(line(look, std::move(points)));
+}
+
+void ImageStage::add_area(std::vector<Mark>& marks, Look look, std::span<const Space> corners) const {
+  std::vector<Point> points = outline_in_image(corners);
+  if (points.size() > 2) marks.push_back(area(look, std::move(points)));
+}
+
+void ImageStage::add_edge(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const {
+  add_line(marks, look, space(scene_.vertices[edge.from]), space(scene_.vertices[edge.to]));
+}
+
+void ImageStage::add_piece(std::vector<Mark>& marks, Look look, const picture::LinePiece& piece) const {
+  const Space from = space(scene_.vertices[piece.edge.from]);
+  const Space to = space(scene_.vertices[piece.edge.to]);
+  add_line(marks, look, between(from, to, piece.low.to_double()), between(from, to, piece.high.to_double()));
+}
+
+void ImageStage::add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const {
+  std::vector<Space> corners;
+  for (const scene::VertexIndex v : face.outline) corners.push_back(space(scene_.vertices[v]));
+  add_area(marks, look, corners);
+}
+
+std::vector<Mark> ImageStage::wire_frame(Look look) const {
+  std::vector<Mark> marks;
+  for (const picture::LineEdge& edge : picture::edges_of(scene_)) add_edge(marks, look, edge);
+  return marks;
+}
+
+void Steps::count(std::string_view name, std::uint64_t value) {
+  const auto found = std::find_if(counts_.begin(), counts_.end(), [&](const Count& count) { return count.name == name; });
+  if (found != counts_.end()) {
+    found->value = value;
+  } else {
+    counts_.push_back({std::string(name), value});
+  }
+}
+
+bool Steps::add(std::string caption, std::string section, std::vector<Layer> changes) {
+  if (full_) return false;
+  if (lesson_.steps.size() + 1 == most_steps) {
+    full_ = true;
+    lesson_.steps.push_back({"There are more steps than a lesson has room for: take a smaller scene to see the end.", {}, counts_, {}});
+    return false;
+  }
+  lesson_.steps.push_back({std::move(caption), std::move(section), counts_, std::move(changes)});
+  return true;
+}
+
+}  // namespace sightline::explain
