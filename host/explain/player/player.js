@@ -123,7 +123,7 @@ export function makePlayer(root, lesson) {
   slider.oninput = () => show(Number(slider.value));
   const observer = new ResizeObserver(draw);
   canvases.forEach(canvas => observer.observe(canvas));
-  show(0);
+  show(Number(/[#&?]step=(\d+)/.exec(location.hash)?.[1] ?? 1) - 1);
   return {
     show, get step() { return at; }, length: lesson.steps.length,
     stop() { stopped = true; clearTimeout(timer); observer.disconnect(); },
