@@ -155,6 +155,16 @@ Result<Done> write_file_atomically(const std::string& path, std::string_view tex
   return file->commit();
 }
 
+FileStatus file_status(const std::string& path) {
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (!std::filesystem::exists(status)) return {};
+  if (!std::filesystem::is_regular_file(status)) return {FileStatus::Kind::other};
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (failed) return {FileStatus::Kind::file, 0, failed.message()};
+  return {FileStatus::Kind::file, size};
+}
+
 Result<Bytes> read_file(const std::string& path, std::size_t limit) {
   std::error_code failed;
   if (std::filesystem::is_directory(path, failed)) return system_error(path, "cannot read", EISDIR);

@@ -52,6 +52,15 @@ class AtomicFile {
                                                  std::span<const std::uint8_t> bytes);
 [[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::string_view text);
 
+// What a path leads to.
+struct FileStatus {
+  enum class Kind : std::uint8_t { none, file, other };  // other: a directory, a device
+  Kind kind = Kind::none;
+  std::uint64_t size = 0;  // of a file, bytes
+  std::string error = {};  // why it cannot be looked at; empty: it can
+};
+[[nodiscard]] FileStatus file_status(const std::string& path);
+
 // The whole file; an error for a directory, and for more than `limit` bytes.
 [[nodiscard]] Result<Bytes> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
 

@@ -9,13 +9,43 @@ namespace sightline::base {
 
 namespace {
 
-template <class Number, class Format>
-std::optional<Number> whole_text(std::string_view text, Format format) {
+template <class Number>
+std::optional<Number> whole_text(std::string_view text, int radix) {
   Number value{};
   const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value, format);
+  const auto [after, error] = std::from_chars(text.data(), end, value, radix);
   if (text.empty() || error != std::errc{} || after != end) return std::nullopt;
   return value;
+}
+
+// What std::from_chars does with a double, which libc++ 14 does not have: the whole text is a number in the C locale, without
+// a plus sign, blanks or hexadecimal digits; out of range as strtod has it.
+std::optional<double> whole_double(std::string_view text, bool exponent) {
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 20000
+  constexpr std::string_view characters = "0123456789.-";
+  bool digits = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool of_exponent = exponent && (text[i] == 'e' || text[i] == 'E' || text[i] == '+');
+    if (characters.find(text[i]) == std::string_view::npos && !of_exponent) return std::nullopt;
+    if (text[i] == '+' && (i == 0 || (text[i - 1] != 'e' && text[i - 1] != 'E'))) return std::nullopt;
+    digits = digits || (text[i] >= '0' && text[i] <= '9');
+  }
+  if (!digits) return std::nullopt;
+  const std::string copy(text);
+  char* after = nullptr;
+  const double value = std::strtod(copy.c_str(), &after);
+  if (after != copy.c_str() + copy.size()) return std::nullopt;
+  return value;
+#else
+  double value = 0;
+  const auto format = exponent ? std::chars_format::general : std::chars_format::fixed;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);
+  if (end != text.data() + text.size()) return std::nullopt;
+  // from_chars reports "out of range" for numbers too near 0 as for those too great.
+  if (error == std::errc::result_out_of_range && exponent) return std::strtod(std::string(text).c_str(), nullptr);
+  if (error != std::errc{}) return std::nullopt;
+  return value;
+#endif
 }
 
 }  // namespace
@@ -46,20 +76,13 @@ std::optional<std::uint64_t> count_number(std::string_view text) {
 
 std::optional<double> decimal_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return std::nullopt;
-  // from_chars reports "out of range" for numbers too near 0 as for those too great.
-  if (error == std::errc::result_out_of_range)
-    value = std::strtod(std::string(text).c_str(), nullptr);
-  else if (error != std::errc{})
-    return std::nullopt;
-  if (!std::isfinite(value)) return std::nullopt;
+  const auto value = whole_double(text, true);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
   return value;
 }
 
 std::optional<double> fixed_number(std::string_view text, double least, double most) {
-  const auto value = whole_text<double>(text, std::chars_format::fixed);
+  const auto value = whole_double(text, false);
   if (!value || !(*value >= least && *value <= most)) return std::nullopt;
   return value;
 }

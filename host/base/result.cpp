@@ -1,5 +1,9 @@
 #include "host/base/result.hpp"
 
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
 namespace sightline::base {
 
 std::string Error::message(MessageStyle style) const {
@@ -17,6 +21,15 @@ std::string Error::message(MessageStyle style) const {
   if (!remedy.empty()) text += "; " + remedy;
   if (!excerpt.empty()) text += "\n" + excerpt;
   return text;
+}
+
+void give_up(const std::string& fault) {
+#if defined(__cpp_exceptions)
+  throw std::logic_error(fault);
+#else
+  std::fputs((fault + "\n").c_str(), stderr);
+  std::abort();
+#endif
 }
 
 }  // namespace sightline::base

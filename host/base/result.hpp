@@ -41,6 +41,10 @@ struct Error {
   return {.found = std::string(complaint)};
 }
 
+// A fault of this program itself, found where it cannot be handed on as an error. Throws std::logic_error; ends the program
+// where there are no exceptions.
+[[noreturn]] void give_up(const std::string& fault);
+
 // The value of work that has none: a file was written, a check passed.
 struct Done {
   friend bool operator==(Done, Done) = default;

@@ -16,7 +16,7 @@ using picture::LinePiece;
 
 class Teller final : public algorithms::exact::Trace {
  public:
-  Teller(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : scene_(scene), stage_(stage), steps_(steps) {
+  Teller(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : stage_(stage), steps_(steps) {
     for (const scene::PolyBody& body : scene.bodies)
       for (const scene::PolyFace& face : body.faces) faces_.push_back(&face);
     count();
@@ -76,7 +76,6 @@ class Teller final : public algorithms::exact::Trace {
     steps_.count("pieces seen", pieces_);
   }
 
-  const scene::PolyScene& scene_;
   const ImageStage& stage_;
   Steps& steps_;
   std::vector<const scene::PolyFace*> faces_;

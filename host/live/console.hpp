@@ -13,22 +13,9 @@
 #include <vector>
 
 #include "host/guests/run/engine.hpp"
+#include "host/live/keys.hpp"
 
 namespace sightline::live {
-
-// --- What the keys send ---
-
-enum class KeyCodes : std::uint8_t {
-  ascii,   // seven bits
-  parity,  // bit 200 set, as the KSR 33 sends it
-  unix,    // the same, but RETURN is 212, LINE FEED 215 and ESCAPE 375
-  upper,   // as parity, small letters as capitals
-};
-
-[[nodiscard]] std::uint8_t code_of_key(KeyCodes codes, char key);
-
-// What of the codes a program prints goes to a terminal: their low seven bits, without NUL and DEL.
-[[nodiscard]] std::string shown_text(std::string_view codes);
 
 // --- A script ---
 

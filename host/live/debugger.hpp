@@ -66,6 +66,7 @@ class Debugger {
   [[nodiscard]] guests::run::Machine& machine() { return machine_; }
   [[nodiscard]] const guests::run::Machine& machine() const { return machine_; }
   [[nodiscard]] const Symbols& symbols() const { return symbols_; }
+  void set_symbols(Symbols symbols) { symbols_ = std::move(symbols); }
   [[nodiscard]] Breakpoints& breakpoints() { return breakpoints_; }
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
 

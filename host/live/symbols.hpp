@@ -37,7 +37,9 @@ class Symbols {
   struct Place {
     std::string file;
     std::size_t line = 0;
-    friend auto operator<=>(const Place&, const Place&) = default;
+    // Not <=>, which the texts of libc++ 14 do not have.
+    friend bool operator==(const Place& a, const Place& b) { return a.line == b.line && a.file == b.file; }
+    friend bool operator<(const Place& a, const Place& b) { return a.file != b.file ? a.file < b.file : a.line < b.line; }
   };
   void add_line(std::uint32_t address, Place place);
   [[nodiscard]] const Place* place(std::uint32_t address) const;  // null: no line of a source made the word

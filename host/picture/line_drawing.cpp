@@ -20,7 +20,8 @@ struct Stroke {
   Place to{};
 
   friend bool operator==(const Stroke&, const Stroke&) = default;
-  friend auto operator<=>(const Stroke&, const Stroke&) = default;
+  // Not <=>, which the arrays of libc++ 14 do not have.
+  friend bool operator<(const Stroke& a, const Stroke& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
 };
 
 // x and y within these.

@@ -75,7 +75,7 @@ void number_edges(EdgeMesh& mesh) {
   }
   mesh.edges.reserve(sides.size() / 2 + 1);
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
-    std::sort(sides.begin() + start[v], sides.begin() + start[v + 1],
+    std::sort(sides.data() + start[v], sides.data() + start[v + 1],
               [](const Side& a, const Side& b) { return a.to < b.to; });
     for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
       if (i == start[v] || sides[i].to != sides[i - 1].to) mesh.edges.push_back({v, sides[i].to});

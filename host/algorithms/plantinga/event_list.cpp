@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
@@ -24,11 +23,7 @@ class Study {
 
   // Empty if a limit was reached.
   std::optional<base::Error> run() {
-    const unsigned wanted = options_.threads != 0 ? options_.threads : std::thread::hardware_concurrency();
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < wanted; ++i) others.emplace_back([this] { work(); });
-    work();
-    for (std::thread& thread : others) thread.join();
+    base::run_on_threads(options_.threads != 0 ? options_.threads : base::available_threads(), [this] { work(); });
     return stopped_;
   }
 
@@ -42,7 +37,7 @@ class Study {
       EdgeHistory history = history_of(model_, parts_, static_cast<EdgeIndex>(edge));
       std::uint64_t pieces = history.first.size();
       for (const EdgeChange& change : history.changes) pieces += 2 * change.after.size();
-      const std::lock_guard lock(mutex_);
+      const base::Lock lock(mutex_);
       changes_ += history.changes.size();
       pieces_ += pieces;
       histories_[edge] = std::move(history);
@@ -67,7 +62,7 @@ class Study {
   std::vector<EdgeHistory> histories_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> given_up_ = false;
-  std::mutex mutex_;
+  base::Mutex mutex_;
   std::size_t done_ = 0;
   std::uint64_t changes_ = 0;
   std::uint64_t pieces_ = 0;

@@ -31,7 +31,7 @@ std::optional<std::string> why_not_view(const scene::PolyScene&, const scene::Po
 
 picture::LinePicture TurningScene::view(const Sight& sight) {
   {
-    const std::lock_guard lock(mutex_);
+    const base::Lock lock(mutex_);
     if (std::exchange(asked_, true) && model_.edges().size() <= most_turned_edges) {
       if (auto picture = turned_view(sight)) return std::move(*picture);
     }

@@ -7,12 +7,12 @@
 
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
+#include "host/base/threads.hpp"
 
 namespace sightline::algorithms::plantinga {
 
@@ -40,7 +40,7 @@ class TurningScene {
   std::optional<picture::LinePicture> turned_view(const Sight& sight);
 
   RotationModel model_;
-  std::mutex mutex_;
+  base::Mutex mutex_;
   bool asked_ = false;
   bool studied_ = false;
   EventList list_;

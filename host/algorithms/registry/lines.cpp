@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 #include <utility>
 
 #include "host/algorithms/exact/visible_edges.hpp"
@@ -12,6 +11,7 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/decompose.hpp"
 
@@ -71,20 +71,20 @@ class JonesScene {
 
  private:
   native_jones::Walker take() {
-    const std::lock_guard lock(mutex_);
+    const base::Lock lock(mutex_);
     if (idle_.empty()) return native_jones::Walker(prepared_);
     native_jones::Walker walker = std::move(idle_.back());
     idle_.pop_back();
     return walker;
   }
   void give_back(native_jones::Walker walker) {
-    const std::lock_guard lock(mutex_);
+    const base::Lock lock(mutex_);
     idle_.push_back(std::move(walker));
   }
 
   scene::CellComplex complex_;
   native_jones::PreparedComplex prepared_;
-  std::mutex mutex_;
+  base::Mutex mutex_;
   std::vector<native_jones::Walker> idle_;
 };
 

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <stdexcept>
-
 #include "host/base/result.hpp"
 #include "tools/asm/pdp7.hpp"
 
@@ -14,7 +12,7 @@ namespace {
 // Core beyond the tables that the program lays out by assignment is not in the image.
 std::uint32_t words_of(const assembler::Assembly& assembly, std::string_view name) {
   const auto value = assembly.value_of(name);
-  if (!value) throw std::logic_error(fmt::format("the program has no label {}", name));
+  if (!value) base::give_up(fmt::format("the program has no label {}", name));
   return value->value();
 }
 
@@ -61,7 +59,7 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Prog
   assembler_options.defines.push_back({"FRACTION", core::Word18(options.fraction_bits)});
   assembler_options.defines.push_back({"TRUNCATE", core::Word18(options.truncate ? 1 : 0)});
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
-  if (!assembly.ok()) throw std::logic_error("the program does not assemble:\n" + all_diagnostics(assembly));
+  if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
 
   const std::uint32_t tables = words_of(assembly, "recs");
   const std::uint32_t end = assembly.image.words.rbegin()->first + 1;

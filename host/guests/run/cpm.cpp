@@ -59,6 +59,49 @@ Address caller_of(Address entry, const Cpm::Processor& processor) {
   return called ? static_cast<Address>(from) : entry;
 }
 
+// What a program finds of the words behind its name: the tail at 0080, and file control blocks at 005C and 006C.
+void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory) {
+  constexpr std::size_t tail = 0x80, most = 126;
+  std::string text;
+  for (const char c : words) text += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  if (!text.empty()) text.insert(text.begin(), ' ');
+  text.resize(std::min(text.size(), most));
+  memory[tail] = static_cast<std::uint8_t>(text.size());
+  std::copy(text.begin(), text.end(), memory.begin() + tail + 1);
+  memory[tail + 1 + text.size()] = 0;
+
+  std::size_t at = 0;
+  for (const std::size_t block : {0x5CU, 0x6CU}) {
+    const auto next = [&]() -> std::uint8_t {
+      constexpr std::string_view ends = " =_.:;<>";
+      return at < text.size() && ends.find(text[at]) == std::string_view::npos ? static_cast<std::uint8_t>(text[at++]) : 0;
+    };
+    while (at < text.size() && text[at] == ' ') ++at;
+    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block), 16, std::uint8_t{0});
+    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block) + 1, 11, std::uint8_t{' '});
+    if (at + 1 < text.size() && text[at + 1] == ':' && text[at] >= 'A' && text[at] <= 'P') {
+      memory[block] = static_cast<std::uint8_t>(text[at] - 'A' + 1);
+      at += 2;
+    }
+    const auto field = [&](std::size_t first, std::size_t last) {
+      std::size_t n = first;
+      while (const std::uint8_t c = next()) {
+        if (c == '*') {
+          while (n < last) memory[block + n++] = '?';
+        } else if (n < last) {
+          memory[block + n++] = c;
+        }
+      }
+    };
+    field(1, 9);
+    if (at < text.size() && text[at] == '.') {
+      ++at;
+      field(9, 12);
+    }
+    while (at < text.size() && text[at] != ' ') ++at;
+  }
+}
+
 // Up to the $ behind it.
 std::optional<std::string> string_at(Address address, std::span<const Byte> memory) {
   std::string text;

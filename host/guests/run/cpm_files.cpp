@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace sightline::guests::run {
@@ -284,48 +285,6 @@ base::Result<CpmDrive> parse_cpm_drive(std::string_view text) {
   std::error_code failure;
   if (!std::filesystem::is_directory(drive.folder, failure)) return refuse("a folder behind the =");
   return drive;
-}
-
-void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory) {
-  constexpr std::size_t tail = 0x80, most = 126;
-  std::string text;
-  for (const char c : words) text += static_cast<char>(upper(static_cast<std::uint8_t>(c)));
-  if (!text.empty()) text.insert(text.begin(), ' ');
-  text.resize(std::min(text.size(), most));
-  memory[tail] = static_cast<std::uint8_t>(text.size());
-  std::copy(text.begin(), text.end(), memory.begin() + tail + 1);
-  memory[tail + 1 + text.size()] = 0;
-
-  std::size_t at = 0;
-  for (const std::size_t block : {0x5CU, 0x6CU}) {
-    const auto next = [&]() -> std::uint8_t {
-      constexpr std::string_view ends = " =_.:;<>";
-      return at < text.size() && ends.find(text[at]) == std::string_view::npos ? static_cast<std::uint8_t>(text[at++]) : 0;
-    };
-    while (at < text.size() && text[at] == ' ') ++at;
-    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block), 16, std::uint8_t{0});
-    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block) + 1, 11, std::uint8_t{' '});
-    if (at + 1 < text.size() && text[at + 1] == ':' && text[at] >= 'A' && text[at] <= 'P') {
-      memory[block] = static_cast<std::uint8_t>(text[at] - 'A' + 1);
-      at += 2;
-    }
-    const auto field = [&](std::size_t first, std::size_t last) {
-      std::size_t n = first;
-      while (const std::uint8_t c = next()) {
-        if (c == '*') {
-          while (n < last) memory[block + n++] = '?';
-        } else if (n < last) {
-          memory[block + n++] = c;
-        }
-      }
-    };
-    field(1, 9);
-    if (at < text.size() && text[at] == '.') {
-      ++at;
-      field(9, 12);
-    }
-    while (at < text.size() && text[at] != ' ') ++at;
-  }
 }
 
 CpmFiles::CpmFiles(const std::vector<CpmDrive>& drives) : host_(std::make_unique<Host>()) {

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,14 +25,11 @@ namespace sightline::guests::run {
 // --cpm-drive X=FOLDER[,ro]
 struct CpmDrive {
   unsigned number = 0;  // 0 is A
-  std::filesystem::path folder;
+  std::string folder;
   bool read_only = false;
 };
 // An error says what the text should be, or that the folder is none.
 [[nodiscard]] base::Result<CpmDrive> parse_cpm_drive(std::string_view text);
-
-// What a program finds of the words behind its name: the tail at 0080, and file control blocks at 005C and 006C.
-void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory);
 
 class CpmFiles {
  public:

@@ -52,6 +52,12 @@ class PlotterTaker {
   void stroke(const core::Stroke& stroke) {
     if (log_.wanted()) log(stroke);
     if (drawing_) draw({stroke.x, stroke.y});
+    if (live_) fresh_.push_back(stroke);
+  }
+  void keep_strokes(bool keep) { live_ = keep; }
+  void take_strokes(std::vector<core::Stroke>& strokes) {
+    strokes.swap(fresh_);
+    fresh_.clear();
   }
   void end_pass(core::Instant) {}
 
@@ -94,6 +100,7 @@ class PlotterTaker {
   };
 
   void go_back_to(const End& end) {
+    fresh_.clear();
     if (end.paths > paths_.size() || end.paths == 0 ||
         end.corners > paths_[static_cast<std::size_t>(end.paths) - 1].corners.size() || end.corners == 0) {
       paths_.clear();
@@ -125,6 +132,8 @@ class PlotterTaker {
     last_ = point;
   }
 
+  bool live_ = false;
+  std::vector<core::Stroke> fresh_;  // since they were last taken
   bool drawing_;
   TextBlocks log_;
   std::vector<picture::PenPath> paths_;
@@ -839,6 +848,16 @@ class I8080Run final : public Machine {
     if (plotter_.left_out() != 0)
       warnings.push_back(fmt::format("the drawing lacks the last {} marks of the pen", plotter_.left_out()));
     return warnings;
+  }
+
+  void keep_strokes(bool keep) override { plotter_.keep_strokes(keep); }
+  void take_strokes(std::vector<core::Stroke>& strokes) override { plotter_.take_strokes(strokes); }
+  [[nodiscard]] const core::Raster* raster() const override {
+    const core::Raster* shown = nullptr;
+    devices_.each_device([&shown](auto row, const auto& device) {
+      if constexpr (decltype(row)::kind == DeviceKind::raster_board) shown = &device.raster();
+    });
+    return shown;
   }
 
   // --png of the raster board, --svg of the plotter, --parallel-out and its like of the links.

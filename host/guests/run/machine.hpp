@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/raster.hpp"
+#include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
@@ -326,6 +328,13 @@ class Machine {
   [[nodiscard]] virtual Result<Done> attach(std::string_view device, const Input&) {
     return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
   }
+  // For a screen that is looked at while the machine runs: from now on every stroke of the display or the plotter is kept until
+  // it is taken. The display of a machine made with --monitor, or with an output of its strokes.
+  virtual void keep_strokes(bool) {}
+  // Those since the last call, in the order in which they were drawn, instead of what `strokes` holds.
+  virtual void take_strokes(std::vector<core::Stroke>& strokes) { strokes.clear(); }
+  // What the raster board shows; null without one.
+  [[nodiscard]] virtual const core::Raster* raster() const { return nullptr; }
   // What a run has had from the host's files is kept, so that it can be repeated from a snapshot without touching them.
   // Forgets the oldest but so many; the time, in the machine's unit, from which runs can be repeated.
   [[nodiscard]] virtual std::int64_t trim_journal(std::size_t) { return 0; }

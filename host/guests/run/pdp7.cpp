@@ -346,6 +346,8 @@ struct NoScreen : core::NoStrokes {
   static void take_log(const TextTaker&) {}
   static void forget_after(core::Instant) {}
   static void finish() {}
+  static void keep_strokes(bool) {}
+  static void take_strokes(std::vector<core::Stroke>& strokes) { strokes.clear(); }
 };
 
 std::string seconds_text(core::Instant t) {
@@ -577,6 +579,9 @@ class Pdp7Machine final : public Machine {
             {"passes", fmt::format("{} complete of {} started", display->counters().passes_stopped,
                                    display->counters().passes_started)}};
   }
+
+  void keep_strokes(bool keep) override { sink_.keep_strokes(keep); }
+  void take_strokes(std::vector<core::Stroke>& strokes) override { sink_.take_strokes(strokes); }
 
   void type(std::uint8_t code) override {
     machine_.devices().keyboard.send(machine_.now(), code);

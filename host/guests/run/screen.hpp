@@ -42,6 +42,7 @@ class Screen {
     const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
     if (wishes_.photograph || of_picture) newest_.stroke(stroke);
     if (log_.wanted()) log(stroke);
+    if (live_) fresh_.push_back(stroke);
   }
   void end_pass(core::Instant t) {
     if (wishes_.picture) passes_.end_pass(t);
@@ -50,6 +51,13 @@ class Screen {
   void forget_after(core::Instant t) {
     passes_.forget_after(t);
     newest_.forget_after(t);
+    fresh_.clear();
+  }
+  // From now on strokes are kept for take_strokes.
+  void keep_strokes(bool keep) { live_ = keep; }
+  void take_strokes(std::vector<core::Stroke>& strokes) {
+    strokes.swap(fresh_);
+    fresh_.clear();
   }
   // Hands out what is left of the log.
   void finish() { log_.finish(); }
@@ -75,6 +83,8 @@ class Screen {
   picture::PassRecorder passes_;
   picture::StrokeRecorder newest_;
   TextBlocks log_;
+  bool live_ = false;
+  std::vector<core::Stroke> fresh_;  // since they were last taken
 };
 
 }  // namespace sightline::guests::run

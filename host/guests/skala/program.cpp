@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "host/base/result.hpp"
 #include "tools/asm/i8080.hpp"
 
 namespace sightline::guests::skala {
@@ -24,7 +24,7 @@ std::optional<std::string> embedded_source(const std::string& name) {
 Labels labels_of(const assembler::I8080Assembly& assembly) {
   const auto at = [&](std::string_view name) {
     const auto value = assembly.value_of(name);
-    if (!value) throw std::logic_error(fmt::format("the Skala program has no label {}", name));
+    if (!value) base::give_up(fmt::format("the Skala program has no label {}", name));
     return *value;
   };
   Labels labels;
@@ -51,7 +51,7 @@ Program assemble_program() {
   if (!assembly.ok()) {
     std::string text = "the Skala program does not assemble:\n";
     for (const auto& diagnostic : assembly.diagnostics) text += assembler::to_string(diagnostic) + "\n";
-    throw std::logic_error(text);
+    base::give_up(text);
   }
   const auto bytes = assembly.image.bytes().first(assembly.image.highest() + std::size_t{1});
   return {{bytes.begin(), bytes.end()}, labels_of(assembly)};

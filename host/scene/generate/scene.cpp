@@ -89,7 +89,7 @@ std::vector<GeneratedSceneName> generated_set() {
   for (const Range& range : ranges) {
     std::size_t taken = 0;
     for (std::uint64_t seed = 1; taken < scenes_a_family; ++seed) {
-      const GeneratedSceneName name{range.family, 1 + seed % range.sizes, seed};
+      const GeneratedSceneName name{range.family, static_cast<std::size_t>(1 + seed % range.sizes), seed};
       if (convex_faces(find_family(name.family)->generate(name.size, seed)) > most_convex_faces) continue;
       set.push_back(name);
       ++taken;

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <system_error>
 #include <utility>
 
+#include "host/base/file.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/heights/read_points.hpp"
 #include "host/scene/heights/read_text.hpp"
@@ -72,18 +69,15 @@ base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_vie
 }
 
 base::Result<HeightGrid> load_height_grid(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return error_in(file, "", "no such file", "");
-  if (!std::filesystem::is_regular_file(status))
+  const base::FileStatus status = base::file_status(file);
+  if (status.kind == base::FileStatus::Kind::none) return error_in(file, "", "no such file", "");
+  if (status.kind == base::FileStatus::Kind::other)
     return error_in(file, "", "something else, such as a directory", "a file");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return error_in(file, "", error.message(), "a file that can be read");
-  if (size > largest_grid_file) return error_in(file, "", "a file of more than 64 MiB", "at most that");
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) return error_in(file, "", "a file that cannot be read", "");
-  return read_height_grid(text, file);
+  if (!status.error.empty()) return error_in(file, "", status.error, "a file that can be read");
+  if (status.size > largest_grid_file) return error_in(file, "", "a file of more than 64 MiB", "at most that");
+  const auto bytes = base::read_file(file);
+  if (!bytes) return error_in(file, "", "a file that cannot be read", "");
+  return read_height_grid(std::string(bytes->begin(), bytes->end()), file);
 }
 
 }  // namespace sightline::scene

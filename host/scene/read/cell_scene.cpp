@@ -1,13 +1,10 @@
 #include "host/scene/read/cell_scene.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <system_error>
 
+#include "host/base/file.hpp"
 #include "host/base/json_reader.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -154,22 +151,20 @@ CellScene read_fields(const Json& document, Reader& reader) {
 
 base::Result<std::string> file_text(const std::string& file) {
   const auto cannot = [&](const std::string& why) { return base::Error{file, "", why}; };
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
+  const base::FileStatus status = base::file_status(file);
+  if (status.kind == base::FileStatus::Kind::none) {
     std::string names;
     for (const std::string_view name : builtin_scene_names())
       names += (names.empty() ? "" : ", ") + std::string(name);
     return cannot("no such file, and not a built-in scene (" + names + ")");
   }
-  if (!std::filesystem::is_regular_file(status))
+  if (status.kind == base::FileStatus::Kind::other)
     return cannot("expected a file, found something else, such as a directory");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error || size > largest_file) return cannot(error ? error.message() : "expected at most 64 MiB");
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) return cannot("cannot be read");
-  return text;
+  if (!status.error.empty() || status.size > largest_file)
+    return cannot(!status.error.empty() ? status.error : "expected at most 64 MiB");
+  const auto bytes = base::read_file(file);
+  if (!bytes) return cannot("cannot be read");
+  return std::string(bytes->begin(), bytes->end());
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "host/scene/read/load.hpp"
 
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
+#include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
 #include "host/scene/check/cell_scene.hpp"
@@ -94,8 +93,8 @@ void read_json(const SceneFile& file, SceneReading& reading) {
 }  // namespace
 
 std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
-  std::error_code unknown;
-  if (const auto generated = generated_name(name); generated && !std::filesystem::exists(name, unknown)) {
+  if (const auto generated = generated_name(name);
+      generated && base::file_status(name).kind == base::FileStatus::Kind::none) {
     auto scene = generate_scene(generated->family, generated->size, generated->seed);
     if (!scene) return std::move(scene.error());
     return SceneFile{.name = name, .generated = std::move(*scene)};

@@ -1,0 +1,49 @@
+// Locks and threads where there are any: a browser's module has one thread, and everything here then does its work on it.
+#pragma once
+
+#include <functional>
+
+#if defined(__wasi__)
+
+namespace sightline::base {
+
+class Mutex {};
+
+class Lock {
+ public:
+  explicit Lock(Mutex&) {}
+};
+
+[[nodiscard]] inline unsigned available_threads() { return 1; }
+inline void run_on_threads(unsigned, const std::function<void()>& work) { work(); }
+
+}  // namespace sightline::base
+
+#else
+
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace sightline::base {
+
+using Mutex = std::mutex;
+using Lock = std::lock_guard<std::mutex>;
+
+// At least 1.
+[[nodiscard]] inline unsigned available_threads() {
+  const unsigned threads = std::thread::hardware_concurrency();
+  return threads != 0 ? threads : 1;
+}
+
+// The work on so many threads at once, one of them the caller's; returns when all have done it.
+inline void run_on_threads(unsigned count, const std::function<void()>& work) {
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < count; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+}
+
+}  // namespace sightline::base
+
+#endif

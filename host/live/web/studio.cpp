@@ -1,0 +1,392 @@
+#include "host/live/web/studio.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "host/algorithms/registry/heights.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/explain/explain.hpp"
+#include "host/guests/jones/program.hpp"
+#include "host/guests/skala/guest.hpp"
+#include "host/guests/skala/program.hpp"
+#include "host/guests/skala/stream.hpp"
+#include "host/picture/line_picture.hpp"
+#include "host/scene/heights/function.hpp"
+#include "host/scene/heights/read_grid.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/load.hpp"
+
+namespace sightline::live::web {
+namespace {
+
+namespace skala = guests::skala;
+
+std::string text_of(const Json& request, std::string_view key) {
+  const Json* const member = request.find(key);
+  const std::string* const text = member != nullptr ? member->text() : nullptr;
+  return text != nullptr ? *text : std::string();
+}
+double number_of(const Json& request, std::string_view key, double otherwise) {
+  const Json* const member = request.find(key);
+  return member != nullptr ? member->number().value_or(otherwise) : otherwise;
+}
+bool flag_of(const Json& request, std::string_view key, bool otherwise = false) {
+  const Json* const member = request.find(key);
+  return member != nullptr ? member->boolean().value_or(otherwise) : otherwise;
+}
+
+// A file of the page of that name, else a built-in or generated scene.
+base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name) {
+  if (const Bytes* const bytes = workbench.file(name))
+    return scene::load_scene({.name = name, .text = std::string(bytes->begin(), bytes->end())});
+  auto found = scene::named_scene(name);
+  if (!found) return base::fail(fmt::format("{}: no scene of that name, and no such file on the page", name));
+  if (!*found) return std::move(found->error());
+  return scene::load_scene(std::move(**found));
+}
+
+std::optional<scene::PolyPoint> point_of(const Json* json) {
+  if (json == nullptr || json->size() != 3) return std::nullopt;
+  scene::PolyPoint point{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = (*json)[i].integer();
+    if (!value || std::abs(*value) >= (1 << 15)) return std::nullopt;
+    point[i] = static_cast<std::int32_t>(*value);
+  }
+  return point;
+}
+
+// The scene's own camera, turned as the request says: "eye", "forward", "right" and "up" arrays, "perspective" a boolean.
+base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const Json& request) {
+  scene::PolyCamera camera = scene.camera;
+  if (const Json* const given = request.find("camera")) {
+    camera.perspective = flag_of(*given, "perspective", camera.perspective);
+    for (const auto& [key, part] : {std::pair{"eye", &camera.eye}, {"forward", &camera.forward}, {"right", &camera.right}, {"up", &camera.up}}) {
+      const Json* const value = given->find(key);
+      if (value == nullptr) continue;
+      const auto point = point_of(value);
+      if (!point) return base::fail(fmt::format("camera: {}: expected three whole numbers below 32768", key));
+      *part = *point;
+    }
+    const auto dot = [](const scene::PolyPoint& a, const scene::PolyPoint& b) {
+      return std::int64_t{a[0]} * b[0] + std::int64_t{a[1]} * b[1] + std::int64_t{a[2]} * b[2];
+    };
+    if (dot(camera.forward, camera.right) != 0 || dot(camera.forward, camera.up) != 0 || dot(camera.right, camera.up) != 0 ||
+        dot(camera.forward, camera.forward) == 0 || dot(camera.right, camera.right) == 0 || dot(camera.up, camera.up) == 0)
+      return base::fail("camera: forward, right and up must be at right angles and not 0");
+  }
+  if (camera.perspective) {
+    if (const auto error = scene::eye_error(scene, camera)) return base::Error(*error);
+  }
+  return camera;
+}
+
+Json vector_json(const scene::PolyPoint& p) { return Json::array({p[0], p[1], p[2]}); }
+
+Json scene_json(const scene::LoadedScene& loaded) {
+  const scene::PolyScene& scene = loaded.scene;
+  Json vertices = Json::array();
+  for (const auto& v : scene.vertices) vertices.push_back(vector_json(v));
+  Json edges = Json::array();
+  for (const auto& edge : picture::edges_of(scene)) edges.push_back(Json::array({edge.from, edge.to}));
+  return Json{{"name", loaded.name},
+              {"vertices", std::move(vertices)},
+              {"edges", std::move(edges)},
+              {"faces", scene::face_count(scene)},
+              {"camera",
+               {{"perspective", scene.camera.perspective},
+                {"eye", vector_json(scene.camera.eye)},
+                {"forward", vector_json(scene.camera.forward)},
+                {"right", vector_json(scene.camera.right)},
+                {"up", vector_json(scene.camera.up)}}}};
+}
+
+// Exact: an edge by its vertices, then the two ends of the piece as fractions; what two builds are compared by.
+Json pieces_json(const picture::LinePicture& picture) {
+  Json pieces = Json::array();
+  for (const auto& piece : picture.pieces) {
+    pieces.push_back(Json::array({piece.edge.from, piece.edge.to, piece.low.numerator(), piece.low.denominator(), piece.high.numerator(),
+                                  piece.high.denominator()}));
+  }
+  return pieces;
+}
+
+Json draw(Workbench& workbench, const Json& request) {
+  auto loaded = scene_named(workbench, text_of(request, "scene"));
+  if (!loaded) return refusal(loaded.error().message());
+  const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(text_of(request, "algorithm"));
+  if (algorithm == nullptr) return refusal("there is no line algorithm of that name");
+  const auto camera = camera_of(loaded->scene, request);
+  if (!camera) return refusal(camera.error().message());
+  if (const auto reason = algorithm->why_not(loaded->scene)) return refusal(*reason);
+  if (const auto reason = algorithm->why_not_seen(loaded->scene, *camera)) return refusal(*reason);
+  auto prepared = algorithm->prepare(loaded->scene);
+  if (!prepared) return refusal(prepared.error().message());
+  const auto view = prepared->view(*camera);
+  if (!view) return refusal(view.error().message());
+  Json counts = Json::object();
+  for (const auto& count : view->counts) counts[std::string(count.name)] = count.value;
+  return Json{{"pieces", pieces_json(view->picture)}, {"counts", std::move(counts)}};
+}
+
+std::string grid_text(const Workbench& workbench, const std::string& name) {
+  const Bytes* const bytes = workbench.file(name);
+  return bytes != nullptr ? std::string(bytes->begin(), bytes->end()) : std::string();
+}
+
+// By the name of a function, a file of the page, or "heights": the values of an expression that the page has worked out on
+// "points" by "slices" places, and on 65 by 65 for their range.
+base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
+  const std::string name = text_of(request, "function");
+  const auto size = [&](std::string_view key, double usual) {
+    return static_cast<std::size_t>(std::clamp(number_of(request, key, usual), 2.0, 256.0));
+  };
+  const scene::GridSize wanted{size("points", 33), size("slices", 33)};
+  if (const Json* const heights = request.find("heights")) {
+    const Json* const range = request.find("range");
+    const double half = number_of(request, "domain", 1);
+    scene::HeightGrid grid{scene::even_positions(wanted.points), scene::even_positions(wanted.slices), {}, {-half, half}, {-half, half}, {}};
+    if (heights->size() != wanted.points * wanted.slices) return base::fail("found another number of heights than points times slices");
+    for (const Json& each : heights->elements()) grid.heights.push_back(each.number().value_or(std::nan("")));
+    if (!scene::anywhere_finite(grid.heights)) return base::fail("the expression has no value anywhere in its domain");
+    grid.range = scene::finite_range(grid.heights);
+    if (range != nullptr && range->size() == 2 && (*range)[0].number() && (*range)[1].number())
+      grid.range = {*(*range)[0].number(), *(*range)[1].number()};
+    return grid;
+  }
+  if (workbench.file(name) != nullptr) return scene::read_height_grid(grid_text(workbench, name), name);
+  const auto function = scene::height_function(name);
+  if (!function) return base::fail(fmt::format("{}: no function of that name, expected one of {}", name, scene::height_function_names()));
+  return scene::sample(*function, wanted);
+}
+
+skala::View view_of(const Json& request) {
+  skala::View view;
+  const std::string picture = text_of(request, "picture");
+  view.picture = picture == "surface" ? skala::PictureKind::surface : picture == "contours" ? skala::PictureKind::contours : skala::PictureKind::lines;
+  const std::string along = text_of(request, "along");
+  view.family = along == "x" ? skala::Family::along_x : along == "z" ? skala::Family::along_z : along == "both" ? skala::Family::both : skala::Family::automatic;
+  const std::string device = text_of(request, "device");
+  view.device = device == "alt256" ? skala::Device::alt256 : device == "calcomp" ? skala::Device::calcomp : device == "minigraf" ? skala::Device::minigraf : skala::Device::ef9365;
+  view.rotation = number_of(request, "rotation", 30);
+  view.elevation = std::clamp(number_of(request, "elevation", 30), -90.0, 90.0);
+  view.zoom = std::clamp(number_of(request, "zoom", 1), 0.05, 20.0);
+  view.levels = static_cast<int>(std::clamp(number_of(request, "levels", 8), 1.0, 255.0));
+  view.visibility = flag_of(request, "visibility", true);
+  return view;
+}
+
+const skala::Program& skala_program() {
+  static const skala::Program program = skala::assemble_program();
+  return program;
+}
+
+// Skala's program on an 8080 whose host computer sends the picture.
+Json make_skala(Workbench& workbench, const Json& request) {
+  const auto grid = grid_of(workbench, request);
+  if (!grid) return refusal(grid.error().message());
+  const skala::View view = view_of(request);
+  const skala::Program& program = skala_program();
+  workbench.put_file(".skala.stream", skala::stream_of(*grid, view));
+  workbench.put_file(".skala.bin", program.memory);
+  Json options{{"--load", Json::array({".skala.bin"})}, {"--parallel", ".skala.stream"}, {"--start", fmt::format("{:04X}", program.labels.start)}};
+  if (skala::is_raster(view.device)) options["--board"] = view.device == skala::Device::ef9365 ? "ef9365" : "alt256";
+  else options["--plotter"] = view.device == skala::Device::calcomp ? "calcomp" : "minigraf";
+  Json made = workbench.answer(Json{{"do", "make"}, {"machine", "i8080"}, {"options", std::move(options)}});
+  made["stream"] = workbench.file(".skala.stream")->size();
+  made["status"] = program.labels.status;
+  made["drawing"] = program.labels.drawing;
+  return made;
+}
+
+// What hiding costs: the drawing time of the picture with its hidden lines removed, and of all its lines, on the same machine.
+Json cost(Workbench& workbench, const Json& request) {
+  const auto grid = grid_of(workbench, request);
+  if (!grid) return refusal(grid.error().message());
+  skala::View view = view_of(request);
+  skala::GuestOptions options;
+  options.device = view.device;
+  const auto states = [&](bool visibility) {
+    view.visibility = visibility;
+    return skala::run_guest(skala_program(), skala::stream_of(*grid, view), options).drawing.count();
+  };
+  return Json{{"with", states(true)}, {"without", states(false)}};
+}
+
+// --- Jones
+
+struct JonesScene {
+  scene::CellScene cells;
+  scene::PolyScene scene;
+};
+
+base::Result<JonesScene> jones_scene(const Workbench& workbench, const std::string& name) {
+  auto loaded = scene_named(workbench, name);
+  if (!loaded) return std::move(loaded.error());
+  if (!loaded->cells) return base::fail(fmt::format("{}: not a scene of cells, which Jones's program needs", name));
+  return JonesScene{std::move(*loaded->cells), std::move(loaded->scene)};
+}
+
+Json make_jones(Workbench& workbench, const Json& request) {
+  const auto scene = jones_scene(workbench, text_of(request, "scene"));
+  if (!scene) return refusal(scene.error().message());
+  guests::jones::ProgramOptions options;
+  options.eae = flag_of(request, "eae", true);
+  if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
+  const auto program = guests::jones::assemble_program(scene->cells, options);
+  if (!program) return refusal(program.error().message());
+  guests::run::Program image{{}, program->labels.start};
+  for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
+  const auto& formats = guests::run::pdp7().formats;
+  const auto octal = std::find_if(formats.begin(), formats.end(), [](const auto& each) { return each.name == "octal"; });
+  auto written = octal->write(image, ".jones");
+  if (!written) return refusal(written.error().message);
+  workbench.put_file(".jones.oct", std::move(*written));
+  Json made = workbench.answer(Json{{"do", "make"},
+                                    {"machine", "pdp7"},
+                                    {"options", {{"--load", ".jones.oct"}, {"--display", true}, {options.eae ? "--eae" : "--no-eae", true}}}});
+  const Json* const id = made.find("id");
+  if (id == nullptr) return made;
+  Desk& desk = *workbench.desk(static_cast<int>(*id->integer()));
+  if (request.find("scale") != nullptr)
+    desk.machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
+  std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
+  if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
+  if (const auto number = desk.debugger().register_named("SR")) desk.debugger().set(*number, switches);
+  std::string table;
+  for (const auto& [name, value] : program->symbols) table += fmt::format("{} {:o}\n", name, value);
+  Symbols symbols(8);
+  static_cast<void>(symbols.add_table(table));
+  desk.debugger().set_symbols(std::move(symbols));
+  desk.debugger().start(program->labels.start);
+  Json labels = Json::object();
+  for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing"}) {
+    const auto found = program->symbols.find(name);
+    if (found != program->symbols.end()) labels[name] = found->second;
+  }
+  labels["search"] = program->labels.search;
+  made["labels"] = std::move(labels);
+  made["cells"] = scene->cells.cells.size();
+  made["words"] = program->words_used;
+  return made;
+}
+
+// What an eye at "eye" sees of a scene of cells at scale "scale", exactly: lines in points of the Type 340, [x0, y0, x1, y1]; with
+// "stereo" the pair.
+Json sight(Workbench& workbench, const Json& request) {
+  const auto scene = jones_scene(workbench, text_of(request, "scene"));
+  if (!scene) return refusal(scene.error().message());
+  const auto eye = point_of(request.find("eye"));
+  if (!eye) return refusal("eye: expected three whole numbers");
+  const double scale = number_of(request, "scale", 512);
+  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
+  auto prepared = exact.prepare(scene->scene);
+  if (!prepared) return refusal(prepared.error().message());
+  Json lines = Json::array();
+  const auto add = [&](std::int32_t ex, double centre, double width, double half) -> std::optional<std::string> {
+    scene::PolyCamera camera;
+    camera.eye = {ex, (*eye)[1], (*eye)[2]};
+    if (const auto error = scene::eye_error(scene->scene, camera)) return error->message();
+    const auto view = prepared->view(camera);
+    if (!view) return view.error().message();
+    for (const auto& piece : picture::without_seams(view->picture, scene->scene, camera).pieces) {
+      std::array<std::array<double, 3>, 2> ends{};
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double t = (end == 0 ? piece.low : piece.high).to_double();
+        const auto& from = scene->scene.vertices[piece.edge.from];
+        const auto& to = scene->scene.vertices[piece.edge.to];
+        for (std::size_t a = 0; a < 3; ++a) ends[end][a] = from[a] + (to[a] - from[a]) * t - camera.eye[a];
+      }
+      // Before the eye and within the window, as the program cuts it: Liang and Barsky's way.
+      double low = 0, high = 1;
+      const auto cut = [&](double a, double b) {  // keeps where a + t (b - a) >= 0
+        if (a < 0 && b < 0) high = -1;
+        else if (a < 0) low = std::max(low, a / (a - b));
+        else if (b < 0) high = std::min(high, a / (a - b));
+      };
+      const double wx = half / width, wy = 512 / width;
+      const auto& p = ends[0];
+      const auto& q = ends[1];
+      cut(p[2] - 1, q[2] - 1);
+      cut(p[0] + wx * p[2], q[0] + wx * q[2]);
+      cut(wx * p[2] - p[0], wx * q[2] - q[0]);
+      cut(p[1] + wy * p[2], q[1] + wy * q[2]);
+      cut(wy * p[2] - p[1], wy * q[2] - q[1]);
+      if (low >= high) continue;
+      const auto at = [&](double t, std::size_t a) { return p[a] + (q[a] - p[a]) * t; };
+      lines.push_back(Json::array({centre + width * at(low, 0) / at(low, 2), 512 + width * at(low, 1) / at(low, 2),
+                                   centre + width * at(high, 0) / at(high, 2), 512 + width * at(high, 1) / at(high, 2)}));
+    }
+    return std::nullopt;
+  };
+  if (flag_of(request, "stereo")) {
+    const double width = std::floor(scale / 2);
+    if (auto error = add((*eye)[0] - 5, 256, width, 256)) return refusal(*error);
+    if (auto error = add((*eye)[0] + 5, 768, width, 256)) return refusal(*error);
+  } else if (auto error = add((*eye)[0], 512, scale, 512)) {
+    return refusal(*error);
+  }
+  return Json{{"lines", std::move(lines)}};
+}
+
+Json explain(Workbench& workbench, const Json& request) {
+  const explain::Explainer* const explainer = explain::find_explainer(text_of(request, "algorithm"));
+  if (explainer == nullptr) return refusal("there is no lesson of that name");
+  base::Result<explain::Lesson> lesson = base::fail("");
+  std::string name = text_of(request, "scene");
+  if (explainer->heights != nullptr) {
+    const auto grid = grid_of(workbench, request);
+    if (!grid) return refusal(grid.error().message());
+    name = text_of(request, "function");
+    lesson = explainer->heights(*grid, number_of(request, "rotation", 30), number_of(request, "elevation", 30));
+  } else {
+    auto loaded = scene_named(workbench, name);
+    if (!loaded) return refusal(loaded.error().message());
+    const auto camera = camera_of(loaded->scene, request);
+    if (!camera) return refusal(camera.error().message());
+    lesson = explainer->scene(loaded->scene, *camera, loaded->decomposition ? &loaded->decomposition->complex : nullptr);
+  }
+  if (!lesson) return refusal(lesson.error().message());
+  lesson->scene = name;
+  const auto text = explain::json_of(*lesson);
+  return *base::parse_json(text, "lesson");
+}
+
+Json lists() {
+  Json scenes = Json::array();
+  for (const auto name : scene::builtin_scene_names()) scenes.push_back(name);
+  Json functions = Json::array();
+  for (const auto& function : scene::height_functions()) functions.push_back(Json{{"name", function.name}, {"formula", function.formula}, {"description", function.description}});
+  Json algorithms = Json::array();
+  for (const auto& algorithm : registry::line_algorithms()) algorithms.push_back(Json{{"name", algorithm.name}, {"description", algorithm.description}});
+  Json lessons = Json::array();
+  for (const auto& each : explain::explainers())
+    lessons.push_back(Json{{"algorithm", each.algorithm}, {"summary", each.summary}, {"heights", each.heights != nullptr}});
+  return Json{{"scenes", std::move(scenes)}, {"functions", std::move(functions)}, {"algorithms", std::move(algorithms)}, {"lessons", std::move(lessons)}};
+}
+
+}  // namespace
+
+Json studio_answer(Workbench& workbench, std::string_view what, const Json& request) {
+  if (what == "lists") return lists();
+  if (what == "scene") {
+    const auto loaded = scene_named(workbench, text_of(request, "scene"));
+    return loaded ? scene_json(*loaded) : refusal(loaded.error().message());
+  }
+  if (what == "draw") return draw(workbench, request);
+  if (what == "explain") return explain(workbench, request);
+  if (what == "jones") return make_jones(workbench, request);
+  if (what == "sight") return sight(workbench, request);
+  if (what == "skala") return make_skala(workbench, request);
+  if (what == "cost") return cost(workbench, request);
+  return {};
+}
+
+}  // namespace sightline::live::web

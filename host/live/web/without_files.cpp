@@ -1,0 +1,53 @@
+// What a browser's module has instead of files, folders and libpng: nothing, said in words. Each function is that of the header
+// it is declared in.
+#include "host/base/file.hpp"
+#include "host/guests/run/cpm_files.hpp"
+#include "host/picture/apng.hpp"
+#include "host/picture/png.hpp"
+
+namespace sightline::base {
+
+FileStatus file_status(const std::string&) { return {}; }
+
+Result<Bytes> read_file(const std::string& path, std::size_t) {
+  return Error{path, "", "no files here", "a file dropped on the page"};
+}
+
+}  // namespace sightline::base
+
+namespace sightline::picture {
+
+base::Result<base::Bytes> encode_png(const Image&, const TextEntries&) {
+  return base::fail("no PNG files are written here; the page saves its own pictures");
+}
+
+// Its private fields are libpng's business.
+#pragma clang diagnostic ignored "-Wunused-private-field"
+ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
+    : time_(time), plays_(plays), text_(std::move(text)) {}
+base::Result<base::Done> ApngWriter::add(const Image&) { return base::fail("no movies are written here"); }
+base::Result<base::Bytes> ApngWriter::finish() const { return base::fail("no movies are written here"); }
+
+}  // namespace sightline::picture
+
+namespace sightline::guests::run {
+
+base::Result<CpmDrive> parse_cpm_drive(std::string_view) {
+  return base::Error{"--cpm-drive", "", "found a folder", "none: a page has no folders"};
+}
+
+struct CpmFiles::Host {};
+CpmFiles::CpmFiles(const std::vector<CpmDrive>&) {}
+CpmFiles::~CpmFiles() = default;
+bool CpmFiles::has_drives() const { return false; }
+bool CpmFiles::answers(std::uint8_t) { return false; }
+bool CpmFiles::needs_host(std::uint8_t) { return false; }
+CpmFiles::Answer CpmFiles::call(std::uint8_t, std::uint16_t, std::span<std::uint8_t>) { return {}; }
+
+}  // namespace sightline::guests::run
+
+// Debian's runtime library for wasm32 is compiled with guards of the stack, and has none.
+extern "C" {
+std::uintptr_t __stack_chk_guard = 0x5349474C;
+void __stack_chk_fail() { __builtin_trap(); }
+}

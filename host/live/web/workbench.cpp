@@ -1,0 +1,481 @@
+#include "host/live/web/workbench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "host/live/keys.hpp"
+
+namespace sightline::live::web {
+namespace {
+
+using guests::run::Arguments;
+using guests::run::Input;
+using guests::run::Machine;
+using guests::run::MachineDescription;
+using guests::run::OptionKind;
+
+const MachineDescription* description_of(std::string_view name) {
+  const auto machines = guests::run::machines();
+  const auto found = std::find_if(machines.begin(), machines.end(), [&](const auto* each) { return each->name == name; });
+  return found == machines.end() ? nullptr : *found;
+}
+
+std::string text_of(const Json& request, std::string_view key) {
+  const Json* const member = request.find(key);
+  const std::string* const text = member != nullptr ? member->text() : nullptr;
+  return text != nullptr ? *text : std::string();
+}
+
+std::int64_t number_of(const Json& request, std::string_view key, std::int64_t otherwise = 0) {
+  const Json* const member = request.find(key);
+  return member != nullptr ? member->integer().value_or(otherwise) : otherwise;
+}
+
+bool flag_of(const Json& request, std::string_view key) {
+  const Json* const member = request.find(key);
+  return member != nullptr && member->boolean().value_or(false);
+}
+
+// Options as a command line has them: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. A complaint, or empty.
+std::string take_options(const Json& given, std::span<const guests::run::Option> options, Arguments& arguments) {
+  for (const auto& [key, value] : given.members()) {
+    const std::string& name = key;
+    const auto option = std::find_if(options.begin(), options.end(), [&](const auto& each) { return each.key() == name; });
+    if (option == options.end()) return fmt::format("there is no option {}", name);
+    Arguments::Value& target = arguments.value(name);
+    if (value.boolean()) {
+      target.flag = *value.boolean();
+    } else if (value.text() != nullptr) {
+      const auto& choices = option->choices;
+      if (!choices.empty() && std::find(choices.begin(), choices.end(), *value.text()) == choices.end())
+        return fmt::format("{}: found \"{}\", expected one of those its help lists", name, *value.text());
+      target.text = *value.text();
+      if (option->kind == OptionKind::list || option->kind == OptionKind::files) target.list = {*value.text()};
+    } else if (value.is_array()) {
+      for (const Json& each : value.elements()) {
+        if (each.text() == nullptr) return fmt::format("{}: found {}, expected texts", name, describe(each));
+        target.list.push_back(*each.text());
+      }
+    } else {
+      return fmt::format("{}: found {}, expected a text, true or an array of texts", name, describe(value));
+    }
+  }
+  return {};
+}
+
+Json halted_json(const Halted& halted) {
+  static constexpr std::array<std::string_view, 3> names{"goal", "breakpoint", "machine"};
+  std::string reason = halted.reason;
+  if (reason.empty() && halted.why == Halted::Why::machine)
+    reason = halted.stop.complaint.empty() ? std::string(halted.stop.name) : halted.stop.complaint;
+  return Json{{"why", names[static_cast<std::size_t>(halted.why)]}, {"breakpoint", halted.breakpoint}, {"reason", reason}};
+}
+
+Json state_json(Desk& desk) {
+  Debugger& debugger = desk.debugger();
+  Json registers = Json::array();
+  for (std::size_t n = 0; n < desk.description().registers.size(); ++n) {
+    const auto& each = desk.description().registers[n];
+    registers.push_back(Json{{"name", each.name},
+                             {"value", desk.machine().get(n)},
+                             {"bits", each.bits},
+                             {"text", guests::run::digits(desk.description(), desk.machine().get(n), each.bits)}});
+  }
+  Json flags = Json::array();
+  for (const auto& [name, up] : desk.machine().conditions()) flags.push_back(Json{{"name", name}, {"up", up}});
+  Json devices = Json::array();
+  for (const auto& line : desk.machine().device_lines()) devices.push_back(Json{{"label", line.label}, {"text", line.text}});
+  Json display = Json::array();
+  for (const auto& line : desk.machine().display_lines()) display.push_back(Json{{"label", line.label}, {"text", line.text}});
+  Json times = Json::object();
+  desk.machine().add_times(times);
+  Json warnings = Json::array();
+  for (const std::string& each : desk.machine().warnings()) warnings.push_back(each);
+  return Json{{"status", debugger.status()},
+              {"pc", debugger.pc()},
+              {"time", debugger.time_text(desk.machine().ticks())},
+              {"ticks", desk.machine().ticks()},
+              {"instructions", desk.machine().instructions()},
+              {"registers", std::move(registers)},
+              {"flags", std::move(flags)},
+              {"devices", std::move(devices)},
+              {"display", std::move(display)},
+              {"times", std::move(times)},
+              {"warnings", std::move(warnings)}};
+}
+
+Json rows_json(Desk& desk, std::uint32_t from, std::int64_t before, std::int64_t count) {
+  Debugger& debugger = desk.debugger();
+  const std::uint32_t words = desk.machine().words();
+  std::vector<std::uint32_t> rows;
+  if (before > 0) rows = debugger.instructions_before(from, static_cast<std::size_t>(before));
+  for (std::uint32_t at = from; std::cmp_less(rows.size(), before + count) && at < words;) {
+    rows.push_back(at);
+    at += std::max(1U, desk.machine().instruction_at(at).words);
+  }
+  Json lines = Json::array();
+  for (const std::uint32_t at : rows) {
+    const Machine::Instruction instruction = desk.machine().instruction_at(at);
+    std::string code;
+    for (std::uint32_t i = 0; i < std::max(1U, instruction.words) && at + i < words; ++i)
+      code += (code.empty() ? "" : " ") + debugger.word(desk.machine().word(at + i));
+    const Symbols::Place* const place = debugger.symbols().place(at);
+    lines.push_back(Json{{"at", at},
+                         {"address", debugger.address(at)},
+                         {"code", code},
+                         {"text", instruction.text},
+                         {"label", debugger.symbols().near(at)},
+                         {"source", debugger.symbols().source(at)},
+                         {"file", place != nullptr ? Json(place->file) : Json()},
+                         {"line", place != nullptr ? Json(place->line) : Json()}});
+  }
+  return lines;
+}
+
+}  // namespace
+
+Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
+
+Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared, Symbols symbols)
+    : description_(description),
+      prepared_(std::move(prepared)),
+      debugger_(description, *prepared_.machine, prepared_.limits, std::move(symbols),
+                {[this](Machine& machine, const guests::run::Limits& limits, const std::function<void(std::string_view)>& heard) {
+                   std::optional<guests::run::Stop> stop;
+                   while (!stop) {
+                     stop = machine.run(limits, true);
+                     const std::string text = machine.take_printed();
+                     printed_ += text;
+                     heard(text);
+                     if (!stop && machine.waits_for_key()) stop = guests::run::Stop{"waits for a key", {}};
+                   }
+                   return *stop;
+                 },
+                 [] { return false; }, [this](std::string_view text) { printed_ += text; }}) {
+  prepared_.machine->keep_strokes(true);
+}
+
+std::string Desk::take_printed() {
+  printed_ += machine().take_printed();
+  debugger_.forget_printed(debugger_.printed().size());
+  return std::exchange(printed_, {});
+}
+
+void Desk::type(char key) {
+  machine().type(code_of_key(description_.radix == 8 ? KeyCodes::parity : KeyCodes::ascii, key));
+}
+
+Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
+  Goal goal;
+  goal.until = until;
+  goal.instructions = instructions;
+  return debugger_.run(goal);
+}
+
+std::span<const Desk::Flash> Desk::take_flashes() {
+  machine().take_strokes(strokes_);
+  flashes_.resize(strokes_.size());
+  for (std::size_t i = 0; i < strokes_.size(); ++i) {
+    const core::Stroke& stroke = strokes_[i];
+    flashes_[i] = {static_cast<double>(core::nanoseconds_of(stroke.time)), stroke.x, stroke.y, stroke.intensity};
+  }
+  return flashes_;
+}
+
+const Bytes* Workbench::file(const std::string& name) const {
+  const auto found = files_.find(name);
+  return found == files_.end() ? nullptr : &found->second;
+}
+
+Desk* Workbench::desk(int number) {
+  const auto found = desks_.find(number);
+  return found == desks_.end() ? nullptr : found->second.get();
+}
+
+int Workbench::add(std::unique_ptr<Desk> desk) {
+  desks_[++last_] = std::move(desk);
+  return last_;
+}
+
+Json Workbench::make(const Json& request) {
+  const MachineDescription* const description = description_of(text_of(request, "machine"));
+  if (description == nullptr) return refusal("found no machine of that name, expected pdp7 or i8080");
+  Arguments arguments(description->options);
+  if (const Json* const options = request.find("options")) {
+    if (std::string complaint = take_options(*options, description->options, arguments); !complaint.empty())
+      return refusal(complaint);
+  }
+  arguments.value("--monitor").flag = true;
+  std::string missing;
+  auto prepared = guests::run::prepare(*description, arguments, [&](const std::string& path) {
+    const Bytes* const bytes = file(path);
+    if (bytes == nullptr) missing = path;
+    return Input{path, bytes != nullptr ? *bytes : Bytes()};
+  });
+  if (!missing.empty()) return refusal(fmt::format("{}: no such file on the page; drop it first", missing));
+  if (!prepared) return refusal(prepared.error().message);
+  Symbols symbols(description->radix);
+  if (const Json* const table = request.find("symbols"); table != nullptr && table->text() != nullptr)
+    static_cast<void>(symbols.add_table(*table->text()));
+  if (const Json* const listing = request.find("listing"); listing != nullptr && listing->text() != nullptr)
+    symbols.add_listing(*listing->text());
+  if (const Json* const lines = request.find("lines")) {
+    for (const Json& line : lines->elements()) {
+      symbols.add_line(static_cast<std::uint32_t>(number_of(line, "at")),
+                       {text_of(line, "file"), static_cast<std::size_t>(number_of(line, "line"))});
+    }
+  }
+  Json warnings = Json::array();
+  for (const std::string& warning : prepared->warnings) warnings.push_back(warning);
+  const int number = add(std::make_unique<Desk>(*description, std::move(*prepared), std::move(symbols)));
+  return Json{{"id", number}, {"warnings", std::move(warnings)}, {"ticks_a_second", desk(number)->machine().ticks_a_second()}};
+}
+
+Json Workbench::assemble(const Json& request) {
+  const MachineDescription* const description = description_of(text_of(request, "machine"));
+  if (description == nullptr) return refusal("found no machine of that name, expected pdp7 or i8080");
+  const Json* const sources = request.find("sources");
+  if (sources == nullptr || sources->size() == 0) return refusal("found no sources, expected some");
+  std::vector<assembler::SourceFile> files;
+  for (const Json& source : sources->elements()) files.push_back({text_of(source, "name"), text_of(source, "text")});
+  Arguments arguments(description->assembler.options);
+  // Defines are an option of the command, not of the language.
+  if (const Json* const options = request.find("options")) {
+    if (std::string complaint = take_options(*options, description->assembler.options, arguments); !complaint.empty())
+      return refusal(complaint);
+  }
+  auto assembled = description->assembler.assemble(files, arguments, [&](const std::string& path) -> std::optional<std::string> {
+    for (const auto& each : files)
+      if (each.name == path) return each.text;
+    const Bytes* const bytes = file(path);
+    if (bytes == nullptr) return std::nullopt;
+    return std::string(bytes->begin(), bytes->end());
+  });
+  if (!assembled) return refusal(assembled.error().message);
+  Json diagnostics = Json::array();
+  for (const auto& each : assembled->diagnostics) {
+    diagnostics.push_back(Json{{"severity", each.severity == assembler::Severity::error ? "error" : "warning"},
+                               {"file", each.file},
+                               {"line", each.line},
+                               {"column", each.column},
+                               {"text", assembler::to_string(each)}});
+  }
+  Json lines = Json::array();
+  for (const auto& line : assembled->lines)
+    lines.push_back(Json{{"at", line.address}, {"file", line.file}, {"line", line.line}});
+  const bool right = !assembler::any_errors(assembled->diagnostics);
+  const std::string name = text_of(request, "name").empty() ? "program" : text_of(request, "name");
+  if (right) {
+    const auto form = std::find_if(description->formats.begin(), description->formats.end(),
+                                   [&](const auto& each) { return each.name == description->assembler.format; });
+    auto written = form->write(assembled->program, name);
+    if (!written) return refusal(written.error().message);
+    put_file(name, std::move(*written));
+  }
+  return Json{{"right", right},
+              {"diagnostics", std::move(diagnostics)},
+              {"listing", assembled->listing},
+              {"symbols", assembled->symbol_table},
+              {"lines", std::move(lines)},
+              {"words", assembled->program.words.size()},
+              {"start", assembled->program.start ? Json(*assembled->program.start) : Json()},
+              {"program", right ? Json(name) : Json()}};
+}
+
+Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) {
+  Debugger& debugger = desk.debugger();
+  Machine& machine = desk.machine();
+  const auto address = [&]() -> base::Result<std::uint32_t> {
+    if (const Json* const at = request.find("at"); at != nullptr && at->text() != nullptr) return debugger.address_of(*at->text());
+    const auto number = number_of(request, "at", -1);
+    if (number < 0 || number >= std::int64_t{machine.words()}) return base::fail("found no address of this memory");
+    return static_cast<std::uint32_t>(number);
+  };
+  if (what == "state") return state_json(desk);
+  if (what == "step") {
+    const auto count = std::max<std::int64_t>(1, number_of(request, "count", 1));
+    Goal goal;
+    goal.instructions = static_cast<std::uint64_t>(count);
+    return halted_json(debugger.run(goal));
+  }
+  if (what == "over") return halted_json(debugger.step_over());
+  if (what == "out") {
+    auto halted = debugger.step_out();
+    return halted ? halted_json(*halted) : refusal(halted.error().message());
+  }
+  if (what == "back") {
+    const auto done = debugger.back(static_cast<std::uint64_t>(std::max<std::int64_t>(1, number_of(request, "count", 1))));
+    return done ? Json::object() : refusal(done.error().message());
+  }
+  if (what == "back_to_breakpoint") {
+    const auto found = debugger.back_to_breakpoint();
+    if (!found) return refusal(found.error().message());
+    return Json{{"found", found->value_or(false)}};
+  }
+  if (what == "break") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    const auto& all = debugger.breakpoints().all();
+    const auto there = std::find_if(all.begin(), all.end(), [&](const Breakpoint& each) {
+      return each.kind == Breakpoint::Kind::execution && each.first == *at;
+    });
+    if (there != all.end()) {
+      debugger.breakpoints().remove(there->number);
+      return Json{{"set", false}};
+    }
+    Breakpoint breakpoint;
+    breakpoint.first = breakpoint.last = *at;
+    breakpoint.condition = text_of(request, "condition");
+    breakpoint.text = debugger.address(*at);
+    return Json{{"set", true}, {"number", debugger.breakpoints().add(std::move(breakpoint))}};
+  }
+  if (what == "watch") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    Breakpoint breakpoint;
+    breakpoint.kind = Breakpoint::Kind::memory;
+    breakpoint.first = breakpoint.last = *at;
+    breakpoint.access = guests::run::Probe::is_written;
+    breakpoint.text = "write of " + debugger.address(*at);
+    return Json{{"number", debugger.breakpoints().add(std::move(breakpoint))}};
+  }
+  if (what == "breaks") {
+    Json breaks = Json::array();
+    for (const Breakpoint& each : debugger.breakpoints().all())
+      breaks.push_back(Json{{"number", each.number}, {"at", each.first}, {"text", each.text}, {"condition", each.condition}});
+    return Json{{"breaks", std::move(breaks)}};
+  }
+  if (what == "unbreak") {
+    if (request.find("number") == nullptr) debugger.breakpoints().clear();
+    else debugger.breakpoints().remove(static_cast<int>(number_of(request, "number")));
+    return Json::object();
+  }
+  if (what == "rows") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    return Json{{"rows", rows_json(desk, *at, std::clamp<std::int64_t>(number_of(request, "before"), 0, 200),
+                                   std::clamp<std::int64_t>(number_of(request, "count", 20), 1, 400))}};
+  }
+  if (what == "memory") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    Json words = Json::array();
+    const auto count = std::clamp<std::int64_t>(number_of(request, "count", 128), 1, 4096);
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count) && *at + i < machine.words(); ++i)
+      words.push_back(debugger.word(machine.word(*at + i)));
+    return Json{{"at", *at}, {"address", debugger.address(*at)}, {"words", std::move(words)}};
+  }
+  if (what == "put") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    if (const std::string instruction = text_of(request, "instruction"); !instruction.empty()) {
+      const auto done = debugger.put_instruction(*at, instruction);
+      return done ? Json::object() : refusal(done.error().message());
+    }
+    const auto word = number_of(request, "word", -1);
+    if (word < 0 || (word >> desk.description().word_bits) != 0)
+      return refusal(fmt::format("found no word of {} bits", desk.description().word_bits));
+    debugger.put(*at, static_cast<std::uint32_t>(word));
+    return Json::object();
+  }
+  if (what == "set") {
+    const auto number = debugger.register_named(text_of(request, "register"));
+    if (!number) return refusal("there is no register of that name");
+    const auto value = number_of(request, "value", -1);
+    if (value < 0 || (value >> desk.description().registers[*number].bits) != 0) return refusal("the register is too small for that value");
+    debugger.set(*number, static_cast<std::uint32_t>(value));
+    return Json::object();
+  }
+  if (what == "start") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    debugger.start(*at);
+    return Json::object();
+  }
+  if (what == "history") {
+    Json lines = Json::array();
+    for (const auto& entry : debugger.history(static_cast<std::size_t>(std::clamp<std::int64_t>(number_of(request, "count", 50), 1, 1000))))
+      lines.push_back(machine.history_line(entry));
+    return Json{{"lines", std::move(lines)}};
+  }
+  if (what == "stack") {
+    Json frames = Json::array();
+    for (const Frame& frame : debugger.stack())
+      frames.push_back(Json{{"caller", debugger.address(frame.caller)}, {"entry", debugger.address(frame.entry)}, {"label", debugger.symbols().near(frame.entry)}});
+    return Json{{"frames", std::move(frames)}};
+  }
+  if (what == "who") {
+    const auto at = address();
+    if (!at) return refusal(at.error().message());
+    const auto writer = debugger.last_writer(*at);
+    if (!writer) return Json{{"text", "nothing has written it since this machine's past begins"}};
+    return Json{{"text", debugger.instruction_text(writer->pc)}, {"pc", writer->pc}, {"time", debugger.time_text(writer->event.time)}};
+  }
+  if (what == "evaluate") {
+    const auto value = debugger.evaluate(text_of(request, "text"));
+    return value ? Json{{"value", *value}} : refusal(value.error().message());
+  }
+  if (what == "symbols") {
+    Json symbols = Json::array();
+    for (const auto& [name, value] : debugger.symbols().all()) symbols.push_back(Json{{"name", name}, {"value", value}});
+    return Json{{"symbols", std::move(symbols)}};
+  }
+  if (what == "attach") {
+    const std::string name = text_of(request, "file");
+    const Bytes* const bytes = file(name);
+    Input input{name, bytes != nullptr ? *bytes : Bytes()};
+    if (request.find("text") != nullptr) {
+      const std::string text = text_of(request, "text");
+      input = {"the page", Bytes(text.begin(), text.end())};
+    } else if (bytes == nullptr && !name.empty()) {
+      return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+    }
+    const auto done = machine.attach(text_of(request, "device"), input);
+    return done ? Json::object() : refusal(done.error().message);
+  }
+  if (what == "load") {
+    const std::string name = text_of(request, "file");
+    const Bytes* const bytes = file(name);
+    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+    const auto program = guests::run::read_program(desk.description(), {name, {}}, {name, *bytes}, {}, nullptr);
+    if (!program) return refusal(program.error().message);
+    for (const auto& [where, word] : program->words) {
+      if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
+      debugger.put(where, word);
+    }
+    if (program->start && flag_of(request, "start")) debugger.start(*program->start);
+    return Json{{"words", program->words.size()}, {"start", program->start ? Json(*program->start) : Json()}};
+  }
+  if (what == "save") {
+    made_ = debugger.save();
+    return Json{{"bytes", made_.size()}};
+  }
+  if (what == "restore") {
+    const std::string name = text_of(request, "file");
+    const Bytes* const bytes = file(name);
+    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+    const auto done = debugger.restore(*bytes, name);
+    return done ? Json::object() : refusal(done.error().message());
+  }
+  return refusal(fmt::format("there is no request \"{}\"", what));
+}
+
+Json Workbench::answer(const Json& request) {
+  const std::string what = text_of(request, "do");
+  if (what == "make") return make(request);
+  if (what == "assemble") return assemble(request);
+  const auto number = static_cast<int>(number_of(request, "id", -1));
+  if (what == "drop") {
+    desks_.erase(number);
+    return Json::object();
+  }
+  Desk* const found = desk(number);
+  if (found == nullptr) return refusal("there is no machine of that number");
+  return of_desk(*found, what, request);
+}
+
+}  // namespace sightline::live::web

@@ -1,0 +1,86 @@
+// All that the page has of machines: files that were dropped on it, machines made of them, a debugger for each, and the
+// assemblers. The page asks by requests in JSON (host/manual/page.md lists them); what it needs in every picture it
+// asks for by number, without a text.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/base/json.hpp"
+#include "host/guests/run/engine.hpp"
+#include "host/live/debugger.hpp"
+
+namespace sightline::live::web {
+
+using base::Json;
+using guests::run::Bytes;
+
+// A machine on the page.
+class Desk {
+ public:
+  Desk(const guests::run::MachineDescription& description, guests::run::Prepared prepared, Symbols symbols);
+
+  [[nodiscard]] guests::run::Machine& machine() { return *prepared_.machine; }
+  [[nodiscard]] Debugger& debugger() { return debugger_; }
+  [[nodiscard]] const guests::run::MachineDescription& description() const { return description_; }
+  // What has been printed since the last call.
+  [[nodiscard]] std::string take_printed();
+
+  void type(char key);
+
+  // To that time in the machine's unit; at most so many instructions.
+  [[nodiscard]] Halted run(std::int64_t until, std::uint64_t instructions);
+
+  // What has been drawn since the last call: nanoseconds of emulated time, then place and intensity, as the
+  // page reads them.
+  struct Flash {
+    double time;
+    std::uint16_t x;
+    std::uint16_t y;
+    std::uint32_t intensity;
+  };
+  [[nodiscard]] std::span<const Flash> take_flashes();
+
+ private:
+  const guests::run::MachineDescription& description_;
+  guests::run::Prepared prepared_;
+  std::string printed_;
+  Debugger debugger_;
+  std::vector<core::Stroke> strokes_;
+  std::vector<Flash> flashes_;
+};
+
+class Workbench {
+ public:
+  // A file of the page under a name; another of that name is replaced.
+  void put_file(const std::string& name, Bytes bytes) { files_[name] = std::move(bytes); }
+  [[nodiscard]] const Bytes* file(const std::string& name) const;
+
+  // Null if there is none of that number.
+  [[nodiscard]] Desk* desk(int number);
+  int add(std::unique_ptr<Desk> desk);
+
+  // An object with what was asked for, or with `error`, a text for a person. Never anything else, whatever the request.
+  [[nodiscard]] Json answer(const Json& request);
+  // What a request has made that is no text: a snapshot, an assembled program.
+  [[nodiscard]] const Bytes& made() const { return made_; }
+
+ private:
+  [[nodiscard]] Json make(const Json& request);
+  [[nodiscard]] Json assemble(const Json& request);
+  [[nodiscard]] Json of_desk(Desk& desk, std::string_view what, const Json& request);
+
+  std::map<std::string, Bytes> files_;
+  std::map<int, std::unique_ptr<Desk>> desks_;
+  int last_ = 0;
+  Bytes made_;
+};
+
+[[nodiscard]] Json refusal(std::string_view complaint);
+
+}  // namespace sightline::live::web
