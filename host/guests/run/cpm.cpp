@@ -59,7 +59,19 @@ Address caller_of(Address entry, const Cpm::Processor& processor) {
   return called ? static_cast<Address>(from) : entry;
 }
 
-// What a program finds of the words behind its name: the tail at 0080, and file control blocks at 005C and 006C.
+// Up to the $ behind it.
+std::optional<std::string> string_at(Address address, std::span<const Byte> memory) {
+  std::string text;
+  for (std::size_t n = 0; n < memory.size(); ++n) {
+    const Byte byte = memory[address++];
+    if (byte == '$') return text;
+    text.push_back(static_cast<char>(byte));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory) {
   constexpr std::size_t tail = 0x80, most = 126;
   std::string text;
@@ -101,19 +113,6 @@ void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory) {
     while (at < text.size() && text[at] != ' ') ++at;
   }
 }
-
-// Up to the $ behind it.
-std::optional<std::string> string_at(Address address, std::span<const Byte> memory) {
-  std::string text;
-  for (std::size_t n = 0; n < memory.size(); ++n) {
-    const Byte byte = memory[address++];
-    if (byte == '$') return text;
-    text.push_back(static_cast<char>(byte));
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 Cpm::Cpm(CpmSetup setup, std::function<void(std::string_view)> print, std::function<void(char)> list)
     : setup_(std::move(setup)),

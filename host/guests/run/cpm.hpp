@@ -25,6 +25,9 @@
 
 namespace sightline::guests::run {
 
+// What a program finds of the words behind its name: the tail at 0080, and file control blocks at 005C and 006C.
+void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory);
+
 struct CpmSetup {
   bool console = false;          // keys can be typed
   std::vector<CpmDrive> drives;  // at most one of each letter

@@ -1,5 +1,6 @@
 // The file functions of CP/M 2.2 on a folder of the host. Expected codes and layouts are those of the Interface Guide (1979);
 // what a file holds is read and written by std::fstream, not by the functions.
+#include "host/guests/run/cpm.hpp"
 #include "host/guests/run/cpm_files.hpp"
 
 #include <gtest/gtest.h>

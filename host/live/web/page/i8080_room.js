@@ -1,0 +1,219 @@
+// Skala's program on the 8080: a picture growing on the raster board, or under a pen, at the machine's own speed.
+
+import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {sampled} from './expression.js';
+
+const CLOCK = 3e6;  // T-states a second
+const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
+const COLOURS = Array.from({length: 8}, (_, n) => [n & 4 ? 255 : 0, n & 2 ? 255 : 0, n & 1 ? 255 : 0]);
+
+export class I8080Room {
+  constructor(module, functions, remember) {
+    this.module = module;
+    this.functions = functions;
+    this.remember = remember;
+    this.options = {function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
+      points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
+    this.id = 0;
+    this.clock = new Clock(seconds => this.picture(seconds));
+    this.root = this.build();
+  }
+
+  build() {
+    const o = this.options;
+    this.canvas = element('canvas', {className: 'raster', width: 256, height: 256, role: 'img', 'aria-label': 'Picture of the 8080', tabIndex: 0});
+    this.context = this.canvas.getContext('2d');
+    this.image = this.context.createImageData(256, 256);
+    this.message = notice();
+    this.facts = element('dl', {className: 'facts'});
+    const again = name => value => { o[name] = value; this.restart(); };
+    const number = name => value => { const v = Number(value); if (Number.isFinite(v)) { o[name] = v; this.restart(); } };
+    this.pick = choice('Function', [...this.functions.map(f => [f.name, f.name]), ['', 'an expression']], o.function, value => {
+      o.function = value;
+      this.words.hidden = value !== '';
+      if (value !== '' || o.text) this.restart();
+    });
+    this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28});
+    this.words.hidden = true;
+    o.text = 'sin(x) * cos(z)';
+    this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5});
+    this.tilt = field('Elevation', o.elevation, number('elevation'), {type: 'number', min: -90, max: 90, step: 5});
+    this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
+    const screen = element('div', {className: 'screen'}, this.canvas);
+    this.drag();
+    return element('div', {className: 'room'},
+      element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, 'Drag the picture to turn the surface. ', this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
+      element('div', {className: 'desk'}, this.message,
+        group('Picture', this.pick, this.words,
+          choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture')),
+          this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', PENS.calcomp], ['minigraf', PENS.minigraf]], o.device, again('device')),
+          this.turn, this.tilt, field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}),
+          field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}), field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}),
+          field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}),
+          check('Hidden lines removed', o.visibility, again('visibility')),
+          choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); })),
+        group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
+        group('State', this.facts,
+          element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${o.function || 'expression'}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
+            fileTaker(screen, 'Open a grid (CSV)', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+  }
+
+  drag() {
+    let from = null;
+    const o = this.options;
+    const turn = (dx, dy) => {
+      o.rotation = Math.round((from ? from.rotation : o.rotation) + dx * 0.5);
+      o.elevation = Math.max(-90, Math.min(90, Math.round((from ? from.elevation : o.elevation) + dy * 0.4)));
+      this.turn.input.value = o.rotation;
+      this.tilt.input.value = o.elevation;
+    };
+    this.canvas.addEventListener('pointerdown', event => {
+      from = {x: event.clientX, y: event.clientY, rotation: o.rotation, elevation: o.elevation};
+      this.canvas.setPointerCapture(event.pointerId);
+    });
+    this.canvas.addEventListener('pointermove', event => {
+      if (!from) return;
+      turn(event.clientX - from.x, event.clientY - from.y);
+      this.fast = true;
+      this.restart();
+    });
+    const end = () => { if (from && this.fast) { this.fast = false; } from = null; };
+    this.canvas.addEventListener('pointerup', end);
+    this.canvas.addEventListener('pointercancel', end);
+    this.canvas.addEventListener('keydown', event => {
+      const step = {ArrowLeft: [-10, 0], ArrowRight: [10, 0], ArrowUp: [0, 12.5], ArrowDown: [0, -12.5]}[event.key];
+      if (!step) return;
+      event.preventDefault();
+      event.stopPropagation();
+      turn(...step);
+      this.restart();
+    });
+  }
+
+  request(what) {
+    const o = this.options;
+    const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility};
+    if (o.function !== '') return {...request, function: o.function, points: o.points, slices: o.slices};
+    return {...request, function: o.text, ...sampled(o.text, 6, Math.max(2, Math.min(128, o.points)), Math.max(2, Math.min(128, o.slices)))};
+  }
+
+  restart() {
+    if (this.id) this.module.ask({do: 'drop', id: this.id});
+    this.id = 0;
+    let made;
+    try { made = this.module.ask(this.request('skala')); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
+    if (made.error) return this.message.say(made.error, true);
+    this.message.say('');
+    this.costs.textContent = '';
+    this.id = made.id;
+    this.stream = made.stream;
+    this.ended = false;
+    this.clearPaper();
+    this.go(true);
+    if (this.fast) this.picture(0);
+    this.remember();
+  }
+  take(name, bytes) {
+    this.module.putFile(name, bytes);
+    this.options.function = name;
+    this.restart();
+  }
+  cost() {
+    let answer;
+    try { answer = this.module.ask(this.request('cost')); } catch (error) { answer = {error: error.message}; }
+    if (answer.error) return this.message.say(answer.error, true);
+    const ms = states => `${(states / CLOCK * 1000).toFixed(0)} ms`;
+    this.costs.textContent = `With hidden lines removed ${ms(answer.with)} (${answer.with.toLocaleString('en')} T-states), all lines plainly ${ms(answer.without)}: ${(answer.with / answer.without).toFixed(2)} times as long.`;
+  }
+
+  go(on) {
+    this.on = on;
+    this.running.textContent = on ? 'Pause' : 'Run';
+  }
+  enter() { if (!this.id) this.restart(); this.clock.start(); }
+  leave() { this.clock.stop(); }
+  key() { return false; }
+
+  clearPaper() {
+    const plotter = this.options.device in PENS;
+    this.canvas.width = this.canvas.height = plotter ? 768 : 256;
+    this.canvas.classList.toggle('plotter', plotter);
+    this.pen = null;
+    if (plotter) { this.context.fillStyle = '#fbfaf4'; this.context.fillRect(0, 0, 768, 768); }
+  }
+
+  picture(seconds) {
+    if (!this.id) return;
+    if (this.on && !this.ended) {
+      const wanted = this.fast || !this.options.speed ? 1e12 : seconds * CLOCK * this.options.speed;
+      const result = runFor(this.module, this.id, wanted, 30000, this.fast ? 60 : this.clock.frames ? 1e9 : 12);
+      if (result) {
+        this.ended = true;
+        this.reason = this.module.reason();
+      }
+    }
+    if (this.options.device in PENS) this.drawPen(); else this.drawRaster();
+    this.sinceState = (this.sinceState ?? 1) + seconds;
+    if (this.sinceState > 0.2 || this.ended) { this.sinceState = 0; this.showState(); }
+  }
+  drawRaster() {
+    const dots = this.module.raster(this.id);
+    if (!dots) return;
+    const pixels = new Uint32Array(this.image.data.buffer);
+    for (let y = 0; y < 256; ++y) {
+      for (let x = 0; x < 256; ++x) {
+        const [r, g, b] = COLOURS[dots[256 * y + x] & 7];
+        pixels[256 * (255 - y) + x] = 0xff000000 | b << 16 | g << 8 | r;
+      }
+    }
+    this.context.putImageData(this.image, 0, 0);
+  }
+  drawPen() {
+    const marks = this.module.flashes(this.id);
+    const context = this.context;
+    context.fillStyle = '#20304f';
+    for (let at = 0; at < marks.byteLength; at += 16) {
+      const x = 3 * marks.getUint16(at + 8, true) + 1;
+      const y = 766 - 3 * marks.getUint16(at + 10, true);
+      if (this.pen && Math.abs(this.pen[0] - x) <= 3 && Math.abs(this.pen[1] - y) <= 3) {
+        context.strokeStyle = '#20304f';
+        context.lineWidth = 1.6;
+        context.beginPath();
+        context.moveTo(...this.pen);
+        context.lineTo(x, y);
+        context.stroke();
+      } else {
+        context.fillRect(x - 0.8, y - 0.8, 1.6, 1.6);
+      }
+      this.pen = [x, y];
+    }
+  }
+  showState() {
+    const states = this.module.ticks(this.id);
+    const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['T-states', states.toLocaleString('en')],
+      ['Instructions', this.module.instructions(this.id).toLocaleString('en')], ['From the host computer', `${this.stream.toLocaleString('en')} bytes`]];
+    if (this.ended) rows.push(['Done', this.reason]);
+    this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
+  }
+
+  link() {
+    const o = this.options;
+    const parts = new URLSearchParams({picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation});
+    if (o.function === '') parts.set('f', o.text);
+    return `skala/${encodeURIComponent(o.function)}?${parts}`;
+  }
+  open(path, query) {
+    const o = this.options;
+    if (query.get('f')) { o.function = ''; o.text = query.get('f'); }
+    else if (this.functions.some(each => each.name === path)) o.function = path;
+    for (const name of ['picture', 'device']) if (query.get(name)) o[name] = query.get(name);
+    for (const name of ['rotation', 'elevation']) if (Number.isFinite(parseFloat(query.get(name)))) o[name] = parseFloat(query.get(name));
+    this.pick.select.value = o.function;
+    this.words.hidden = o.function !== '';
+    this.words.input.value = o.text;
+    this.device.select.value = o.device;
+    this.turn.input.value = o.rotation;
+    this.tilt.input.value = o.elevation;
+    this.restart();
+  }
+}

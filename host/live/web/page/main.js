@@ -1,0 +1,81 @@
+// The page: its rooms, which one is shown, and the links to them.
+
+import {element, notice} from './ui.js';
+import {openModule} from './module.js';
+import {Pdp7Room} from './pdp7_room.js';
+import {I8080Room} from './i8080_room.js';
+import {Workbench} from './workbench.js';
+import {Theatre} from './theatre.js';
+
+const ROOMS = [['jones', 'PDP-7'], ['skala', '8080'], ['bench', 'Workbench'], ['theatre', 'Theatre'], ['about', 'About']];
+
+async function unpacked(text) {
+  const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+async function begin() {
+  const main = document.getElementById('main');
+  const nav = document.getElementById('rooms');
+  const began = performance.now();
+  const message = notice();
+  main.append(message);
+  let module;
+  try {
+    const bytes = await unpacked(document.getElementById('module').textContent.trim());
+    module = await openModule(await WebAssembly.compile(bytes));
+  } catch (error) {
+    message.say(`The machines cannot be started: ${error.message}. This page needs WebAssembly and DecompressionStream: Chrome or Edge 89, Firefox 113, Safari 16.4 or later.`, true);
+    return;
+  }
+  const examples = JSON.parse(document.getElementById('examples').textContent);
+  const lists = module.ask({do: 'lists'});
+  let current = null;
+  const remember = () => {
+    if (!current || !current.link) return;
+    history.replaceState(null, '', '#' + current.link());
+  };
+  const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open() {}};
+  const rooms = {};
+  const make = {
+    jones: () => new Pdp7Room(module, examples.filter(each => each.room), remember), skala: () => new I8080Room(module, lists.functions, remember),
+    bench: () => new Workbench(module, examples, remember), theatre: () => new Theatre(module, lists.lessons, remember), about: () => about,
+  };
+  const tabs = Object.fromEntries(ROOMS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));
+  nav.append(...Object.values(tabs));
+
+  const show = () => {
+    const hash = decodeURIComponent(location.hash.slice(1)) || 'jones';
+    const [path, query] = hash.split('?');
+    const slash = path.indexOf('/');
+    const name = (slash < 0 ? path : path.slice(0, slash)) in make ? (slash < 0 ? path : path.slice(0, slash)) : 'jones';
+    const fresh = !rooms[name];
+    try {
+      rooms[name] ??= make[name]();
+    } catch (error) {
+      message.say(error.message, true);
+      return;
+    }
+    const room = rooms[name];
+    if (current !== room) {
+      current?.leave();
+      main.replaceChildren(message, room.root);
+      for (const [each, tab] of Object.entries(tabs)) tab.setAttribute('aria-current', each === name ? 'page' : 'false');
+      current = room;
+    }
+    if (slash >= 0 && (hash !== room.link() || fresh)) room.open(path.slice(slash + 1), new URLSearchParams(query ?? ''));
+    room.enter();
+    remember();
+  };
+  addEventListener('hashchange', show);
+  addEventListener('keydown', event => { if (current?.key(event, true)) event.preventDefault(); });
+  addEventListener('keyup', event => { if (current?.key(event, false)) event.preventDefault(); });
+  addEventListener('error', event => message.say(`Something went wrong: ${event.message}. Reload the page to begin again.`, true));
+  show();
+  document.documentElement.dataset.ready = String(Math.round(performance.now() - began));
+  // For tests and for people who like to look inside.
+  globalThis.sightline = {module, get room() { return current; }};
+}
+
+begin();

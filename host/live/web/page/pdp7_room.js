@@ -1,0 +1,362 @@
+// The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
+
+import {Clock, button, check, choice, download, element, fileTaker, group, notice, runFor} from './ui.js';
+import {SIDE, PHOSPHOR, makeTube} from './tube.js';
+
+const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
+const MILLISECOND = 1e6;  // ticks
+
+// AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), with their keys.
+const WALK = [
+  ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'PageUp'], ['down', 'PageDown'],
+  ['in', 'ArrowUp'], ['out', 'ArrowDown'], ['bigger', '+'], ['smaller', '-'],
+];
+
+export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
+
+export class Pdp7Room {
+  constructor(module, examples, remember) {
+    this.module = module;
+    this.examples = examples.filter(each => each.machine === 'pdp7');
+    this.remember = remember;
+    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, speed: 1, switches: 0};
+    this.id = 0;
+    this.clock = new Clock(seconds => this.picture(seconds));
+    this.held = new Set();
+    this.lights = [];
+    this.root = this.build();
+    this.slow = 0;
+  }
+
+  build() {
+    const o = this.options;
+    this.canvas = element('canvas', {className: 'tube', 'aria-label': 'Screen of the Type 340', role: 'img'});
+    this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true'});
+    this.tube = makeTube(this.canvas, {plain: new URLSearchParams(location.search).has('plain')});
+    this.message = notice();
+    if (this.tube.kind === 'plain') this.message.say('This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.');
+    const screen = element('div', {className: 'screen'}, this.canvas, this.glass);
+    const point = event => {
+      const box = this.glass.getBoundingClientRect();
+      const x = Math.round((event.clientX - box.left) / box.width * SIDE - PHOSPHOR.margin);
+      const y = Math.round((box.bottom - event.clientY) / box.height * SIDE - PHOSPHOR.margin);
+      return x >= 0 && x < 1024 && y >= 0 && y < 1024 ? [x, y] : null;
+    };
+    const pen = (event, down) => {
+      const place = down ? point(event) : null;
+      if (this.id) this.module.ask({do: 'attach', id: this.id, device: 'pen', text: place ? `0 ${place[0]} ${place[1]} 8\n` : '0 off\n'});
+      this.penAt = place;
+    };
+    this.glass.addEventListener('pointerdown', event => { this.glass.setPointerCapture(event.pointerId); pen(event, true); });
+    this.glass.addEventListener('pointermove', event => { if (event.buttons) pen(event, true); });
+    this.glass.addEventListener('pointerup', event => pen(event, false));
+    this.glass.addEventListener('pointercancel', event => pen(event, false));
+
+    this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.examples.map(each => [each.name, each.title])], o.program,
+      value => { o.program = value; this.restart(); });
+    const speed = choice('Speed', [[1, 'real time'], [2, '2 times'], [10, '10 times'], [0, 'as fast as possible'], [0.1, 'a tenth']], o.speed, value => { o.speed = Number(value); });
+    const set = name => value => { o[name] = value; this.restart(); };
+    this.running = button('Pause', () => this.toggle(), 'Run or pause');
+    this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
+    this.facts = element('dl', {className: 'facts'});
+
+    return element('div', {className: 'room'},
+      element('div', {className: 'stage'}, screen,
+        element('p', {className: 'under'}, this.lamp, ' a view is being computed ', this.running)),
+      element('div', {className: 'desk'},
+        this.message,
+        group('Program', this.programs, speed,
+          this.eae = check('EAE (extended arithmetic element)', o.eae, set('eae')), this.stereo = check('Stereo pair', o.stereo, set('stereo')),
+          this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }),
+          check('Lines at once', o.immediate, set('immediate')),
+          this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); })),
+        this.walk = group('Walk: hold a switch, or its key', this.walkPad()),
+        group('Panel', this.panel()),
+        group('Teletype', this.teletype()),
+        group('State', this.facts,
+          element('p', {}, button('Save', () => this.save(), 'Save a snapshot'), ' ',
+            fileTaker(screen, 'Open tape, program or snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+  }
+
+  walkPad() {
+    const pad = element('div', {className: 'pad'});
+    this.pads = WALK.map(([name, key], bit) => {
+      const b = element('button', {type: 'button', className: 'hold', textContent: name, title: `AC switch ${bit}, key ${key}`});
+      b.addEventListener('pointerdown', event => { b.setPointerCapture(event.pointerId); this.hold(bit, true); });
+      for (const kind of ['pointerup', 'pointercancel', 'lostpointercapture']) b.addEventListener(kind, () => this.hold(bit, false));
+      b.addEventListener('keydown', event => { if (event.key === ' ' || event.key === 'Enter') { event.preventDefault(); this.hold(bit, true); } });
+      b.addEventListener('keyup', event => { if (event.key === ' ' || event.key === 'Enter') this.hold(bit, false); });
+      pad.append(b);
+      return b;
+    });
+    return pad;
+  }
+
+  hold(bit, down) {
+    const mask = 1 << (17 - bit);
+    this.setSwitches(down ? this.options.switches | mask : this.options.switches & ~mask);
+  }
+  setSwitches(word) {
+    this.options.switches = word;
+    if (this.id) this.module.set(this.id, SWITCHES, this.switchWord());
+    this.toggles.forEach((box, bit) => box.setAttribute('aria-checked', String(Boolean(this.switchWord() >> (17 - bit) & 1))));
+    this.pads.forEach((b, bit) => b.classList.toggle('down', Boolean(word >> (17 - bit) & 1)));
+  }
+  switchWord() { return this.options.switches | (this.options.stereo ? 1 : 0) | (this.options.immediate ? 2 : 0); }
+
+  panel() {
+    const row = (name, bits) => {
+      const lamps = Array.from({length: bits}, () => element('i'));
+      const line = element('div', {className: 'lights', role: 'img', 'aria-label': name}, element('b', {textContent: name}), element('span', {className: 'bulbs'}, ...lamps));
+      this.lights.push({name, line, lamps, bits, shown: -1});
+      return line;
+    };
+    this.toggles = Array.from({length: 18}, (_, bit) => element('button', {
+      type: 'button', className: 'switch', role: 'switch', 'aria-checked': 'false', title: `AC switch ${bit}`, 'aria-label': `AC switch ${bit}`,
+      onclick: () => this.setSwitches(this.options.switches ^ (1 << (17 - bit))),
+    }));
+    this.address = element('input', {className: 'octal', value: '00100', 'aria-label': 'Address, octal', size: 7});
+    const at = () => parseInt(this.address.value, 8) || 0;
+    const ask = (request, then = () => {}) => {
+      const answer = this.module.ask({id: this.id, ...request});
+      if (answer.error) this.message.say(answer.error, true); else { this.message.say(''); then(answer); }
+      this.showState();
+    };
+    return element('div', {className: 'panel'},
+      row('AC', 18), row('MQ', 18), row('L', 1), row('PC', 15), row('MB', 18), row('RUN', 1),
+      element('div', {className: 'switches', role: 'group', 'aria-label': 'Accumulator switches'}, ...this.toggles),
+      element('p', {className: 'keys'},
+        element('label', {}, 'address ', this.address), ' ',
+        button('START', () => ask({do: 'start', at: at()}, () => this.go(true)), 'START at the address'),
+        button('STOP', () => this.go(false), 'STOP'), button('CONTINUE', () => this.go(true), 'CONTINUE'),
+        button('STEP', () => { this.go(false); ask({do: 'step'}); }, 'One instruction'),
+        button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
+        button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE the address'),
+        button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT the switches at the address'),
+        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.go(true)) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
+  }
+
+  teletype() {
+    this.paper = element('pre', {className: 'paper', 'aria-live': 'polite', 'aria-label': 'What the teletype has printed'});
+    const keys = element('input', {className: 'keys', placeholder: 'type here', 'aria-label': 'Keys of the teletype', autocomplete: 'off'});
+    keys.addEventListener('keydown', event => {
+      if (event.key === 'Tab' || event.ctrlKey || event.metaKey || event.altKey) return;
+      const code = event.key === 'Enter' ? 13 : event.key === 'Backspace' ? 127 : event.key === 'Escape' ? 27 : event.key.length === 1 ? event.key.charCodeAt(0) : 0;
+      if (!code || code > 127 || !this.id) return;
+      event.preventDefault();
+      this.module.type(this.id, code);
+    });
+    return element('div', {}, this.paper, keys);
+  }
+
+  // --- Machines
+
+  restart(snapshot) {
+    if (this.id) this.module.ask({do: 'drop', id: this.id});
+    this.id = 0;
+    this.labels = null;
+    this.view = null;
+    this.paper.textContent = '';
+    const o = this.options;
+    const jones = PROGRAMS.includes(o.program);
+    this.walk.hidden = !jones;
+    let made;
+    if (jones) {
+      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, switches: o.switches});
+      this.labels = made.labels;
+    } else {
+      const example = this.examples.find(each => each.name === o.program) ?? this.own;
+      const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
+      if (example?.file) {
+        made = this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': [example.file]}});
+      } else {
+        const assembled = this.module.ask({do: 'assemble', machine: 'pdp7', name: 'example.rim', sources: [{name: example.name, text: example.text}], options: example.options ?? {}});
+        made = assembled.error || !assembled.right
+          ? {error: assembled.error ?? assembled.diagnostics.map(each => each.text).join('\n')}
+          : this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': ['example.rim']}, symbols: assembled.symbols, listing: assembled.listing});
+      }
+    }
+    if (made.error) return this.message.say(made.error, true);
+    this.id = made.id;
+    this.message.say((made.warnings ?? []).join('\n'));
+    if (snapshot) {
+      const done = this.module.ask({do: 'restore', id: this.id, file: snapshot});
+      if (done.error) this.message.say(done.error, true);
+    }
+    this.setSwitches(o.switches);
+    this.before = {time: 0, passes: 0};
+    this.go(true);
+    this.sight();
+    this.remember();
+  }
+
+  take(name, bytes) {
+    this.module.putFile(name, bytes);
+    if (bytes[0] === 0x89 && bytes[1] === 0x53) return this.restart(name);
+    if (/\.s$|\.asm$|\.txt$/i.test(name)) {
+      this.own = {name, text: new TextDecoder().decode(bytes)};
+      this.options.program = name;
+      return this.restart();
+    }
+    this.tape = name;
+    const done = this.module.ask({do: 'attach', id: this.id, device: 'reader', file: name});
+    this.message.say(done.error ?? `${name} is in the reader. READ IN loads it as a program.`, Boolean(done.error));
+  }
+  save() {
+    const done = this.module.ask({do: 'save', id: this.id});
+    if (done.error) return this.message.say(done.error, true);
+    download(`${this.options.program}.snap`, this.module.made());
+  }
+
+  go(on) {
+    this.on = on;
+    this.running.textContent = on ? 'Pause' : 'Run';
+    this.showState();
+  }
+  toggle() { this.go(!this.on); }
+  enter() { if (!this.id) this.restart(); this.clock.start(); }
+  leave() { this.clock.stop(); }
+
+  key(event, down) {
+    if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement || event.target instanceof HTMLTextAreaElement) return false;
+    const bit = WALK.findIndex(([, key]) => key === event.key);
+    if (bit < 0 || !this.labels) return false;
+    if (!event.repeat) this.hold(bit, down);
+    return true;
+  }
+
+  // --- Pictures
+
+  picture(seconds) {
+    if (!this.id) return;
+    const began = performance.now();
+    const from = this.module.ticks(this.id);
+    if (this.on) {
+      const wanted = this.options.speed ? seconds * 1e9 * this.options.speed : 1e12;
+      const result = runFor(this.module, this.id, wanted, this.options.speed && this.options.speed < 3 ? MILLISECOND : 4 * MILLISECOND, this.clock.frames ? 1e9 : 12);
+      if (result) {
+        this.go(false);
+        this.message.say(`Stopped: ${this.module.reason()}`);
+      }
+    }
+    const passed = (this.module.ticks(this.id) - from) / 1e9;
+    const flashes = this.module.flashes(this.id);
+    this.flashCount = flashes.byteLength / 16;
+    this.tube.picture(flashes, this.on ? passed : seconds);
+    const printed = this.module.printed(this.id);
+    if (printed) this.paper.textContent = (this.paper.textContent + [...printed].map(c => String.fromCharCode(c.charCodeAt(0) & 127)).join('').replace(/\r|\0|\x7f/g, '')).slice(-8000);
+    this.showLights();
+    this.watchViews();
+    this.sinceState = (this.sinceState ?? 1) + seconds;
+    if (this.sinceState > 0.25) { this.sinceState = 0; this.showState(); }
+    // Pictures that take too long are drawn with fewer pixels.
+    this.slow = performance.now() - began > 28 ? this.slow + 1 : 0;
+    if (this.slow > 20 && this.tube.coarser()) this.slow = 0;
+  }
+
+  showLights() {
+    const {module, id} = this;
+    const pc = module.get(id, 0);
+    const values = {AC: module.get(id, AC), MQ: module.get(id, MQ), L: module.get(id, LINK), PC: pc, MB: module.word(id, pc), RUN: this.on ? 1 : 0};
+    for (const light of this.lights) {
+      const value = values[light.name];
+      if (value === light.shown) continue;
+      const changed = light.shown < 0 ? -1 : value ^ light.shown;
+      light.shown = value;
+      for (let i = 0; i < light.bits; ++i) {
+        if (changed >> (light.bits - 1 - i) & 1) light.lamps[i].className = value >> (light.bits - 1 - i) & 1 ? 'on' : '';
+      }
+    }
+  }
+
+  // Which view is shown, and from where it was seen: the program counts complete views.
+  watchViews() {
+    if (!this.labels) return;
+    const {module, id, labels} = this;
+    const signed = word => word & 0o400000 ? word - 0o1000000 : word;
+    const views = module.word(id, labels.views);
+    const eye = [labels.ex, labels.ey, labels.ez].map(at => signed(module.word(id, at)));
+    const scale = module.word(id, labels.scale);
+    const moving = this.switchWord() & 0o776000;
+    this.lamp.classList.toggle('on', this.on && (views === 0 || this.lastViews !== views || Boolean(moving) || this.computing > 0));
+    if (views !== this.lastViews) {
+      this.view = {eye: this.nextEye ?? eye, scale: this.nextScale ?? scale, views};
+      this.lastViews = views;
+      this.sight();
+    }
+    this.nextEye = eye;
+    this.nextScale = scale;
+  }
+
+  sight() {
+    this.lines = null;
+    if (this.options.exact && this.labels && this.view) {
+      const answer = this.module.ask({do: 'sight', scene: this.options.program, eye: this.view.eye, scale: this.view.scale, stereo: this.options.stereo});
+      if (answer.lines) this.lines = answer.lines;
+    }
+    this.drawGlass();
+  }
+  drawGlass() {
+    const context = this.glass.getContext('2d');
+    context.clearRect(0, 0, SIDE, SIDE);
+    this.canvas.style.filter = '';
+    this.canvas.parentElement.classList.toggle('anaglyph', this.options.redCyan && this.options.stereo);
+    if (!this.lines) return;
+    context.lineWidth = 1.5;
+    const drawn = (this.strokesOfPass ?? null);
+    for (const [x0, y0, x1, y1] of this.lines) {
+      context.strokeStyle = drawn && !near(drawn, (x0 + x1) / 2, (y0 + y1) / 2) ? '#ff5c5c' : '#5cd6ff';
+      context.beginPath();
+      context.moveTo(x0 + PHOSPHOR.margin, SIDE - (y0 + PHOSPHOR.margin));
+      context.lineTo(x1 + PHOSPHOR.margin, SIDE - (y1 + PHOSPHOR.margin));
+      context.stroke();
+    }
+  }
+
+  showState() {
+    if (!this.id) return;
+    const state = this.module.ask({do: 'state', id: this.id});
+    const times = state.times;
+    const now = {time: state.ticks / 1e9, passes: times.passes};
+    const elapsed = now.time - this.before.time;
+    if (elapsed > 0.2) {
+      this.refresh = (now.passes - this.before.passes) / elapsed;
+      this.before = now;
+    }
+    const refresh = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : 'none';
+    const rows = [['Emulated time', state.time], ['Instructions', state.instructions.toLocaleString('en')], ['Stolen cycles', times.stolen_cycles.toLocaleString('en')],
+      ['Refresh', refresh], ['Next', state.status.split('\n')[0]]];
+    if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
+    this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
+  }
+
+  // --- Links: #jones/street4?switches=400000&eae=0
+
+  link() {
+    const o = this.options;
+    const parts = new URLSearchParams();
+    if (o.switches) parts.set('switches', o.switches.toString(8));
+    if (!o.eae) parts.set('eae', '0');
+    if (o.stereo) parts.set('stereo', '1');
+    if (o.immediate) parts.set('immediate', '1');
+    if (o.exact) parts.set('exact', '1');
+    const text = parts.toString();
+    return `jones/${encodeURIComponent(o.program)}${text ? '?' + text : ''}`;
+  }
+  open(path, query) {
+    const o = this.options;
+    if (path && [...PROGRAMS, ...this.examples.map(each => each.name)].includes(path)) o.program = path;
+    o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
+    o.eae = query.get('eae') !== '0';
+    for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';
+    this.programs.select.value = o.program;
+    this.eae.box.checked = o.eae;
+    this.stereo.box.checked = o.stereo;
+    this.exact.box.checked = o.exact;
+    this.restart();
+  }
+}
+
+function near(strokes, x, y) {
+  return strokes.some(([a, b]) => Math.abs(a - x) < 2.5 && Math.abs(b - y) < 2.5);
+}

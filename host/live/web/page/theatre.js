@@ -1,0 +1,84 @@
+// The theatre: each algorithm at work on a small scene that can be turned.
+
+import {choice, element, field, fileTaker, group, notice, button} from './ui.js';
+import {makePlayer} from './player.js';
+
+const SCENES = ['house', 'roberts', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
+const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
+
+// A camera of whole numbers that looks from an angle about the vertical and an elevation, in parallel projection.
+function camera(rotation, elevation) {
+  const a = rotation * Math.PI / 180, e = elevation * Math.PI / 180;
+  const c = Math.round(100 * Math.cos(a)), s = Math.round(100 * Math.sin(a)), down = Math.round(100 * Math.tan(e));
+  return {perspective: false, eye: [0, 0, 0], forward: [s, -down, c], right: [c, 0, -s], up: [down * s, c * c + s * s, down * c]};
+}
+
+export class Theatre {
+  constructor(module, lessons, remember) {
+    this.module = module;
+    this.lessons = lessons;
+    this.remember = remember;
+    this.options = {algorithm: lessons[0]?.algorithm, scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
+    this.stage = element('div', {});
+    this.message = notice();
+    const o = this.options;
+    this.pick = choice('Algorithm', lessons.map(each => [each.algorithm, each.algorithm]), o.algorithm, value => { o.algorithm = value; this.play(); });
+    this.scene = choice('Scene', SCENES, o.scene, value => { o.scene = value; this.play(); });
+    this.function = choice('Function', FUNCTIONS, o.function, value => { o.function = value; this.play(); });
+    this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); });
+    this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5});
+    this.tilt = field('Elevation', o.elevation, value => { o.elevation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: 0, max: 60, step: 5});
+    this.summary = element('p', {});
+    this.root = element('div', {className: 'theatre'},
+      element('p', {className: 'bar'}, this.pick, this.scene, this.function, this.view, this.turn, this.tilt,
+        fileTaker(this.stage, 'Open a scene', (name, bytes) => {
+          module.putFile(name, bytes);
+          if (![...this.scene.select.options].some(each => each.value === name)) this.scene.select.append(element('option', {value: name, textContent: name}));
+          this.scene.select.value = o.scene = name;
+          this.play();
+        }, text => this.message.say(text, true))),
+      this.summary, this.message, this.stage);
+  }
+  play() {
+    const o = this.options;
+    const lesson = this.lessons.find(each => each.algorithm === o.algorithm) ?? this.lessons[0];
+    if (!lesson) return;
+    this.scene.hidden = this.view.hidden = lesson.heights;
+    this.function.hidden = !lesson.heights;
+    this.summary.textContent = lesson.summary;
+    const request = lesson.heights
+      ? {do: 'explain', algorithm: lesson.algorithm, function: o.function, points: 13, slices: 9, rotation: o.rotation, elevation: o.elevation}
+      : {do: 'explain', algorithm: lesson.algorithm, scene: o.scene, ...(o.view === 'turned' ? {camera: camera(o.rotation, o.elevation)} : {})};
+    const answer = this.module.ask(request);
+    this.message.say(answer.error ?? '', Boolean(answer.error));
+    if (answer.error) return;
+    this.player?.stop();
+    this.player = makePlayer(this.stage, answer);
+    this.remember();
+  }
+  enter() { if (!this.player) this.play(); }
+  leave() {}
+  key() { return false; }
+  link() {
+    const o = this.options;
+    const parts = new URLSearchParams();
+    if (o.view === 'turned') { parts.set('rotation', o.rotation); parts.set('elevation', o.elevation); }
+    const text = parts.toString();
+    const lesson = this.lessons.find(each => each.algorithm === o.algorithm);
+    return `theatre/${o.algorithm}/${encodeURIComponent(lesson?.heights ? o.function : o.scene)}${text ? '?' + text : ''}`;
+  }
+  open(path, query) {
+    const o = this.options;
+    const [algorithm, what] = path.split('/');
+    const lesson = this.lessons.find(each => each.algorithm === algorithm);
+    if (lesson) o.algorithm = algorithm;
+    if (what && lesson?.heights && FUNCTIONS.includes(what)) o.function = what;
+    else if (what && SCENES.includes(what)) o.scene = what;
+    if (query.get('rotation')) { o.view = 'turned'; o.rotation = parseFloat(query.get('rotation')) || 0; o.elevation = parseFloat(query.get('elevation')) || 0; }
+    this.pick.select.value = o.algorithm;
+    this.scene.select.value = o.scene;
+    this.function.select.value = o.function;
+    this.view.select.value = o.view;
+    this.play();
+  }
+}

@@ -1,0 +1,249 @@
+// The screen of the Type 340: a P7 phosphor that keeps the beam's energy. The parameters are those of the photograph
+// (host/picture/phosphor.hpp, which gives their sources).
+//
+// Each flash is a spot of light in two layers. The blue layer answers at once; the yellow one keeps its energy and gives it off
+// as the sum of three exponentials. What is seen is the light of the last moments, weighted as an eye with some persistence has it;
+// in a steady picture that is the photograph's exposure of 0.2 s.
+
+export const PHOSPHOR = {
+  margin: 24, floor: 0.15, sigmaBase: 0.6, sigmaGrowth: 0.2, cascade: 1.9, blueShare: 0.25,
+  yellow: [[0.0116 / 0.2324, 0.04], [0.0768 / 0.2324, 0.16], [0.144 / 0.2324, 2.4]],
+  blueColour: [0.10, 0.22, 1.0], yellowColour: [0.55, 0.80, 0.10], haloShare: 0.03,
+  ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
+};
+const POINTS = 1024;
+export const SIDE = POINTS + 2 * PHOSPHOR.margin;
+
+const FLASH_VERTEX = `#version 300 es
+layout(location=0) in vec2 place; layout(location=1) in float level;
+uniform float scale; uniform vec2 side; out float light; out float sigma;
+void main() {
+  light = ${PHOSPHOR.floor} + ${1 - PHOSPHOR.floor} * pow(level / 7.0, 1.5);
+  sigma = ${PHOSPHOR.sigmaBase.toFixed(2)} + ${PHOSPHOR.sigmaGrowth} * level / 7.0;
+  gl_Position = vec4((place + ${PHOSPHOR.margin}.5) / side * 2.0 - 1.0, 0, 1);
+  gl_PointSize = max(3.0, 13.0 * scale);
+}`;
+const FLASH_FRAGMENT = `#version 300 es
+precision highp float;
+in float light; in float sigma; uniform float scale; out vec4 spot;
+float area(float s) { return 6.2831853 * s * s; }
+void main() {
+  vec2 d = (gl_PointCoord - 0.5) * max(3.0, 13.0 * scale) / scale;
+  float r = dot(d, d);
+  float pixel = 0.35 / scale;  // a pixel wider than the spot spreads it
+  float blue = sqrt(sigma * sigma + pixel * pixel), yellow = sqrt(blue * blue + ${(PHOSPHOR.cascade ** 2).toFixed(3)});
+  spot = light * vec4(exp(-r / (2.0 * blue * blue)) / area(blue), exp(-r / (2.0 * yellow * yellow)) / area(yellow), 0, 0);
+}`;
+const WHOLE_VERTEX = `#version 300 es
+out vec2 at; void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0; at = p; gl_Position = vec4(p * 2.0 - 1.0, 0, 1); }`;
+const GLOW_FRAGMENT = `#version 300 es
+precision highp float;
+in vec2 at; uniform sampler2D fresh, glow, film; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
+layout(location=0) out vec4 glowNext; layout(location=1) out vec4 filmNext;
+void main() {
+  vec2 f = texture(fresh, at).rg; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
+  vec3 come = f.g * ${1 - PHOSPHOR.blueShare} * share;
+  float yellow = dot(g, 1.0 - keep) + dot(come, 1.0 - keepHalf);
+  glowNext = vec4(g * keep + come * keepHalf, 0);
+  filmNext = vec4(seen * eye + weight * vec2(f.r * ${PHOSPHOR.blueShare}, yellow), 0, 0);
+}`;
+const SHOW_FRAGMENT = `#version 300 es
+precision highp float;
+in vec2 at; uniform sampler2D film; uniform float wide; out vec4 colour;
+float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
+void main() {
+  vec2 light = texture(film, at).rg * ${1 - PHOSPHOR.haloShare} + textureLod(film, at, wide).rg * ${PHOSPHOR.haloShare};
+  vec3 v = vec3(${PHOSPHOR.ambient}) + ${PHOSPHOR.exposure.toFixed(2)} * (vec3(${PHOSPHOR.blueColour.map(c => c.toFixed(2))}) * light.r + vec3(${PHOSPHOR.yellowColour.map(c => c.toFixed(2))}) * light.g);
+  v = v / (1.0 + v);
+  colour = vec4(srgb(v.r), srgb(v.g), srgb(v.b), 1);
+}`;
+
+// Draws the flashes of a module on a canvas. Without WebGL2 and float targets it draws dots that fade; `kind` says which.
+export function makeTube(canvas, {plain = false} = {}) {
+  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, preserveDrawingBuffer: true});
+  if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl);
+  return new PlainTube(canvas);
+}
+
+class GlowTube {
+  constructor(canvas, gl) {
+    this.canvas = canvas;
+    this.gl = gl;
+    this.kind = 'phosphor';
+    this.room = new Float32Array(3 * 65536);
+    this.lost = false;
+    canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.lost = true; });
+    canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.build(); });
+    this.side = SIDE;
+    this.build();
+  }
+
+  // Fewer pixels, for a computer that is too slow for all of them.
+  coarser() {
+    if (this.side <= SIDE / 2) return false;
+    this.side = SIDE / 2;
+    this.build();
+    return true;
+  }
+
+  build() {
+    const gl = this.gl;
+    const compile = (kind, text) => {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(shader));
+      return shader;
+    };
+    const program = (vertex, fragment) => {
+      const made = gl.createProgram();
+      gl.attachShader(made, compile(gl.VERTEX_SHADER, vertex));
+      gl.attachShader(made, compile(gl.FRAGMENT_SHADER, fragment));
+      gl.linkProgram(made);
+      const places = {};
+      const count = gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS) ?? 0;
+      for (let i = 0; i < count; ++i) {
+        const {name} = gl.getActiveUniform(made, i);
+        places[name] = gl.getUniformLocation(made, name);
+      }
+      return {made, places};
+    };
+    const texture = mipmaps => {
+      const made = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, made);
+      gl.texStorage2D(gl.TEXTURE_2D, mipmaps ? Math.floor(Math.log2(this.side)) + 1 : 1, gl.RGBA16F, this.side, this.side);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, mipmaps ? gl.LINEAR_MIPMAP_LINEAR : gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, mipmaps ? gl.LINEAR : gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+      return made;
+    };
+    const target = (...textures) => {
+      const made = gl.createFramebuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, made);
+      textures.forEach((each, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, each, 0));
+      gl.drawBuffers(textures.map((each, i) => gl.COLOR_ATTACHMENT0 + i));
+      gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      if (textures.length > 1) gl.clearBufferfv(gl.COLOR, 1, [0, 0, 0, 0]);
+      return made;
+    };
+    this.canvas.width = this.canvas.height = this.side;
+    this.flash = program(FLASH_VERTEX, FLASH_FRAGMENT);
+    this.glow = program(WHOLE_VERTEX, GLOW_FRAGMENT);
+    this.show = program(WHOLE_VERTEX, SHOW_FRAGMENT);
+    this.fresh = texture(false);
+    this.freshTarget = target(this.fresh);
+    this.states = [0, 1].map(() => {
+      const glow = texture(false);
+      const film = texture(true);
+      return {glow, film, target: target(glow, film)};
+    });
+    this.now = 0;
+    this.vertices = gl.createVertexArray();
+    gl.bindVertexArray(this.vertices);
+    this.buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, this.room.byteLength, gl.DYNAMIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 12, 0);
+    gl.enableVertexAttribArray(1);
+    gl.vertexAttribPointer(1, 1, gl.FLOAT, false, 12, 8);
+    this.nothing = gl.createVertexArray();
+  }
+
+  // What was drawn in the last `seconds` of emulated time: a view of flashes (module.js).
+  picture(flashes, seconds) {
+    if (this.lost || seconds <= 0) return;
+    const gl = this.gl;
+    const count = flashes.byteLength / 16;
+    gl.viewport(0, 0, this.side, this.side);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.freshTarget);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.useProgram(this.flash.made);
+    gl.uniform1f(this.flash.places.scale, this.side / SIDE);
+    gl.uniform2f(this.flash.places.side, SIDE, SIDE);
+    gl.bindVertexArray(this.vertices);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE);
+    for (let from = 0; from < count;) {
+      const part = Math.min(count - from, 65536);
+      for (let i = 0; i < part; ++i) {
+        const at = 16 * (from + i);
+        this.room[3 * i] = flashes.getUint16(at + 8, true);
+        this.room[3 * i + 1] = flashes.getUint16(at + 10, true);
+        this.room[3 * i + 2] = flashes.getUint32(at + 12, true);
+      }
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.room, 0, 3 * part);
+      gl.drawArrays(gl.POINTS, 0, part);
+      from += part;
+    }
+    gl.disable(gl.BLEND);
+
+    const before = this.states[this.now];
+    const after = this.states[this.now = 1 - this.now];
+    const {places} = this.glow;
+    const fading = PHOSPHOR.yellow.map(([, tau]) => Math.exp(-seconds / tau));
+    const half = PHOSPHOR.yellow.map(([, tau]) => Math.exp(-seconds / 2 / tau));
+    const eye = Math.exp(-seconds / PHOSPHOR.eye);
+    gl.useProgram(this.glow.made);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
+    gl.bindVertexArray(this.nothing);
+    this.use(0, this.fresh, places.fresh);
+    this.use(1, before.glow, places.glow);
+    this.use(2, before.film, places.film);
+    gl.uniform3f(places.keep, ...fading);
+    gl.uniform3f(places.keepHalf, ...half);
+    gl.uniform3f(places.share, ...PHOSPHOR.yellow.map(([share]) => share));
+    gl.uniform1f(places.eye, eye);
+    gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.develop();
+  }
+  develop() {
+    const gl = this.gl;
+    const {film} = this.states[this.now];
+    gl.useProgram(this.show.made);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.bindVertexArray(this.nothing);
+    this.use(0, film, this.show.places.film);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.uniform1f(this.show.places.wide, Math.log2(24 * this.side / SIDE));
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+  use(unit, texture, place) {
+    const gl = this.gl;
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.uniform1i(place, unit);
+  }
+}
+
+// Dots that fade, for browsers without WebGL2.
+class PlainTube {
+  constructor(canvas) {
+    this.kind = 'plain';
+    canvas.width = canvas.height = SIDE / 2;
+    this.context = canvas.getContext('2d');
+    if (this.context) {
+      this.context.fillStyle = '#141a15';
+      this.context.fillRect(0, 0, SIDE / 2, SIDE / 2);
+    }
+  }
+  coarser() { return false; }
+  picture(flashes, seconds) {
+    if (!this.context || seconds <= 0) return;
+    const side = SIDE / 2;
+    this.context.globalAlpha = 1 - Math.exp(-seconds / 0.12);
+    this.context.fillStyle = '#141a15';
+    this.context.fillRect(0, 0, side, side);
+    this.context.globalAlpha = 1;
+    this.context.fillStyle = '#d5f08c';
+    for (let at = 0; at < flashes.byteLength; at += 16) {
+      const x = (flashes.getUint16(at + 8, true) + PHOSPHOR.margin) / 2;
+      const y = (flashes.getUint16(at + 10, true) + PHOSPHOR.margin) / 2;
+      this.context.fillRect(x, side - 1 - y, 1, 1);
+    }
+  }
+}

@@ -1,0 +1,129 @@
+// Small things every room uses: elements, controls with names, files that are dropped, downloads.
+
+export function element(tag, properties = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.startsWith('aria-') || name === 'role' || name === 'for' || name.startsWith('data-')) made.setAttribute(name, value);
+    else made[name] = value;
+  }
+  made.append(...children.filter(child => child !== null && child !== undefined));
+  return made;
+}
+
+export function button(label, act, title = label) {
+  return element('button', {type: 'button', textContent: label, title, 'aria-label': title, onclick: act});
+}
+
+// A named choice; `entries`: texts, or [value, text].
+export function choice(label, entries, value, act) {
+  const select = element('select', {onchange: () => act(select.value)},
+    ...entries.map(entry => {
+      const [each, text] = Array.isArray(entry) ? entry : [entry, entry];
+      return element('option', {value: each, textContent: text, selected: String(each) === String(value)});
+    }));
+  return Object.assign(element('label', {className: 'field'}, element('span', {textContent: label}), select), {select});
+}
+
+export function check(label, value, act) {
+  const box = element('input', {type: 'checkbox', checked: value, onchange: () => act(box.checked)});
+  return Object.assign(element('label', {className: 'field check'}, box, element('span', {textContent: label})), {box});
+}
+
+export function field(label, value, act, properties = {}) {
+  const input = element('input', {value, ...properties, onchange: () => act(input.value)});
+  return Object.assign(element('label', {className: 'field'}, element('span', {textContent: label}), input), {input});
+}
+
+export function group(title, ...children) {
+  return element('section', {className: 'group', 'aria-label': title}, element('h3', {textContent: title}), ...children);
+}
+
+// What went wrong, in a place that screen readers announce.
+export function notice() {
+  const box = element('p', {className: 'notice', role: 'status', hidden: true});
+  box.say = (text, wrong = false) => {
+    box.textContent = text;
+    box.hidden = !text;
+    box.classList.toggle('wrong', wrong);
+  };
+  return box;
+}
+
+export function download(name, bytes, type = 'application/octet-stream') {
+  const link = element('a', {href: URL.createObjectURL(new Blob([bytes], {type})), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+const largest = 16 << 20;
+
+// Calls take(name, bytes) for files that are dropped on the element or chosen by its button.
+export function fileTaker(target, label, take, complain) {
+  const read = async file => {
+    if (file.size > largest) return complain(`${file.name}: found ${file.size} bytes, expected at most ${largest}`);
+    take(file.name, new Uint8Array(await file.arrayBuffer()));
+  };
+  target.addEventListener('dragover', event => { event.preventDefault(); target.classList.add('over'); });
+  target.addEventListener('dragleave', () => target.classList.remove('over'));
+  target.addEventListener('drop', event => {
+    event.preventDefault();
+    target.classList.remove('over');
+    for (const file of event.dataTransfer.files) read(file);
+  });
+  const input = element('input', {type: 'file', hidden: true, onchange: () => {
+    for (const file of input.files) read(file);
+    input.value = '';
+  }});
+  return element('span', {}, button(label, () => input.click()), input);
+}
+
+// Calls step(seconds since the last call) in every picture while it is wanted: not while the page is hidden, and never for more
+// than a quarter of a second, so that a page that has slept does not make up for it. With ?frames=N in the address there are N
+// pictures of a sixtieth of a second each, by timers, for tests.
+export class Clock {
+  constructor(step) {
+    this.step = step;
+    this.on = false;
+    this.last = 0;
+    this.frames = Number(new URLSearchParams(location.search).get('frames') ?? 0);
+    this.left = this.frames;
+    this.tick = now => this.picture(now);
+    document.addEventListener('visibilitychange', () => { this.last = 0; });
+  }
+  start() {
+    if (this.on) return;
+    this.on = true;
+    this.last = 0;
+    this.next();
+  }
+  stop() { this.on = false; }
+  next() {
+    if (!this.on) return;
+    if (this.frames) {
+      if (this.left-- > 0) setTimeout(() => this.picture(null), 0);
+      else document.documentElement.dataset.frames = 'done';
+    } else {
+      requestAnimationFrame(this.tick);
+    }
+  }
+  picture(now) {
+    if (!this.on) return;
+    const seconds = now === null ? 1 / 60 : this.last ? Math.min(0.25, (now - this.last) / 1000) : 1 / 60;
+    this.last = now ?? 0;
+    this.step(seconds);
+    this.next();
+  }
+}
+
+// Runs a machine for so many ticks, in slices, until the host's time is used up; gives what module.run gives.
+export function runFor(module, id, ticks, slice, milliseconds = 10) {
+  const until = module.ticks(id) + ticks;
+  const end = performance.now() + milliseconds;
+  let result = 0;
+  for (let at = module.ticks(id); at < until && result === 0;) {
+    at = Math.min(until, at + slice);
+    result = module.run(id, at);
+    if (performance.now() > end) break;
+  }
+  return result;
+}
