@@ -23,6 +23,7 @@ void add_commands(const Command& program) {
   add_run_command(program);
   add_monitor_command(program);
   add_dap_command(program);
+  add_page_command(program);
   add_scene_command(program);
 }
 

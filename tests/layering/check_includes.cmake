@@ -23,11 +23,12 @@ set(RULES
   "host/guests/jones=host/base,host/geometry,host/scene,emulators,tools/asm"
   "host/guests/jones/precision=host/base,host/geometry,host/scene,host/guests/jones,host/algorithms/oracle,emulators/core,emulators/machines/pdp7.hpp"
   "host/guests/jones/twin=emulators/core/word.hpp,emulators/type340/words.hpp,host/geometry/integer.hpp"
-  "host/guests/skala=host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
+  "host/guests/skala=host/base,host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
   "host/guests/skala/twin=host/guests/skala/commands.hpp,emulators/core/raster.hpp"
   "host/live=host/base,host/guests/run,emulators,tools/asm,tools/disasm,tools/image"
   "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
+  "host/live/web=host/base,host/live,host/guests,host/algorithms/registry,host/explain,host/picture,host/scene,emulators"
   "host/explain=host/base,host/geometry,host/scene,host/picture,host/algorithms"
   "host/app=host/base,host/compare,host/explain,host/guests,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 

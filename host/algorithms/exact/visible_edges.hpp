@@ -31,7 +31,7 @@ class Trace {
  public:
   virtual ~Trace() = default;
   virtual void edge(const picture::LineEdge& edge) = 0;
-  // After the edge was held against a face, counted over all bodies from 0: what is left of it.
+  // After the edge was compared with a face, counted over all bodies from 0: what is left of it.
   virtual void compared(const picture::LineEdge& edge, std::uint32_t face, std::span<const picture::LinePiece> left) = 0;
   // What is seen of it. Not `searched`: its own solid hides it, or it is behind the eye.
   virtual void result(const picture::LineEdge& edge, bool searched, std::span<const picture::LinePiece> seen) = 0;

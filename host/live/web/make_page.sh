@@ -3,7 +3,7 @@
 #
 #   make_page.sh MODULE.wasm VERSION PAGE.html
 #
-# The same files give the same bytes.
+# Beside it PAGE.html.gz. The same files give the same bytes.
 set -eu
 
 root=$(cd "$(dirname "$0")/../../.." && pwd)
@@ -64,4 +64,11 @@ awk -v parts="$parts" '
     }
     print line
   }' "$root/host/live/web/page/page.html" > "$page.new"
-mv "$page.new" "$page"
+# What has not changed stays as old as it is: nothing is built again for it.
+if [ -f "$page" ] && [ -f "$page.gz" ] && cmp -s "$page.new" "$page"; then
+  rm "$page.new"
+else
+  gzip -9 -n -c "$page.new" > "$page.gz.new"
+  mv "$page.gz.new" "$page.gz"
+  mv "$page.new" "$page"
+fi
