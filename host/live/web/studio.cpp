@@ -201,6 +201,7 @@ Json make_skala(Workbench& workbench, const Json& request) {
   else options["--plotter"] = view.device == skala::Device::calcomp ? "calcomp" : "minigraf";
   Json made = workbench.answer(Json{{"do", "make"}, {"machine", "i8080"}, {"options", std::move(options)}});
   made["stream"] = workbench.file(".skala.stream")->size();
+  made["start"] = program.labels.start;
   made["status"] = program.labels.status;
   made["drawing"] = program.labels.drawing;
   return made;
@@ -272,6 +273,7 @@ Json make_jones(Workbench& workbench, const Json& request) {
     if (found != program->symbols.end()) labels[name] = found->second;
   }
   labels["search"] = program->labels.search;
+  labels["start"] = program->labels.start;
   made["labels"] = std::move(labels);
   made["cells"] = scene->cells.cells.size();
   made["words"] = program->words_used;

@@ -468,6 +468,12 @@ Json Workbench::answer(const Json& request) {
   const std::string what = text_of(request, "do");
   if (what == "make") return make(request);
   if (what == "assemble") return assemble(request);
+  if (what == "file") {
+    const Bytes* const bytes = file(text_of(request, "name"));
+    if (bytes == nullptr) return refusal("no such file on the page");
+    made_ = *bytes;
+    return Json{{"bytes", made_.size()}};
+  }
   const auto number = static_cast<int>(number_of(request, "id", -1));
   if (what == "drop") {
     desks_.erase(number);

@@ -59,8 +59,9 @@ export function expression(text) {
     return (x, z) => Math.pow(base(x, z), exponent(x, z));
   };
   const sign = () => {
-    if (take('-')) { const of = deeper(sign); return (x, z) => -of(x, z); }
-    if (take('+')) return deeper(sign);
+    // One sign, as muParser has it.
+    if (take('-')) { const of = power(); return (x, z) => -of(x, z); }
+    take('+');
     return power();
   };
   const product = chain(sign, [['*', (a, b) => a * b], ['/', (a, b) => a / b]]);
@@ -87,8 +88,8 @@ export function expression(text) {
     at += name.length;
     if (name === 'x') return x => x;
     if (name === 'z') return (x, z) => z;
-    if (name === 'pi' || name === '_pi') return () => Math.PI;
-    if (name === 'e' || name === '_e') return () => Math.E;
+    if (name === 'pi') return () => Math.PI;
+    if (name === 'e') return () => Math.E;
     if (!Object.hasOwn(FUNCTIONS, name)) { at -= name.length; throw new Error(`found "${name}" at column ${at + 1}, expected x, z, pi or one of ${Object.keys(FUNCTIONS).join(' ')}`); }
     const [count, act] = FUNCTIONS[name];
     if (!take('(')) fail('"("');

@@ -1,0 +1,164 @@
+// The module of the page in Node, compared with the command, which is compiled by another compiler for another machine:
+// whole machines by their snapshots, byte for byte, with every stroke and its time; lessons by their JSON; hostile requests
+// by an answer.
+//
+//   node module_test.mjs MODULE.wasm MODULE.js SIGHTLINE
+//
+// SIGHTLINE_VIEWS=100 in the environment compares so many views of each scene; 3 by default.
+
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+const [wasm, script, sightline] = process.argv.slice(2);
+const {openModule} = await import(pathToFileURL(script));
+const module = await openModule(new WebAssembly.Module(readFileSync(wasm)));
+const folder = mkdtempSync(join(tmpdir(), 'sightline-page-'));
+process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
+const views = Number(process.env.SIGHTLINE_VIEWS ?? 3);
+
+let failures = 0;
+let checks = 0;
+const check = (right, what) => {
+  ++checks;
+  if (right) return;
+  ++failures;
+  console.error(`FAILED: ${what}`);
+};
+const ask = request => {
+  const answer = module.ask(request);
+  if (answer.error) throw new Error(`${request.do}: ${answer.error}`);
+  return answer;
+};
+const file = name => { ask({do: 'file', name}); return module.made(); };
+const native = (...words) => execFileSync(sightline, words, {maxBuffer: 1 << 28, cwd: folder});
+const same = (a, b) => a.length === b.length && Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;
+
+// A small generator of numbers, the same in every run.
+let seed = 12345;
+const dice = n => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return Math.floor(seed / 2 ** 32 * n); };
+
+// --- Jones's program: from the same core to the same time, on both sides.
+function compareJones(scene, eae, switches) {
+  const made = ask({do: 'jones', scene, eae, switches});
+  const milliseconds = 1100 + dice(400);
+  let strokes = '';
+  for (let t = 1; t <= milliseconds; t += 50) {
+    const until = Math.min(t + 49, milliseconds);
+    module.run(made.id, until * 1e6);
+    const flashes = module.flashes(made.id);
+    for (let at = 0; at < flashes.byteLength; at += 16)
+      strokes += `${flashes.getFloat64(at, true)} ${flashes.getUint16(at + 8, true)} ${flashes.getUint16(at + 10, true)} ${flashes.getUint32(at + 12, true)}\n`;
+  }
+  writeFileSync(join(folder, 'jones.oct'), file('.jones.oct'));
+  native('run', 'pdp7', 'jones.oct', '--display', eae ? '--eae' : '--no-eae', '--switches', switches.toString(8), '--start', made.labels.start.toString(8),
+    '--max-time', String(milliseconds / 1000), '--strokes', 'strokes', '--save', 'native.snap', '--json');
+  const expected = readFileSync(join(folder, 'strokes'), 'latin1').split('\n').filter(line => line && line[0] !== '#')
+    .map(line => line.split(/[\s,]+/).filter(Boolean).slice(0, 4).join(' ')).join('\n');
+  check(expected.length > 0 && expected === strokes.trimEnd(), `${scene}, switches ${switches.toString(8)}: the strokes and their times`);
+  ask({do: 'save', id: made.id});
+  check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${scene}, switches ${switches.toString(8)}: the snapshot after ${milliseconds} ms`);
+  ask({do: 'drop', id: made.id});
+}
+for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) {
+  for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
+}
+
+// --- Skala's program: to its halt, on every device.
+const functions = ask({do: 'lists'}).functions.map(each => each.name);
+for (const [n, device] of ['ef9365', 'alt256', 'calcomp', 'minigraf'].entries()) {
+  for (let view = 0; view < views; ++view) {
+    const request = {do: 'skala', function: functions[(n + view) % functions.length], device, points: 9 + dice(20), slices: 9 + dice(20), rotation: dice(360) - 180, elevation: dice(90),
+      picture: ['lines', 'surface', 'contours'][view % 3]};
+    const made = ask(request);
+    const limit = 3e6 * 3;
+    module.run(made.id, limit);
+    writeFileSync(join(folder, 'program.bin'), file('.skala.bin'));
+    writeFileSync(join(folder, 'stream'), file('.skala.stream'));
+    native('run', 'i8080', 'program.bin', '--parallel', 'stream', ...(n < 2 ? ['--board', device] : ['--plotter', device]), '--max-states', String(limit), '--start', made.start.toString(16), '--save', 'native.snap', '--json');
+    ask({do: 'save', id: made.id});
+    check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${JSON.stringify(request)}: the snapshot after ${module.ticks(made.id)} T-states`);
+    ask({do: 'drop', id: made.id});
+  }
+}
+
+// --- Lessons: the algorithms themselves, step by step.
+for (const lesson of ask({do: 'lists'}).lessons) {
+  const subjects = lesson.heights ? [{function: 'sinc'}, {function: 'peaks'}] : [{scene: 'house'}, {scene: 'boxes-5'}, {scene: 'roberts'}];
+  for (const subject of subjects) {
+    const answer = module.ask({do: 'explain', algorithm: lesson.algorithm, ...subject, ...(lesson.heights ? {points: 13, slices: 9, rotation: 30, elevation: 30} : {})});
+    let expected;
+    try {
+      expected = JSON.parse(native('explain', lesson.algorithm, ...(lesson.heights ? [subject.function, '--points', '13', '--slices', '9', '--rotate', '30', '--elevate', '30'] : [subject.scene]), '-o', '-'));
+    } catch (error) {
+      check(Boolean(answer.error), `${lesson.algorithm} of ${JSON.stringify(subject)}: the command refuses it`);
+      continue;
+    }
+    check(!answer.error && JSON.stringify(answer) === JSON.stringify(expected), `${lesson.algorithm} of ${JSON.stringify(subject)}: ${answer.error ?? 'the lesson'}`);
+    check(answer.steps?.length > 5, `${lesson.algorithm}: a lesson of ${answer.steps?.length} steps`);
+  }
+}
+
+// --- Algorithms agree here as they do in the command.
+for (const scene of ['house', 'roberts', 'boxes-12', 'bricks-4', 'rooms-2']) {
+  const exact = ask({do: 'draw', algorithm: 'exact', scene});
+  check(exact.pieces.length > 0, `${scene}: something is seen`);
+  for (const {name} of ask({do: 'lists'}).algorithms) {
+    const drawn = module.ask({do: 'draw', algorithm: name, scene});
+    if (drawn.error || name === 'montani-re') continue;  // drawn once where lines coincide
+    check(JSON.stringify(drawn.pieces) === JSON.stringify(exact.pieces), `${scene}: ${name} draws what exact draws`);
+  }
+}
+
+// --- The debugger: forward and back is where one was.
+{
+  const made = ask({do: 'jones', scene: 'house'});
+  module.run(made.id, 3e8);
+  ask({do: 'save', id: made.id});
+  const before = module.made();
+  ask({do: 'step', id: made.id, count: 1000});
+  ask({do: 'back', id: made.id, count: 1000});
+  ask({do: 'save', id: made.id});
+  check(same(before, module.made()), 'a thousand instructions forward and back');
+  const set = ask({do: 'break', id: made.id, at: 'search'});
+  check(set.set === true, 'a breakpoint at a symbol');
+  check(module.run(made.id, 1e11) === 1, 'a run stops at it');
+  check(module.get(made.id, 0) === made.labels.search, 'and is there');
+}
+
+// --- An assembler's errors have their places.
+{
+  const made = ask({do: 'assemble', machine: 'i8080', sources: [{name: 'a.asm', text: '\tORG 100H\n\tMVI A\n\tEND\n'}]});
+  check(made.right === false && made.diagnostics[0]?.line === 2, 'an error with its line');
+}
+
+// --- Whatever is asked is answered.
+const bad = ['', '{', '[]', '5', 'null', '{"do":5}', '{"do":"make"}', '{"do":"make","machine":"pdp7","options":{"--load":["no"]}}', '{"do":"state","id":99}',
+  '{"do":"jones","scene":"boxes-3"}', '{"do":"jones","scene":"nothing"}', '{"do":"draw","scene":"house","algorithm":"x"}',
+  '{"do":"draw","scene":"house","algorithm":"exact","camera":{"eye":[1,2]}}', '{"do":"draw","scene":"house","algorithm":"exact","camera":{"forward":[0,0,0]}}',
+  '{"do":"skala","heights":[1,2],"points":2,"slices":2}', '{"do":"skala","heights":["a",null,{},[]],"points":2,"slices":2}', '{"do":"skala","function":"no"}',
+  '{"do":"explain","algorithm":"exact","scene":"no"}', '{"do":"assemble","machine":"pdp7","sources":[]}', '{"do":"file","name":"no"}'];
+for (const text of bad) {
+  let request;
+  try { request = JSON.parse(text); } catch { request = text; }
+  const answer = module.ask(request);
+  check(typeof answer === 'object' && typeof answer.error === 'string' && answer.error.length > 10, `${text}: ${JSON.stringify(answer)}`);
+}
+{
+  const made = ask({do: 'jones', scene: 'house'});
+  module.putFile('rubbish', Uint8Array.from({length: 5000}, () => dice(256)));
+  for (const what of [{do: 'restore', file: 'rubbish'}, {do: 'load', file: 'rubbish'}, {do: 'attach', device: 'disk', file: 'rubbish'}, {do: 'put', at: 99999999, word: 1}, {do: 'put', at: 100, word: -5},
+    {do: 'set', register: 'AC', value: 2 ** 40}, {do: 'memory', at: 'no such symbol'}, {do: 'evaluate', text: '((('}, {do: 'unknown'}]) {
+    const answer = module.ask({id: made.id, ...what});
+    check(typeof answer.error === 'string', `${JSON.stringify(what)}: ${JSON.stringify(answer)}`);
+  }
+  for (const scene of [new Uint8Array(0), Uint8Array.from({length: 3000}, () => dice(256)), new TextEncoder().encode('{"bodies":[{}]}'), new TextEncoder().encode('OFF\n99999999 1 1\n')]) {
+    module.putFile('scene.off', scene);
+    check(typeof module.ask({do: 'explain', algorithm: 'exact', scene: 'scene.off'}).error === 'string', 'a scene of rubbish');
+  }
+}
+
+console.log(`${checks} checks, ${failures} failed`);
+process.exit(failures ? 1 : 0);
