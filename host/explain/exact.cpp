@@ -14,9 +14,9 @@ namespace {
 using picture::LineEdge;
 using picture::LinePiece;
 
-class Teller final : public algorithms::exact::Trace {
+class ExactTeller final : public algorithms::exact::Trace {
  public:
-  Teller(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : stage_(stage), steps_(steps) {
+  ExactTeller(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : stage_(stage), steps_(steps) {
     for (const scene::PolyBody& body : scene.bodies)
       for (const scene::PolyFace& face : body.faces) faces_.push_back(&face);
     count();
@@ -93,7 +93,7 @@ base::Result<Lesson> explain_exact(const scene::PolyScene& scene, const scene::P
   const ImageStage stage(scene, camera);
   lesson.sheets.push_back(stage.sheet("The image"));
   Steps steps(lesson);
-  Teller teller(scene, stage, steps);
+  ExactTeller teller(scene, stage, steps);
   steps.add("The wire frame: all edges of the scene. An edge whose faces all look away from the eye is hidden by its own solid "
             "and is left out.",
             {}, {{0, "wire", stage.wire_frame()}});

@@ -4,12 +4,16 @@
 #include <array>
 
 #include "host/explain/exact.hpp"
+#include "host/explain/jones.hpp"
+#include "host/explain/skala.hpp"
 
 namespace sightline::explain {
 namespace {
 
-constexpr std::array<Explainer, 1> rows{{
+constexpr std::array<Explainer, 3> rows{{
     {"exact", "Every edge against the faces that may hide it: the reference, with no paper", explain_exact, nullptr},
+    {"jones", "Jones 1971: from cell to cell through portals, with the mask that is left", explain_jones, nullptr},
+    {"skala", "Skala 1985: slices from the foreground to the background against two masks", nullptr, explain_skala},
 }};
 
 }  // namespace

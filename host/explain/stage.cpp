@@ -118,6 +118,87 @@ std::vector<Mark> ImageStage::wire_frame(Look look) const {
   return marks;
 }
 
+std::vector<Point> ImageStage::region(std::span<const std::array<double, 4>> planes) const {
+  std::vector<Point> outline{low_, {high_[0], low_[1]}, high_, {low_[0], high_[1]}};
+  const Space eye = space(camera_.eye);
+  for (const auto& plane : planes) {
+    const Space normal{plane[0], plane[1], plane[2]};
+    const double a = dot(normal, axes_[0]);
+    const double b = dot(normal, axes_[1]);
+    const double rest = camera_.perspective ? dot(normal, axes_[2]) : dot(normal, eye) - plane[3];
+    outline = cut_outline(outline, a, b, -rest);
+  }
+  return outline;
+}
+
+std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c) {
+  std::vector<Point> left;
+  const auto value = [&](const Point& p) { return a * p[0] + b * p[1] - c; };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& p = outline[i];
+    const Point& q = outline[(i + 1) % outline.size()];
+    const double at_p = value(p);
+    const double at_q = value(q);
+    if (at_p >= 0) left.push_back(p);
+    if ((at_p < 0) != (at_q < 0)) {
+      const double t = at_p / (at_p - at_q);
+      left.push_back({p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t});
+    }
+  }
+  return left;
+}
+
+PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
+  const auto largest = [](const scene::PolyPoint& v, std::size_t besides) {
+    std::size_t found = besides == 0 ? 1 : 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (a != besides && std::abs(v[a]) > std::abs(v[found])) found = a;
+    return found;
+  };
+  vertical_ = largest(camera.up, 3);
+  along_ = largest(camera.forward, vertical_);
+  across_ = 3 - vertical_ - along_;
+  along_sign_ = camera.forward[along_] < 0 ? -1 : 1;
+  across_sign_ = camera.right[across_] < 0 ? -1 : 1;
+  bool first = true;
+  const auto take = [&](const scene::PolyPoint& vertex) {
+    const Point p = at(space(vertex));
+    for (std::size_t a = 0; a < 2; ++a) {
+      low_[a] = first ? p[a] : std::min(low_[a], p[a]);
+      high_[a] = first ? p[a] : std::max(high_[a], p[a]);
+    }
+    first = false;
+  };
+  for (const auto& vertex : scene.vertices) take(vertex);
+  if (camera.perspective) take(camera.eye);
+  const double margin = std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-6}) * 0.06;
+  for (std::size_t a = 0; a < 2; ++a) {
+    low_[a] -= margin;
+    high_[a] += margin;
+  }
+}
+
+Sheet PlanStage::sheet(std::string title) const { return {std::move(title), low_, high_}; }
+
+std::vector<Mark> PlanStage::wire_frame(Look look) const {
+  std::vector<Mark> marks;
+  for (const picture::LineEdge& edge : picture::edges_of(scene_)) {
+    const Point from = at(space(scene_.vertices[edge.from]));
+    const Point to = at(space(scene_.vertices[edge.to]));
+    if (from != to) marks.push_back(line(look, {from, to}));
+  }
+  return marks;
+}
+
+std::vector<Point> PlanStage::region(std::span<const std::array<double, 4>> planes) const {
+  std::vector<Point> outline{low_, {high_[0], low_[1]}, high_, {low_[0], high_[1]}};
+  for (const auto& plane : planes) {
+    if (plane[vertical_] != 0) continue;
+    outline = cut_outline(outline, -plane[across_] * across_sign_, -plane[along_] * along_sign_, -plane[3]);
+  }
+  return outline;
+}
+
 void Steps::count(std::string_view name, std::uint64_t value) {
   const auto found = std::find_if(counts_.begin(), counts_.end(), [&](const Count& count) { return count.name == name; });
   if (found != counts_.end()) {

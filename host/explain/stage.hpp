@@ -39,6 +39,8 @@ class ImageStage {
   void add_piece(std::vector<Mark>& marks, Look look, const picture::LinePiece& piece) const;
   // The outline of a face; holes are left out.
   void add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const;
+  // What of the sheet lies within the planes a x + b y + c z >= d, each seen as a line: through the eye, or along the line of sight.
+  [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
   // Every edge.
   [[nodiscard]] std::vector<Mark> wire_frame(Look look = Look::faint) const;
 
@@ -54,6 +56,32 @@ class ImageStage {
   Point low_{};
   Point high_{};
 };
+
+// The ground from above: the camera's forward is up on the sheet, its right to the right.
+class PlanStage {
+ public:
+  PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera);
+
+  [[nodiscard]] Sheet sheet(std::string title) const;
+  [[nodiscard]] Point at(const Space& p) const { return {across_sign_ * p[across_], along_sign_ * p[along_]}; }
+  [[nodiscard]] std::size_t vertical() const { return vertical_; }
+  [[nodiscard]] std::vector<Mark> wire_frame(Look look = Look::faint) const;
+  // The part of the sheet where a x + b y + c z <= d for the planes that stand upright; the others are left out.
+  [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
+
+ private:
+  const scene::PolyScene& scene_;
+  std::size_t vertical_ = 1;
+  std::size_t across_ = 0;
+  std::size_t along_ = 2;
+  double across_sign_ = 1;
+  double along_sign_ = 1;
+  Point low_{};
+  Point high_{};
+};
+
+// What is left of a convex outline where a x + b y >= c.
+[[nodiscard]] std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c);
 
 // The steps of a lesson while it is made: fills in the counts and ends at most_steps.
 class Steps {

@@ -6,5 +6,6 @@ namespace sightline::algorithms::jones {
 template class Search<NarrowArithmetic>;
 template class Search<MediumArithmetic>;
 template class Search<WideArithmetic>;
+template class Search<WideArithmetic, Watched>;
 
 }  // namespace sightline::algorithms::jones

@@ -23,6 +23,7 @@
 #include "host/algorithms/jones/sight_plane.hpp"
 #include "host/algorithms/jones/start_cells.hpp"
 #include "host/algorithms/jones/stretch.hpp"
+#include "host/algorithms/jones/trace.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/base/result.hpp"
 #include "host/geometry/box.hpp"
@@ -56,9 +57,11 @@ struct Met {
   std::vector<std::uint32_t> cells;
 };
 
-template <class Arithmetic>
+template <class Arithmetic, class Listener = Unwatched>
 class Search {
  public:
+  explicit Search(Listener listener = {}) : listener_(listener) {}
+
   [[nodiscard]] base::Result<View> run(const PreparedComplex& prepared, Met& met,
                                        const scene::PolyCamera& camera, const Start& start);
 
@@ -116,10 +119,11 @@ class Search {
   std::size_t hiding_side_ = 0;              // of a mask: beyond which the last hidden line lay
   std::vector<std::uint32_t> met_openings_;  // of a crowded cell
   Fragments<Number> fragments_;
+  [[no_unique_address]] Listener listener_;
 };
 
-template <class Arithmetic>
-base::Result<View> Search<Arithmetic>::run(const PreparedComplex& prepared, Met& met,
+template <class Arithmetic, class Listener>
+base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prepared, Met& met,
                                            const scene::PolyCamera& camera, const Start& start) {
   met.begin_view();
   planes_.clear();
@@ -145,8 +149,8 @@ base::Result<View> Search<Arithmetic>::run(const PreparedComplex& prepared, Met&
 }
 
 // False if a sight line passes more cells than there are.
-template <class Arithmetic>
-bool Search<Arithmetic>::Pass::walk() {
+template <class Arithmetic, class Listener>
+bool Search<Arithmetic, Listener>::Pass::walk() {
   while (!search.waiting_.empty()) {
     const Waiting next = search.waiting_.back();
     search.waiting_.pop_back();
@@ -156,9 +160,10 @@ bool Search<Arithmetic>::Pass::walk() {
   return true;
 }
 
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   take_mask(waiting);
+  search.listener_.entered(waiting.cell, waiting.depth, search.mask_planes_);
   ++counts.visits;
   counts.depth = std::max<std::uint64_t>(counts.depth, waiting.depth);
   if (met.cells[waiting.cell] != met.view) {
@@ -190,18 +195,22 @@ void Search<Arithmetic>::Pass::visit(const Waiting& waiting) {
   for (const std::uint32_t i : search.met_openings_) look_out(waiting, openings[i]);
 }
 
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
   const auto& cells = prepared.complex().openings[opening].cells;
   const bool from_negative_side = cells[0] == waiting.cell;
   if (cells[from_negative_side ? 1 : 0] == scene::outside) return;
-  if (faces_eye(opening, from_negative_side)) look_through(opening, from_negative_side, waiting.depth);
+  if (faces_eye(opening, from_negative_side)) {
+    look_through(opening, from_negative_side, waiting.depth);
+  } else {
+    search.listener_.portal(opening, cells[from_negative_side ? 1 : 0], PortalTest::faces_away);
+  }
 }
 
 // Lets the cell beyond an opening that faces the eye wait if anything of it is seen through the opening and
 // the mask at hand.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::look_through(std::uint32_t number, bool from_negative_side,
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool from_negative_side,
                                             std::uint32_t depth) {
   const scene::ComplexOpening& opening = prepared.complex().openings[number];
   ++counts.openings_tested;
@@ -215,17 +224,21 @@ void Search<Arithmetic>::Pass::look_through(std::uint32_t number, bool from_nega
   } else {
     for (std::uint32_t i = 0; i < opening.side_count && !left.empty(); ++i) left = clipped(left, first + i);
   }
-  if (left.empty()) return;
+  if (left.empty()) {
+    search.listener_.portal(number, opening.cells[from_negative_side ? 1 : 0], PortalTest::nothing_left);
+    return;
+  }
   ++counts.masks;
   counts.mask_sides = std::max<std::uint64_t>(counts.mask_sides, left.size());
   const scene::CellNumber beyond = opening.cells[from_negative_side ? 1 : 0];
   search.waiting_.push_back({beyond, depth + 1, search.waiting_sides_.size(), left.size()});
   search.waiting_sides_.insert(search.waiting_sides_.end(), left.begin(), left.end());
+  search.listener_.waits(number, beyond, left, search.planes_);
 }
 
 // The eye is off the opening's plane, on its negative side or on the other.
-template <class Arithmetic>
-inline bool Search<Arithmetic>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
+template <class Arithmetic, class Listener>
+inline bool Search<Arithmetic, Listener>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
   Met::Opening& state = met.openings[number];
   if (state.view != met.view) {
     const std::uint32_t plane = prepared.complex().openings[number].plane;
@@ -235,8 +248,8 @@ inline bool Search<Arithmetic>::Pass::faces_eye(std::uint32_t number, bool from_
 }
 
 // In the order in which they go round as a mask does.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::make_planes(const scene::ComplexOpening& opening, Met::Opening& state) {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::make_planes(const scene::ComplexOpening& opening, Met::Opening& state) {
   const std::size_t first = search.planes_.size();
   state.first_plane = static_cast<std::uint32_t>(first);
   const geometry::Plane& plane = prepared.planes()[opening.plane];
@@ -251,8 +264,8 @@ void Search<Arithmetic>::Pass::make_planes(const scene::ComplexOpening& opening,
 }
 
 // The whole opening; a side in one line with the next adds nothing.
-template <class Arithmetic>
-auto Search<Arithmetic>::Pass::first_mask(std::uint32_t first_plane, std::uint32_t count)
+template <class Arithmetic, class Listener>
+auto Search<Arithmetic, Listener>::Pass::first_mask(std::uint32_t first_plane, std::uint32_t count)
     -> std::span<const Side> {
   std::vector<Side>& mask = search.cut_;
   mask.clear();
@@ -273,8 +286,8 @@ auto Search<Arithmetic>::Pass::first_mask(std::uint32_t first_plane, std::uint32
 }
 
 // Empty if nothing is left. The result is the given mask or lies in one of the two buffers.
-template <class Arithmetic>
-auto Search<Arithmetic>::Pass::clipped(std::span<const Side> mask, std::uint32_t plane)
+template <class Arithmetic, class Listener>
+auto Search<Arithmetic, Listener>::Pass::clipped(std::span<const Side> mask, std::uint32_t plane)
     -> std::span<const Side> {
   std::vector<Side>& left = mask.data() == search.cut_.data() ? search.cut_again_ : search.cut_;
   const auto image_of = [this](std::uint32_t number) { return image(number); };
@@ -284,6 +297,7 @@ auto Search<Arithmetic>::Pass::clipped(std::span<const Side> mask, std::uint32_t
 extern template class Search<NarrowArithmetic>;
 extern template class Search<MediumArithmetic>;
 extern template class Search<WideArithmetic>;
+extern template class Search<WideArithmetic, Watched>;
 
 }  // namespace sightline::algorithms::jones
 

@@ -8,8 +8,8 @@
 
 namespace sightline::algorithms::jones {
 
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::take_mask(const Waiting& waiting) {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
   see_all();
   if (waiting.side_count == 0) return;
   const auto first = search.waiting_sides_.begin() + static_cast<std::ptrdiff_t>(waiting.first_side);
@@ -21,8 +21,8 @@ void Search<Arithmetic>::Pass::take_mask(const Waiting& waiting) {
 }
 
 // The mask at hand is all before the eye.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::see_all() {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::see_all() {
   search.mask_.clear();
   search.mask_planes_.clear();
   if (search.cutting_sides_.empty()) search.cutting_sides_.resize(1);
@@ -30,20 +30,24 @@ void Search<Arithmetic>::Pass::see_all() {
 }
 
 // part() gives the line as a stretch of its edge; most lines are hidden without looking at it.
-template <class Arithmetic>
+template <class Arithmetic, class Listener>
 template <class Part>
-inline void Search<Arithmetic>::Pass::draw_line(std::uint32_t number, const Part& part) {
+inline void Search<Arithmetic, Listener>::Pass::draw_line(std::uint32_t number, const Part& part) {
   ++counts.lines_clipped;
   const scene::CellComplex& complex = prepared.complex();
   const scene::ComplexEdge& edge = complex.edges[number];
   const geometry::Vector3 from = geometry::vector_of(complex.vertices[edge.from]);
   const geometry::Vector3 to = geometry::vector_of(complex.vertices[edge.to]);
-  if (!hidden(from, to)) draw_rest(number, part());
+  if (!hidden(from, to)) {
+    draw_rest(number, part());
+  } else {
+    search.listener_.hidden(edge.from, edge.to);
+  }
 }
 
 // Of a stretch of an edge, what the cutting sides leave.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::draw_rest(std::uint32_t number, Stretch<Number> left) {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::draw_rest(std::uint32_t number, Stretch<Number> left) {
   const scene::CellComplex& complex = prepared.complex();
   const geometry::Vector3 from = geometry::vector_of(complex.vertices[complex.edges[number].from]);
   const geometry::Vector3 to = geometry::vector_of(complex.vertices[complex.edges[number].to]);
@@ -51,15 +55,19 @@ void Search<Arithmetic>::Pass::draw_rest(std::uint32_t number, Stretch<Number> l
     const SightPlane<Number>& plane = search.mask_planes_[side];
     left.keep_not_negative(plane.at(from), plane.at(to));
   }
-  if (!less(left.low, left.high)) return;
+  if (!less(left.low, left.high)) {
+    search.listener_.hidden(complex.edges[number].from, complex.edges[number].to);
+    return;
+  }
   ++counts.fragments;
+  search.listener_.seen(complex.edges[number].from, complex.edges[number].to, left);
   search.fragments_.add(number, left);
 }
 
 // One side of the mask hides the edge; else the first cutting_ of cutting_sides_ are those that hide part of
 // it.
-template <class Arithmetic>
-inline bool Search<Arithmetic>::Pass::hidden(const geometry::Vector3& from, const geometry::Vector3& to) {
+template <class Arithmetic, class Listener>
+inline bool Search<Arithmetic, Listener>::Pass::hidden(const geometry::Vector3& from, const geometry::Vector3& to) {
   const SightPlane<Number>* const planes = search.mask_planes_.data();
   const std::size_t count = search.mask_planes_.size();
   std::size_t* const sides = search.cutting_sides_.data();
@@ -82,8 +90,8 @@ inline bool Search<Arithmetic>::Pass::hidden(const geometry::Vector3& from, cons
 }
 
 // False if the box lies beyond one side of the mask at hand.
-template <class Arithmetic>
-bool Search<Arithmetic>::Pass::may_see(const geometry::Box& box) const {
+template <class Arithmetic, class Listener>
+bool Search<Arithmetic, Listener>::Pass::may_see(const geometry::Box& box) const {
   const auto beyond = [&](const SightPlane<Number>& plane) {
     scene::PolyPoint corner{};
     for (std::size_t a = 0; a < 3; ++a) corner[a] = plane.normal[a] < 0 ? box.low[a] : box.high[a];
@@ -93,8 +101,8 @@ bool Search<Arithmetic>::Pass::may_see(const geometry::Box& box) const {
 }
 
 // From outside, what lies in a face of the outer box that is not turned away is seen without an opening.
-template <class Arithmetic>
-void Search<Arithmetic>::Pass::draw_outer_faces() {
+template <class Arithmetic, class Listener>
+void Search<Arithmetic, Listener>::Pass::draw_outer_faces() {
   for (const OuterFace& face : prepared.outer_faces()) {
     if (sight.eye_value(face.plane) < 0) continue;
     for (const std::uint32_t edge : face.edges)

@@ -7,6 +7,7 @@
 
 #include "host/algorithms/jones/search.hpp"
 #include "host/algorithms/jones/start_cells.hpp"
+#include "host/algorithms/jones/trace.hpp"
 #include "host/base/result.hpp"
 
 namespace sightline::algorithms::jones {
@@ -73,6 +74,19 @@ base::Result<View> Walker::visible_edges(const scene::PolyCamera& camera) {
     case Width::wide: break;
   }
   return state_->wide.run(prepared, state_->met, camera, *start);
+}
+
+base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera, Trace& trace) {
+  const PreparedComplex prepared(complex);
+  if (too_far(camera.eye)) return base::fail(eye_too_far);
+  if (!width_for(prepared, camera)) return base::fail(plane_too_long);
+  const std::optional<Start> start = find_start(prepared, camera);
+  if (!start) return base::fail(eye_in_solid);
+  trace.start(start->cells, start->outside);
+  Met met(complex);
+  // The widest numbers do for every view, and give the same.
+  Search<WideArithmetic, Watched> search{Watched(trace)};
+  return search.run(prepared, met, camera, *start);
 }
 
 base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera) {

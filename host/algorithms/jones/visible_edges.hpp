@@ -87,4 +87,8 @@ class Walker {
 [[nodiscard]] base::Result<View> visible_edges(const scene::CellComplex& complex,
                                                const scene::PolyCamera& camera);
 
+// The same, told to somebody step by step (trace.hpp).
+class Trace;
+[[nodiscard]] base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera, Trace& trace);
+
 }  // namespace sightline::algorithms::jones

@@ -124,9 +124,8 @@ void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Wal
     }
 }
 
-}  // namespace
-
-picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& asked) {
+template <class Walking>
+picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked, const Walking& walking) {
   View view = asked;
   view.family = resolved_family(asked);
   // Cells have no family of their own.
@@ -143,9 +142,19 @@ picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& asked) {
   if (grid.heights.empty()) return drawing;
   // About as many as there are in a picture of slices; memory that is not touched costs nothing.
   drawing.points.reserve(grid.heights.size());
-  const Walked walked = walk(order, drawing);
+  const Walked walked = walking(order, drawing);
   if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
   return drawing;
+}
+
+}  // namespace
+
+picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view) {
+  return draw_by(grid, view, [](const Walk& order, picture::VectorDrawing& drawing) { return walk(order, drawing); });
+}
+
+picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view, Trace& trace) {
+  return draw_by(grid, view, [&trace](const Walk& order, picture::VectorDrawing& drawing) { return walk(order, drawing, trace); });
 }
 
 }  // namespace sightline::algorithms::skala

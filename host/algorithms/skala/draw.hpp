@@ -9,6 +9,10 @@
 // Memory and time are linear in the grid. The same grid gives the same drawing with every compiler.
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "host/algorithms/skala/horizon.hpp"
 #include "host/algorithms/skala/view.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -20,5 +24,16 @@ namespace sightline::algorithms::skala {
 // Surfaces are facets: of every cell that is seen at least in part, far to near, in greys by the slope
 // across the picture's x of the data, as in the paper's shading; cells hidden wholly are left out.
 [[nodiscard]] picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view);
+
+// What a drawing tells of its work. One that nobody watches is compiled apart and pays nothing.
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  // A line from point to point was compared with the masks, which then have it: its visible pieces.
+  virtual void line(std::span<const Vertex> line, std::span<const Piece> seen) = 0;
+  // The masks when a row of the grid is done, the nearest row first: heights by column; beyond 10^29 nothing was drawn there.
+  virtual void row_ended(std::span<const float> top, std::span<const float> bottom) = 0;
+};
+[[nodiscard]] picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view, Trace& trace);
 
 }  // namespace sightline::algorithms::skala

@@ -40,6 +40,9 @@ class Horizon {
   // draw() from each vertex to the next, all pieces in one; vertices go to one side and never turn back.
   bool draw_chain(std::span<const Vertex> chain, Wake& wake);
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  // By column.
+  [[nodiscard]] std::span<const float> top() const { return top_; }
+  [[nodiscard]] std::span<const float> bottom() const { return bottom_; }
 
   static constexpr float usual_slack = 1.0F / 8192;  // in y; above the rounding of a line in a column
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "host/algorithms/skala/facing.hpp"
@@ -17,10 +18,28 @@ struct Corner {
   std::size_t column = 0;
 };
 
+// The listener of a walk that nobody watches; a watched one is compiled apart.
+struct Unwatched {
+  void line(std::span<const Vertex>, const std::vector<Piece>&) {}
+  void row_ended(const Horizon&) {}
+};
+
+class Watched {
+ public:
+  explicit Watched(Trace& trace) : trace_(&trace) {}
+  void line(std::span<const Vertex> line, const std::vector<Piece>& seen) { trace_->line(line, seen); }
+  void row_ended(const Horizon& horizon) { trace_->row_ended(horizon.top(), horizon.bottom()); }
+
+ private:
+  Trace* trace_;
+};
+
+template <class Listener>
 class Walker {
  public:
-  Walker(const Walk& order, picture::VectorDrawing& drawing)
-      : order_(order),
+  Walker(const Walk& order, picture::VectorDrawing& drawing, Listener listener)
+      : listener_(listener),
+        order_(order),
         surface_(*order.surface),
         view_(*order.view),
         sheet_(drawing, std::clamp(view_.columns, fewest_columns, most_columns)),
@@ -72,8 +91,10 @@ class Walker {
   void strip_of_slices(std::size_t row) {
     const std::size_t last = surface_.columns() - 1;
     column_edge(row, 0);
-    if (horizon_.draw_chain(surface_.row(row + 1).first(last), wake_))
-      row_pen_.draw(sheet_, along_rows, horizon_.pieces());
+    const auto chain = surface_.row(row + 1).first(last);
+    const bool seen = horizon_.draw_chain(chain, wake_);
+    listener_.line(chain, horizon_.pieces());
+    if (seen) row_pen_.draw(sheet_, along_rows, horizon_.pieces());
     column_edge(row, last);
     row_edge(row + 1, last - 1);
     end_row();
@@ -92,7 +113,9 @@ class Walker {
       unhidden_.assign(1, {from, to});
       return true;
     }
-    return horizon_.draw(from, to, wake);
+    const bool seen = horizon_.draw(from, to, wake);
+    listener_.line(std::array{from, to}, horizon_.pieces());
+    return seen;
   }
   [[nodiscard]] const std::vector<Piece>& pieces() const {
     return view_.visibility ? horizon_.pieces() : unhidden_;
@@ -234,6 +257,7 @@ class Walker {
   void end_row() {
     row_pen_.lift(sheet_);
     wake_ = {};
+    listener_.row_ended(horizon_);
   }
 
   void mark(std::size_t row, std::size_t column) {
@@ -253,6 +277,7 @@ class Walker {
   }
   [[nodiscard]] Vertex vertex(Corner corner) const { return surface_.at(corner.row, corner.column); }
 
+  [[no_unique_address]] Listener listener_;
   const Walk& order_;
   const Surface& surface_;
   const View& view_;
@@ -276,7 +301,10 @@ class Walker {
 }  // namespace
 
 Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
-  return Walker(order, drawing).go();
+  return Walker<Unwatched>(order, drawing, {}).go();
+}
+Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
+  return Walker<Watched>(order, drawing, Watched(trace)).go();
 }
 
 }  // namespace sightline::algorithms::skala

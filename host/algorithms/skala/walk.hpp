@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/algorithms/skala/draw.hpp"
 #include "host/algorithms/skala/horizon.hpp"
 #include "host/algorithms/skala/pen.hpp"
 #include "host/algorithms/skala/surface.hpp"
@@ -35,5 +36,7 @@ struct Walked {
 
 // The drawing's layers must be there; lines are added to it.
 Walked walk(const Walk& order, picture::VectorDrawing& drawing);
+// The same, told to somebody.
+Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
 
 }  // namespace sightline::algorithms::skala

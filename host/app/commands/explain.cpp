@@ -72,6 +72,7 @@ void add_explain_command(const Command& program) {
         name, help_page(of_heights ? "explain_heights" : "explain_scene",
                         {{"summary", std::string(explainer.summary)}, {"method", name}, {"camera", help_page("camera").summary}}));
     if (of_heights) {
+      one.option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
       add_function_options(one, arguments->source, "13", "17");
       add_angle_options(one, arguments->rotation, arguments->elevation);
     } else {

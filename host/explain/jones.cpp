@@ -1,0 +1,215 @@
+#include "host/explain/jones.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/jones/trace.hpp"
+#include "host/algorithms/jones/visible_edges.hpp"
+#include "host/explain/stage.hpp"
+#include "host/scene/cells/decompose.hpp"
+
+namespace sightline::explain {
+namespace {
+
+using algorithms::jones::PortalTest;
+using Planes = std::vector<std::array<double, 4>>;
+
+constexpr std::size_t image = 0;
+constexpr std::size_t plan = 1;
+
+// Where three planes meet; false if they do not meet in one point.
+bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
+  const auto minor = [](const auto& u, const auto& v, std::size_t i, std::size_t j) { return u[i] * v[j] - u[j] * v[i]; };
+  const Space bc{minor(b, c, 1, 2), minor(b, c, 2, 0), minor(b, c, 0, 1)};
+  const Space ca{minor(c, a, 1, 2), minor(c, a, 2, 0), minor(c, a, 0, 1)};
+  const Space ab{minor(a, b, 1, 2), minor(a, b, 2, 0), minor(a, b, 0, 1)};
+  const double volume = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2];
+  if (volume == 0) return false;
+  for (std::size_t i = 0; i < 3; ++i) point[i] = (a[3] * bc[i] + b[3] * ca[i] + c[3] * ab[i]) / volume;
+  return true;
+}
+
+class JonesTeller final : public algorithms::jones::Trace {
+ public:
+  JonesTeller(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
+      : complex_(complex), stage_(stage), ground_(ground), steps_(steps), eye_(space(camera.eye)), perspective_(camera.perspective) {
+    count();
+  }
+
+  void start(std::span<const scene::CellNumber> cells, bool outside) override {
+    if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
+                                         : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
+                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}}});
+  }
+
+  void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
+    flush_lines();
+    waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), cell), waiting_.end());
+    cell_ = cell;
+    visited_.insert(cell);
+    ++visits_;
+    count();
+    std::vector<Mark> here;
+    if (auto outline = stage_.region(mask); outline.size() > 2) here.push_back(area(Look::mask, std::move(outline)));
+    const std::size_t portals = complex_.openings_of(complex_.cells[cell]).size();
+    steps_.add(fmt::format("Cell {} is entered, {} portal{} from the eye. It is seen through the mask only. It has {} lines and {} portals.", cell,
+                           depth - 1, depth == 2 ? "" : "s", complex_.lines_of(complex_.cells[cell]).size(), portals),
+               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {plan, "portal", {}}, {plan, "cells", cells()}});
+  }
+
+  void line(scene::VertexIndex from, scene::VertexIndex to, bool seen, double low, double high) override {
+    ++lines_;
+    const Space a = space(complex_.vertices[from]);
+    const Space b = space(complex_.vertices[to]);
+    if (!seen) {
+      ++hidden_;
+      stage_.add_line(now_, Look::hidden, a, b);
+      return;
+    }
+    ++fragments_;
+    const auto at = [&](double t) { return Space{a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t}; };
+    if (low > 0) stage_.add_line(now_, Look::hidden, a, at(low));
+    stage_.add_line(now_, Look::now, at(low), at(high));
+    if (high < 1) stage_.add_line(now_, Look::hidden, at(high), b);
+    stage_.add_line(seen_, Look::seen, at(low), at(high));
+    ++pieces_here_;
+  }
+
+  void portal(std::uint32_t number, scene::CellNumber beyond, PortalTest result, std::span<const Plane> mask) override {
+    flush_lines();
+    if (result == PortalTest::faces_away) {
+      ++turned_away_;
+      return;
+    }
+    ++portals_;
+    count();
+    const std::vector<Space> corners = corners_of(number);
+    std::vector<Mark> in_image;
+    stage_.add_area(in_image, Look::other, corners);
+    std::vector<Mark> in_plan;
+    std::vector<Point> outline;
+    for (const Space& corner : corners) outline.push_back(ground_.at(corner));
+    if (!outline.empty()) {
+      outline.push_back(outline.front());
+      in_plan.push_back(explain::line(Look::other, std::move(outline)));
+    }
+    std::string what;
+    switch (result) {
+      case PortalTest::faces_away: break;
+      case PortalTest::nothing_left: what = "Clipped to the mask nothing is left of it: the cell beyond is not entered through it."; break;
+      case PortalTest::waits: {
+        what = fmt::format("Clipped to the mask a part with {} sides is left: cell {} waits with it as its mask.", mask.size(), beyond);
+        waiting_.push_back(beyond);
+        ++masks_;
+        count();
+        if (auto left = stage_.region(mask); left.size() > 2) in_image.push_back(area(Look::waiting, std::move(left)));
+        break;
+      }
+    }
+    steps_.add(fmt::format("Portal {} leads from cell {} to cell {}. {}", number, cell_, beyond, what), "Fig. 4 and 5, avenues of sight",
+               {{image, "portal", std::move(in_image)}, {plan, "portal", std::move(in_plan)}, {plan, "cells", cells()}});
+  }
+
+  // The lines of a cell are one step.
+  void flush_lines() {
+    if (now_.empty()) return;
+    count();
+    const bool any = pieces_here_ != 0;
+    steps_.add(fmt::format("The lines of cell {} are clipped to the mask: {}.", cell_,
+                           any ? fmt::format("{} of them are seen at least in part, and drawn", pieces_here_) : std::string("none is seen")),
+               "Fig. 4 and 5, avenues of sight", {{image, "line", std::exchange(now_, {})}, {image, "seen", seen_}});
+    pieces_here_ = 0;
+  }
+
+ private:
+  [[nodiscard]] std::array<double, 4> plane_of(std::uint32_t number, bool turned = false) const {
+    const geometry::Plane& plane = complex_.planes[number];
+    const double sign = turned ? -1 : 1;
+    return {sign * static_cast<double>(plane.normal[0]), sign * static_cast<double>(plane.normal[1]), sign * static_cast<double>(plane.normal[2]),
+            sign * static_cast<double>(plane.offset)};
+  }
+  [[nodiscard]] std::vector<Space> corners_of(std::uint32_t number) const {
+    const scene::ComplexOpening& opening = complex_.openings[number];
+    const auto sides = complex_.sides_of(opening);
+    std::vector<Space> corners;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      Space corner{};
+      if (meet(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
+    }
+    return corners;
+  }
+  // All cells in plan: entered, waiting, and this one.
+  [[nodiscard]] std::vector<Mark> cells() const {
+    std::vector<Mark> marks;
+    const auto add = [&](scene::CellNumber cell, Look look) {
+      Planes planes;
+      for (const scene::HalfSpace& bound : complex_.bounds_of(complex_.cells[cell])) planes.push_back(plane_of(bound.plane, bound.turned));
+      if (auto outline = ground_.region(planes); outline.size() > 2) marks.push_back(area(look, std::move(outline)));
+    };
+    for (const scene::CellNumber cell : visited_)
+      if (cell != cell_) add(cell, Look::seen);
+    for (const scene::CellNumber cell : waiting_) add(cell, Look::waiting);
+    add(cell_, Look::now);
+    return marks;
+  }
+  void count() {
+    steps_.count("cells of the scene", complex_.cells.size());
+    steps_.count("cells entered", visited_.size());
+    steps_.count("visits", visits_);
+    steps_.count("portals tested", portals_);
+    steps_.count("portals turned away", turned_away_);
+    steps_.count("masks made", masks_);
+    steps_.count("lines clipped", lines_);
+    steps_.count("hidden wholly", hidden_);
+    steps_.count("fragments drawn", fragments_);
+  }
+
+  const scene::CellComplex& complex_;
+  const ImageStage& stage_;
+  const PlanStage& ground_;
+  Steps& steps_;
+  Space eye_;
+  bool perspective_;
+  scene::CellNumber cell_ = 0;
+  std::set<scene::CellNumber> visited_;
+  std::vector<scene::CellNumber> waiting_;
+  std::vector<Mark> now_;
+  std::vector<Mark> seen_;
+  std::uint64_t turned_away_ = 0, visits_ = 0, portals_ = 0, masks_ = 0, lines_ = 0, hidden_ = 0, fragments_ = 0, pieces_here_ = 0;
+};
+
+}  // namespace
+
+base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::PolyCamera& camera, const scene::CellComplex* given) {
+  scene::CellComplex made;
+  if (given == nullptr) {
+    auto complex = scene::decompose(scene);
+    if (!complex) return std::move(complex.error());
+    made = std::move(*complex);
+    given = &made;
+  }
+  Lesson lesson{"jones", "Jones 1971: from cell to cell through portals", scene.name, {}, {}};
+  const ImageStage stage(scene, camera);
+  const PlanStage ground(scene, camera);
+  lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above, the eye looks up the page")};
+  Steps steps(lesson);
+  JonesTeller teller(*given, stage, ground, camera, steps);
+  steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
+                        "its lines of sight, from cell to cell.",
+                        given->cells.size(), given->openings.size()),
+            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}});
+  auto view = algorithms::jones::visible_edges(*given, camera, teller);
+  if (!view) return std::move(view.error());
+  teller.flush_lines();
+  std::vector<Mark> seen;
+  for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
+  steps.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.", "Fig. 5, avenues of sight",
+            {{image, "mask", {}}, {image, "portal", {}}, {image, "line", {}}, {plan, "portal", {}}, {image, "seen", std::move(seen)}});
+  return lesson;
+}
+
+}  // namespace sightline::explain
