@@ -18,7 +18,6 @@ namespace {
 using algorithms::jones::PortalTest;
 using Planes = std::vector<std::array<double, 4>>;
 
-constexpr std::size_t image = 0;
 constexpr std::size_t plan = 1;
 
 // Where three planes meet; false if they do not meet in one point.

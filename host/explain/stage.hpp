@@ -17,6 +17,9 @@
 
 namespace sightline::explain {
 
+// The first sheet of every lesson.
+inline constexpr std::size_t image = 0;
+
 using Space = std::array<double, 3>;
 [[nodiscard]] inline Space space(const scene::PolyPoint& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};

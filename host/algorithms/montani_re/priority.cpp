@@ -145,7 +145,7 @@ std::vector<PriorityClass> PriorityList::classes() const {
 }
 
 PriorityList priority_list(std::uint32_t faces, std::span<const Relation> relations,
-                           const CycleBreaker& break_cycles) {
+                           const CycleBreaker& break_cycles, const RankListener& ranked) {
   PriorityList list;
   Table table(faces, relations);
   std::vector<std::uint32_t> left(faces);
@@ -164,6 +164,7 @@ PriorityList priority_list(std::uint32_t faces, std::span<const Relation> relati
     for (const PriorityClass* members : {&front, &back}) {
       for (const std::uint32_t face : *members) table.remove_face(face);
     }
+    if (ranked) ranked(front, back);
     if (!front.empty()) list.front.push_back(std::move(front));
     if (!back.empty()) list.back.push_back(std::move(back));
     left = std::move(rest);

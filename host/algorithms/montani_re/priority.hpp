@@ -28,7 +28,10 @@ struct PriorityList {
 // Given the relations that lie on cycles (indices, ascending), which to delete: at least one of them.
 using CycleBreaker = std::function<std::vector<std::uint32_t>(std::span<const std::uint32_t>)>;
 
+// Told the faces that each step adds to the front and to the back; empty: nobody is.
+using RankListener = std::function<void(const PriorityClass& front, const PriorityClass& back)>;
+
 [[nodiscard]] PriorityList priority_list(std::uint32_t faces, std::span<const Relation> relations,
-                                         const CycleBreaker& break_cycles);
+                                         const CycleBreaker& break_cycles, const RankListener& ranked = {});
 
 }  // namespace sightline::algorithms::montani_re

@@ -8,6 +8,7 @@
 #include "host/algorithms/montani_re/edge_parameter.hpp"
 #include "host/algorithms/montani_re/isolated_edge_sight.hpp"
 #include "host/algorithms/montani_re/pyramids.hpp"
+#include "host/algorithms/montani_re/trace.hpp"
 #include "host/base/result.hpp"
 #include "host/geometry/interval_set.hpp"
 
@@ -130,10 +131,12 @@ picture::LinePicture edges_of_regions(const FaceSet& set, const std::vector<Trap
   return pieces.picture();
 }
 
-base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace* trace) {
   LineView view;
-  for (const FaceSet& set : faces_before_eye(scene, camera)) {
-    const VisibleRegions seen = visible_regions(set);
+  const std::vector<FaceSet> sets = faces_before_eye(scene, camera);
+  for (const FaceSet& set : sets) {
+    if (trace != nullptr) trace->faces(set, sets.size() == 1 && !set.window);
+    const VisibleRegions seen = visible_regions(set, Silhouette::neighbours, trace);
     if (seen.interpenetrating) {
       return passing_through(set.faces[seen.interpenetrating->first],
                              set.faces[seen.interpenetrating->second]);

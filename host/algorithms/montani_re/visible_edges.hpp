@@ -24,7 +24,7 @@ struct LineView {
 
 // The scene is a checked one (precondition). An error names faces that pass through each other.
 [[nodiscard]] base::Result<LineView> visible_edges(const scene::PolyScene& scene,
-                                                   const scene::PolyCamera& camera);
+                                                   const scene::PolyCamera& camera, Trace* trace = nullptr);
 
 // The own sides and horizontal edges of the regions and what is seen of isolated edges, as pieces of the edges of
 // the set.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "host/algorithms/montani_re/depth_relations.hpp"
+#include "host/algorithms/montani_re/trace.hpp"
 
 namespace sightline::algorithms::montani_re {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 // Deletes relations on cycles and notes which faces are to be cut by which.
 class CycleCutter {
  public:
-  CycleCutter(const FaceSet& set, std::span<const Relation> relations, RegionCounts& counts)
-      : set_(set), relations_(relations), counts_(counts), areas_(relations.size(), -1) {}
+  CycleCutter(const FaceSet& set, std::span<const Relation> relations, RegionCounts& counts, Trace* trace)
+      : set_(set), relations_(relations), counts_(counts), areas_(relations.size(), -1), trace_(trace) {}
 
   std::vector<std::uint32_t> operator()(std::span<const std::uint32_t> on_cycles) {
     std::vector<std::uint32_t> spurious;
@@ -26,12 +27,15 @@ class CycleCutter {
     }
     if (!spurious.empty()) {
       counts_.spurious += spurious.size();
+      if (trace_ != nullptr)
+        for (const std::uint32_t r : spurious) trace_->cycle(relations_[r], false);
       return spurious;
     }
     const std::uint32_t least = *std::min_element(on_cycles.begin(), on_cycles.end(), [this](auto a, auto b) {
       return areas_[a] != areas_[b] ? areas_[a] < areas_[b] : a < b;
     });
     ++counts_.cuts;
+    if (trace_ != nullptr) trace_->cycle(relations_[least], true);
     cut.push_back(least);
     return {least};
   }
@@ -43,6 +47,7 @@ class CycleCutter {
   std::span<const Relation> relations_;
   RegionCounts& counts_;
   std::vector<double> areas_;  // of what both cover; negative: not known yet
+  Trace* trace_;
 };
 
 // Takes regions away from others, and counts that.
@@ -72,7 +77,7 @@ class Subtraction {
 };
 
 // Every face less those before it in the list that are its neighbours in the relations, nearest first.
-void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result) {
+void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result, Trace* trace) {
   std::vector<std::uint32_t> rank(set.faces.size());
   std::vector<std::uint32_t> by_rank;
   by_rank.reserve(set.faces.size());
@@ -95,7 +100,10 @@ void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations,
   for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
     const std::span nearer(before.data() + first[face], before.data() + first[face + std::size_t{1}]);
     std::sort(nearer.begin(), nearer.end());
-    for (const std::uint32_t near : nearer) subtract(result.regions[face], face, by_rank[near]);
+    for (const std::uint32_t near : nearer) {
+      subtract(result.regions[face], face, by_rank[near]);
+      if (trace != nullptr) trace->subtracted(face, by_rank[near], result.regions[face]);
+    }
   }
 }
 
@@ -124,39 +132,46 @@ RegionCounts& RegionCounts::operator+=(const RegionCounts& other) {
   return *this;
 }
 
-ListedFaces listed_faces(const FaceSet& set) {
+ListedFaces listed_faces(const FaceSet& set, Trace* trace) {
   ListedFaces result;
   DepthRelations depth = depth_relations(set);
   result.counts.decided_by = depth.decided_by;
   result.counts.relations = depth.relations.size();
   result.interpenetrating = depth.interpenetrating;
   if (result.interpenetrating) return result;
+  if (trace != nullptr) trace->related(depth);
   result.relations = std::move(depth.relations);
-  CycleCutter cutter(set, result.relations, result.counts);
+  CycleCutter cutter(set, result.relations, result.counts, trace);
+  RankListener ranked;
+  if (trace != nullptr) ranked = [trace](const PriorityClass& front, const PriorityClass& back) { trace->ranked(front, back); };
   result.list =
       priority_list(static_cast<std::uint32_t>(set.faces.size()), result.relations,
-                    [&cutter](std::span<const std::uint32_t> on_cycles) { return cutter(on_cycles); });
+                    [&cutter](std::span<const std::uint32_t> on_cycles) { return cutter(on_cycles); }, ranked);
   result.faces.reserve(set.faces.size());
   for (const Face& face : set.faces) result.faces.push_back(face.pcs);
   Subtraction subtract(set, result.counts);
   for (const std::uint32_t r : cutter.cut) {
     const Relation& relation = result.relations[r];
     subtract(result.faces[relation.far], relation.far, relation.near);
+    if (trace != nullptr) trace->subtracted(relation.far, relation.near, result.faces[relation.far]);
   }
   result.counts.mutual_parts = depth.hidden.size();
-  for (const HiddenPart& part : depth.hidden) subtract(result.faces[part.face], part.part);
+  for (const HiddenPart& part : depth.hidden) {
+    subtract(result.faces[part.face], part.part);
+    if (trace != nullptr) trace->subtracted(part.face, part.face, result.faces[part.face]);
+  }
   return result;
 }
 
-VisibleRegions visible_regions(const FaceSet& set, Silhouette silhouette) {
-  ListedFaces listed = listed_faces(set);
+VisibleRegions visible_regions(const FaceSet& set, Silhouette silhouette, Trace* trace) {
+  ListedFaces listed = listed_faces(set, trace);
   VisibleRegions result{std::move(listed.faces), std::move(listed.list), listed.counts,
                         listed.interpenetrating};
   if (result.interpenetrating) return result;
   if (silhouette == Silhouette::whole) {
     hide_by_silhouette(set, result);
   } else {
-    hide_by_neighbours(set, listed.relations, result);
+    hide_by_neighbours(set, listed.relations, result, trace);
   }
   for (const TrapezoidPcs& region : result.regions) result.counts.sides += region.sides.size();
   return result;

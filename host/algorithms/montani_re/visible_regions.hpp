@@ -45,7 +45,8 @@ struct ListedFaces {
   // Faces that pass through each other; list and faces are then empty.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> interpenetrating;
 };
-[[nodiscard]] ListedFaces listed_faces(const FaceSet& set);
+class Trace;  // trace.hpp; null: nobody watches
+[[nodiscard]] ListedFaces listed_faces(const FaceSet& set, Trace* trace = nullptr);
 
 struct VisibleRegions {
   std::vector<TrapezoidPcs> regions;  // by face
@@ -55,6 +56,6 @@ struct VisibleRegions {
 };
 
 [[nodiscard]] VisibleRegions visible_regions(const FaceSet& set,
-                                             Silhouette silhouette = Silhouette::neighbours);
+                                             Silhouette silhouette = Silhouette::neighbours, Trace* trace = nullptr);
 
 }  // namespace sightline::algorithms::montani_re
