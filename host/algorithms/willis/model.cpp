@@ -12,6 +12,7 @@
 #include "host/algorithms/willis/distance.hpp"
 #include "host/algorithms/willis/near_pairs.hpp"
 #include "host/algorithms/willis/surfaces.hpp"
+#include "host/algorithms/willis/trace.hpp"
 #include "host/base/result.hpp"
 
 namespace sightline::algorithms::willis {
@@ -22,7 +23,7 @@ namespace {
 // So only what clusters are cut into has to be looked at again.
 class Unclustering {
  public:
-  Unclustering(Model& model, const ModelOptions& options) : model_(model), options_(options) {
+  Unclustering(Model& model, const ModelOptions& options, Trace* trace) : model_(model), options_(options), trace_(trace) {
     const auto least = static_cast<std::uint64_t>(options.limits.smallest) * lattice_unit;
     squared_smallest_ = least * least;
   }
@@ -30,7 +31,11 @@ class Unclustering {
   void run() {
     find_pairs();
     model_.clusters = pairs_.size();
-    while (cut_once()) take_pairs_over();
+    if (trace_ != nullptr) trace_->clusters(model_.pieces, pairs_);
+    while (cut_once()) {
+      take_pairs_over();
+      if (trace_ != nullptr) trace_->clusters(model_.pieces, pairs_);
+    }
     for (const auto& [a, b] : pairs_) model_.residual.push_back({a, b, reason_of(a, b)});
   }
 
@@ -98,6 +103,7 @@ class Unclustering {
       auto halves = halved(model_.pieces[piece]);
       if (!halves) continue;
       any = true;
+      if (trace_ != nullptr) trace_->cut(piece, *halves, static_cast<std::uint32_t>(model_.pieces.size()));
       halves_[piece][1] = static_cast<std::uint32_t>(model_.pieces.size());
       model_.pieces[piece] = std::move((*halves)[0]);
       model_.pieces.push_back(std::move((*halves)[1]));
@@ -121,6 +127,7 @@ class Unclustering {
 
   Model& model_;
   const ModelOptions& options_;
+  Trace* trace_;
   std::uint64_t squared_smallest_ = 0;
   std::vector<NumberPair> pairs_;
   std::vector<std::uint8_t> touching_;                // by piece: 1 if it touches its partner in a cluster
@@ -147,21 +154,22 @@ std::string_view name_of(ResidualReason reason) {
   return "";
 }
 
-Model make_model(std::vector<Surface> surfaces, const ModelOptions& options) {
+Model make_model(std::vector<Surface> surfaces, const ModelOptions& options, Trace* trace) {
   Model model;
   model.plan = options.plan;
   model.vertical = options.vertical;
   model.surfaces = surfaces.size();
   model.pieces = std::move(surfaces);
   if (options.order_cells) model.cells = make_order_cells(model.pieces, options.limits.pieces);
-  Unclustering(model, options).run();
+  if (trace != nullptr) trace->surfaces(model.pieces, model.cells);
+  Unclustering(model, options, trace).run();
   return model;
 }
 
-base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options) {
+base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options, Trace* trace) {
   auto surfaces = options.plan ? walls_of(scene, options.vertical) : surfaces_of(scene);
   if (!surfaces) return std::move(surfaces.error());
-  return make_model(std::move(*surfaces), options);
+  return make_model(std::move(*surfaces), options, trace);
 }
 
 std::vector<std::string> residual_lines(const Model& model, const scene::PolyScene& scene) {

@@ -66,9 +66,10 @@ struct Model {
 };
 
 // The scene is a checked one (precondition). Errors: as surfaces_of and walls_of.
-[[nodiscard]] base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options = {});
+class Trace;  // trace.hpp; null: nobody watches
+[[nodiscard]] base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options = {}, Trace* trace = nullptr);
 // The same of surfaces, whatever they are faces of.
-[[nodiscard]] Model make_model(std::vector<Surface> surfaces, const ModelOptions& options = {});
+[[nodiscard]] Model make_model(std::vector<Surface> surfaces, const ModelOptions& options = {}, Trace* trace = nullptr);
 
 // The residual by faces of the scene, each pair of faces once, with what was in the way: one line each
 // without a line end.

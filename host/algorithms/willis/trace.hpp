@@ -1,0 +1,25 @@
+// What the making of a model tells to somebody who watches. Each verb is for work done at most once for a piece.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "host/algorithms/willis/order_cells.hpp"
+#include "host/algorithms/willis/surface.hpp"
+
+namespace sightline::algorithms::willis {
+
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  // The surfaces as order cells have left them, and the cells.
+  virtual void surfaces(std::span<const Surface> pieces, const OrderCells& cells) = 0;
+  // The clusters at hand: pairs of pieces.
+  virtual void clusters(std::span<const Surface> pieces, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) = 0;
+  // The larger surface of a cluster is cut: it keeps its number, its other half has the next one.
+  virtual void cut(std::uint32_t piece, const std::array<Surface, 2>& halves, std::uint32_t second) = 0;
+};
+
+}  // namespace sightline::algorithms::willis
