@@ -40,6 +40,7 @@ class Study {
       const base::Lock lock(mutex_);
       changes_ += history.changes.size();
       pieces_ += pieces;
+      if (options_.studied) options_.studied(static_cast<EdgeIndex>(edge), history);
       histories_[edge] = std::move(history);
       ++done_;
       if (options_.progress) options_.progress(done_, histories_.size());
