@@ -55,8 +55,8 @@ class SkalaTeller final : public algorithms::skala::Trace {
     count();
     if (row_ > rows_in_full) {
       steps_.add(fmt::format("Slice {} and the edges beside it: what lies above the upper mask or below the lower mask is drawn, what lies between them "
-                             "is hidden. {}",
-                             row_, hidden == 0 ? std::string() : fmt::format("{} lines are hidden wholly.", hidden)),
+                             "is hidden.{}",
+                             row_, hidden == 0 ? std::string() : fmt::format(" {} lines are hidden wholly.", hidden)),
                  "section 3", {{0, "now", std::move(now_)}});
     }
     now_.clear();

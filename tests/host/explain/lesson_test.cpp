@@ -1,0 +1,104 @@
+// A lesson as JSON and as a page, and the stage it is drawn on.
+#include "host/explain/lesson.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/base/json.hpp"
+#include "host/explain/lesson_page.hpp"
+#include "host/explain/stage.hpp"
+
+namespace sightline::explain {
+namespace {
+
+Lesson small_lesson(const std::string& scene) {
+  Lesson lesson{"exact", "A title with \"quotes\"", scene, {{"The image", {-1, -2}, {3, 4}, true}}, {}};
+  Steps steps(lesson);
+  steps.count("lines", 1);
+  steps.add("First.", "section 2",
+            {{0, "a", {line(Look::seen, {{0.123456, 1}, {-0.00001, 2.5}}), text(Look::now, {1, 2}, "x < y")}}});
+  steps.count("lines", 2);
+  steps.add("Second.", "", {{0, "a", {}}, {0, "b", {area(Look::mask, {{0, 0}, {1, 0}, {0, 1}}), dot(Look::plain, {5, 6})}}});
+  return lesson;
+}
+
+TEST(LessonJson, HasAllThatTheLessonHas) {
+  const auto json = base::parse_json(json_of(small_lesson("house")), "lesson");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(*json->find("schema")->text(), "sightline/explain/1");
+  EXPECT_EQ(*json->find("title")->text(), "A title with \"quotes\"");
+  const auto& sheet = (*json->find("sheets"))[0];
+  EXPECT_EQ(sheet.find("stretched")->boolean(), true);
+  EXPECT_EQ((*sheet.find("low"))[1].number(), -2);
+  ASSERT_EQ(json->find("steps")->size(), 2U);
+  const auto& first = (*json->find("steps"))[0];
+  EXPECT_EQ(first.find("counts")->find("lines")->integer(), 1);
+  EXPECT_EQ((*json->find("steps"))[1].find("counts")->find("lines")->integer(), 2);
+  const auto& mark = (*(*first.find("layers"))[0].find("marks"))[0];
+  EXPECT_EQ(mark.dump(), R"(["line","seen",0.1235,1,0,2.5])");
+  EXPECT_EQ((*(*first.find("layers"))[0].find("marks"))[1].dump(), R"(["text","now",1,2,"x < y"])");
+}
+
+TEST(LessonPage, NothingInALessonEndsItsScript) {
+  const std::string page = page_of(small_lesson("</script><script>alert(1)//"));
+  std::size_t scripts = 0;
+  for (std::size_t at = page.find("</script"); at != std::string::npos; at = page.find("</script", at + 1)) ++scripts;
+  EXPECT_EQ(scripts, 2U);
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_NE(page.find("makePlayer"), std::string::npos);
+  // What stands in the page is the lesson.
+  const std::size_t begin = page.find("id=\"lesson\">") + 12;
+  const auto json = base::parse_json(page.substr(begin, page.find("</script", begin) - begin), "page");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(*json->find("scene")->text(), "</script><script>alert(1)//");
+}
+
+TEST(LessonSteps, EndWhereTheyAreTooMany) {
+  Lesson lesson;
+  Steps steps(lesson);
+  std::size_t added = 0;
+  while (steps.add("again", "", {})) ++added;
+  EXPECT_EQ(lesson.steps.size(), most_steps);
+  EXPECT_EQ(added, most_steps - 1);
+  EXPECT_FALSE(steps.add("once more", "", {}));
+  EXPECT_EQ(lesson.steps.size(), most_steps);
+  EXPECT_NE(lesson.steps.back().caption, "again");
+}
+
+scene::PolyScene two_points(scene::PolyPoint a, scene::PolyPoint b) {
+  scene::PolyScene scene;
+  scene.vertices = {a, b, {0, 0, 100}, {100, 0, 100}, {0, 100, 100}};
+  scene.bodies = {{"", true, {{{2, 3, 4}, {}}}}};
+  return scene;
+}
+
+TEST(ImageStage, CutsWhatIsBehindTheEye) {
+  const scene::PolyScene scene = two_points({0, 0, -50}, {0, 10, 50});
+  const ImageStage stage(scene, {true, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  EXPECT_TRUE(stage.line_in_image({0, 0, -1}, {5, 5, -10}).empty());
+  const auto cut = stage.line_in_image(space(scene.vertices[0]), space(scene.vertices[1]));
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_NEAR(cut[1][1], 0.2, 1e-12);  // the far end is whole: 10 / 50
+  EXPECT_GT(cut[0][1], cut[1][1]);     // the near end is where the line passes the plane before the eye
+}
+
+TEST(ImageStage, IsThePictureOfTheCamera) {
+  const scene::PolyScene scene = two_points({0, 0, 0}, {1, 0, 0});
+  const ImageStage perspective(scene, {true, {10, 0, 0}, {0, 0, 2}, {3, 0, 0}, {0, 5, 0}});
+  const auto seen = perspective.line_in_image({20, 30, 100}, {20, 30, 200});
+  EXPECT_NEAR(seen[0][0], 0.1, 1e-12);
+  EXPECT_NEAR(seen[0][1], 0.3, 1e-12);
+  const ImageStage parallel(scene, {false, {10, 0, 0}, {0, 0, 2}, {3, 0, 0}, {0, 5, 0}});
+  EXPECT_NEAR(parallel.line_in_image({20, 30, -500}, {0, 0, 0})[0][0], 10, 1e-12);
+}
+
+TEST(CutOutline, KeepsTheSideThatIsAskedFor) {
+  const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  EXPECT_EQ(cut_outline(square, 1, 0, 1).size(), 4U);
+  for (const Point& p : cut_outline(square, 1, 0, 1)) EXPECT_GE(p[0], 1);
+  EXPECT_TRUE(cut_outline(square, 1, 0, 5).empty());
+  EXPECT_EQ(cut_outline(square, 1, 1, 7).size(), 3U);
+  EXPECT_EQ(cut_outline(square, 0, 0, -1), square);
+}
+
+}  // namespace
+}  // namespace sightline::explain
