@@ -329,7 +329,7 @@ class Machine {
     return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
   }
   // For a screen that is looked at while the machine runs: from now on every stroke of the display or the plotter is kept until
-  // it is taken. The display of a machine made with --monitor, or with an output of its strokes.
+  // it is taken, and for no output. The display of a machine made with --monitor, or with an output of its strokes.
   virtual void keep_strokes(bool) {}
   // Those since the last call, in the order in which they were drawn, instead of what `strokes` holds.
   virtual void take_strokes(std::vector<core::Stroke>& strokes) { strokes.clear(); }

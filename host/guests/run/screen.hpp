@@ -53,8 +53,11 @@ class Screen {
     newest_.forget_after(t);
     fresh_.clear();
   }
-  // From now on strokes are kept for take_strokes.
-  void keep_strokes(bool keep) { live_ = keep; }
+  // From now on strokes are kept for take_strokes, and for nothing else.
+  void keep_strokes(bool keep) {
+    live_ = keep;
+    if (keep) wishes_ = {};
+  }
   void take_strokes(std::vector<core::Stroke>& strokes) {
     strokes.swap(fresh_);
     fresh_.clear();

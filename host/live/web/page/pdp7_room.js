@@ -113,7 +113,7 @@ export class Pdp7Room {
     };
     this.toggles = Array.from({length: 18}, (_, bit) => element('button', {
       type: 'button', className: 'switch', role: 'switch', 'aria-checked': 'false', title: `AC switch ${bit}`, 'aria-label': `AC switch ${bit}`,
-      onclick: () => this.setSwitches(this.options.switches ^ (1 << (17 - bit))),
+      onclick: () => { this.setSwitches(this.options.switches ^ (1 << (17 - bit))); this.remember(); },
     }));
     this.address = element('input', {className: 'octal', value: '00100', 'aria-label': 'Address, octal', size: 7});
     const at = () => parseInt(this.address.value, 8) || 0;
@@ -229,7 +229,6 @@ export class Pdp7Room {
 
   picture(seconds) {
     if (!this.id) return;
-    const began = performance.now();
     const from = this.module.ticks(this.id);
     if (this.on) {
       const wanted = this.options.speed ? seconds * 1e9 * this.options.speed : 1e12;
@@ -249,9 +248,9 @@ export class Pdp7Room {
     this.watchViews();
     this.sinceState = (this.sinceState ?? 1) + seconds;
     if (this.sinceState > 0.25) { this.sinceState = 0; this.showState(); }
-    // Pictures that take too long are drawn with fewer pixels.
-    this.slow = performance.now() - began > 28 ? this.slow + 1 : 0;
-    if (this.slow > 20 && this.tube.coarser()) this.slow = 0;
+    // Pictures that come too slowly are drawn with fewer pixels.
+    this.slow = seconds > 0.04 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
+    if (this.slow > 6 && !this.clock.frames && this.tube.coarser()) this.slow = 0;
   }
 
   showLights() {

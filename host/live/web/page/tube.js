@@ -80,8 +80,8 @@ class GlowTube {
 
   // Fewer pixels, for a computer that is too slow for all of them.
   coarser() {
-    if (this.side <= SIDE / 2) return false;
-    this.side = SIDE / 2;
+    if (this.side <= SIDE / 4) return false;
+    this.side = Math.round(this.side > SIDE / 2 ? SIDE / 2 : this.side > SIDE * 3 / 8 ? SIDE * 3 / 8 : SIDE / 4);
     this.build();
     return true;
   }

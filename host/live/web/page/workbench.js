@@ -25,7 +25,7 @@ export class Workbench {
 
   build() {
     this.message = notice();
-    this.shelf = choice('Example', this.examples.map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)));
+    this.shelf = choice('Example', this.examples.filter(each => !each.part).map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)));
     this.machine = choice('Machine', Object.entries(MACHINES).map(([name, {title}]) => [name, title]), 'pdp7', () => this.offerDialects());
     this.dialect = choice('Dialect', ['dec'], 'dec', () => {});
     this.editor = element('textarea', {className: 'editor', spellcheck: false, 'aria-label': 'Source', wrap: 'off'});

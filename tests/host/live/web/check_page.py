@@ -1,0 +1,245 @@
+#!/usr/bin/python3
+"""The page of live machines in headless Chromium, as a person would use it.
+
+  check_page.py PAGE.html SIGHTLINE [FOLDER]
+
+Opens the page from disk, walks through a house by keys, throws switches, points the light pen, assembles, breaks and steps back, turns the
+surface, plays every lesson to its end, at 1280 and 390 pixels, and compares the tube with the photograph of the command. Any error in the
+browser's console is a failure. With FOLDER, screenshots go there.
+"""
+import base64
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+page, sightline = "file://" + os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+shots = sys.argv[3] if len(sys.argv) > 3 else None
+
+options = Options()
+for word in ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+             "--ignore-gpu-blocklist", "--disable-dev-shm-usage", "--window-size=1280,1000"]:
+    options.add_argument(word)
+options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+driver.set_page_load_timeout(60)
+
+failures = []
+checks = 0
+
+
+def check(right, what):
+    global checks
+    checks += 1
+    if not right:
+        failures.append(what)
+        print("FAILED:", what, file=sys.stderr)
+
+
+def js(text, *arguments):
+    return driver.execute_script(text, *arguments)
+
+
+def go(place, query=""):
+    driver.get("about:blank")
+    driver.get(page + query + "#" + place)
+    wait(lambda: js("return document.documentElement.dataset.ready"), "the page begins")
+
+
+def wait(condition, what, seconds=20):
+    end = time.time() + seconds
+    while time.time() < end:
+        if condition():
+            return True
+        time.sleep(0.05)
+    check(False, what)
+    return False
+
+
+def console_is_clean(where):
+    bad = [entry for entry in driver.get_log("browser") if entry["level"] in ("SEVERE",)]
+    check(not bad, f"{where}: {bad[:2]}")
+
+
+def shot(name):
+    if shots:
+        os.makedirs(shots, exist_ok=True)
+        driver.save_screenshot(os.path.join(shots, name + ".png"))
+
+
+def fits(where):
+    wide = js("""const width = document.documentElement.clientWidth;
+      const scrolls = e => { for (let p = e; p && p !== document.body; p = p.parentElement)
+        if (/auto|scroll|hidden/.test(getComputedStyle(p).overflowX)) return true; return false; };
+      return [...document.body.querySelectorAll('*')].filter(e => { const b = e.getBoundingClientRect();
+        return b.width > 0 && b.right > width + 1 && !scrolls(e); }).slice(0, 3).map(e => e.tagName + '.' + e.className + ' to ' + Math.round(e.getBoundingClientRect().right));""")
+    check(not wide, f"{where}: wider than the page: {wide}")
+
+
+def said():
+    return js("return sightline.room.message.textContent")
+
+
+def button(name):
+    return driver.find_element(By.XPATH, f"//main//button[normalize-space()='{name}']")
+
+
+# --- The PDP-7 room: opened without a place, walked through by keys.
+go("")
+began = int(js("return document.documentElement.dataset.ready"))
+check(began < 3000, f"the page begins after {began} ms")
+wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a first view")
+before = js("return sightline.room.view")
+actions = ActionChains(driver)
+actions.key_down(Keys.ARROW_LEFT).perform()
+wait(lambda: js("return sightline.room.view.eye[0]") < before["eye"][0], "the key to the left moves the eye")
+ActionChains(driver).key_up(Keys.ARROW_LEFT).perform()
+check(js("return sightline.room.options.switches") == 0, "the switch is up again")
+switch = driver.find_element(By.XPATH, "//button[@aria-label='AC switch 6']")
+switch.click()
+check(js("return sightline.module.get(sightline.room.id, 5)") == 0o4000, "a switch that is thrown is in the register")
+check("switches=4000" in driver.current_url, "and in the address: " + driver.current_url)
+switch.click()
+shot("pdp7")
+seen = js("""const c = sightline.room.canvas; const t = document.createElement('canvas'); t.width = t.height = 268;
+  t.getContext('2d').drawImage(c, 0, 0, 268, 268); const d = t.getContext('2d').getImageData(0, 0, 268, 268).data; let n = 0;
+  for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 120) ++n; return n;""")
+check(seen > 300, f"the tube shows something: {seen} bright points")
+frames = js("""return new Promise(done => { let n = 0; const end = performance.now() + 2000;
+  const count = () => { ++n; performance.now() < end ? requestAnimationFrame(count) : done(n / 2); }; count(); })""")
+print(f"first room after {began} ms, {frames:.0f} frames a second")
+check(frames >= 15, f"{frames} frames a second")
+fits("the PDP-7 room")
+console_is_clean("the PDP-7 room")
+
+# The exact lines lie on the picture; the pen sees a point of the row.
+js("sightline.room.exact.box.click()")
+check(js("return sightline.room.lines && sightline.room.lines.length > 5"), "exact lines over the picture")
+go("jones/pen.s")
+time.sleep(0.5)
+glass = driver.find_element(By.CSS_SELECTOR, "canvas.glass")
+size = glass.size
+ActionChains(driver).move_to_element_with_offset(glass, int((0x140 + 24) / 1072 * size["width"] - size["width"] / 2), int(size["height"] / 2 - (0x100 + 24) / 1072 * size["height"])).click_and_hold().perform()
+wait(lambda: not js("return sightline.room.on"), "the program stops when the pen sees a point")
+check("halt" in said(), "it halts: " + said())
+ActionChains(driver).release().perform()
+go("jones/echo.s")
+time.sleep(0.3)
+driver.find_element(By.CSS_SELECTOR, "input.keys").send_keys("HI")
+wait(lambda: "HI" in driver.find_element(By.CSS_SELECTOR, ".paper").text, "the teletype types back what is typed")
+console_is_clean("examples of the PDP-7")
+
+# --- The 8080 room.
+go("skala/sinc?rotation=30")
+wait(lambda: js("return sightline.room.ended"), "the picture is complete")
+dots = js("return sightline.module.raster(sightline.room.id).reduce((n, v) => n + (v ? 1 : 0), 0)")
+check(dots > 2000, f"{dots} dots on the raster board")
+shot("i8080")
+canvas = driver.find_element(By.CSS_SELECTOR, "canvas.raster")
+ActionChains(driver).drag_and_drop_by_offset(canvas, 80, 0).perform()
+check(js("return sightline.room.options.rotation") != 30, "dragging turns the surface")
+button("Measure").click()
+wait(lambda: "times as long" in driver.find_element(By.TAG_NAME, "main").text, "what visibility costs")
+for device in ["calcomp", "minigraf", "alt256"]:
+    go(f"skala/peaks?device={device}")
+    time.sleep(0.6)
+    check(not js("return sightline.room.message.classList.contains('wrong')"), device)
+fits("the 8080 room")
+console_is_clean("the 8080 room")
+
+# --- The workbench.
+go("bench/square.s")
+wait(lambda: "assembled and loaded" in said(), "an example is assembled")
+driver.find_elements(By.CSS_SELECTOR, "table.code button.dot")[8].click()
+button("Run").click()
+wait(lambda: "reakpoint" in said(), "the run stops at the breakpoint: " + said())
+pc = js("return sightline.module.get(sightline.room.id, 0)")
+button("Step").click()
+button("Back").click()
+check(js("return sightline.module.get(sightline.room.id, 0)") == pc, "a step and a step back")
+shot("workbench")
+editor = driver.find_element(By.CSS_SELECTOR, "textarea.editor")
+js("arguments[0].value = '\\tlac\\n\\tnonsense words here\\n'", editor)
+button("Assemble").click()
+check(len(driver.find_elements(By.CSS_SELECTOR, ".errors li")) > 0, "errors with their lines")
+for name in js("return [...sightline.room.shelf.select.options].map(o => o.value)"):
+    go("bench/" + name)
+    check(not js("return sightline.room.message.classList.contains('wrong')"), f"{name}: " + said())
+go("bench/hello.asm")
+button("Run").click()
+wait(lambda: "Hello" in driver.find_element(By.CSS_SELECTOR, ".paper").text, "a CP/M program prints")
+fits("the workbench")
+console_is_clean("the workbench")
+
+# --- The theatre: every lesson to its end.
+go("theatre")
+for algorithm in js("return sightline.module.ask({do: 'lists'}).lessons.map(l => l.algorithm)"):
+    for scene in (["sinc"] if algorithm == "skala" else ["house", "boxes-3"]):
+        go(f"theatre/{algorithm}/{scene}")
+        steps = js("return sightline.room.player ? sightline.room.player.length : 0")
+        check(steps > 5, f"{algorithm} of {scene}: {steps} steps")
+        js("const p = sightline.room.player; for (let i = 0; i < p.length; ++i) p.show(i); for (let i = p.length; i-- > 0;) p.show(i); p.show(p.length - 1);")
+        check(driver.find_element(By.CSS_SELECTOR, ".caption").text != "", f"{algorithm}: a caption")
+        if scene != "boxes-3":
+            js("sightline.room.player.show(Math.floor(sightline.room.player.length / 2))")
+            shot("theatre-" + algorithm)
+go("theatre/exact/boxes-3?rotation=40&elevation=20")
+check(js("return sightline.room.player && sightline.room.player.length > 5"), "a scene that is turned")
+fits("the theatre")
+console_is_clean("the theatre")
+
+# --- Bad days: no WebGL, a lost context, rubbish.
+go("jones/house", "?plain")
+time.sleep(1)
+check("WebGL2" in said(), "without WebGL2 it says so")
+go("jones/house")
+js("const gl = sightline.room.canvas.getContext('webgl2'); const lose = gl.getExtension('WEBGL_lose_context'); lose.loseContext(); setTimeout(() => lose.restoreContext(), 300);")
+time.sleep(1.5)
+check(js("return !sightline.room.tube.lost"), "a lost context comes back")
+js("sightline.room.take('rubbish.rim', Uint8Array.from({length: 300}, (_, i) => i * 7)); [...document.querySelectorAll('button')].find(b => b.textContent === 'READ IN').click();")
+check(said() != "", "a tape of rubbish is refused in words: " + said())
+driver.get_log("browser")  # a lost context is told there, too
+
+# --- The tube, compared with the photograph that the command makes of the same strokes.
+go("jones/house", "?frames=150")
+wait(lambda: js("return document.documentElement.dataset.frames === 'done'"), "150 frames", 120)
+ticks = js("return sightline.module.ticks(sightline.room.id)")
+start = js("return sightline.room.labels.start")
+core = base64.b64decode(js("sightline.module.ask({do: 'file', name: '.jones.oct'}); let t = ''; for (const b of sightline.module.made()) t += String.fromCharCode(b); return btoa(t);"))
+with tempfile.TemporaryDirectory() as folder:
+    with open(os.path.join(folder, "jones.oct"), "wb") as file:
+        file.write(core)
+    subprocess.run([sightline, "run", "pdp7", "jones.oct", "--start", oct(start)[2:], "--display", "--max-time", f"{ticks / 1e9:.9f}", "--phosphor", "tube.png"], cwd=folder, check=True, capture_output=True)
+    with open(os.path.join(folder, "tube.png"), "rb") as file:
+        photograph = base64.b64encode(file.read()).decode()
+difference = driver.execute_async_script("""const done = arguments[1]; const image = new Image();
+  image.onload = () => { const side = 268; const read = source => { const c = document.createElement('canvas'); c.width = c.height = side;
+      const x = c.getContext('2d'); x.drawImage(source, 0, 0, side, side); return x.getImageData(0, 0, side, side).data; };
+    const a = read(sightline.room.canvas), b = read(image); let sum = 0, lit = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0; const n = side * side;
+    for (let i = 0; i < n; ++i) { const x = a[4 * i + 1], y = b[4 * i + 1]; sum += Math.abs(x - y); sa += x; sb += y; saa += x * x; sbb += y * y; sab += x * y; }
+    done({mean: sum / n, correlation: (n * sab - sa * sb) / Math.sqrt((n * saa - sa * sa) * (n * sbb - sb * sb)), tube: sa / n, photograph: sb / n}); };
+  image.src = 'data:image/png;base64,' + arguments[0];""", photograph)
+print("tube and photograph:", {name: round(value, 3) for name, value in difference.items()})
+check(difference["correlation"] > 0.97, f"the tube is like the photograph: correlation {difference['correlation']:.4f}, expected above 0.97")
+check(difference["mean"] < 6, f"the tube is like the photograph: {difference['mean']:.2f} levels of 255 apart in the mean, expected below 6")
+shot("tube")
+
+# --- A narrow page.
+driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True})
+for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/jones/house", "about"]:
+    go(place)
+    time.sleep(0.3)
+    fits("390 pixels, " + place)
+    shot("narrow-" + place.split("/")[0])
+console_is_clean("390 pixels")
+driver.quit()
+print(f"{checks} checks, {len(failures)} failed")
+sys.exit(1 if failures else 0)
