@@ -72,7 +72,8 @@ export async function openModule(wasm) {
     set: (id, number, value) => exports.set(id, number, value),
     word: (id, at) => exports.word(id, at) >>> 0,
     type: (id, key) => exports.type(id, key),
-    printed: id => { const size = exports.printed(id); return size ? text(size) : ''; },
+    // Codes of eight bits, a character each.
+    printed: id => { const size = exports.printed(id); return size ? String.fromCharCode(...taken(size)) : ''; },
     // A view of the flashes since the last call, 16 bytes each: a double, two 16-bit numbers, one of 32. Valid until the next call
     // of anything here.
     flashes(id) {

@@ -31,13 +31,14 @@ export class Pdp7Room {
   build() {
     const o = this.options;
     this.canvas = element('canvas', {className: 'tube', 'aria-label': 'Screen of the Type 340', role: 'img'});
-    this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true'});
+    // Over the tube, only while there is something on it: a layer that is shown costs each picture.
+    this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true', hidden: true});
     this.tube = makeTube(this.canvas, {plain: new URLSearchParams(location.search).has('plain')});
     this.message = notice();
     if (this.tube.kind === 'plain') this.message.say('This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.');
     const screen = element('div', {className: 'screen'}, this.canvas, this.glass);
     const point = event => {
-      const box = this.glass.getBoundingClientRect();
+      const box = screen.getBoundingClientRect();
       const x = Math.round((event.clientX - box.left) / box.width * SIDE - PHOSPHOR.margin);
       const y = Math.round((box.bottom - event.clientY) / box.height * SIDE - PHOSPHOR.margin);
       return x >= 0 && x < 1024 && y >= 0 && y < 1024 ? [x, y] : null;
@@ -47,10 +48,10 @@ export class Pdp7Room {
       if (this.id) this.module.ask({do: 'attach', id: this.id, device: 'pen', text: place ? `0 ${place[0]} ${place[1]} 8\n` : '0 off\n'});
       this.penAt = place;
     };
-    this.glass.addEventListener('pointerdown', event => { this.glass.setPointerCapture(event.pointerId); pen(event, true); });
-    this.glass.addEventListener('pointermove', event => { if (event.buttons) pen(event, true); });
-    this.glass.addEventListener('pointerup', event => pen(event, false));
-    this.glass.addEventListener('pointercancel', event => pen(event, false));
+    screen.addEventListener('pointerdown', event => { screen.setPointerCapture(event.pointerId); pen(event, true); });
+    screen.addEventListener('pointermove', event => { if (event.buttons) pen(event, true); });
+    screen.addEventListener('pointerup', event => pen(event, false));
+    screen.addEventListener('pointercancel', event => pen(event, false));
 
     this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.examples.map(each => [each.name, each.title])], o.program,
       value => { o.program = value; this.restart(); });
@@ -234,8 +235,9 @@ export class Pdp7Room {
       const wanted = this.options.speed ? seconds * 1e9 * this.options.speed : 1e12;
       const result = runFor(this.module, this.id, wanted, this.options.speed && this.options.speed < 3 ? MILLISECOND : 4 * MILLISECOND, this.clock.frames ? 1e9 : 12);
       if (result) {
+        const reason = this.module.reason();
         this.go(false);
-        this.message.say(`Stopped: ${this.module.reason()}`);
+        this.message.say(`Stopped: ${reason}`);
       }
     }
     const passed = (this.module.ticks(this.id) - from) / 1e9;
@@ -244,12 +246,14 @@ export class Pdp7Room {
     this.tube.picture(flashes, this.on ? passed : seconds);
     const printed = this.module.printed(this.id);
     if (printed) this.paper.textContent = (this.paper.textContent + [...printed].map(c => String.fromCharCode(c.charCodeAt(0) & 127)).join('').replace(/\r|\0|\x7f/g, '')).slice(-8000);
-    this.showLights();
+    // Fifteen times a second is more than an eye can read from lamps.
+    this.sinceLights = (this.sinceLights ?? 1) + seconds;
+    if (this.sinceLights > 0.06 || !this.on) { this.sinceLights = 0; this.showLights(); }
     this.watchViews();
     this.sinceState = (this.sinceState ?? 1) + seconds;
     if (this.sinceState > 0.25) { this.sinceState = 0; this.showState(); }
     // Pictures that come too slowly are drawn with fewer pixels.
-    this.slow = seconds > 0.04 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
+    this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.tube.coarser()) this.slow = 0;
   }
 
@@ -300,6 +304,7 @@ export class Pdp7Room {
     context.clearRect(0, 0, SIDE, SIDE);
     this.canvas.style.filter = '';
     this.canvas.parentElement.classList.toggle('anaglyph', this.options.redCyan && this.options.stereo);
+    this.glass.hidden = !this.lines;
     if (!this.lines) return;
     context.lineWidth = 1.5;
     const drawn = (this.strokesOfPass ?? null);

@@ -12,6 +12,7 @@ export const PHOSPHOR = {
   ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
 };
 const POINTS = 1024;
+const LEVELS = Array.from({length: 8}, (_, i) => PHOSPHOR.floor + (1 - PHOSPHOR.floor) * (i / 7) ** 1.5);
 export const SIDE = POINTS + 2 * PHOSPHOR.margin;
 
 const FLASH_VERTEX = `#version 300 es
@@ -38,21 +39,32 @@ const WHOLE_VERTEX = `#version 300 es
 out vec2 at; void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0; at = p; gl_Position = vec4(p * 2.0 - 1.0, 0, 1); }`;
 const GLOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D fresh, glow, film; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
+in vec2 at; uniform sampler2D fresh, glow, film; uniform bool same; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
 layout(location=0) out vec4 glowNext; layout(location=1) out vec4 filmNext;
 void main() {
-  vec2 f = texture(fresh, at).rg; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
+  vec2 f = texture(fresh, at).rg; if (same) f.g = f.r; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
   vec3 come = f.g * ${1 - PHOSPHOR.blueShare} * share;
   float yellow = dot(g, 1.0 - keep) + dot(come, 1.0 - keepHalf);
   glowNext = vec4(g * keep + come * keepHalf, 0);
   filmNext = vec4(seen * eye + weight * vec2(f.r * ${PHOSPHOR.blueShare}, yellow), 0, 0);
 }`;
+// The mean of each block of 16 by 16 points: four of them at once by 8 by 8 filtered looks.
+const HALO_FRAGMENT = `#version 300 es
+precision highp float;
+in vec2 at; uniform sampler2D film; uniform vec2 step; out vec4 mean;
+void main() {
+  vec4 sum = vec4(0);
+  for (int i = 0; i < 8; ++i) for (int j = 0; j < 8; ++j) sum += texture(film, at + (vec2(i, j) - 3.5) * step);
+  mean = sum / 64.0;
+}`;
 const SHOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D film; uniform float wide; out vec4 colour;
+in vec2 at; uniform sampler2D film, halo; uniform vec2 block; out vec4 colour;
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 void main() {
-  vec2 light = texture(film, at).rg * ${1 - PHOSPHOR.haloShare} + textureLod(film, at, wide).rg * ${PHOSPHOR.haloShare};
+  vec2 around = 0.4 * texture(halo, at).rg + 0.15 * (texture(halo, at + vec2(block.x, 0)).rg + texture(halo, at - vec2(block.x, 0)).rg
+    + texture(halo, at + vec2(0, block.y)).rg + texture(halo, at - vec2(0, block.y)).rg);
+  vec2 light = texture(film, at).rg * ${1 - PHOSPHOR.haloShare} + around * ${PHOSPHOR.haloShare};
   vec3 v = vec3(${PHOSPHOR.ambient}) + ${PHOSPHOR.exposure.toFixed(2)} * (vec3(${PHOSPHOR.blueColour.map(c => c.toFixed(2))}) * light.r + vec3(${PHOSPHOR.yellowColour.map(c => c.toFixed(2))}) * light.g);
   v = v / (1.0 + v);
   colour = vec4(srgb(v.r), srgb(v.g), srgb(v.b), 1);
@@ -60,7 +72,7 @@ void main() {
 
 // Draws the flashes of a module on a canvas. Without WebGL2 and float targets it draws dots that fade; `kind` says which.
 export function makeTube(canvas, {plain = false} = {}) {
-  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, preserveDrawingBuffer: true});
+  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false});
   if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl);
   return new PlainTube(canvas);
 }
@@ -108,12 +120,12 @@ class GlowTube {
       }
       return {made, places};
     };
-    const texture = mipmaps => {
+    const texture = (side, filter, kind = gl.RGBA16F) => {
       const made = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, made);
-      gl.texStorage2D(gl.TEXTURE_2D, mipmaps ? Math.floor(Math.log2(this.side)) + 1 : 1, gl.RGBA16F, this.side, this.side);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, mipmaps ? gl.LINEAR_MIPMAP_LINEAR : gl.NEAREST);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, mipmaps ? gl.LINEAR : gl.NEAREST);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, kind, side, side);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
       return made;
@@ -131,11 +143,18 @@ class GlowTube {
     this.flash = program(FLASH_VERTEX, FLASH_FRAGMENT);
     this.glow = program(WHOLE_VERTEX, GLOW_FRAGMENT);
     this.show = program(WHOLE_VERTEX, SHOW_FRAGMENT);
-    this.fresh = texture(false);
-    this.freshTarget = target(this.fresh);
+    this.halo = program(WHOLE_VERTEX, HALO_FRAGMENT);
+    this.blocks = Math.ceil(this.side / 16);
+    this.wide = texture(this.blocks, gl.LINEAR);
+    this.wideTarget = target(this.wide);
+    // With pixels wider than a spot there is nothing to spread: flashes are added up here, which is quicker where a processor
+    // does the work of a graphics card.
+    this.sums = this.side < SIDE / 2 ? new Float32Array(this.side * this.side) : null;
+    this.fresh = texture(this.side, gl.NEAREST, this.sums ? gl.R32F : gl.RGBA16F);
+    this.freshTarget = this.sums ? null : target(this.fresh);
     this.states = [0, 1].map(() => {
-      const glow = texture(false);
-      const film = texture(true);
+      const glow = texture(this.side, gl.NEAREST);
+      const film = texture(this.side, gl.LINEAR);
       return {glow, film, target: target(glow, film)};
     });
     this.now = 0;
@@ -154,6 +173,25 @@ class GlowTube {
   // What was drawn in the last `seconds` of emulated time: a view of flashes (module.js).
   picture(flashes, seconds) {
     if (this.lost || seconds <= 0) return;
+    const gl = this.gl;
+    if (this.sums) this.addUp(flashes); else this.spread(flashes);
+    this.fade(seconds);
+    this.develop();
+  }
+  addUp(flashes) {
+    const {gl, sums, side} = this;
+    const scale = side / SIDE;
+    sums.fill(0);
+    for (let at = 0; at < flashes.byteLength; at += 16) {
+      const x = (flashes.getUint16(at + 8, true) + PHOSPHOR.margin + 0.5) * scale | 0;
+      const y = (flashes.getUint16(at + 10, true) + PHOSPHOR.margin + 0.5) * scale | 0;
+      sums[y * side + x] += LEVELS[flashes.getUint32(at + 12, true) & 7] * scale * scale;
+    }
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.fresh);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, side, side, gl.RED, gl.FLOAT, sums);
+  }
+  spread(flashes) {
     const gl = this.gl;
     const count = flashes.byteLength / 16;
     gl.viewport(0, 0, this.side, this.side);
@@ -180,7 +218,9 @@ class GlowTube {
       from += part;
     }
     gl.disable(gl.BLEND);
-
+  }
+  fade(seconds) {
+    const gl = this.gl;
     const before = this.states[this.now];
     const after = this.states[this.now = 1 - this.now];
     const {places} = this.glow;
@@ -188,7 +228,9 @@ class GlowTube {
     const half = PHOSPHOR.yellow.map(([, tau]) => Math.exp(-seconds / 2 / tau));
     const eye = Math.exp(-seconds / PHOSPHOR.eye);
     gl.useProgram(this.glow.made);
+    gl.viewport(0, 0, this.side, this.side);
     gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
+    gl.uniform1i(places.same, this.sums ? 1 : 0);
     gl.bindVertexArray(this.nothing);
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
@@ -199,17 +241,26 @@ class GlowTube {
     gl.uniform1f(places.eye, eye);
     gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    this.develop();
   }
   develop() {
     const gl = this.gl;
     const {film} = this.states[this.now];
+    gl.bindVertexArray(this.nothing);
+    gl.useProgram(this.halo.made);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.wideTarget);
+    gl.viewport(0, 0, this.blocks, this.blocks);
+    this.use(0, film, this.halo.places.film);
+    gl.uniform2f(this.halo.places.step, 2 / this.side, 2 / this.side);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    // As many pixels as the page shows: no more are worth their work.
+    const shown = Math.max(64, Math.min(this.side, Math.round(this.canvas.clientWidth * (globalThis.devicePixelRatio || 1)) || this.side));
+    if (this.canvas.width !== shown) this.canvas.width = this.canvas.height = shown;
     gl.useProgram(this.show.made);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.bindVertexArray(this.nothing);
+    gl.viewport(0, 0, shown, shown);
     this.use(0, film, this.show.places.film);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    gl.uniform1f(this.show.places.wide, Math.log2(24 * this.side / SIDE));
+    this.use(1, this.wide, this.show.places.halo);
+    gl.uniform2f(this.show.places.block, 1 / this.blocks, 1 / this.blocks);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
   use(unit, texture, place) {
@@ -224,26 +275,28 @@ class GlowTube {
 class PlainTube {
   constructor(canvas) {
     this.kind = 'plain';
-    canvas.width = canvas.height = SIDE / 2;
+    this.side = SIDE / 2;
+    canvas.width = canvas.height = this.side;
     this.context = canvas.getContext('2d');
-    if (this.context) {
-      this.context.fillStyle = '#141a15';
-      this.context.fillRect(0, 0, SIDE / 2, SIDE / 2);
-    }
+    this.light = new Float32Array(this.side * this.side);
+    this.image = this.context?.createImageData(this.side, this.side);
   }
   coarser() { return false; }
   picture(flashes, seconds) {
     if (!this.context || seconds <= 0) return;
-    const side = SIDE / 2;
-    this.context.globalAlpha = 1 - Math.exp(-seconds / 0.12);
-    this.context.fillStyle = '#141a15';
-    this.context.fillRect(0, 0, side, side);
-    this.context.globalAlpha = 1;
-    this.context.fillStyle = '#d5f08c';
+    const {side, light} = this;
+    const keep = Math.exp(-seconds / 0.12);
+    for (let i = 0; i < light.length; ++i) light[i] *= keep;
     for (let at = 0; at < flashes.byteLength; at += 16) {
-      const x = (flashes.getUint16(at + 8, true) + PHOSPHOR.margin) / 2;
-      const y = (flashes.getUint16(at + 10, true) + PHOSPHOR.margin) / 2;
-      this.context.fillRect(x, side - 1 - y, 1, 1);
+      const x = flashes.getUint16(at + 8, true) + PHOSPHOR.margin >> 1;
+      const y = flashes.getUint16(at + 10, true) + PHOSPHOR.margin >> 1;
+      light[(side - 1 - y) * side + x] += 0.4;
     }
+    const pixels = new Uint32Array(this.image.data.buffer);
+    for (let i = 0; i < light.length; ++i) {
+      const v = light[i] > 1 ? 1 : light[i];
+      pixels[i] = 0xff000000 | 21 + 119 * v << 16 | 26 + 214 * v << 8 | 20 + 193 * v;
+    }
+    this.context.putImageData(this.image, 0, 0);
   }
 }

@@ -109,7 +109,7 @@ check(js("return sightline.module.get(sightline.room.id, 5)") == 0o4000, "a swit
 check("switches=4000" in driver.current_url, "and in the address: " + driver.current_url)
 switch.click()
 shot("pdp7")
-seen = js("""const c = sightline.room.canvas; const t = document.createElement('canvas'); t.width = t.height = 268;
+seen = js("""sightline.room.tube.develop(); const c = sightline.room.canvas; const t = document.createElement('canvas'); t.width = t.height = 268;
   t.getContext('2d').drawImage(c, 0, 0, 268, 268); const d = t.getContext('2d').getImageData(0, 0, 268, 268).data; let n = 0;
   for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 120) ++n; return n;""")
 check(seen > 300, f"the tube shows something: {seen} bright points")
@@ -125,7 +125,7 @@ js("sightline.room.exact.box.click()")
 check(js("return sightline.room.lines && sightline.room.lines.length > 5"), "exact lines over the picture")
 go("jones/pen.s")
 time.sleep(0.5)
-glass = driver.find_element(By.CSS_SELECTOR, "canvas.glass")
+glass = driver.find_element(By.CSS_SELECTOR, ".screen")
 size = glass.size
 ActionChains(driver).move_to_element_with_offset(glass, int((0x140 + 24) / 1072 * size["width"] - size["width"] / 2), int(size["height"] / 2 - (0x100 + 24) / 1072 * size["height"])).click_and_hold().perform()
 wait(lambda: not js("return sightline.room.on"), "the program stops when the pen sees a point")
@@ -223,7 +223,7 @@ with tempfile.TemporaryDirectory() as folder:
 difference = driver.execute_async_script("""const done = arguments[1]; const image = new Image();
   image.onload = () => { const side = 268; const read = source => { const c = document.createElement('canvas'); c.width = c.height = side;
       const x = c.getContext('2d'); x.drawImage(source, 0, 0, side, side); return x.getImageData(0, 0, side, side).data; };
-    const a = read(sightline.room.canvas), b = read(image); let sum = 0, lit = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0; const n = side * side;
+    sightline.room.tube.develop(); const a = read(sightline.room.canvas), b = read(image); let sum = 0, lit = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0; const n = side * side;
     for (let i = 0; i < n; ++i) { const x = a[4 * i + 1], y = b[4 * i + 1]; sum += Math.abs(x - y); sa += x; sb += y; saa += x * x; sbb += y * y; sab += x * y; }
     done({mean: sum / n, correlation: (n * sab - sa * sb) / Math.sqrt((n * saa - sa * sa) * (n * sbb - sb * sb)), tube: sa / n, photograph: sb / n}); };
   image.src = 'data:image/png;base64,' + arguments[0];""", photograph)
