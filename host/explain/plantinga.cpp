@@ -47,7 +47,7 @@ class PlantingaTeller {
     for (const pl::Occluder& occluder : model_.occluders_of(edge)) add_face(here, Look::other, occluder.face, angle);
     std::vector<Mark> there;
     for (const pl::EdgeChange& change : history.changes) there.push_back(line(Look::now, {on_circle(change.direction.angle, 0.85), on_circle(change.direction.angle, 1.05)}));
-    steps_.add(fmt::format("Edge {}: {} faces may hide some of it in a turn. Between {} directions where its structure might change it was worked out anew; it does change at {} of "
+    steps_.add(fmt::format("Edge {}: {} faces may hide some of it in a turn. Between {} directions where its structure might change it was worked out from scratch; it does change at {} of "
                            "them.",
                            edge + 1, model_.occluders_of(edge).size(), history.candidates, history.changes.size()),
                "section 3", {{image, "edge", std::move(here)}, {circle, "edge", std::move(there)}, {circle, "found", found_}});

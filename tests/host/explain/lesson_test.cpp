@@ -45,7 +45,7 @@ TEST(LessonPage, NothingInALessonEndsItsScript) {
   EXPECT_EQ(scripts, 2U);
   EXPECT_EQ(page.find("{{"), std::string::npos);
   EXPECT_NE(page.find("makePlayer"), std::string::npos);
-  // What stands in the page is the lesson.
+  // The contents of the page are the lesson.
   const std::size_t begin = page.find("id=\"lesson\">") + 12;
   const auto json = base::parse_json(page.substr(begin, page.find("</script", begin) - begin), "page");
   ASSERT_TRUE(json);
@@ -59,7 +59,7 @@ TEST(LessonSteps, EndWhereTheyAreTooMany) {
   while (steps.add("again", "", {})) ++added;
   EXPECT_EQ(lesson.steps.size(), most_steps);
   EXPECT_EQ(added, most_steps - 1);
-  EXPECT_FALSE(steps.add("once more", "", {}));
+  EXPECT_FALSE(steps.add("again", "", {}));
   EXPECT_EQ(lesson.steps.size(), most_steps);
   EXPECT_NE(lesson.steps.back().caption, "again");
 }

@@ -22,7 +22,7 @@ export class Pdp7Room {
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
-    this.held = new Set();
+    this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
     this.lights = [];
     this.root = this.build();
     this.slow = 0;
@@ -35,7 +35,7 @@ export class Pdp7Room {
     this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true', hidden: true});
     this.tube = makeTube(this.canvas, {plain: new URLSearchParams(location.search).has('plain')});
     this.message = notice();
-    if (this.tube.kind === 'plain') this.message.say('This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.');
+    this.note = this.tube.kind !== 'plain' ? '' : 'This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.';
     const screen = element('div', {className: 'screen'}, this.canvas, this.glass);
     const point = event => {
       const box = screen.getBoundingClientRect();
@@ -157,6 +157,7 @@ export class Pdp7Room {
     this.id = 0;
     this.labels = null;
     this.view = null;
+    this.litAt.fill(-1e18);
     this.paper.textContent = '';
     const o = this.options;
     const jones = PROGRAMS.includes(o.program);
@@ -179,7 +180,7 @@ export class Pdp7Room {
     }
     if (made.error) return this.message.say(made.error, true);
     this.id = made.id;
-    this.message.say((made.warnings ?? []).join('\n'));
+    this.message.say((made.warnings ?? []).join('\n') || this.note);
     if (snapshot) {
       const done = this.module.ask({do: 'restore', id: this.id, file: snapshot});
       if (done.error) this.message.say(done.error, true);
@@ -242,7 +243,10 @@ export class Pdp7Room {
     }
     const passed = (this.module.ticks(this.id) - from) / 1e9;
     const flashes = this.module.flashes(this.id);
-    this.flashCount = flashes.byteLength / 16;
+    if (this.lines) {
+      for (let at = 0; at < flashes.byteLength; at += 16)
+        this.litAt[256 * (flashes.getUint16(at + 10, true) >> 2) + (flashes.getUint16(at + 8, true) >> 2)] = flashes.getFloat64(at, true);
+    }
     this.tube.picture(flashes, this.on ? passed : seconds);
     const printed = this.module.printed(this.id);
     if (printed) this.paper.textContent = (this.paper.textContent + [...printed].map(c => String.fromCharCode(c.charCodeAt(0) & 127)).join('').replace(/\r|\0|\x7f/g, '')).slice(-8000);
@@ -251,7 +255,11 @@ export class Pdp7Room {
     if (this.sinceLights > 0.06 || !this.on) { this.sinceLights = 0; this.showLights(); }
     this.watchViews();
     this.sinceState = (this.sinceState ?? 1) + seconds;
-    if (this.sinceState > 0.25) { this.sinceState = 0; this.showState(); }
+    if (this.sinceState > 0.25) {
+      this.sinceState = 0;
+      this.showState();
+      if (this.lines) this.drawGlass();
+    }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.tube.coarser()) this.slow = 0;
@@ -306,14 +314,40 @@ export class Pdp7Room {
     this.canvas.parentElement.classList.toggle('anaglyph', this.options.redCyan && this.options.stereo);
     this.glass.hidden = !this.lines;
     if (!this.lines) return;
-    context.lineWidth = 1.5;
-    const drawn = (this.strokesOfPass ?? null);
+    // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
+    const now = this.module.ticks(this.id) - 3e8;
+    const lit = block => this.litAt[block] > now;
+    const near = (x, y, test) => {
+      for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) {
+        const bx = (x >> 2) + dx, by = (y >> 2) + dy;
+        if (bx >= 0 && bx < 256 && by >= 0 && by < 256 && test(256 * by + bx)) return true;
+      }
+      return false;
+    };
+    const covered = new Uint8Array(65536);
+    const X = x => x + PHOSPHOR.margin, Y = y => SIDE - (y + PHOSPHOR.margin);
+    context.lineWidth = 2;
+    this.missing = this.extra = 0;
     for (const [x0, y0, x1, y1] of this.lines) {
-      context.strokeStyle = drawn && !near(drawn, (x0 + x1) / 2, (y0 + y1) / 2) ? '#ff5c5c' : '#5cd6ff';
-      context.beginPath();
-      context.moveTo(x0 + PHOSPHOR.margin, SIDE - (y0 + PHOSPHOR.margin));
-      context.lineTo(x1 + PHOSPHOR.margin, SIDE - (y1 + PHOSPHOR.margin));
-      context.stroke();
+      const parts = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
+      const at = t => [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t];
+      for (let i = 0; i < parts; ++i) {
+        const [x, y] = at((i + 0.5) / parts);
+        near(x, y, block => { covered[block] = 1; return false; });
+        const right = near(x, y, lit);
+        if (!right) ++this.missing;
+        context.strokeStyle = right ? '#4cc9f0' : '#ff4d4d';
+        context.beginPath();
+        context.moveTo(...(([a, b]) => [X(a), Y(b)])(at(i / parts)));
+        context.lineTo(...(([a, b]) => [X(a), Y(b)])(at((i + 1) / parts)));
+        context.stroke();
+      }
+    }
+    context.fillStyle = '#ff4dd2';
+    for (let block = 0; block < 65536; ++block) {
+      if (covered[block] || !lit(block)) continue;
+      ++this.extra;
+      context.fillRect(X(4 * (block & 255)), Y(4 * (block >> 8)) - 4, 4, 4);
     }
   }
 
@@ -330,6 +364,7 @@ export class Pdp7Room {
     const refresh = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : 'none';
     const rows = [['Emulated time', state.time], ['Instructions', state.instructions.toLocaleString('en')], ['Stolen cycles', times.stolen_cycles.toLocaleString('en')],
       ['Refresh', refresh], ['Next', state.status.split('\n')[0]]];
+    if (this.lines) rows.push(['Exact lines', `${this.missing ?? 0} places of 4 points missing (red), ${this.extra ?? 0} lit beside them (magenta)`]);
     if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
   }
@@ -359,8 +394,4 @@ export class Pdp7Room {
     this.exact.box.checked = o.exact;
     this.restart();
   }
-}
-
-function near(strokes, x, y) {
-  return strokes.some(([a, b]) => Math.abs(a - x) < 2.5 && Math.abs(b - y) < 2.5);
 }

@@ -28,7 +28,6 @@ export class Theatre {
     this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); });
     this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5});
     this.tilt = field('Elevation', o.elevation, value => { o.elevation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: 0, max: 60, step: 5});
-    this.summary = element('p', {});
     this.root = element('div', {className: 'theatre'},
       element('p', {className: 'bar'}, this.pick, this.scene, this.function, this.view, this.turn, this.tilt,
         fileTaker(this.stage, 'Open a scene', (name, bytes) => {
@@ -37,7 +36,7 @@ export class Theatre {
           this.scene.select.value = o.scene = name;
           this.play();
         }, text => this.message.say(text, true))),
-      this.summary, this.message, this.stage);
+      this.message, this.stage);
   }
   play() {
     const o = this.options;
@@ -45,7 +44,6 @@ export class Theatre {
     if (!lesson) return;
     this.scene.hidden = this.view.hidden = lesson.heights;
     this.function.hidden = !lesson.heights;
-    this.summary.textContent = lesson.summary;
     const request = lesson.heights
       ? {do: 'explain', algorithm: lesson.algorithm, function: o.function, points: 13, slices: 9, rotation: o.rotation, elevation: o.elevation}
       : {do: 'explain', algorithm: lesson.algorithm, scene: o.scene, ...(o.view === 'turned' ? {camera: camera(o.rotation, o.elevation)} : {})};

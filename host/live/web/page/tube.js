@@ -72,7 +72,7 @@ void main() {
 
 // Draws the flashes of a module on a canvas. Without WebGL2 and float targets it draws dots that fade; `kind` says which.
 export function makeTube(canvas, {plain = false} = {}) {
-  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false});
+  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false, preserveDrawingBuffer: true});
   if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl);
   return new PlainTube(canvas);
 }
