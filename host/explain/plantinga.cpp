@@ -3,15 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/event_list.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
+#include "host/algorithms/plantinga/trace.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/explain/stage.hpp"
@@ -20,223 +26,777 @@ namespace sightline::explain {
 namespace {
 
 namespace pl = algorithms::plantinga;
+using pl::EventKind;
 
 constexpr std::size_t circle = 1;
 constexpr std::size_t most_lesson_edges = 300;
-constexpr std::size_t most_edges_shown = 40;
-constexpr std::size_t most_events_shown = 250;
+constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step of their own: hidden altogether,
+constexpr std::size_t most_parts_shown = 8;         // and in part
+constexpr std::size_t most_edges_in_detail = 4;     // edges studied direction by direction
+constexpr std::size_t most_directions_shown = 10;   // of such an edge
+constexpr std::size_t most_summaries = 16;          // of all other edges
+constexpr std::size_t most_events_with_views = 80;  // a step for each event and one for the view after it
+constexpr std::size_t most_events_shown = 200;
+constexpr double plan_radius = 0.8;  // of the scene on the circle's sheet
 
-double degrees(double angle) { return angle * 180 / std::numbers::pi; }
-Point on_circle(double angle, double radius = 1) { return {radius * std::sin(angle), -radius * std::cos(angle)}; }
+double degrees(double angle) {
+  return angle * 180 / std::numbers::pi;
+}
 
-enum class EventKind : std::uint8_t { face_edge_on, vertex_and_edge, three_edges };
+std::string counted(std::uint64_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
 
-class PlantingaTeller {
+// The three kinds that the circle tells apart.
+enum class Group : std::uint8_t { edge_on, vertex_and_edge, three_edges };
+Group group_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::vertex_in_front:
+    case EventKind::vertex_behind:
+    case EventKind::passage: return Group::vertex_and_edge;
+    case EventKind::three_edges: return Group::three_edges;
+    case EventKind::own_face:
+    case EventKind::face_edge_on:
+    case EventKind::edge_pair:
+    case EventKind::own_plane:
+    case EventKind::in_line: break;
+  }
+  return Group::edge_on;
+}
+Look look_of(Group group) {
+  switch (group) {
+    case Group::edge_on: return Look::mask;
+    case Group::vertex_and_edge: return Look::plain;
+    case Group::three_edges: return Look::other;
+  }
+  return Look::plain;
+}
+
+// Where the scene is drawn. The axis is moved to its middle, which changes nothing in parallel projection but keeps it in sight.
+struct Room {
+  Space middle{};
+  double reach = 1;  // from the axis
+  double low = 0;    // of y
+  double high = 0;
+
+  // -1: the camera's right is to the left of somebody who looks forward with up above, as x, y and z turn the other way round.
+  double hand = 1;
+
+  Room(const std::vector<pl::Vector3>& vertices, const scene::PolyCamera& camera) {
+    const Space right = space(camera.right);
+    const Space up = space(camera.up);
+    const Space forward = space(camera.forward);
+    const double turn = right[0] * (up[1] * forward[2] - up[2] * forward[1]) +
+                        right[1] * (up[2] * forward[0] - up[0] * forward[2]) +
+                        right[2] * (up[0] * forward[1] - up[1] * forward[0]);
+    hand = turn > 0 ? -1 : 1;
+
+    std::array<std::int64_t, 3> least{};
+    std::array<std::int64_t, 3> most{};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        least[a] = i == 0 ? vertices[i][a] : std::min(least[a], vertices[i][a]);
+        most[a] = i == 0 ? vertices[i][a] : std::max(most[a], vertices[i][a]);
+      }
+    }
+    for (const std::size_t a : {0U, 2U}) middle[a] = static_cast<double>(least[a] + most[a]) / 2;
+    low = static_cast<double>(least[1]);
+    high = static_cast<double>(most[1]);
+    for (const pl::Vector3& p : vertices)
+      reach = std::max(reach, std::hypot(static_cast<double>(p[0]) - middle[0], static_cast<double>(p[2]) - middle[2]));
+  }
+
+  // All directions have room on it.
+  [[nodiscard]] Sheet image_sheet() const {
+    const double margin = 0.04 * std::max(2 * reach, high - low);
+    return {"The image, in parallel projection", {-reach - margin, low - margin}, {reach + margin, high + margin}};
+  }
+  // Equations 1 and 2. u and v are those of the algorithm, about its own axis.
+  [[nodiscard]] Point in_image(double u, double v, double angle) const {
+    return {hand * (u - (middle[0] * std::cos(angle) - middle[2] * std::sin(angle))), v};
+  }
+  [[nodiscard]] Point in_image(const Space& p, double angle) const {
+    return in_image(p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1], angle);
+  }
+  [[nodiscard]] Point on_circle(double angle, double radius = 1) const {
+    return {radius * std::sin(angle), -hand * radius * std::cos(angle)};
+  }
+  [[nodiscard]] Point in_plan(const Space& p) const {
+    const double scale = plan_radius / reach;
+    return {(p[0] - middle[0]) * scale, hand * (middle[2] - p[2]) * scale};
+  }
+};
+
+class PlantingaTeller final : public pl::Trace {
  public:
-  PlantingaTeller(const pl::RotationModel& model, Steps& steps) : model_(model), maker_(model), steps_(steps) { count(); }
-
-  void studied(pl::EdgeIndex edge, const pl::EdgeHistory& history, double angle) {
-    candidates_ += history.candidates;
-    changes_ += history.changes.size();
-    ++edges_;
+  PlantingaTeller(const pl::RotationModel& model, const Room& room, double angle, Steps& steps)
+      : model_(model), maker_(model), steps_(steps), room_(room), angle_(angle), causes_(model.edges().size()) {
+    summary_size_ = std::max<std::size_t>(1, (model.edges().size() + most_summaries - 1) / most_summaries);
     count();
-    for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, on_circle(change.direction.angle)));
-    if (edges_ > most_edges_shown) return;
-    std::vector<Mark> here;
-    add_edge(here, Look::now, edge, angle);
-    for (const pl::Occluder& occluder : model_.occluders_of(edge)) add_face(here, Look::other, occluder.face, angle);
-    std::vector<Mark> there;
-    for (const pl::EdgeChange& change : history.changes) there.push_back(line(Look::now, {on_circle(change.direction.angle, 0.85), on_circle(change.direction.angle, 1.05)}));
-    steps_.add(fmt::format("Edge {}: {} faces may hide some of it in a turn. Between {} directions where its structure might change it was worked out from scratch; it does change at {} of "
-                           "them.",
-                           edge + 1, model_.occluders_of(edge).size(), history.candidates, history.changes.size()),
-               "section 3", {{image, "edge", std::move(here)}, {circle, "edge", std::move(there)}, {circle, "found", found_}});
   }
 
   void count() {
     steps_.count("edges", model_.edges().size());
-    steps_.count("edges studied", edges_);
-    steps_.count("directions looked at", candidates_);
+    steps_.count("pieces seen", pieces_);
+    steps_.count("edges studied", studied_);
+    steps_.count("potential events", potential_);
+    steps_.count("dropped by the filter", dropped_);
+    steps_.count("directions compared", compared_);
     steps_.count("changes kept", changes_);
     steps_.count("events", events_);
     steps_.count("events passed", passed_);
-    steps_.count("pieces in the picture", pieces_);
   }
 
-  [[nodiscard]] std::vector<Mark> wire(double angle) {
-    std::vector<pl::ImageLine> lines;
-    maker_.wire(angle, lines);
-    return marks_of(lines, Look::faint);
-  }
-  [[nodiscard]] std::vector<Mark> picture(const pl::EdgeStructureGraph& graph, double angle) {
-    std::vector<pl::ImageLine> lines;
-    maker_.visible(graph, angle, lines);
-    pieces_ = graph.piece_count();
-    return marks_of(lines, Look::seen);
+  // The initial picture.
+
+  void scratch_begins(pl::EdgeIndex, std::span<const pl::Occluder> occluders) override {
+    occluder_count_ = occluders.size();
+    hiders_.clear();
   }
 
-  // Once round, from where the graph stands.
+  void scratch_hides(pl::EdgeIndex, pl::FaceIndex face, double, double) override { hiders_.insert(face); }
+
+  void scratch_ends(pl::EdgeIndex edge, bool compared, const pl::EdgeStructure& left) override {
+    if (!compared) {
+      ++turned_away_;
+      return;
+    }
+    maker_.place(angle_);
+    pieces_ += left.size();
+    for (const pl::Piece& piece : left) add_piece(initial_, Look::seen, edge, piece, angle_);
+    std::size_t& shown = left.empty() ? hidden_shown_ : parts_shown_;
+    if (hiders_.empty() || shown == (left.empty() ? most_hidden_shown : most_parts_shown)) return;
+    ++shown;
+    count();
+    std::vector<Mark> faces;
+    std::string names;
+    for (const pl::FaceIndex face : hiders_) {
+      add_face(faces, Look::other, face, angle_);
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", face + 1);
+    }
+    std::vector<Mark> marks;
+    add_edge(marks, Look::hidden, edge, angle_);
+    add_names(marks, Look::now, edge, angle_);
+    for (const pl::Piece& piece : left) add_piece(marks, Look::now, edge, piece, angle_);
+    steps_.add(
+        fmt::format("{} is compared with the {} that may hide some of it from some direction. From here face{} {} hide{} some of "
+                    "it. {}",
+                    name_of(edge, true), counted(occluder_count_, "face"), hiders_.size() == 1 ? "" : "s", names,
+                    hiders_.size() == 1 ? "s" : "", what_is_left(left)),
+        "section 4", {{image, "face", std::move(faces)}, {image, "edge", std::move(marks)}, {image, "seen", initial_}});
+  }
+
+  void initial_picture(const picture::LinePicture& drawn) {
+    pieces_ = drawn.pieces.size();
+    count();
+    steps_.add(
+        fmt::format("The initial picture, made by hidden-line removal from scratch: {}.{} Of "
+                    "each piece the graph stores what it ends in: a vertex, or a T-junction and the edge that hides the rest.",
+                    counted(pieces_, "visible piece"),
+                    turned_away_ == 0 ? ""
+                                      : fmt::format(" {} left out: all faces at {} look away.",
+                                                    turned_away_ == 1 ? "One edge is" : fmt::format("{} edges are", turned_away_),
+                                                    turned_away_ == 1 ? "it" : "them")),
+        "section 4", {{image, "face", {}}, {image, "edge", {}}, {image, "seen", marks_of(drawn)}});
+  }
+
+  // The preprocessing phase.
+
+  void study_begins(pl::EdgeIndex, std::span<const pl::Occluder> occluders) override {
+    occluders_.assign(occluders.begin(), occluders.end());
+    comparisons_.clear();
+    dropped_here_ = 0;
+  }
+
+  void potential(const pl::PotentialEvent& event) override {
+    ++potential_;
+    causes_[event.edge].push_back(event);
+  }
+
+  void dropped(EventKind, pl::EdgeIndex) override {
+    ++dropped_;
+    ++dropped_here_;
+  }
+
+  void compared(pl::EdgeIndex, const pl::Direction& direction, const pl::EdgeStructure& before,
+                const pl::EdgeStructure& after) override {
+    comparisons_.push_back({direction, before, after});
+  }
+
+  void study_ends(pl::EdgeIndex edge, const pl::EdgeHistory& history) override {
+    if (worth_detail(edge, history)) {
+      end_summary();
+      tell_in_detail(edge, history);
+      return;
+    }
+    add_study(history);
+    summary_.push_back(edge);
+    summary_directions_ += history.candidates;
+    summary_changes_ += history.changes.size();
+    if (summary_.size() == summary_size_) end_summary();
+  }
+
+  // A step about the edges that had none.
+  void end_summary() {
+    if (summary_.empty()) return;
+    std::vector<Mark> edges;
+    std::vector<Mark> plan;
+    for (const pl::EdgeIndex edge : summary_) {
+      add_edge(edges, Look::now, edge, angle_);
+      add_edge_to_plan(plan, Look::now, edge);
+    }
+    count();
+    const std::string which = summary_.size() == 1 ? name_of(summary_.front(), true) : fmt::format("{} edges", summary_.size());
+    steps_.add(fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
+                           detailed_ == 0 ? "" : " in the same way", counted(summary_directions_, "direction"),
+                           counted(summary_changes_, "change")),
+               "section 3",
+               {{image, "wire", wire(angle_)},
+                {image, "face", {}},
+                {image, "cause", {}},
+                {image, "seen", {}},
+                {image, "edge", std::move(edges)},
+                {circle, "cause", std::move(plan)},
+                {circle, "candidates", {}},
+                {circle, "found", found_},
+                {circle, "sight", radius(angle_)}});
+    summary_.clear();
+    summary_directions_ = summary_changes_ = 0;
+  }
+
+  // The on-line phase: once round, from where the graph stands.
   void turn(const pl::EventList& list, pl::EdgeStructureGraph& graph) {
     events_ = list.events.size();
     count();
     std::vector<Mark> dots;
-    for (const pl::Event& event : list.events) dots.push_back(dot(look_of(kind_of(list, event)), on_circle(event.direction.angle)));
-    std::size_t of[3] = {};
-    for (const pl::Event& event : list.events) ++of[static_cast<std::size_t>(kind_of(list, event))];
-    steps_.add(fmt::format("The list of events of a full turn, in order of angle: {} where a face is seen edge-on, {} where a vertex meets an edge, {} where three edges meet. From now "
-                           "on a view is made from the one before it.",
-                           of[0], of[1], of[2]),
-               "section 3", {{image, "edge", {}}, {circle, "edge", {}}, {circle, "found", {}}, {circle, "events", std::move(dots)}});
+    std::array<std::size_t, 3> of{};
+    for (const pl::Event& event : list.events) {
+      const Group group = group_of(causes_of(list, event));
+      ++of[static_cast<std::size_t>(group)];
+      dots.push_back(dot(look_of(group), on_circle(event.direction.angle)));
+    }
+    steps_.add(
+        fmt::format(
+            "The event list of a full turn, sorted by angle: at {} a face or a plane of two edges is edge-on (the paper "
+            "leaves these out), at {} a vertex and an edge meet in the image (EV), at {} three edges meet (EEE). From now on no "
+            "edge is compared with a face.",
+            counted(of[0], "event"), of[1], of[2]),
+        "section 4",
+        {{image, "wire", wire(angle_)},
+         {image, "face", {}},
+         {image, "cause", {}},
+         {image, "edge", {}},
+         {image, "seen", view_of(graph, angle_)},
+         {circle, "cause", {}},
+         {circle, "candidates", {}},
+         {circle, "found", {}},
+         {circle, "events", std::move(dots)},
+         {circle, "legend", legend()},
+         {circle, "sight", radius(angle_)}});
+    const bool with_views = list.events.size() <= most_events_with_views;
     for (std::size_t n = 0; n < list.events.size() && n < most_events_shown; ++n) {
       const std::size_t at = graph.passed() % list.events.size();
-      const pl::Event& event = list.events[at];
-      const double next = list.events[(at + 1) % list.events.size()].direction.angle;
-      const double ahead = next > event.direction.angle ? next - event.direction.angle : next - event.direction.angle + 2 * std::numbers::pi;
-      double angle = event.direction.angle + ahead / 2;
-      if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
-      if (!graph.step_forward()) break;
-      passed_ = n + 1;
-      std::vector<Mark> changed;
-      std::size_t removed = 0, added = 0;
-      for (const pl::Change& change : list.changes_of(event)) {
-        add_edge(changed, Look::now, change.edge, angle);
-        removed += list.removed_by(change).size();
-        added += list.added_by(change).size();
-      }
-      auto seen = picture(graph, angle);
-      count();
-      steps_.add(fmt::format("{:.2f} degrees: {}. Of {} edge{} {} piece{} replaced by {}.", degrees(event.direction.angle), what_of(kind_of(list, event), event), event.change_count,
-                             event.change_count == 1 ? "" : "s", removed, removed == 1 ? " is" : "s are", added),
-                 "section 4",
-                 {{image, "wire", wire(angle)}, {image, "edge", std::move(changed)}, {image, "seen", std::move(seen)}, {circle, "sight", radius(angle)},
-                  {circle, "event", {dot(Look::now, on_circle(event.direction.angle))}}});
+      tell_event(list, list.events[at], graph);
+      if (!graph.step_forward()) return;
+      if (with_views) tell_view(list, at, graph);
     }
-    if (list.events.size() > most_events_shown) steps_.add(fmt::format("And so on, over {} more events, until the turn is complete.", list.events.size() - most_events_shown), "section 4", {});
+    if (list.events.size() > most_events_shown)
+      steps_.add(
+          fmt::format("The turn goes on in the same way over {}.", counted(list.events.size() - most_events_shown, "more event")),
+          "section 4", {{image, "cause", {}}, {circle, "cause", {}}});
   }
 
-  [[nodiscard]] static std::vector<Mark> radius(double angle) {
-    return {line(Look::now, {{0, 0}, on_circle(angle)}), text(Look::now, on_circle(angle, 1.12), fmt::format("{:.1f}", degrees(angle)))};
+  void finish(const picture::LinePicture& drawn) {
+    pieces_ = drawn.pieces.size();
+    passed_ = events_;
+    count();
+    steps_.add(
+        events_ == 0
+            ? "Nothing changes in a whole turn: the picture from every direction has the same structure."
+            : "The turn is complete, and the picture is the initial one again. Each step touched only the edges that change, "
+              "however large the scene is.",
+        "section 4",
+        {{image, "wire", wire(angle_)},
+         {image, "cause", {}},
+         {image, "edge", {}},
+         {image, "seen", marks_of(drawn)},
+         {circle, "cause", {}},
+         {circle, "sight", radius(angle_)}});
+  }
+
+  [[nodiscard]] std::vector<Mark> wire(double angle) const {
+    std::vector<Mark> marks;
+    for (pl::EdgeIndex edge = 0; edge < model_.edges().size(); ++edge) add_edge(marks, Look::faint, edge, angle);
+    return marks;
+  }
+  [[nodiscard]] std::vector<Mark> plan() const {
+    std::vector<Mark> marks;
+    for (pl::EdgeIndex edge = 0; edge < model_.edges().size(); ++edge) add_edge_to_plan(marks, Look::faint, edge);
+    return marks;
+  }
+  [[nodiscard]] std::vector<Mark> radius(double angle) const {
+    return {line(Look::plain, {on_circle(angle, plan_radius), on_circle(angle, 1.08)}),
+            text(Look::now, {0.6, 1.18}, fmt::format("viewer at {:.1f} degrees", degrees(angle))),
+            dot(Look::now, on_circle(angle, 1.08))};
   }
 
  private:
-  static std::vector<Mark> marks_of(const std::vector<pl::ImageLine>& lines, Look look) {
+  struct Comparison {
+    pl::Direction direction;
+    pl::EdgeStructure before;
+    pl::EdgeStructure after;
+  };
+
+  // The first edges whose structure changes for a reason not told yet, or stays the same at some directions.
+  [[nodiscard]] bool worth_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) const {
+    if (detailed_ == most_edges_in_detail || history.changes.empty() || history.changes.size() == comparisons_.size())
+      return false;
+    if (detailed_ == 0) return true;
+    return std::any_of(history.changes.begin(), history.changes.end(), [&](const pl::EdgeChange& change) {
+      return kinds_told_.count(first_cause(edge, change.direction).kind) == 0;
+    });
+  }
+
+  void add_study(const pl::EdgeHistory& history) {
+    ++studied_;
+    compared_ += history.candidates;
+    changes_ += history.changes.size();
+    for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, on_circle(change.direction.angle)));
+  }
+
+  void tell_in_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
+    ++detailed_;
+    std::vector<Mark> edge_marks;
+    std::vector<Mark> faces;
+    std::vector<Mark> plan;
+    add_edge(edge_marks, Look::now, edge, angle_);
+    add_names(edge_marks, Look::now, edge, angle_);
+    for (const pl::Occluder& occluder : occluders_) {
+      add_face(faces, Look::other, occluder.face, angle_);
+      for (const pl::Corner& corner : model_.corners(occluder.face)) add_edge_to_plan(plan, Look::other, corner.side);
+    }
+    add_edge_to_plan(plan, Look::now, edge);
+    std::vector<Mark> candidates;
+    for (const Comparison& each : comparisons_)
+      candidates.push_back(line(Look::now, {on_circle(each.direction.angle, 0.92), on_circle(each.direction.angle, 1.04)}));
+    count();
+    steps_.add(
+        fmt::format(
+            "{}: {} may hide some of it in a turn, as some of it is behind their planes. Its potential events are at {}.{} The "
+            "structure of the edge is made from scratch between each two of them.",
+            name_of(edge, true), counted(occluders_.size(), "face"), counted(comparisons_.size(), "direction"),
+            dropped_here_ == 0 ? ""
+                               : fmt::format(" Others, {} of them, are dropped at once: another face surely hides the point, or "
+                                             "the nearer edge bounds nothing there.",
+                                             dropped_here_)),
+        "section 3",
+        {{image, "wire", wire(angle_)},
+         {image, "face", std::move(faces)},
+         {image, "cause", {}},
+         {image, "seen", {}},
+         {image, "edge", std::move(edge_marks)},
+         {circle, "cause", std::move(plan)},
+         {circle, "candidates", std::move(candidates)},
+         {circle, "found", found_},
+         {circle, "sight", radius(angle_)}});
+    std::size_t shown = 0;
+    for (const Comparison& each : comparisons_) {
+      if (shown == most_directions_shown) break;
+      tell_comparison(edge, each);
+      ++shown;
+    }
+    add_study(history);
+    count();
     std::vector<Mark> marks;
-    for (const pl::ImageLine& each : lines) marks.push_back(line(look, {{each.u0, each.v0}, {each.u1, each.v1}}));
-    return marks;
+    add_edge(marks, Look::now, edge, angle_);
+    steps_.add(fmt::format("{}The list keeps {} of {} for {}.",
+                           shown < comparisons_.size() ? "The other directions are compared in the same way. " : "",
+                           history.changes.size(), counted(comparisons_.size(), "direction"), name_of(edge, false)),
+               "section 3",
+               {{image, "wire", wire(angle_)},
+                {image, "face", {}},
+                {image, "cause", {}},
+                {image, "seen", {}},
+                {image, "edge", std::move(marks)},
+                {circle, "cause", {}},
+                {circle, "candidates", {}},
+                {circle, "found", found_},
+                {circle, "sight", radius(angle_)}});
   }
-  static Point in_image(const pl::Vector3& p, double angle) {
-    return {static_cast<double>(p[0]) * std::cos(angle) - static_cast<double>(p[2]) * std::sin(angle), static_cast<double>(p[1])};
+
+  void tell_comparison(pl::EdgeIndex edge, const Comparison& each) {
+    const double angle = each.direction.angle;
+    const pl::PotentialEvent cause = first_cause(edge, each.direction);
+    const bool changed = !(each.before == each.after);
+    if (changed) kinds_told_.insert(cause.kind);
+    std::vector<Mark> marks;
+    maker_.place(angle);
+    add_edge(marks, Look::hidden, edge, angle);
+    add_names(marks, Look::now, edge, angle);
+    for (const pl::Piece& piece : each.after) add_piece(marks, Look::now, edge, piece, angle);
+    std::vector<Mark> in_image;
+    std::vector<Mark> in_plan;
+    add_cause(in_image, in_plan, cause, angle);
+    steps_.add(fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
+                           name_of(edge, true), structure_in_words(each.before), structure_in_words(each.after),
+                           changed ? "They differ: it is an event." : "They are equal: it is no event of this edge."),
+               "section 3",
+               {{image, "wire", wire(angle)},
+                {image, "face", {}},
+                {image, "cause", std::move(in_image)},
+                {image, "edge", std::move(marks)},
+                {circle, "cause", std::move(in_plan)},
+                {circle, "sight", radius(angle)}});
   }
+
+  void tell_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
+    const double angle = event.direction.angle;
+    ++passed_;
+    maker_.place(angle);
+    std::set<pl::EdgeIndex> edges;
+    std::vector<Mark> changed;
+    std::size_t removed = 0;
+    std::size_t added = 0;
+    for (const pl::Change& change : list.changes_of(event)) {
+      edges.insert(change.edge);
+      for (const pl::Piece& piece : list.removed_by(change)) add_piece(changed, Look::hidden, change.edge, piece, angle);
+      for (const pl::Piece& piece : list.added_by(change)) add_piece(changed, Look::now, change.edge, piece, angle);
+      removed += list.removed_by(change).size();
+      added += list.added_by(change).size();
+    }
+    std::vector<Mark> seen;
+    for (const pl::LivePiece& live : graph.pieces())
+      if (live.edge != pl::no_edge && edges.count(live.edge) == 0) add_piece(seen, Look::seen, live.edge, live.piece, angle);
+    pieces_ = graph.piece_count() - removed + added;
+    count();
+    const std::vector<pl::PotentialEvent> causes = causes_of(list, event);
+    std::vector<Mark> in_image;
+    std::vector<Mark> in_plan;
+    std::string what;
+    for (std::size_t i = 0; i < causes.size() && i < 2; ++i) {
+      add_cause(in_image, in_plan, causes[i], angle);
+      what += fmt::format("{}{}", i == 0 ? "" : ", and ", what_of(causes[i]));
+    }
+    if (causes.size() > 2) what += fmt::format(", and {} more in the same direction", causes.size() - 2);
+    steps_.add(fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
+                           events_, degrees(angle), what, counted(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
+                           removed == 1 ? "1 piece is" : fmt::format("{} pieces are", removed), added),
+               "section 4",
+               {{image, "wire", wire(angle)},
+                {image, "cause", std::move(in_image)},
+                {image, "edge", std::move(changed)},
+                {image, "seen", std::move(seen)},
+                {circle, "cause", std::move(in_plan)},
+                {circle, "sight", radius(angle)}});
+  }
+
+  void tell_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
+    const double here = list.events[at].direction.angle;
+    const double next = list.events[(at + 1) % list.events.size()].direction.angle;
+    const double ahead = next > here ? next - here : next - here + 2 * std::numbers::pi;
+    double angle = here + ahead / 2;
+    if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
+    steps_.add(
+        fmt::format(
+            "The structure stays the same up to {:.2f} degrees. A frame between, here at {:.2f}, draws the {} of the graph; only "
+            "the vertices and the T-junctions are placed again.",
+            degrees(next), degrees(angle), counted(graph.piece_count(), "piece")),
+        "section 4",
+        {{image, "wire", wire(angle)},
+         {image, "cause", {}},
+         {image, "edge", {}},
+         {image, "seen", view_of(graph, angle)},
+         {circle, "cause", {}},
+         {circle, "sight", radius(angle)}});
+  }
+
+  // What the trace told of the edge at a direction; the faces first.
+  [[nodiscard]] std::vector<pl::PotentialEvent> causes_at(pl::EdgeIndex edge, const pl::Direction& direction) const {
+    std::vector<pl::PotentialEvent> found;
+    for (const pl::PotentialEvent& event : causes_[edge])
+      if (event.direction == direction) found.push_back(event);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const pl::PotentialEvent& a, const pl::PotentialEvent& b) { return a.kind < b.kind; });
+    return found;
+  }
+  [[nodiscard]] pl::PotentialEvent first_cause(pl::EdgeIndex edge, const pl::Direction& direction) const {
+    const auto found = causes_at(edge, direction);
+    return found.empty() ? pl::PotentialEvent{EventKind::own_plane, edge, edge, 0, direction} : found.front();
+  }
+  // One for each edge that changes, those that say the same once.
+  [[nodiscard]] std::vector<pl::PotentialEvent> causes_of(const pl::EventList& list, const pl::Event& event) const {
+    std::vector<pl::PotentialEvent> causes;
+    std::set<std::string> said;
+    for (const pl::Change& change : list.changes_of(event)) {
+      const pl::PotentialEvent cause = first_cause(change.edge, event.direction);
+      if (said.insert(what_of(cause)).second) causes.push_back(cause);
+    }
+    std::stable_sort(causes.begin(), causes.end(),
+                     [](const pl::PotentialEvent& a, const pl::PotentialEvent& b) { return a.kind < b.kind; });
+    return causes;
+  }
+  static Group group_of(const std::vector<pl::PotentialEvent>& causes) {
+    return causes.empty() ? Group::edge_on : explain::group_of(causes.front().kind);
+  }
+
+  [[nodiscard]] std::string what_of(const pl::PotentialEvent& cause) const {
+    switch (cause.kind) {
+      case EventKind::own_face: return fmt::format("face {} is seen edge-on", cause.first + 1);
+      case EventKind::face_edge_on:
+        return fmt::format("face {}, which is in front of {}, is seen edge-on", cause.first + 1, name_of(cause.edge, false));
+      case EventKind::vertex_in_front:
+        return fmt::format("vertex {} passes in front of {} (EV)", cause.first, name_of(cause.edge, false));
+      case EventKind::vertex_behind:
+        return fmt::format("vertex {} passes behind {} (EV)", cause.first, name_of(cause.second, false));
+      case EventKind::three_edges:
+        return fmt::format("{} and {} cross in front of {} (EEE)", name_of(cause.first, false), name_of(cause.second, false),
+                           name_of(cause.edge, false));
+      case EventKind::edge_pair:
+        return fmt::format("the plane of {} and {} is seen edge-on", name_of(cause.first, false), name_of(cause.second, false));
+      case EventKind::own_plane:
+        return fmt::format("the plane of {} and {} is seen edge-on", name_of(cause.edge, false), name_of(cause.first, false));
+      case EventKind::in_line:
+        return fmt::format("{} and {} are on one line of the image", name_of(cause.edge, false), name_of(cause.first, false));
+      case EventKind::passage:
+        return fmt::format("the point where {} passes through face {} is behind {}", name_of(cause.edge, false), cause.first + 1,
+                           name_of(cause.second, false));
+    }
+    return {};
+  }
+
+  // The vertices, edges and faces of it, and on the plan the line of sight on which they meet.
+  void add_cause(std::vector<Mark>& in_image, std::vector<Mark>& in_plan, const pl::PotentialEvent& cause, double angle) {
+    const auto both = [&](Look look, pl::EdgeIndex edge) {
+      add_edge(in_image, look, edge, angle);
+      add_names(in_image, look, edge, angle);
+      add_edge_to_plan(in_plan, look, edge);
+    };
+    const auto face_of = [&](pl::FaceIndex face) {
+      add_face(in_image, Look::other, face, angle);
+      for (const pl::Corner& corner : model_.corners(face)) add_edge_to_plan(in_plan, Look::other, corner.side);
+    };
+    Space through = space_of(model_.segment(cause.edge).from);
+    switch (cause.kind) {
+      case EventKind::own_face:
+      case EventKind::face_edge_on:
+        face_of(cause.first);
+        through = space_of(model_.vertices()[model_.corners(cause.first)[0].vertex]);
+        break;
+      case EventKind::vertex_in_front:
+      case EventKind::vertex_behind: {
+        both(Look::other, cause.kind == EventKind::vertex_behind ? cause.second : cause.edge);
+        const pl::Vector3& p = model_.vertices()[cause.first];
+        through = space_of(p);
+        in_image.push_back(dot(Look::now, in_view(p, angle)));
+        in_image.push_back(text(Look::now, in_view(p, angle), fmt::format("{}", cause.first)));
+        in_plan.push_back(dot(Look::now, in_plan_of(through)));
+        break;
+      }
+      case EventKind::three_edges: {
+        both(Look::other, cause.first);
+        both(Look::other, cause.second);
+        maker_.place(angle);
+        const double s = parameter(cause.edge, pl::End::of(pl::EndKind::junction, cause.first));
+        const pl::Segment segment = model_.segment(cause.edge);
+        const Space from = space_of(segment.from);
+        const Space to = space_of(segment.to);
+        for (std::size_t a = 0; a < 3; ++a) through[a] = from[a] + s * (to[a] - from[a]);
+        in_image.push_back(dot(Look::now, in_view(through, angle)));
+        break;
+      }
+      case EventKind::edge_pair:
+        both(Look::other, cause.first);
+        both(Look::other, cause.second);
+        break;
+      case EventKind::own_plane:
+      case EventKind::in_line: both(Look::other, cause.first); break;
+      case EventKind::passage:
+        face_of(cause.first);
+        both(Look::other, cause.second);
+        break;
+    }
+    add_edge_to_plan(in_plan, Look::now, cause.edge);
+    add_line_of_sight(in_plan, through, angle);
+  }
+
+  // Across the circle through a point of the plan.
+  void add_line_of_sight(std::vector<Mark>& marks, const Space& through, double angle) const {
+    const Point p = in_plan_of(through);
+    const Point v = on_circle(angle);
+    const double along = p[0] * v[0] + p[1] * v[1];
+    const double outside = 1 - (p[0] * p[0] + p[1] * p[1] - along * along);
+    const double half = outside > 0 ? std::sqrt(outside) : 0;
+    marks.push_back(line(Look::waiting, {{p[0] + (half - along) * v[0], p[1] + (half - along) * v[1]},
+                                         {p[0] - (half + along) * v[0], p[1] - (half + along) * v[1]}}));
+  }
+
+  static std::vector<Mark> legend() {
+    return {text(look_of(Group::edge_on), {-1.24, 1.18}, "plane edge-on"),
+            text(look_of(Group::vertex_and_edge), {-1.24, 1.08}, "EV: a vertex, an edge"),
+            text(look_of(Group::three_edges), {-1.24, 0.98}, "EEE: three edges")};
+  }
+
+  [[nodiscard]] std::string name_of(pl::EdgeIndex edge, bool begins) const {
+    return fmt::format("{}dge {}-{}", begins ? 'E' : 'e', model_.edges()[edge].from, model_.edges()[edge].to);
+  }
+  [[nodiscard]] std::string end_of(const pl::End& end) const {
+    switch (end.kind()) {
+      case pl::EndKind::vertex:
+      case pl::EndKind::contact: return fmt::format("vertex {}", end.index());
+      case pl::EndKind::junction: return name_of(end.index(), false);
+      case pl::EndKind::passage: break;
+    }
+    return fmt::format("face {}", end.index() + 1);
+  }
+  // "from vertex 3 to edge 4-5": what the pieces end in.
+  [[nodiscard]] std::string structure_in_words(const pl::EdgeStructure& structure) const {
+    if (structure.empty()) return "nothing is visible";
+    if (structure.size() > 2) return counted(structure.size(), "piece");
+    std::string words;
+    for (const pl::Piece& piece : structure)
+      words += fmt::format("{}from {} to {}", words.empty() ? "" : " and ", end_of(piece.low), end_of(piece.high));
+    return words;
+  }
+  [[nodiscard]] std::string what_is_left(const pl::EdgeStructure& left) const {
+    if (left.empty()) return "Nothing of it is visible.";
+    std::set<pl::EdgeIndex> junctions;
+    for (const pl::Piece& piece : left)
+      for (const pl::End end : {piece.low, piece.high})
+        if (end.kind() == pl::EndKind::junction) junctions.insert(end.index());
+    std::string names;
+    for (const pl::EdgeIndex edge : junctions) names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(edge, false));
+    const std::string ends = names.empty() ? "" : fmt::format(", cut off in T-junctions with {}", names);
+    return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
+  }
+
+  static Space space_of(const pl::Vector3& p) {
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  }
+  [[nodiscard]] Point in_view(const Space& p, double angle) const { return room_.in_image(p, angle); }
+  [[nodiscard]] Point in_view(const pl::Vector3& p, double angle) const { return in_view(space_of(p), angle); }
+  [[nodiscard]] Point in_plan_of(const Space& p) const { return room_.in_plan(p); }
+  [[nodiscard]] Point on_circle(double angle, double radius = 1) const { return room_.on_circle(angle, radius); }
+
   void add_edge(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const {
     const pl::Segment segment = model_.segment(edge);
-    marks.push_back(line(look, {in_image(segment.from, angle), in_image(segment.to, angle)}));
+    marks.push_back(line(look, {in_view(segment.from, angle), in_view(segment.to, angle)}));
+  }
+  // The numbers of its vertices.
+  void add_names(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const {
+    const picture::LineEdge& ends = model_.edges()[edge];
+    for (const scene::VertexIndex end : {ends.from, ends.to})
+      marks.push_back(text(look, in_view(model_.vertices()[end], angle), fmt::format("{}", end)));
+  }
+  void add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const {
+    const pl::Segment segment = model_.segment(edge);
+    marks.push_back(line(look, {in_plan_of(space_of(segment.from)), in_plan_of(space_of(segment.to))}));
   }
   void add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face, double angle) const {
     std::vector<Point> outline;
-    for (const pl::Corner& corner : model_.corners(face)) outline.push_back(in_image(model_.vertices()[corner.vertex], angle));
+    for (const pl::Corner& corner : model_.corners(face)) outline.push_back(in_view(model_.vertices()[corner.vertex], angle));
     marks.push_back(area(look, std::move(outline)));
   }
-  static Look look_of(EventKind kind) {
-    switch (kind) {
-      case EventKind::face_edge_on: return Look::mask;
-      case EventKind::vertex_and_edge: return Look::plain;
-      case EventKind::three_edges: return Look::other;
-    }
-    return Look::plain;
+  // After maker_.place(angle). At an event edges may be parallel in the image and their junction anywhere.
+  [[nodiscard]] double parameter(pl::EdgeIndex edge, pl::End end) const {
+    const double s = maker_.parameter_of(edge, end);
+    return s > 0 ? std::min(s, 1.0) : 0;
   }
-  [[nodiscard]] bool edge_on(pl::FaceIndex face, const pl::Direction& direction) const {
-    return !model_.faces()[face].horizontal && pl::sign_at(direction, pl::form_of(model_.faces()[face].normal)) == 0;
+  void add_piece(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, const pl::Piece& piece, double angle) const {
+    const pl::Segment segment = model_.segment(edge);
+    add_part(marks, look, in_view(segment.from, angle), in_view(segment.to, angle), parameter(edge, piece.low),
+             parameter(edge, piece.high));
   }
-  // The list says what changes, not why: a face is edge-on or not, and of the others those that exchange junctions alone are of
-  // three edges.
-  [[nodiscard]] EventKind kind_of(const pl::EventList& list, const pl::Event& event) const {
-    for (pl::FaceIndex face = 0; face < model_.faces().size(); ++face)
-      if (edge_on(face, event.direction)) return EventKind::face_edge_on;
-    for (const pl::Change& change : list.changes_of(event)) {
-      const auto removed = list.removed_by(change);
-      const auto added = list.added_by(change);
-      if (removed.size() != added.size()) return event.direction.rational ? EventKind::vertex_and_edge : EventKind::three_edges;
-      for (std::size_t i = 0; i < removed.size(); ++i) {
-        for (const auto& [a, b] : {std::pair(removed[i].low, added[i].low), {removed[i].high, added[i].high}}) {
-          if (!(a == b) && (a.kind() != pl::EndKind::junction || b.kind() != pl::EndKind::junction)) return EventKind::vertex_and_edge;
-        }
-      }
-    }
-    return event.direction.rational ? EventKind::vertex_and_edge : EventKind::three_edges;
+  static void add_part(std::vector<Mark>& marks, Look look, const Point& from, const Point& to, double low, double high) {
+    const auto at = [&](double s) { return Point{from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])}; };
+    marks.push_back(line(look, {at(low), at(high)}));
   }
-  [[nodiscard]] std::string what_of(EventKind kind, const pl::Event& event) const {
-    switch (kind) {
-      case EventKind::face_edge_on: {
-        std::string faces;
-        int found = 0;
-        for (pl::FaceIndex face = 0; face < model_.faces().size() && found < 4; ++face) {
-          if (!edge_on(face, event.direction)) continue;
-          faces += fmt::format("{}{}", found == 0 ? "" : ", ", face + 1);
-          ++found;
-        }
-        return fmt::format("face{} {} seen edge-on", found == 1 ? "" : "s", faces + (found == 1 ? " is" : " are"));
-      }
-      case EventKind::vertex_and_edge: return "a vertex and an edge meet in the image (EV)";
-      case EventKind::three_edges: return "three edges meet in a point of the image (EEE)";
-    }
-    return {};
+  [[nodiscard]] std::vector<Mark> view_of(const pl::EdgeStructureGraph& graph, double angle) {
+    std::vector<pl::ImageLine> lines;
+    maker_.visible(graph, angle, lines);
+    pieces_ = graph.piece_count();
+    count();
+    std::vector<Mark> marks;
+    for (const pl::ImageLine& each : lines)
+      marks.push_back(line(Look::seen, {room_.in_image(each.u0, each.v0, angle), room_.in_image(each.u1, each.v1, angle)}));
+    return marks;
+  }
+  [[nodiscard]] std::vector<Mark> marks_of(const picture::LinePicture& drawn) const {
+    std::vector<Mark> marks;
+    for (const picture::LinePiece& piece : drawn.pieces)
+      add_part(marks, Look::seen, in_view(model_.vertices()[piece.edge.from], angle_),
+               in_view(model_.vertices()[piece.edge.to], angle_), piece.low.to_double(), piece.high.to_double());
+    return marks;
   }
 
   const pl::RotationModel& model_;
   pl::FrameMaker maker_;
   Steps& steps_;
+  const Room room_;
+  const double angle_;  // of the camera
+  std::vector<std::vector<pl::PotentialEvent>> causes_;
+
+  // Of the initial picture.
+  std::size_t occluder_count_ = 0;
+  std::set<pl::FaceIndex> hiders_;
+  std::vector<Mark> initial_;
+  std::size_t turned_away_ = 0;
+  std::size_t hidden_shown_ = 0;
+  std::size_t parts_shown_ = 0;
+  // Of the edge being studied.
+  std::vector<pl::Occluder> occluders_;
+  std::vector<Comparison> comparisons_;
+  std::size_t dropped_here_ = 0;
+  // Of all.
   std::vector<Mark> found_;
-  std::uint64_t edges_ = 0, candidates_ = 0, changes_ = 0, events_ = 0, passed_ = 0, pieces_ = 0;
+  std::set<EventKind> kinds_told_;
+  std::size_t detailed_ = 0;
+  std::vector<pl::EdgeIndex> summary_;
+  std::size_t summary_size_ = 1;
+  std::size_t summary_directions_ = 0;
+  std::size_t summary_changes_ = 0;
+  std::uint64_t pieces_ = 0, studied_ = 0, potential_ = 0, dropped_ = 0, compared_ = 0, changes_ = 0, events_ = 0, passed_ = 0;
 };
 
 }  // namespace
 
-base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scene::PolyCamera& camera, const scene::CellComplex*) {
+base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                       const scene::CellComplex*) {
   if (const auto reason = pl::why_not(scene)) return base::Error{"", "plantinga", *reason};
   const pl::RotationModel model(scene);
   if (model.edges().size() > most_lesson_edges)
-    return base::Error{"", "plantinga", fmt::format("the scene has {} edges, too many to follow", model.edges().size()), "at most 300"};
+    return base::Error{"", "plantinga", fmt::format("the scene has {} edges, too many to follow", model.edges().size()),
+                       fmt::format("at most {}", most_lesson_edges)};
   Lesson lesson{"plantinga", "Plantinga, Seales and Dyer 1990: the events of a turn", scene.name, {}, {}};
-  double reach = 1;
-  double low = 0, high = 0;
-  bool first = true;
-  for (const auto& v : scene.vertices) {
-    reach = std::max(reach, std::sqrt(double(v[0]) * v[0] + double(v[2]) * v[2]));
-    low = first ? v[1] : std::min(low, double(v[1]));
-    high = first ? v[1] : std::max(high, double(v[1]));
-    first = false;
-  }
-  const double margin = 0.04 * std::max(2 * reach, high - low);
-  lesson.sheets = {{"The image, in parallel projection", {-reach - margin, low - margin}, {reach + margin, high + margin}},
-                   {"The circle of directions from above, the viewer outside", {-1.2, -1.2}, {1.25, 1.2}}};
-  Steps steps(lesson);
-  PlantingaTeller teller(model, steps);
+  const Room room(model.vertices(), camera);
+  lesson.sheets = {room.image_sheet(), {"The circle of directions and the scene, from above", {-1.25, -1.25}, {1.25, 1.25}}};
   const auto exact = pl::sight_of(camera);
   pl::Sight sight = exact ? *exact : pl::Sight{-std::int64_t{camera.forward[0]}, -std::int64_t{camera.forward[2]}};
   if (sight.x == 0 && sight.z == 0) sight.z = 1;
   const double angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
-  std::vector<Mark> ring;
-  std::vector<Point> points;
-  for (int i = 0; i <= 180; ++i) points.push_back(on_circle(i * std::numbers::pi / 90));
-  ring.push_back(line(Look::faint, std::move(points)));
-  steps.add(fmt::format("The scene turns about its vertical axis and is seen in parallel projection.{} As it turns, the structure of the picture, which pieces of which edges are seen and "
-                        "what each ends in, changes at certain directions only: at visual events.",
-                        exact ? "" : " The camera is replaced by its direction on the ground."),
-            "section 2", {{image, "wire", teller.wire(angle)}, {circle, "ring", std::move(ring)}, {circle, "sight", PlantingaTeller::radius(angle)}});
+  Steps steps(lesson);
+  PlantingaTeller teller(model, room, angle, steps);
+  std::vector<Point> ring;
+  for (int i = 0; i <= 180; ++i) ring.push_back(room.on_circle(i * std::numbers::pi / 90));
+  steps.add(fmt::format(
+                "The scene turns about a vertical axis and is seen in parallel projection.{} The structure of the picture, which "
+                "pieces of which edges are visible and what each ends in, changes at certain directions only: at events.",
+                exact ? "" : " The algorithm turns nothing else, so the camera is replaced by its horizontal direction."),
+            "section 2",
+            {{image, "wire", teller.wire(angle)},
+             {circle, "ring", {line(Look::faint, std::move(ring))}},
+             {circle, "plan", teller.plan()},
+             {circle, "sight", teller.radius(angle)}});
+  const picture::LinePicture picture = pl::visible_edges(model, sight, teller);
+  teller.initial_picture(picture);
   pl::BuildOptions options;
-  options.threads = 1;
-  options.studied = [&](pl::EdgeIndex edge, const pl::EdgeHistory& history) { teller.studied(edge, history, angle); };
+  options.trace = &teller;
   auto list = pl::build_event_list(model, options);
   if (!list) return std::move(list.error());
+  teller.end_summary();
   pl::EdgeStructureGraph graph(*list);
   static_cast<void>(graph.turn_to(angle));
   teller.turn(*list, graph);
-  static_cast<void>(graph.turn_to(angle));
-  std::vector<Mark> seen = teller.picture(graph, angle);
-  teller.count();
-  steps.add(list->events.empty() ? "Nothing changes in a whole turn: every view has the same structure."
-                                 : "The turn is complete. Each step touched only the edges that change, however large the scene is.",
-            "section 4", {{image, "edge", {}}, {image, "wire", teller.wire(angle)}, {image, "seen", std::move(seen)}, {circle, "event", {}}, {circle, "sight", PlantingaTeller::radius(angle)}});
+  teller.finish(picture);
   return lesson;
 }
 

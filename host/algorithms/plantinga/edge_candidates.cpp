@@ -6,17 +6,20 @@
 #include <cmath>
 
 #include "host/algorithms/plantinga/near_forms.hpp"
+#include "host/algorithms/plantinga/trace.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
 
+template <class Listener>
 class Gatherer {
  public:
   Gatherer(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
-           const std::vector<Occluder>& occluders)
+           const std::vector<Occluder>& occluders, Listener listener)
       : model_(model),
         occluders_(occluders),
         filter_(model, parts, edge, occluders),
+        listener_(listener),
         edge_(edge),
         ends_(model.edges()[edge]),
         segment_(model.segment(edge)),
@@ -35,7 +38,7 @@ class Gatherer {
       end_behind(ends_.from, 0, line);
       end_behind(ends_.to, 1, line);
       // In one plane with the edge: edge-on, the two are in line, and far more than the ends may be seen.
-      if (line.order == 0) add(roots_of(line.d_size != 0 ? line.exact.d : line.exact.n));
+      if (line.order == 0) add(EventKind::in_line, line.edge, 0, roots_of(line.d_size != 0 ? line.exact.d : line.exact.n));
     }
     for (const Occluder& occluder : occluders_) {
       if (passes_through(occluder)) passage_behind(occluder);
@@ -51,8 +54,13 @@ class Gatherer {
            other.to == ends_.to;
   }
 
-  void add(const std::vector<Direction>& directions) {
+  void add(EventKind kind, std::uint32_t first, std::uint32_t second, const std::vector<Direction>& directions) {
+    for (const Direction& direction : directions) listener_.potential(kind, edge_, first, second, direction);
     found_.insert(found_.end(), directions.begin(), directions.end());
+  }
+  void add(EventKind kind, std::uint32_t first, std::uint32_t second, const Direction& direction) {
+    listener_.potential(kind, edge_, first, second, direction);
+    found_.push_back(direction);
   }
 
   void gather_lines() {
@@ -100,12 +108,13 @@ class Gatherer {
   // The edge appears, disappears, or runs along one that meets it.
   void own_faces() {
     for (const Incidence& incidence : model_.faces_at(edge_)) {
-      add(face_edge_on_events(model_.faces()[incidence.face].normal));
+      add(EventKind::own_face, incidence.face, 0, face_edge_on_events(model_.faces()[incidence.face].normal));
     }
     for (const scene::VertexIndex end : {ends_.from, ends_.to}) {
       for (const EdgeIndex other : model_.edges_at(end)) {
         if (other == edge_) continue;
-        add(roots_of(form_of(geometry::cross(segment_.along(), model_.segment(other).along()))));
+        add(EventKind::own_plane, other, 0,
+            roots_of(form_of(geometry::cross(segment_.along(), model_.segment(other).along()))));
       }
     }
   }
@@ -124,7 +133,12 @@ class Gatherer {
     for (const Direction& direction : face_edge_on_events(model_.faces()[face].normal)) {
       const NearDirection v = near(direction);
       const Meeting meeting = meeting_of(line, v);
-      if (meeting.within && !filter_.hidden(meeting.s, meeting.error, v)) found_.push_back(direction);
+      if (!meeting.within) continue;
+      if (filter_.hidden(meeting.s, meeting.error, v)) {
+        listener_.dropped(EventKind::face_edge_on, edge_);
+        continue;
+      }
+      add(EventKind::face_edge_on, face, 0, direction);
     }
   }
 
@@ -138,7 +152,8 @@ class Gatherer {
     const Vector3 m = geometry::cross(minus(p, segment_.from), segment_.along());
     if (m[0] == 0 && m[2] == 0) return;
     const int sign = rise > 0 ? 1 : -1;
-    consider(static_cast<double>(above) / static_cast<double>(rise), sign * m[2], -sign * m[0]);
+    consider(EventKind::vertex_in_front, vertex, 0, static_cast<double>(above) / static_cast<double>(rise),
+             sign * m[2], -sign * m[0]);
   }
 
   // EV, an end of the edge behind a line.
@@ -152,7 +167,11 @@ class Gatherer {
     const double length = std::hypot(static_cast<double>(m[0]), static_cast<double>(m[2]));
     const NearDirection v{static_cast<double>(-sign * m[2]) / length,
                           static_cast<double>(sign * m[0]) / length, rounding};
-    if (!filter_.no_contour(line.edge, v)) consider(s, -sign * m[2], sign * m[0]);
+    if (filter_.no_contour(line.edge, v)) {
+      listener_.dropped(EventKind::vertex_behind, edge_);
+      return;
+    }
+    consider(EventKind::vertex_behind, end, line.edge, s, -sign * m[2], sign * m[0]);
   }
 
   // The point where the edge passes through the plane of a face is in the face, or nearly.
@@ -192,15 +211,19 @@ class Gatherer {
       const Int128 z = q[0] * b[1] - q[1] * b[0];
       if (x == 0 && z == 0) continue;
       const Direction direction = rational_direction(z, -x);
-      found_.push_back(direction);
-      found_.push_back(opposite(direction));
+      add(EventKind::passage, occluder.face, line.edge, direction);
+      add(EventKind::passage, occluder.face, line.edge, opposite(direction));
     }
   }
 
-  void consider(double s, std::int64_t x, std::int64_t z) {
+  void consider(EventKind kind, std::uint32_t first, std::uint32_t second, double s, std::int64_t x, std::int64_t z) {
     const double length = std::hypot(static_cast<double>(x), static_cast<double>(z));
     const NearDirection v{static_cast<double>(x) / length, static_cast<double>(z) / length, rounding};
-    if (!filter_.hidden(s, rounding, v)) found_.push_back(rational_direction(x, z));
+    if (filter_.hidden(s, rounding, v)) {
+      listener_.dropped(kind, edge_);
+    } else {
+      add(kind, first, second, rational_direction(x, z));
+    }
   }
 
   void pairs_of_lines() {
@@ -235,7 +258,8 @@ class Gatherer {
       if (share_face(a, b)) return;  // FE
       const Vector3 n = geometry::cross(model_.segment(a.edge).along(), model_.segment(b.edge).along());
       for (const Direction& direction : roots_of(form_of(n))) {
-        if (possible(a, b, near(direction))) found_.push_back(direction);
+        if (possible(EventKind::edge_pair, a, b, near(direction)))
+          add(EventKind::edge_pair, a.edge, b.edge, direction);
       }
       return;
     }
@@ -243,14 +267,16 @@ class Gatherer {
     three_edges(a, b);
   }
 
-  [[nodiscard]] bool possible(const Line& a, const Line& b, const NearDirection& v) {
+  [[nodiscard]] bool possible(EventKind kind, const Line& a, const Line& b, const NearDirection& v) {
     const Meeting first = meeting_of(a, v);
     if (!first.within) return false;
     const Meeting second = meeting_of(b, v);
     if (!second.within || surely_farther(a, v) || surely_farther(b, v)) return false;
-    if (filter_.no_contour(a.edge, v) || filter_.no_contour(b.edge, v)) return false;
     const Meeting& best = first.error < second.error ? first : second;
-    return !filter_.hidden(best.s, best.error, v);
+    const bool drop =
+        filter_.no_contour(a.edge, v) || filter_.no_contour(b.edge, v) || filter_.hidden(best.s, best.error, v);
+    if (drop) listener_.dropped(kind, edge_);
+    return !drop;
   }
 
   // EEE: the roots in doubles first, and exactly where doubles do not tell.
@@ -270,26 +296,29 @@ class Gatherer {
       const double length = std::hypot(x, z);
       if (!(q_off < 1e-9 * length)) return exactly(a, b);
       const NearDirection v{x / length, z / length, 2 * q_off / length};
-      const bool here = possible(a, b, v);
-      const bool there = possible(a, b, turned_round(v));
+      const bool here = possible(EventKind::three_edges, a, b, v);
+      const bool there = possible(EventKind::three_edges, a, b, turned_round(v));
       if (!here && !there) continue;
       for (const Direction& direction : roots_of(meeting_form(a.exact, b.exact))) {
         const double along = std::sin(direction.angle) * v.x + std::cos(direction.angle) * v.z;
         const double across = std::sin(direction.angle) * v.z - std::cos(direction.angle) * v.x;
-        if (std::abs(across) < 1e-7 && (along > 0 ? here : there)) found_.push_back(direction);
+        if (std::abs(across) < 1e-7 && (along > 0 ? here : there))
+          add(EventKind::three_edges, a.edge, b.edge, direction);
       }
     }
   }
 
   void exactly(const Line& a, const Line& b) {
     for (const Direction& direction : roots_of(meeting_form(a.exact, b.exact))) {
-      if (possible(a, b, near(direction))) found_.push_back(direction);
+      if (possible(EventKind::three_edges, a, b, near(direction)))
+        add(EventKind::three_edges, a.edge, b.edge, direction);
     }
   }
 
   const RotationModel& model_;
   const std::vector<Occluder>& occluders_;
   CandidateFilter filter_;
+  [[no_unique_address]] Listener listener_;
   EdgeIndex edge_;
   picture::LineEdge ends_;
   Segment segment_;
@@ -303,8 +332,9 @@ class Gatherer {
 }  // namespace
 
 std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
-                                     const std::vector<Occluder>& occluders) {
-  return Gatherer(model, parts, edge, occluders).gather();
+                                     const std::vector<Occluder>& occluders, Trace* trace) {
+  if (trace != nullptr) return Gatherer<Watched>(model, parts, edge, occluders, Watched(*trace)).gather();
+  return Gatherer<Unwatched>(model, parts, edge, occluders, {}).gather();
 }
 
 }  // namespace sightline::algorithms::plantinga

@@ -13,8 +13,11 @@
 
 namespace sightline::algorithms::plantinga {
 
-// Ascending, each once.
+class Trace;
+
+// Ascending, each once. `trace`, if given, is told of each and of those that the filter drops.
 [[nodiscard]] std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts,
-                                                   EdgeIndex edge, const std::vector<Occluder>& occluders);
+                                                   EdgeIndex edge, const std::vector<Occluder>& occluders,
+                                                   Trace* trace = nullptr);
 
 }  // namespace sightline::algorithms::plantinga

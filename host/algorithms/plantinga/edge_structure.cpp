@@ -8,15 +8,34 @@
 
 namespace sightline::algorithms::plantinga {
 
-EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
-                           const Sight& sight, std::vector<PieceRange>* ranges) {
-  FromScratch<DirectArithmetic> scratch(model, sight.x, sight.z);
+namespace {
+
+template <class Scratch>
+EdgeStructure structure_from(Scratch& scratch, EdgeIndex edge, const std::vector<Occluder>& occluders,
+                             std::vector<PieceRange>* ranges) {
   EdgeStructure structure;
   for (const auto& seen : scratch.pieces_of(edge, occluders)) {
     structure.push_back(seen.piece);
     if (ranges != nullptr)
       ranges->push_back({seen.low.part, seen.low.whole, seen.high.part, seen.high.whole});
   }
+  return structure;
+}
+
+}  // namespace
+
+EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
+                           const Sight& sight, std::vector<PieceRange>* ranges) {
+  FromScratch<DirectArithmetic> scratch(model, sight.x, sight.z);
+  return structure_from(scratch, edge, occluders, ranges);
+}
+
+EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
+                           const Sight& sight, std::vector<PieceRange>* ranges, Trace& trace) {
+  trace.scratch_begins(edge, occluders);
+  FromScratch<DirectArithmetic, Watched> scratch(model, sight.x, sight.z, Watched(trace));
+  EdgeStructure structure = structure_from(scratch, edge, occluders, ranges);
+  trace.scratch_ends(edge, scratch.compared(), structure);
   return structure;
 }
 
@@ -35,13 +54,15 @@ constexpr Sight anywhere{314159, 271828};
 
 }  // namespace
 
-EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge) {
+EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge, Trace* trace) {
   const std::vector<Occluder> occluders = model.occluders_of(edge);
-  const std::vector<Direction> candidates = candidates_of(model, parts, edge, occluders);
+  if (trace != nullptr) trace->study_begins(edge, occluders);
+  const std::vector<Direction> candidates = candidates_of(model, parts, edge, occluders, trace);
   EdgeHistory history;
   history.candidates = candidates.size();
   if (candidates.empty()) {
     history.first = structure_at(model, edge, occluders, anywhere);
+    if (trace != nullptr) trace->study_ends(edge, history);
     return history;
   }
   history.first = structure_between(model, edge, occluders, candidates.back(), candidates.front());
@@ -50,10 +71,12 @@ EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, Edg
     EdgeStructure after = i + 1 == candidates.size()
                               ? history.first
                               : structure_between(model, edge, occluders, candidates[i], candidates[i + 1]);
+    if (trace != nullptr) trace->compared(edge, candidates[i], *now, after);
     if (after == *now) continue;
     history.changes.push_back({candidates[i], std::move(after)});
     now = &history.changes.back().after;
   }
+  if (trace != nullptr) trace->study_ends(edge, history);
   return history;
 }
 

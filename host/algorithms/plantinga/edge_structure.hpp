@@ -63,6 +63,13 @@ struct PieceRange {
                                          const std::vector<Occluder>& occluders, const Sight& sight,
                                          std::vector<PieceRange>* ranges = nullptr);
 
+class Trace;
+
+// The same, and tells a trace about it.
+[[nodiscard]] EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge,
+                                         const std::vector<Occluder>& occluders, const Sight& sight,
+                                         std::vector<PieceRange>* ranges, Trace& trace);
+
 // Between two different directions, the second after the first: in small integers where there are any.
 [[nodiscard]] EdgeStructure structure_between(const RotationModel& model, EdgeIndex edge,
                                               const std::vector<Occluder>& occluders, const Direction& a,
@@ -92,6 +99,8 @@ struct EdgeHistory {
   std::uint64_t candidates = 0;     // directions at which the structure was looked at
 };
 
-[[nodiscard]] EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge);
+// `trace`, if given, is told about it.
+[[nodiscard]] EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
+                                     Trace* trace = nullptr);
 
 }  // namespace sightline::algorithms::plantinga

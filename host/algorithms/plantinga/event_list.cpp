@@ -23,7 +23,8 @@ class Study {
 
   // Empty if a limit was reached.
   std::optional<base::Error> run() {
-    base::run_on_threads(options_.threads != 0 ? options_.threads : base::available_threads(), [this] { work(); });
+    const unsigned threads = options_.threads != 0 ? options_.threads : base::available_threads();
+    base::run_on_threads(options_.trace != nullptr ? 1 : threads, [this] { work(); });
     return stopped_;
   }
 
@@ -34,13 +35,12 @@ class Study {
     for (;;) {
       const std::size_t edge = next_.fetch_add(1);
       if (edge >= histories_.size() || given_up_) return;
-      EdgeHistory history = history_of(model_, parts_, static_cast<EdgeIndex>(edge));
+      EdgeHistory history = history_of(model_, parts_, static_cast<EdgeIndex>(edge), options_.trace);
       std::uint64_t pieces = history.first.size();
       for (const EdgeChange& change : history.changes) pieces += 2 * change.after.size();
       const base::Lock lock(mutex_);
       changes_ += history.changes.size();
       pieces_ += pieces;
-      if (options_.studied) options_.studied(static_cast<EdgeIndex>(edge), history);
       histories_[edge] = std::move(history);
       ++done_;
       if (options_.progress) options_.progress(done_, histories_.size());

@@ -66,8 +66,7 @@ struct BuildOptions {
   unsigned threads = 0;                     // 0: one for each core
   std::function<void(std::size_t done, std::size_t of)> progress =
       nullptr;  // edges; from any thread, one at a time
-  // Told what has been found of each edge, likewise; empty: nobody watches.
-  std::function<void(EdgeIndex edge, const EdgeHistory& history)> studied = nullptr;
+  Trace* trace = nullptr;  // told about every edge; then one thread does all the work
 };
 
 // Error: a limit was reached; it says which, and how far the work had come.

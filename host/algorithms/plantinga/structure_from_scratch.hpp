@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "host/algorithms/plantinga/edge_structure.hpp"
+#include "host/algorithms/plantinga/trace.hpp"
 
 namespace sightline::algorithms::plantinga {
 
@@ -43,7 +44,7 @@ struct WideArithmetic {
   [[nodiscard]] static auto depth(std::int64_t n) { return geometry::WideInteger<61>(n); }
 };
 
-template <class Arithmetic>
+template <class Arithmetic, class Listener = Unwatched>
 class FromScratch {
   using Number = typename Arithmetic::Number;
   using Across = typename Arithmetic::Across;
@@ -60,7 +61,11 @@ class FromScratch {
   };
 
   using Sight = typename Arithmetic::Sight;
-  FromScratch(const RotationModel& model, const Sight& x, const Sight& z) : model_(model), x_(x), z_(z) {}
+  FromScratch(const RotationModel& model, const Sight& x, const Sight& z, Listener listener = Listener())
+      : model_(model), x_(x), z_(z), listener_(listener) {}
+
+  // Whether the last edge was compared with its occluders at all.
+  [[nodiscard]] bool compared() const { return compared_; }
 
   std::vector<SeenPiece> pieces_of(EdgeIndex edge, const std::vector<Occluder>& occluders) {
     edge_ = edge;
@@ -72,7 +77,8 @@ class FromScratch {
     du_ = bu_ - au_;
     dy_ = (*b_)[1] - (*a_)[1];
     level_ = dy_ == 0;
-    if ((geometry::sign(du_) == 0 && level_) || !faces_viewer()) return {};
+    compared_ = (geometry::sign(du_) != 0 || !level_) && faces_viewer();
+    if (!compared_) return {};
     left_.clear();
     right_.clear();
     for (const Occluder& occluder : occluders) cast(occluder);
@@ -196,7 +202,9 @@ class FromScratch {
         part.high = last;
         part.high_end = passage;
       }
-      if (compare(part.low, part.high) < 0) hidden.push_back(std::move(part));
+      if (compare(part.low, part.high) >= 0) continue;
+      listener_.hides(edge_, occluder.face, part.low, part.high);
+      hidden.push_back(std::move(part));
     }
   }
 
@@ -264,7 +272,9 @@ class FromScratch {
   const RotationModel& model_;
   Sight x_;
   Sight z_;
+  [[no_unique_address]] Listener listener_;
   EdgeIndex edge_ = 0;
+  bool compared_ = false;
   const Vector3* a_ = nullptr;
   const Vector3* b_ = nullptr;
   Across au_{}, bu_{};

@@ -58,17 +58,34 @@ scene::PolyCamera camera_of(const Sight& sight) {
   return camera;
 }
 
-picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight) {
+namespace {
+
+template <class Find>
+picture::LinePicture picture_of(const RotationModel& model, Find find) {
   picture::LinePicture picture;
   std::vector<PieceRange> ranges;
   for (EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
     ranges.clear();
-    static_cast<void>(structure_at(model, edge, model.occluders_of(edge), sight, &ranges));
+    find(edge, &ranges);
     for (const PieceRange& range : ranges) {
       picture.pieces.push_back({model.edges()[edge], {range.low, range.low_of}, {range.high, range.high_of}});
     }
   }
   return picture;
+}
+
+}  // namespace
+
+picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight) {
+  return picture_of(model, [&](EdgeIndex edge, std::vector<PieceRange>* ranges) {
+    static_cast<void>(structure_at(model, edge, model.occluders_of(edge), sight, ranges));
+  });
+}
+
+picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight, Trace& trace) {
+  return picture_of(model, [&](EdgeIndex edge, std::vector<PieceRange>* ranges) {
+    static_cast<void>(structure_at(model, edge, model.occluders_of(edge), sight, ranges, trace));
+  });
 }
 
 void append_pieces(const RotationModel& model, EdgeIndex edge, const EdgeStructure& structure,

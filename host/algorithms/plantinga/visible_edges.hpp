@@ -22,6 +22,9 @@ namespace sightline::algorithms::plantinga {
 // are fractions of 63 bits.
 [[nodiscard]] picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight);
 
+// The same, and tells a trace about every edge.
+[[nodiscard]] picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight, Trace& trace);
+
 // Appends the pieces of one edge. The structure is that of a direction, no event of the edge, within 2^15.
 void append_pieces(const RotationModel& model, EdgeIndex edge, const EdgeStructure& structure,
                    const Sight& sight, std::vector<picture::LinePiece>& pieces);
