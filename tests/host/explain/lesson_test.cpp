@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "host/base/json.hpp"
 #include "host/explain/lesson_page.hpp"
 #include "host/explain/stage.hpp"
@@ -89,6 +94,52 @@ TEST(ImageStage, IsThePictureOfTheCamera) {
   EXPECT_NEAR(seen[0][1], 0.3, 1e-12);
   const ImageStage parallel(scene, {false, {10, 0, 0}, {0, 0, 2}, {3, 0, 0}, {0, 5, 0}});
   EXPECT_NEAR(parallel.line_in_image({20, 30, -500}, {0, 0, 0})[0][0], 10, 1e-12);
+}
+
+// A scene behind the eye leaves nothing to draw, and a sheet that can be drawn on all the same.
+TEST(ImageStage, HasNothingOfASceneBehindTheEye) {
+  const scene::PolyScene scene = two_points({0, 0, 0}, {1, 0, 0});
+  const ImageStage stage(scene, {true, {0, 0, 500}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  EXPECT_TRUE(stage.wire_frame().empty());
+  std::vector<Mark> marks;
+  stage.add_face(marks, Look::plain, scene.bodies[0].faces[0]);
+  EXPECT_TRUE(marks.empty());
+  const Sheet sheet = stage.sheet("The image");
+  EXPECT_LT(sheet.low[0], sheet.high[0]);
+  EXPECT_LT(sheet.low[1], sheet.high[1]);
+}
+
+TEST(ImageStage, CutsAnOutlineThatPassesTheEye) {
+  const scene::PolyScene scene = two_points({0, 0, 0}, {1, 0, 0});
+  const ImageStage stage(scene, {true, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  const std::vector<Space> square{{-1, -1, 50}, {1, -1, 50}, {1, -1, -50}, {-1, -1, -50}};
+  const std::vector<Point> outline = stage.outline_in_image(square);
+  ASSERT_EQ(outline.size(), 4U);
+  for (const Point& p : outline) EXPECT_LE(p[1], -1.0 / 50 + 1e-12) << "below the horizon, and no nearer than the far side";
+}
+
+TEST(LessonJson, NamesEveryLook) {
+  std::set<std::string_view> names;
+  for (int look = 0; look <= static_cast<int>(Look::mask); ++look) {
+    EXPECT_FALSE(name_of(static_cast<Look>(look)).empty());
+    names.insert(name_of(static_cast<Look>(look)));
+  }
+  EXPECT_EQ(names.size(), 8U);
+  // The player knows them all.
+  std::string player;
+  for (const auto& [name, content] : player_files())
+    if (name == "player.js") player = content;
+  for (const std::string_view name : names) EXPECT_NE(player.find(std::string(name) + ": ["), std::string::npos) << name;
+}
+
+TEST(LessonJson, RoundsToFourDigitsAndKeepsWhatCannotBeRounded) {
+  Lesson lesson = small_lesson("a\\b\n\"c\"\u00e9");
+  lesson.sheets[0].high = {1e9 + 0.5, 0.00005};
+  const auto json = base::parse_json(json_of(lesson), "lesson");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(*json->find("scene")->text(), "a\\b\n\"c\"\u00e9");
+  EXPECT_EQ((*(*json->find("sheets"))[0].find("high"))[0].number(), 1e9 + 0.5);
+  EXPECT_EQ((*(*json->find("sheets"))[0].find("high"))[1].number(), 0.0001);
 }
 
 TEST(CutOutline, KeepsTheSideThatIsAskedFor) {

@@ -2,10 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/explain/explain.hpp"
+#include "host/explain/stage.hpp"
 #include "host/scene/heights/function.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
 
 namespace sightline::explain {
@@ -94,6 +99,111 @@ TEST(Lessons, EndWithThePicture) {
       EXPECT_EQ(layers["seen"].size(), picture.pieces.size()) << algorithm << ' ' << name;
     }
   }
+}
+
+// The contents of all layers of a sheet after each step.
+template <class Look>
+void for_each_state(const Lesson& lesson, std::size_t sheet, Look look) {
+  std::map<std::string, std::vector<Mark>> layers;
+  for (const Step& step : lesson.steps) {
+    for (const Layer& layer : step.changes)
+      if (layer.sheet == sheet) layers[layer.name] = layer.marks;
+    look(step, layers);
+  }
+}
+
+std::uint64_t count_of(const Step& step, const std::string& name) {
+  for (const Count& count : step.counts)
+    if (count.name == name) return count.value;
+  ADD_FAILURE() << "no count " << name;
+  return 0;
+}
+
+// A lesson of a turn begins and ends with the picture of `exact`, and passes every event once.
+TEST(Lessons, OfATurnAreOfTheExactPicture) {
+  for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
+    scene::PolyScene scene = loaded(name).scene;
+    scene.camera = {false, {0, 0, 0}, {-271, 0, 314}, {314, 0, 271}, {0, 1, 0}};
+    const auto picture = algorithms::exact::visible_edges(scene, scene.camera);
+    const auto lesson = find_explainer("plantinga")->scene(scene, scene.camera, nullptr);
+    ASSERT_TRUE(lesson) << name;
+    std::size_t initial = 0, events = 0, most = 0;
+    std::vector<Mark> last;
+    for_each_state(*lesson, 0, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
+      if (step.caption.starts_with("The initial picture")) initial = layers["seen"].size();
+      if (step.caption.starts_with("Event ")) {
+        EXPECT_EQ(count_of(step, "events passed"), ++events) << name;
+        EXPECT_FALSE(layers["edge"].empty() && layers["cause"].empty()) << name << ": " << step.caption;
+      }
+      // Between events all of the graph is drawn.
+      if (step.caption.starts_with("The structure stays")) {
+        EXPECT_EQ(layers["seen"].size(), count_of(step, "pieces seen")) << name;
+      }
+      most = count_of(step, "events");
+      last = layers["seen"];
+    });
+    EXPECT_EQ(initial, picture.pieces.size()) << name;
+    EXPECT_EQ(last.size(), picture.pieces.size()) << name;
+    EXPECT_EQ(events, most) << name;
+    EXPECT_LE(lesson->steps.size(), 400U) << name;
+    for (const Count& count : lesson->steps.back().counts)
+      if (count.name != "pieces seen") {
+        for (std::size_t i = 1; i < lesson->steps.size(); ++i)
+          EXPECT_GE(count_of(lesson->steps[i], count.name), count_of(lesson->steps[i - 1], count.name)) << name << ", step " << i;
+      }
+  }
+}
+
+// The picture is the camera's, not its mirror image, whichever way its right, up and forward turn.
+TEST(Lessons, OfATurnAreNotMirrored) {
+  for (const char* const name : {"house", "boxes-3"}) {
+    const scene::PolyScene scene = loaded(name).scene;
+    for (const int hand : {1, -1}) {
+      const scene::PolyCamera camera{false, {0, 0, 0}, {-271, 0, 314}, {314 * hand, 0, 271 * hand}, {0, 1, 0}};
+      const auto lesson = find_explainer("plantinga")->scene(scene, camera, nullptr);
+      ASSERT_TRUE(lesson) << name;
+      const ImageStage stage(scene, camera);
+      const std::vector<Mark> wire = stage.wire_frame();
+      const Layer& drawn = lesson->steps[0].changes[0];
+      ASSERT_EQ(drawn.name, "wire");
+      ASSERT_EQ(drawn.marks.size(), wire.size());
+      // The same but for a shift.
+      const double shift = drawn.marks[0].points[0][0] - wire[0].points[0][0];
+      for (std::size_t i = 0; i < wire.size(); ++i)
+        for (std::size_t end = 0; end < 2; ++end)
+          EXPECT_NEAR(drawn.marks[i].points[end][0] - wire[i].points[end][0], shift, 1e-6)
+              << name << ", hand " << hand << ", line " << i;
+    }
+  }
+}
+
+TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
+  const scene::LoadedScene source = loaded("house");
+  const auto perspective = find_explainer("plantinga")->scene(source.scene, source.scene.camera, nullptr);
+  ASSERT_TRUE(perspective);
+  EXPECT_NE(perspective->steps[0].caption.find("horizontal direction"), std::string::npos);
+  const scene::PolyCamera level{false, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  const auto parallel_one = find_explainer("plantinga")->scene(source.scene, level, nullptr);
+  ASSERT_TRUE(parallel_one);
+  EXPECT_EQ(parallel_one->steps[0].caption.find("horizontal direction"), std::string::npos);
+  // From straight above there is no horizontal direction: any will do.
+  const scene::PolyCamera above{false, {0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  EXPECT_TRUE(find_explainer("plantinga")->scene(source.scene, above, nullptr));
+}
+
+TEST(Lessons, AreThereForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
+  std::size_t made = 0;
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::LoadedScene source = loaded(std::string(name));
+    const auto lesson = find_explainer("exact")->scene(source.scene, source.scene.camera, nullptr);
+    if (lesson) {
+      expect_lawful(*lesson, std::string(name));
+      ++made;
+    } else {
+      EXPECT_GT(lesson.error().message().size(), 20U) << name;
+    }
+  }
+  EXPECT_GT(made, 3U);
 }
 
 TEST(Explainers, AreTheFiveOfThePapersAndExact) {

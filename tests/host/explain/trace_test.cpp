@@ -1,13 +1,21 @@
 // A traced search gives what the untraced one gives, and tells as much as it has counted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/trace.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/montani_re/trace.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
+#include "host/algorithms/plantinga/event_list.hpp"
+#include "host/algorithms/plantinga/trace.hpp"
+#include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/skala/draw.hpp"
 #include "host/algorithms/willis/model.hpp"
 #include "host/algorithms/willis/trace.hpp"
@@ -168,6 +176,104 @@ TEST(WillisTrace, ChangesNothing) {
     EXPECT_EQ(counter.first + counter.cuts, plain->pieces.size()) << name;
     EXPECT_EQ(counter.last, plain->pieces.size()) << name;
   }
+}
+
+namespace pl = algorithms::plantinga;
+
+// Counts, and checks that what it is told fits the model.
+struct PlantingaCounter final : pl::Trace {
+  explicit PlantingaCounter(const pl::RotationModel& m) : model(m), potentials(m.edges().size()) {}
+
+  void scratch_begins(pl::EdgeIndex edge, std::span<const pl::Occluder> occluders) override {
+    EXPECT_EQ(edge, scratched);
+    EXPECT_EQ(occluders.size(), model.occluders_of(edge).size());
+  }
+  void scratch_hides(pl::EdgeIndex edge, pl::FaceIndex face, double low, double high) override {
+    EXPECT_EQ(edge, scratched);
+    EXPECT_LT(face, model.faces().size());
+    EXPECT_TRUE(0 <= low && low < high && high <= 1) << low << ' ' << high;
+    ++hidden;
+  }
+  void scratch_ends(pl::EdgeIndex edge, bool compared, const pl::EdgeStructure& left) override {
+    EXPECT_EQ(edge, scratched);
+    if (!compared) {
+      EXPECT_TRUE(left.empty());
+    }
+    ++scratched;
+    pieces += left.size();
+  }
+  void study_begins(pl::EdgeIndex edge, std::span<const pl::Occluder>) override {
+    EXPECT_EQ(edge, studied);
+    comparisons = changed = 0;
+  }
+  // The faces that are said to be edge-on are, exactly.
+  void potential(const pl::PotentialEvent& event) override {
+    EXPECT_EQ(event.edge, studied);
+    potentials[event.edge].push_back(event.direction);
+    ++kinds[event.kind];
+    if (event.kind == pl::EventKind::own_face || event.kind == pl::EventKind::face_edge_on) {
+      ASSERT_LT(event.first, model.faces().size());
+      EXPECT_EQ(pl::sign_at(event.direction, pl::form_of(model.faces()[event.first].normal)), 0);
+    }
+  }
+  void dropped(pl::EventKind, pl::EdgeIndex edge) override { EXPECT_EQ(edge, studied); }
+  void compared(pl::EdgeIndex edge, const pl::Direction&, const pl::EdgeStructure& before,
+                const pl::EdgeStructure& after) override {
+    EXPECT_EQ(edge, studied);
+    ++comparisons;
+    changed += before == after ? 0 : 1;
+  }
+  void study_ends(pl::EdgeIndex edge, const pl::EdgeHistory& history) override {
+    EXPECT_EQ(edge, studied);
+    EXPECT_EQ(comparisons, history.candidates);
+    EXPECT_EQ(changed, history.changes.size());
+    pl::sort_and_group(potentials[edge]);
+    EXPECT_EQ(potentials[edge].size(), history.candidates);
+    for (const pl::EdgeChange& change : history.changes)
+      EXPECT_EQ(std::count(potentials[edge].begin(), potentials[edge].end(), change.direction), 1);
+    changes += history.changes.size();
+    ++studied;
+  }
+
+  const pl::RotationModel& model;
+  std::vector<std::vector<pl::Direction>> potentials;
+  std::map<pl::EventKind, std::size_t> kinds;
+  std::size_t scratched = 0, hidden = 0, pieces = 0, studied = 0, comparisons = 0, changed = 0, changes = 0;
+};
+
+TEST(PlantingaTrace, ChangesNothing) {
+  std::map<pl::EventKind, std::size_t> kinds;
+  for (const char* const name : {"house", "roberts", "boxes-5", "bricks-4", "triangles-8", "town-3"}) {
+    const scene::PolyScene scene = scene_named(name);
+    const pl::RotationModel model(scene);
+    PlantingaCounter counter(model);
+    const pl::Sight sight{271, -314};
+    const auto traced = pl::visible_edges(model, sight, counter);
+    EXPECT_EQ(traced, pl::visible_edges(model, sight)) << name;
+    EXPECT_EQ(traced, algorithms::exact::visible_edges(scene, pl::camera_of(sight))) << name;
+    EXPECT_EQ(counter.scratched, model.edges().size()) << name;
+    EXPECT_EQ(counter.pieces, traced.pieces.size()) << name;
+    EXPECT_GT(counter.hidden, 0U) << name;
+
+    pl::BuildOptions options;
+    options.trace = &counter;
+    const auto with = pl::build_event_list(model, options);
+    const auto without = pl::build_event_list(model);
+    ASSERT_TRUE(with && without) << name;
+    EXPECT_EQ(with->first, without->first) << name;
+    EXPECT_EQ(with->pieces, without->pieces) << name;
+    ASSERT_EQ(with->events.size(), without->events.size()) << name;
+    for (std::size_t i = 0; i < with->events.size(); ++i) {
+      EXPECT_EQ(with->events[i].direction, without->events[i].direction) << name;
+      EXPECT_EQ(with->events[i].change_count, without->events[i].change_count) << name;
+    }
+    EXPECT_EQ(counter.studied, model.edges().size()) << name;
+    EXPECT_EQ(counter.changes, with->changes.size()) << name;
+    for (const auto& [kind, count] : counter.kinds) kinds[kind] += count;
+  }
+  for (const pl::EventKind kind : {pl::EventKind::own_face, pl::EventKind::face_edge_on, pl::EventKind::vertex_in_front,
+                                   pl::EventKind::vertex_behind, pl::EventKind::three_edges})
+    EXPECT_GT(kinds[kind], 0U) << static_cast<int>(kind);
 }
 
 }  // namespace
