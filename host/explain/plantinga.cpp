@@ -33,7 +33,8 @@ constexpr std::size_t most_lesson_edges = 300;
 constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step of their own: hidden altogether,
 constexpr std::size_t most_parts_shown = 8;         // and in part
 constexpr std::size_t most_edges_in_detail = 4;     // edges studied direction by direction
-constexpr std::size_t most_directions_shown = 10;   // of such an edge
+constexpr std::size_t most_directions_shown = 10;   // of such an edge,
+constexpr std::size_t most_equal_shown = 4;         // and of them those where nothing changes
 constexpr std::size_t most_summaries = 16;          // of all other edges
 constexpr std::size_t most_events_with_views = 80;  // a step for each event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
@@ -47,7 +48,7 @@ std::string counted(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-// The three kinds that the circle tells apart.
+// The three kinds that the circle distinguishes.
 enum class Group : std::uint8_t { edge_on, vertex_and_edge, three_edges };
 Group group_of(EventKind kind) {
   switch (kind) {
@@ -151,10 +152,10 @@ class PlantingaTeller final : public pl::Trace {
 
   void scratch_begins(pl::EdgeIndex, std::span<const pl::Occluder> occluders) override {
     occluder_count_ = occluders.size();
-    hiders_.clear();
+    covering_.clear();
   }
 
-  void scratch_hides(pl::EdgeIndex, pl::FaceIndex face, double, double) override { hiders_.insert(face); }
+  void scratch_covers(pl::EdgeIndex, pl::FaceIndex face, double, double) override { covering_.insert(face); }
 
   void scratch_ends(pl::EdgeIndex edge, bool compared, const pl::EdgeStructure& left) override {
     if (!compared) {
@@ -165,12 +166,12 @@ class PlantingaTeller final : public pl::Trace {
     pieces_ += left.size();
     for (const pl::Piece& piece : left) add_piece(initial_, Look::seen, edge, piece, angle_);
     std::size_t& shown = left.empty() ? hidden_shown_ : parts_shown_;
-    if (hiders_.empty() || shown == (left.empty() ? most_hidden_shown : most_parts_shown)) return;
+    if (is_whole(edge, left) || shown == (left.empty() ? most_hidden_shown : most_parts_shown)) return;
     ++shown;
     count();
     std::vector<Mark> faces;
     std::string names;
-    for (const pl::FaceIndex face : hiders_) {
+    for (const pl::FaceIndex face : covering_) {
       add_face(faces, Look::other, face, angle_);
       names += fmt::format("{}{}", names.empty() ? "" : ", ", face + 1);
     }
@@ -178,12 +179,12 @@ class PlantingaTeller final : public pl::Trace {
     add_edge(marks, Look::hidden, edge, angle_);
     add_names(marks, Look::now, edge, angle_);
     for (const pl::Piece& piece : left) add_piece(marks, Look::now, edge, piece, angle_);
-    steps_.add(
-        fmt::format("{} is compared with the {} that may hide some of it from some direction. From here face{} {} hide{} some of "
-                    "it. {}",
-                    name_of(edge, true), counted(occluder_count_, "face"), hiders_.size() == 1 ? "" : "s", names,
-                    hiders_.size() == 1 ? "s" : "", what_is_left(left)),
-        "section 4", {{image, "face", std::move(faces)}, {image, "edge", std::move(marks)}, {image, "seen", initial_}});
+    steps_.add(fmt::format(
+                   "{} is compared with the {} that may hide some of it from some direction. From here face{} {} cover{} some of "
+                   "it; what is covered on both sides of its line in the image is hidden. {}",
+                   name_of(edge, true), counted(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
+                   covering_.size() == 1 ? "s" : "", what_is_left(left)),
+               "section 4", {{image, "face", std::move(faces)}, {image, "edge", std::move(marks)}, {image, "seen", initial_}});
   }
 
   void initial_picture(const picture::LinePicture& drawn) {
@@ -400,11 +401,17 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "found", found_},
          {circle, "sight", radius(angle_)}});
     std::size_t shown = 0;
+    const std::uint64_t compared_before = compared_;
+    const std::uint64_t changes_before = changes_;
+    std::size_t equal = 0;
     for (const Comparison& each : comparisons_) {
       if (shown == most_directions_shown) break;
+      if (each.before == each.after && ++equal > most_equal_shown) continue;
       tell_comparison(edge, each);
       ++shown;
     }
+    compared_ = compared_before;
+    changes_ = changes_before;
     add_study(history);
     count();
     std::vector<Mark> marks;
@@ -429,6 +436,9 @@ class PlantingaTeller final : public pl::Trace {
     const pl::PotentialEvent cause = first_cause(edge, each.direction);
     const bool changed = !(each.before == each.after);
     if (changed) kinds_told_.insert(cause.kind);
+    ++compared_;
+    changes_ += changed ? 1 : 0;
+    count();
     std::vector<Mark> marks;
     maker_.place(angle);
     add_edge(marks, Look::hidden, edge, angle);
@@ -657,6 +667,11 @@ class PlantingaTeller final : public pl::Trace {
       words += fmt::format("{}from {} to {}", words.empty() ? "" : " and ", end_of(piece.low), end_of(piece.high));
     return words;
   }
+  [[nodiscard]] bool is_whole(pl::EdgeIndex edge, const pl::EdgeStructure& structure) const {
+    const picture::LineEdge& ends = model_.edges()[edge];
+    return structure.size() == 1 && structure[0].low == pl::End::of(pl::EndKind::vertex, ends.from) &&
+           structure[0].high == pl::End::of(pl::EndKind::vertex, ends.to);
+  }
   [[nodiscard]] std::string what_is_left(const pl::EdgeStructure& left) const {
     if (left.empty()) return "Nothing of it is visible.";
     std::set<pl::EdgeIndex> junctions;
@@ -665,7 +680,9 @@ class PlantingaTeller final : public pl::Trace {
         if (end.kind() == pl::EndKind::junction) junctions.insert(end.index());
     std::string names;
     for (const pl::EdgeIndex edge : junctions) names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(edge, false));
-    const std::string ends = names.empty() ? "" : fmt::format(", cut off in T-junctions with {}", names);
+    const std::string ends =
+        names.empty() ? ""
+                      : fmt::format(", cut off in {} with {}", junctions.size() == 1 ? "a T-junction" : "T-junctions", names);
     return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
   }
 
@@ -737,7 +754,7 @@ class PlantingaTeller final : public pl::Trace {
 
   // Of the initial picture.
   std::size_t occluder_count_ = 0;
-  std::set<pl::FaceIndex> hiders_;
+  std::set<pl::FaceIndex> covering_;
   std::vector<Mark> initial_;
   std::size_t turned_away_ = 0;
   std::size_t hidden_shown_ = 0;

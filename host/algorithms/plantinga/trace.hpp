@@ -36,8 +36,10 @@ class Trace {
 
   // The initial picture, from scratch: the edges in order, each begun, compared with faces and ended.
   virtual void scratch_begins(EdgeIndex edge, std::span<const Occluder> occluders) = 0;
-  // The part of the edge from low to high is behind the face. Often told twice: for each side of the edge's image line.
-  virtual void scratch_hides(EdgeIndex edge, FaceIndex face, double low, double high) = 0;
+  // The face covers the edge from low to high, on one side of the edge's line in the image; usually it is told for both sides.
+  // What some face covers on each side is hidden.
+
+  virtual void scratch_covers(EdgeIndex edge, FaceIndex face, double low, double high) = 0;
   // What is left of the edge. Not `compared`: its faces all look away, or its image is a point.
   virtual void scratch_ends(EdgeIndex edge, bool compared, const EdgeStructure& left) = 0;
 
@@ -67,7 +69,7 @@ class Watched {
 
   template <class Fraction>
   void hides(EdgeIndex edge, FaceIndex face, const Fraction& low, const Fraction& high) {
-    trace_->scratch_hides(edge, face, value_of(low), value_of(high));
+    trace_->scratch_covers(edge, face, value_of(low), value_of(high));
   }
   void potential(EventKind kind, EdgeIndex edge, std::uint32_t first, std::uint32_t second, const Direction& direction) {
     trace_->potential({kind, edge, first, second, direction});

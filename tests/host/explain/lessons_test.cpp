@@ -186,7 +186,7 @@ TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
   const auto parallel_one = find_explainer("plantinga")->scene(source.scene, level, nullptr);
   ASSERT_TRUE(parallel_one);
   EXPECT_EQ(parallel_one->steps[0].caption.find("horizontal direction"), std::string::npos);
-  // From straight above there is no horizontal direction: any will do.
+  // From straight above there is no horizontal direction: one is chosen.
   const scene::PolyCamera above{false, {0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
   EXPECT_TRUE(find_explainer("plantinga")->scene(source.scene, above, nullptr));
 }

@@ -188,7 +188,7 @@ struct PlantingaCounter final : pl::Trace {
     EXPECT_EQ(edge, scratched);
     EXPECT_EQ(occluders.size(), model.occluders_of(edge).size());
   }
-  void scratch_hides(pl::EdgeIndex edge, pl::FaceIndex face, double low, double high) override {
+  void scratch_covers(pl::EdgeIndex edge, pl::FaceIndex face, double low, double high) override {
     EXPECT_EQ(edge, scratched);
     EXPECT_LT(face, model.faces().size());
     EXPECT_TRUE(0 <= low && low < high && high <= 1) << low << ' ' << high;
