@@ -55,7 +55,8 @@ export class I8080Room {
         group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
         group('State', this.facts,
           element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${o.function || 'expression'}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
-            fileTaker(screen, 'Open a grid (CSV)', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+            button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
+            fileTaker(screen, 'Open a grid (CSV) or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
   }
 
   drag() {
@@ -113,8 +114,19 @@ export class I8080Room {
     if (this.fast) this.picture(0);
     this.remember();
   }
+  saveState() {
+    const done = this.module.ask({do: 'save', id: this.id});
+    if (done.error) return this.message.say(done.error, true);
+    download(`${this.options.function || 'expression'}.snap`, this.module.made());
+  }
   take(name, bytes) {
     this.module.putFile(name, bytes);
+    if (bytes[0] === 0x89 && bytes[1] === 0x53) {
+      const done = this.module.ask({do: 'restore', id: this.id, file: name});
+      this.message.say(done.error ?? '', Boolean(done.error));
+      this.ended = false;
+      return this.go(true);
+    }
     this.options.function = name;
     this.restart();
   }

@@ -1,6 +1,6 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
 import {SIDE, PHOSPHOR, makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
@@ -19,7 +19,7 @@ export class Pdp7Room {
     this.module = module;
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
-    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, speed: 1, switches: 0};
+    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, scale: 512, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
@@ -70,6 +70,7 @@ export class Pdp7Room {
           this.eae = check('EAE (extended arithmetic element)', o.eae, set('eae')), this.stereo = check('Stereo pair', o.stereo, set('stereo')),
           this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }),
           check('Lines at once', o.immediate, set('immediate')),
+          this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}),
           this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); })),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad()),
         group('Panel', this.panel()),
@@ -164,7 +165,7 @@ export class Pdp7Room {
     this.walk.hidden = !jones;
     let made;
     if (jones) {
-      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, switches: o.switches});
+      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
       this.labels = made.labels;
     } else {
       const example = this.examples.find(each => each.name === o.program) ?? this.own;
@@ -288,8 +289,9 @@ export class Pdp7Room {
     const views = module.word(id, labels.views);
     const eye = [labels.ex, labels.ey, labels.ez].map(at => signed(module.word(id, at)));
     const scale = module.word(id, labels.scale);
-    const moving = this.switchWord() & 0o776000;
-    this.lamp.classList.toggle('on', this.on && (views === 0 || this.lastViews !== views || Boolean(moving) || this.computing > 0));
+    // The program computes without a pause; the lamp goes out for a moment when a view is complete.
+    if (views !== this.lastViews) this.viewAt = performance.now();
+    this.lamp.classList.toggle('on', this.on && performance.now() - this.viewAt > 120);
     if (views !== this.lastViews) {
       this.view = {eye: this.nextEye ?? eye, scale: this.nextScale ?? scale, views};
       this.lastViews = views;
@@ -310,8 +312,7 @@ export class Pdp7Room {
   drawGlass() {
     const context = this.glass.getContext('2d');
     context.clearRect(0, 0, SIDE, SIDE);
-    this.canvas.style.filter = '';
-    this.canvas.parentElement.classList.toggle('anaglyph', this.options.redCyan && this.options.stereo);
+    this.tube.pair = this.options.redCyan && this.options.stereo;
     this.glass.hidden = !this.lines;
     if (!this.lines) return;
     // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
@@ -379,6 +380,7 @@ export class Pdp7Room {
     if (o.stereo) parts.set('stereo', '1');
     if (o.immediate) parts.set('immediate', '1');
     if (o.exact) parts.set('exact', '1');
+    if (o.scale !== 512) parts.set('scale', o.scale);
     const text = parts.toString();
     return `jones/${encodeURIComponent(o.program)}${text ? '?' + text : ''}`;
   }
@@ -388,6 +390,8 @@ export class Pdp7Room {
     o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
     o.eae = query.get('eae') !== '0';
     for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';
+    o.scale = Math.max(64, Math.min(4096, parseInt(query.get('scale') ?? '512', 10) || 512));
+    this.scale.input.value = o.scale;
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;
     this.stereo.box.checked = o.stereo;

@@ -59,14 +59,25 @@ void main() {
 }`;
 const SHOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D film, halo; uniform vec2 block; out vec4 colour;
+in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; out vec4 colour;
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
-void main() {
+// The light of a place, as the film answers it.
+vec3 answer(vec2 at) {
   vec2 around = 0.4 * texture(halo, at).rg + 0.15 * (texture(halo, at + vec2(block.x, 0)).rg + texture(halo, at - vec2(block.x, 0)).rg
     + texture(halo, at + vec2(0, block.y)).rg + texture(halo, at - vec2(0, block.y)).rg);
   vec2 light = texture(film, at).rg * ${1 - PHOSPHOR.haloShare} + around * ${PHOSPHOR.haloShare};
   vec3 v = vec3(${PHOSPHOR.ambient}) + ${PHOSPHOR.exposure.toFixed(2)} * (vec3(${PHOSPHOR.blueColour.map(c => c.toFixed(2))}) * light.r + vec3(${PHOSPHOR.yellowColour.map(c => c.toFixed(2))}) * light.g);
-  v = v / (1.0 + v);
+  return v / (1.0 + v);
+}
+void main() {
+  vec3 v = answer(at);
+  if (pair) {
+    // The pictures of a pair lie 256 points to the left and right of the middle: one over the other, in red and in cyan.
+    vec2 aside = vec2(256.0 / ${SIDE}.0, 0);
+    bool inside = abs(at.x - 0.5) < aside.x;
+    float left = inside ? answer(at - aside).g : 0.0, right = inside ? answer(at + aside).g : 0.0;
+    v = vec3(left, right, right);
+  }
   colour = vec4(srgb(v.r), srgb(v.g), srgb(v.b), 1);
 }`;
 
@@ -261,6 +272,7 @@ class GlowTube {
     this.use(0, film, this.show.places.film);
     this.use(1, this.wide, this.show.places.halo);
     gl.uniform2f(this.show.places.block, 1 / this.blocks, 1 / this.blocks);
+    gl.uniform1i(this.show.places.pair, this.pair ? 1 : 0);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
   use(unit, texture, place) {

@@ -74,7 +74,9 @@ export class Workbench {
           button('Step', desk({do: 'step'}), 'One instruction (F11)'), button('Over', desk({do: 'over'}), 'Over a call (F10)'), button('Out', desk({do: 'out'}), 'Out of a subroutine'),
           button('Back', desk({do: 'back'}), 'One instruction back in time'), button('Back 100', desk({do: 'back', count: 100}), 'A hundred instructions back'),
           button('Back to break', desk({do: 'back_to_breakpoint'}), 'Back to the last breakpoint'),
-          button('Reset', () => this.load(), 'Load the program again')),
+          button('Reset', () => this.load(), 'Load the program again'),
+          button('Save state', () => this.saveState(), 'Save a snapshot of the machine'),
+          fileTaker(this.code, 'Open state', (name, bytes) => this.openState(name, bytes), text => this.message.say(text, true))),
         this.status,
         element('div', {className: 'panes'}, element('div', {className: 'scroll'}, this.code), element('div', {}, this.registerBox, this.canvas)),
         group('Console', this.output, this.keys),
@@ -164,6 +166,18 @@ export class Workbench {
     this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false);
     this.refresh();
+  }
+
+  saveState() {
+    if (!this.id) return;
+    const done = this.module.ask({do: 'save', id: this.id});
+    if (done.error) return this.message.say(done.error, true);
+    download(`${this.current?.name ?? 'program'}.snap`, this.module.made());
+  }
+  openState(name, bytes) {
+    if (!this.id) return;
+    this.module.putFile(name, bytes);
+    this.act({do: 'restore', file: name});
   }
 
   act(request) {
