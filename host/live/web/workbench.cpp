@@ -138,6 +138,10 @@ Json rows_json(Desk& desk, std::uint32_t from, std::int64_t before, std::int64_t
 
 }  // namespace
 
+// A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive. A slice is some
+// ten milliseconds.
+constexpr int most_slices = 200;
+
 Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
 
 Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared, Symbols symbols)
@@ -146,7 +150,9 @@ Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared
       debugger_(description, *prepared_.machine, prepared_.limits, std::move(symbols),
                 {[this](Machine& machine, const guests::run::Limits& limits, const std::function<void(std::string_view)>& heard) {
                    std::optional<guests::run::Stop> stop;
-                   while (!stop) {
+                   for (int slices = 0; !stop; ++slices) {
+                     if (slices == most_slices) stop = guests::run::Stop{guests::run::interrupted, {}};
+                     if (stop) break;
                      stop = machine.run(limits, true);
                      const std::string text = machine.take_printed();
                      printed_ += text;
