@@ -138,9 +138,9 @@ Json rows_json(Desk& desk, std::uint32_t from, std::int64_t before, std::int64_t
 
 }  // namespace
 
-// A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive. A slice is some
-// ten milliseconds.
-constexpr int most_slices = 200;
+// A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive.
+constexpr std::uint64_t most_instructions = 200'000'000;
+constexpr int most_slices = 2000;
 
 Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
 
@@ -150,9 +150,9 @@ Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared
       debugger_(description, *prepared_.machine, prepared_.limits, std::move(symbols),
                 {[this](Machine& machine, const guests::run::Limits& limits, const std::function<void(std::string_view)>& heard) {
                    std::optional<guests::run::Stop> stop;
-                   for (int slices = 0; !stop; ++slices) {
-                     if (slices == most_slices) stop = guests::run::Stop{guests::run::interrupted, {}};
-                     if (stop) break;
+                   while (!stop) {
+                     if (spent()) return guests::run::Stop{guests::run::interrupted, {}};
+                     ++slices_;
                      stop = machine.run(limits, true);
                      const std::string text = machine.take_printed();
                      printed_ += text;
@@ -161,8 +161,18 @@ Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared
                    }
                    return *stop;
                  },
-                 [] { return false; }, [this](std::string_view text) { printed_ += text; }}) {
+                 [this] { return spent(); }, [this](std::string_view text) { printed_ += text; }}) {
   prepared_.machine->keep_strokes(true);
+}
+
+void Desk::begin() {
+  slices_ = 0;
+  begun_at_ = machine().instructions();
+}
+
+bool Desk::spent() const {
+  const std::uint64_t now = prepared_.machine->instructions();
+  return slices_ > most_slices || (now > begun_at_ && now - begun_at_ > most_instructions);
 }
 
 std::string Desk::take_printed() {
@@ -176,6 +186,7 @@ void Desk::type(char key) {
 }
 
 Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
+  begin();
   Goal goal;
   goal.until = until;
   goal.instructions = instructions;
@@ -293,6 +304,7 @@ Json Workbench::assemble(const Json& request) {
 }
 
 Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) {
+  desk.begin();
   Debugger& debugger = desk.debugger();
   Machine& machine = desk.machine();
   const auto address = [&]() -> base::Result<std::uint32_t> {

@@ -28,6 +28,8 @@ class Desk {
   [[nodiscard]] guests::run::Machine& machine() { return *prepared_.machine; }
   [[nodiscard]] Debugger& debugger() { return debugger_; }
   [[nodiscard]] const guests::run::MachineDescription& description() const { return description_; }
+  // A request begins: what it runs counts from here, and ends when it has run too long.
+  void begin();
   // What has been printed since the last call.
   [[nodiscard]] std::string take_printed();
 
@@ -49,7 +51,11 @@ class Desk {
  private:
   const guests::run::MachineDescription& description_;
   guests::run::Prepared prepared_;
+  [[nodiscard]] bool spent() const;
+
   std::string printed_;
+  int slices_ = 0;
+  std::uint64_t begun_at_ = 0;  // instructions
   Debugger debugger_;
   std::vector<core::Stroke> strokes_;
   std::vector<Flash> flashes_;
