@@ -15,6 +15,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,15 @@ struct PolyMesh {
   std::vector<std::array<double, 3>> vertices;  // finite
   std::vector<PolyBody> bodies;                 // sheet is not used; every index is below vertices.size()
   bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies (join_cavities)
+  // The distance of neighbouring numbers that the file can hold where its coordinates are largest: of float32,
+  // or of the last decimal written. 0: not known, and faces are planar or not by their rounded vertices.
+  double precision = 0;
+  // A number for the material (colour, texture, group within a body) of each face, in the order of the bodies
+  // and their faces; empty if all have the same.
+  std::vector<std::uint32_t> materials;
+  std::optional<std::size_t> vertical;  // the axis that the format says is upwards: 0, 1, 2 = x, y, z
+  std::string unit;                     // of the coordinates, as the format says: "m", "mm", "inch"; or empty
+  std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""
 };
 
 struct PolyImportOptions {
