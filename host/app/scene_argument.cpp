@@ -45,8 +45,33 @@ scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOpti
   return std::move(*loaded);
 }
 
-scene::LoadedScene load_scene(const std::string& argument) {
-  scene::LoadedScene loaded = load_found(find_scene(argument));
+scene::PolyImportOptions MeshArguments::import_options() const {
+  require_finite("--weld", weld);
+  if (planar_tolerance) require_finite("--planar-tolerance", *planar_tolerance);
+  return {.mend = !strict, .weld = weld, .planar_tolerance = planar_tolerance, .eye = eye};
+}
+
+void add_mesh_options(const Command& command, MeshArguments& arguments) {
+  const Option strict =
+      command.flag("--strict", arguments.strict, "Mend nothing: a mesh with anything wrong is an error").group("Mesh");
+  command.option("--weld", arguments.weld, "Make one of vertices at most so far apart, in the unit of the file")
+      .range(0.0, 1e30)
+      .default_value("only those on one point")
+      .value("DISTANCE")
+      .excludes(strict)
+      .group("Mesh");
+  command
+      .option("--planar-tolerance", arguments.planar_tolerance,
+              "Faces within this distance of a larger one's plane are one surface with it")
+      .range(0.0, 1e30)
+      .default_value("4 units of the precision of the file")
+      .value("DISTANCE")
+      .excludes(strict)
+      .group("Mesh");
+}
+
+scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh) {
+  scene::LoadedScene loaded = load_found(find_scene(argument), mesh.import_options());
   warn_of_changes(loaded.report);
   loaded.name = argument;
   return loaded;
@@ -78,15 +103,28 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   } else if (report.quantised) {
     warn(fmt::format("coordinates are counted in steps of {}", report.step));
   }
-  if (report.split_faces > 0) {
-    warn(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
-                     report.split_faces, report.largest_deviation));
+  const scene::MendReport& faces = report.faces;
+  std::vector<std::string> said;
+  const auto say = [&said](std::size_t count, std::string_view one, std::string_view many) {
+    if (count > 0) said.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  };
+  say(faces.merged_vertices, "equal vertex merged", "equal vertices merged");
+  say(faces.dropped_vertices, "unused vertex left out", "unused vertices left out");
+  say(faces.dropped_faces, "face without area left out", "faces without area left out");
+  say(faces.duplicate_faces, "face left out that was there twice", "faces left out that were there twice");
+  if (faces.split_faces > 0) {
+    said.push_back(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
+                               faces.split_faces, faces.largest_deviation));
   }
-  if (report.merged_vertices > 0) warn(fmt::format("{} equal vertices merged", report.merged_vertices));
-  if (report.dropped_vertices > 0) warn(fmt::format("{} unused vertices left out", report.dropped_vertices));
-  if (report.dropped_faces > 0) warn(fmt::format("{} faces without area left out", report.dropped_faces));
-  if (report.turned_bodies > 0)
-    warn(fmt::format("{} bodies turned the right side out", report.turned_bodies));
+  say(faces.turned_faces, "face turned the right side out", "faces turned the right side out");
+  say(faces.one_sided, "part has but one side", "parts have but one side");
+  say(faces.crowded_edges, "edge has three or more faces", "edges have three or more faces");
+  if (faces.crossing_faces > 0) {
+    said.push_back(fmt::format("{} faces whose outlines cross themselves left out, the first is face {} of the file",
+                               faces.crossing_faces, faces.first_crossing + 1));
+  }
+  for (const std::string& note : report.notes) said.push_back(note + " passed over");
+  if (!said.empty()) warn((report.mended ? "mended: " : "") + base::joined(said, "; "));
 }
 
 geometry::Point point_argument(std::string_view option, std::string_view text) {

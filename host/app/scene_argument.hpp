@@ -2,6 +2,8 @@
 // standard input.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,17 @@ inline constexpr std::string_view scene_help =
 inline constexpr std::string_view cells_help =
     "A built-in scene (see `sightline scene list`) or a JSON file of a scene of cells";
 
+// What a mesh has wrong is mended, unless --strict is given, and said in one line.
+struct MeshArguments {
+  bool strict = false;
+  double weld = 0;
+  std::optional<double> planar_tolerance;
+  std::optional<std::array<double, 3>> eye;  // see CameraArguments
+
+  [[nodiscard]] scene::PolyImportOptions import_options() const;
+};
+void add_mesh_options(const Command& command, MeshArguments& arguments);
+
 // Its text, or the generated scene. Failure io: no such scene or file, or it cannot be read; usage: a
 // generated scene of an impossible size.
 [[nodiscard]] scene::SceneFile find_scene(const std::string& argument);
@@ -30,7 +43,7 @@ inline constexpr std::string_view cells_help =
 
 // Found, read and checked; named as the argument is. What was changed while reading is said on standard
 // error. Failure as find_scene, or bad_input: the first thing that is wrong.
-[[nodiscard]] scene::LoadedScene load_scene(const std::string& argument);
+[[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {});
 // The same; anything but a scene of cells is a Failure usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 

@@ -254,12 +254,27 @@ class Pen {
 
 }  // namespace
 
-VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
-                           const scene::PolyCamera& camera, const DrawingField& field,
-                           const LinePicture* edges) {
+namespace {
+
+LinePicture together(std::span<const LineLayer> layers) {
+  LinePicture all;
+  for (const LineLayer& layer : layers)
+    all.pieces.insert(all.pieces.end(), layer.picture.pieces.begin(), layer.picture.pieces.end());
+  if (layers.size() == 1) return all;
+  std::sort(all.pieces.begin(), all.pieces.end(), [](const LinePiece& a, const LinePiece& b) {
+    return a.edge == b.edge ? a.low < b.low : a.edge < b.edge;
+  });
+  return all;
+}
+
+}  // namespace
+
+VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
+                           const scene::PolyCamera& camera, const DrawingField& field, const LinePicture* edges) {
   const Projection projection(scene, camera);
   DrawingField settled = field;
-  const LinePicture& widest = edges != nullptr ? *edges : picture;
+  const LinePicture seen = together(layers);
+  const LinePicture& widest = edges != nullptr ? *edges : seen;
   if (!field.extent && camera.perspective && beyond(widest, projection)) settled.extent = usual_angle;
   constexpr double everything = 1e9;  // more than any image of coordinates below 2^18 without perspective
   Window window = square(camera.perspective ? half_extent(widest_fitted_angle) : everything);
@@ -268,14 +283,23 @@ VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& s
   VectorDrawing drawing;
   drawing.width = field.width;
   drawing.height = field.height;
-  drawing.layers = {{"visible", {0, 0, 0}}};
   Pen pen(drawing, window);
-  pen.lines(strokes_of(picture, projection, window), 0);
+  for (const LineLayer& layer : layers) {
+    pen.lines(strokes_of(layer.picture, projection, window), static_cast<std::uint32_t>(drawing.layers.size()));
+    drawing.layers.push_back({layer.label, {0, 0, 0}});
+  }
   if (edges != nullptr) {
+    pen.dashes(hidden_strokes(*edges, seen, projection, window), static_cast<std::uint32_t>(drawing.layers.size()),
+               field.dash);
     drawing.layers.push_back({"hidden", {150, 150, 150}});
-    pen.dashes(hidden_strokes(*edges, picture, projection, window), 1, field.dash);
   }
   return drawing;
+}
+
+VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
+                           const scene::PolyCamera& camera, const DrawingField& field, const LinePicture* edges) {
+  const LineLayer layer{"visible", picture};
+  return line_drawing({&layer, 1}, scene, camera, field, edges);
 }
 
 LinePicture wire_frame(const scene::PolyScene& scene) {

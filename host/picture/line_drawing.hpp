@@ -6,6 +6,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 
 #include "host/picture/line_picture.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -27,8 +29,18 @@ struct DrawingField {
   double dash = 2;  // of hidden lines, and the gap after it three quarters of that
 };
 
-// Of a picture of this scene from this camera. Layer 0 is what is seen. With `edges`, whole edges from
-// parameter 0 to 1, layer 1 is what of them is before the eye and not in the picture.
+// Lines of one layer of a drawing.
+struct LineLayer {
+  std::string label;
+  LinePicture picture;
+};
+
+// Of pictures of this scene from this camera, which share no piece: a layer each. With `edges`, whole edges from
+// parameter 0 to 1, the last layer is what of them is before the eye and in none of the pictures.
+[[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
+                                         const scene::PolyCamera& camera, const DrawingField& field,
+                                         const LinePicture* edges = nullptr);
+// With one layer, "visible".
 [[nodiscard]] VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera, const DrawingField& field,
                                          const LinePicture* edges = nullptr);

@@ -37,13 +37,13 @@ Vector area_of(const EdgeMesh& mesh, std::uint32_t first_corner) {
           static_cast<std::int64_t>(sum[2])};
 }
 
-void append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
+void append_face(const scene::PolyFace& given, bool sheet, std::uint32_t surface, EdgeMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
   append_ring(given.outline, first, mesh);
   for (const auto& hole : given.holes) append_ring(hole, first, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
   if (count == 0) return;
-  mesh.faces.push_back({first, count, area_of(mesh, first), sheet});
+  mesh.faces.push_back({first, count, area_of(mesh, first), sheet, surface});
 }
 
 picture::LineEdge side_of(const EdgeMesh& mesh, const MeshFace& face, const Corner& corner) {
@@ -92,8 +92,12 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
   EdgeMesh mesh;
   mesh.vertices.reserve(scene.vertices.size());
   for (const scene::PolyPoint& v : scene.vertices) mesh.vertices.push_back(geometry::vector_of(v));
+  std::size_t number = 0;
   for (const scene::PolyBody& body : scene.bodies) {
-    for (const scene::PolyFace& face : body.faces) append_face(face, body.sheet, mesh);
+    for (const scene::PolyFace& face : body.faces) {
+      append_face(face, body.sheet, scene.surface_of.empty() ? 0 : scene.surface_of[number], mesh);
+      ++number;
+    }
   }
   number_edges(mesh);
   return mesh;

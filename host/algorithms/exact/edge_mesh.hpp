@@ -33,6 +33,7 @@ struct MeshFace {
   std::uint32_t corner_count = 0;
   Vector normal{};  // outwards
   bool sheet = false;
+  std::uint32_t surface = 0;  // as PolyScene::surface_of has it
 };
 
 struct EdgeMesh {

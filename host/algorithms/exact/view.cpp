@@ -103,7 +103,7 @@ void place_faces(View& view, const Vector& forward, const Projector& projector) 
     if (away > 0 && !face.sheet) continue;
     for (std::uint32_t i = 0; i < face.corner_count; ++i) view.drawn[corners[i].side] = 1;
     if (away == 0) continue;
-    Occluder occluder{face.first_corner, face.corner_count, {face.normal, offset}, 0, Projector::nothing()};
+    Occluder occluder{face.first_corner, face.corner_count, {face.normal, offset}, 0, Projector::nothing(), face.surface};
     if (away < 0) {  // positive beyond the face: against the normal
       for (std::int64_t& part : occluder.beyond.normal) part = -part;
       occluder.beyond.offset = -offset;
@@ -126,7 +126,7 @@ void place_faces(View& view, const Vector& forward, const Projector& projector) 
 
 }  // namespace
 
-View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera) {
+View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen) {
   View view;
   view.mesh = &mesh;
   view.perspective = camera.perspective;
@@ -134,6 +134,16 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera) {
   const Projector projector(view, camera);
   place_edges(view, vector_of(camera.forward), projector);
   place_faces(view, vector_of(camera.forward), projector);
+  if (chosen != nullptr) {
+    view.drawn.assign(mesh.edges.size(), 0);
+    auto edge = mesh.edges.begin();
+    for (std::size_t c = 0; c < chosen->edges.size(); ++c) {
+      edge = std::lower_bound(edge, mesh.edges.end(), chosen->edges[c]);
+      if (edge == mesh.edges.end()) break;
+      if (*edge == chosen->edges[c] && chosen->turned_away[c] == 0)
+        view.drawn[static_cast<std::size_t>(edge - mesh.edges.begin())] = 1;
+    }
+  }
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const picture::LineEdge& edge = mesh.edges[e];
     const bool seen = projector.before_eye(edge.from) || projector.before_eye(edge.to);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
@@ -37,6 +38,7 @@ struct Occluder {
   Plane beyond;            // of the face; positive beyond it
   std::int64_t depth = 0;  // of its nearest corner
   ImageBounds bounds;
+  std::uint32_t surface = 0;
 };
 
 struct View {
@@ -50,6 +52,8 @@ struct View {
   std::vector<Occluder> occluders;   // ascending by depth
 };
 
-[[nodiscard]] View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera);
+// With `chosen`, an ascending choice of the mesh's edges, no others are drawn.
+[[nodiscard]] View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera,
+                             const picture::ChosenEdges* chosen = nullptr);
 
 }  // namespace sightline::algorithms::exact

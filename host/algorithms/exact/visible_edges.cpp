@@ -49,7 +49,10 @@ class Search {
   Search(const View& view, Listener listener)
       : view_(view), grid_(view), shadow_(view), met_(view.occluders.size()), listener_(listener) {}
 
-  void append_visible(std::uint32_t edge, std::vector<picture::LinePiece>& pieces) {
+  // Faces of the surfaces `beside` do not hide the edge.
+  void append_visible(std::uint32_t edge, std::span<const std::uint32_t> beside,
+                      std::vector<picture::LinePiece>& pieces) {
+    beside_ = beside;
     shadow_.begin(edge);
     listener_.edge(view_.mesh->edges[edge]);
     const picture::LineEdge& ends = view_.mesh->edges[edge];
@@ -72,11 +75,17 @@ class Search {
       if (occluder.depth >= depth) return false;
       if (met_[index] == edge + 1) continue;
       met_[index] = edge + 1;
-      if (!occluder.bounds.meets(bounds)) continue;
+      if (!occluder.bounds.meets(bounds) || is_beside(occluder)) continue;
       const bool hidden = shadow_.add(occluder);
       listener_.compared(view_.mesh->edges[edge], occluder, hidden, shadow_);
       if (hidden) return true;
     }
+    return false;
+  }
+
+  [[nodiscard]] bool is_beside(const Occluder& occluder) const {
+    for (const std::uint32_t surface : beside_)
+      if (surface == occluder.surface) return true;
     return false;
   }
 
@@ -85,16 +94,26 @@ class Search {
   EdgeShadow shadow_;
   std::vector<std::uint32_t> met_;  // the edge, plus one, that an occluder was last compared with
   Listener listener_;
+  std::span<const std::uint32_t> beside_;
 };
 
 template <class Listener>
-picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener) {
-  const View view = make_view(mesh, camera);
+picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
+                                  const picture::ChosenEdges* chosen = nullptr) {
+  const View view = make_view(mesh, camera, chosen);
   Search<Listener> search(view, listener);
   picture::LinePicture picture;
+  std::size_t next = 0;  // of those chosen
   for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
     const std::size_t before = picture.pieces.size();
-    if (view.drawn[edge] != 0) search.append_visible(edge, picture.pieces);
+    if (view.drawn[edge] != 0) {
+      std::span<const std::uint32_t> beside;
+      if (chosen != nullptr) {
+        while (chosen->edges[next] < mesh.edges[edge]) ++next;
+        beside = chosen->surfaces_at(next);
+      }
+      search.append_visible(edge, beside, picture.pieces);
+    }
     listener.result(mesh.edges[edge], view.drawn[edge] != 0, std::span(picture.pieces).subspan(before));
   }
   return picture;
@@ -102,8 +121,9 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
 
 }  // namespace
 
-picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera) {
-  return search_edges(mesh, camera, Unwatched());
+picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
+                                   const picture::ChosenEdges* chosen) {
+  return search_edges(mesh, camera, Unwatched(), chosen);
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {

@@ -16,13 +16,19 @@
 #include <span>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
 
+// Of edges chosen (an ascending choice of the scene's) these alone are drawn, and none that is turned away;
+// one is not hidden by faces of the surfaces at it, which rounding may have moved before it. What is hidden is
+// then: by faces of solids that are turned to the eye, and by faces of sheets.
+
 // The eye is in no solid and on no face (precondition).
-[[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera);
+[[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
+                                                 const picture::ChosenEdges* chosen = nullptr);
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
                                                  const scene::PolyCamera& camera);
 

@@ -81,6 +81,8 @@ struct Face {
   Vector normal{};              // of length twice the area: below 2^39 in each component
   Vector on{};
   std::int64_t eye_side = 0;
+  std::uint32_t surface = 0;
+  bool sheet = false;
 };
 
 void add_ring(const std::vector<scene::VertexIndex>& ring, const Sight& sight, Face& face) {
@@ -95,10 +97,14 @@ void add_ring(const std::vector<scene::VertexIndex>& ring, const Sight& sight, F
 
 std::vector<Face> faces_of(const scene::PolyScene& scene, const Sight& sight) {
   std::vector<Face> faces;
+  std::size_t number = 0;
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& given : body.faces) {
+      const std::size_t mine = number++;
       if (given.outline.empty()) continue;
       Face face;
+      face.surface = scene.surface_of.empty() ? 0 : scene.surface_of[mine];
+      face.sheet = body.sheet;
       face.on = sight.vertex(given.outline.front());
       add_ring(given.outline, sight, face);
       for (const auto& hole : given.holes) add_ring(hole, sight, face);
@@ -249,6 +255,29 @@ picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::P
     for (const geometry::Interval& seen : visible.intervals()) {
       picture.pieces.push_back({edge, seen.low, seen.high});
     }
+  }
+  return picture;
+}
+
+picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                   const picture::ChosenEdges& chosen) {
+  const Sight sight(scene, camera);
+  const std::vector<Face> faces = faces_of(scene, sight);
+  const std::vector<LineEdge> edges = picture::edges_of(scene);
+  picture::LinePicture picture;
+  for (std::size_t e = 0; e < chosen.edges.size(); ++e) {
+    if (chosen.turned_away[e] != 0) continue;
+    EdgeTest test(sight, chosen.edges[e]);
+    if (!test.has_image()) continue;
+    const auto beside = chosen.surfaces_at(e);
+    std::vector<Face> hiding;
+    for (const Face& face : faces) {
+      const bool own = std::find(beside.begin(), beside.end(), face.surface) != beside.end();
+      if (!own && (face.sheet || face.eye_side > 0)) hiding.push_back(face);
+    }
+    const geometry::IntervalSet visible = test.visible(hiding, edges);
+    for (const geometry::Interval& seen : visible.intervals())
+      picture.pieces.push_back({chosen.edges[e], seen.low, seen.high});
   }
   return picture;
 }

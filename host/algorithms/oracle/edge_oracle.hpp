@@ -15,6 +15,7 @@
 // 61, a test at that point 122 bits.
 #pragma once
 
+#include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -23,5 +24,11 @@ namespace sightline::algorithms::oracle {
 // The scene is a checked one, the eye in no solid and on no face (preconditions).
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
                                                  const scene::PolyCamera& camera);
+
+// Of edges chosen: these alone and none that is turned away; one is not hidden by faces of the surfaces at it.
+// Faces of solids that are turned away hide nothing here, as in a scene without surfaces they hide nothing that
+// a nearer one does not.
+[[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                 const picture::ChosenEdges& chosen);
 
 }  // namespace sightline::algorithms::oracle

@@ -31,6 +31,10 @@ base::Result<PreparedScene> prepare_exact(const scene::PolyScene& scene) {
   prepared.view = [mesh](const scene::PolyCamera& camera) -> base::Result<LineView> {
     return LineView{algorithms::exact::visible_edges(*mesh, camera), {}};
   };
+  prepared.view_chosen = [mesh](const scene::PolyCamera& camera,
+                                const picture::ChosenEdges& chosen) -> base::Result<LineView> {
+    return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen), {}};
+  };
   return prepared;
 }
 
@@ -38,6 +42,10 @@ base::Result<PreparedScene> prepare_oracle(const scene::PolyScene& scene) {
   PreparedScene prepared;
   prepared.view = [&scene](const scene::PolyCamera& camera) -> base::Result<LineView> {
     return LineView{algorithms::oracle::visible_edges(scene, camera), {}};
+  };
+  prepared.view_chosen = [&scene](const scene::PolyCamera& camera,
+                                  const picture::ChosenEdges& chosen) -> base::Result<LineView> {
+    return LineView{algorithms::oracle::visible_edges(scene, camera, chosen), {}};
   };
   return prepared;
 }
@@ -152,6 +160,14 @@ constexpr std::array table{
 
 std::span<const LineAlgorithm> line_algorithms() {
   return table;
+}
+
+base::Result<LineView> view_of(const PreparedScene& prepared, const scene::PolyCamera& camera,
+                               const picture::ChosenEdges& chosen) {
+  if (prepared.view_chosen) return prepared.view_chosen(camera, chosen);
+  auto view = prepared.view(camera);
+  if (view) view->picture = picture::only(view->picture, chosen);
+  return view;
 }
 
 bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,

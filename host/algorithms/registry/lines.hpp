@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -39,8 +40,12 @@ struct LineView {
 // nothing: precondition). Several threads may ask at once.
 using LineViews = std::function<base::Result<LineView>(const scene::PolyCamera&)>;
 
+// The same of an ascending choice of edges alone.
+using ChosenViews = std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)>;
+
 struct PreparedScene {
   LineViews view;
+  ChosenViews view_chosen = {};  // not all have it: see view_of
   std::vector<AlgorithmCount> counts;  // of what was made of the scene
 };
 
@@ -67,6 +72,10 @@ struct LineAlgorithm {
     return why_not_view == nullptr ? std::nullopt : why_not_view(scene, camera);
   }
 };
+
+// A view of edges chosen, also by an algorithm that can only draw all of them.
+[[nodiscard]] base::Result<LineView> view_of(const PreparedScene& prepared, const scene::PolyCamera& camera,
+                                             const picture::ChosenEdges& chosen);
 
 // All, `exact` first: the others are compared with it.
 [[nodiscard]] std::span<const LineAlgorithm> line_algorithms();

@@ -118,7 +118,10 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
                             OverlayNames& overlays, const compare::CompareProgress& progress) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
-  const scene::LoadedScene source = load_scene(name);
+  CameraArguments camera;
+  camera.eye = arguments.view;
+  camera.orthographic = arguments.orthographic;
+  const scene::LoadedScene source = load_scene(name, {.eye = eye_of(camera)});
   const auto compare_it = [&] {
     if (source.cells) {
       refuse(!arguments.orthographic.empty(), "--orthographic", name,
@@ -131,9 +134,6 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     }
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    CameraArguments camera;
-    camera.eye = arguments.view;
-    camera.orthographic = arguments.orthographic;
     return compare::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
   };
   compare::SceneComparison comparison = value_of(compare_it(), name);

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,12 +21,15 @@
 #include "host/app/commands/face_shades.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
+#include "host/base/progress.hpp"
 #include "host/base/result.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
@@ -128,8 +133,13 @@ using base::Json;
 
 struct DrawLinesArguments {
   std::string scene;
+  MeshArguments mesh;
   CameraArguments camera;
   std::optional<double> field;
+  std::string edges;  // empty: feature edges
+  std::optional<double> crease;
+  std::string layers;
+  int turntable = 1;
   bool all_edges = false;
   bool hidden = false;
   bool json = false;
@@ -137,29 +147,39 @@ struct DrawLinesArguments {
   FillArguments filled;
 };
 
-void check_field(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
-  if (!arguments.field) return;
-  require_finite("--field", *arguments.field);
-  if (!(*arguments.field > 0) || (camera.perspective && *arguments.field > 170)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--field: found {}, expected {}", *arguments.field,
-                              camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
+// Which edges are chosen. Of a scene that is no mesh, and of which nothing is asked, all but seams, whatever
+// bodies they are between: then there is no chooser.
+struct DrawnEdges {
+  explicit DrawnEdges(const DrawLinesArguments& arguments, const scene::PolyScene& scene) {
+    const bool mesh = !scene.surfaces.empty();
+    all = arguments.all_edges || arguments.edges == "all";
+    seams = !all && !mesh && arguments.edges.empty() && !arguments.crease;
+    if (all || seams) return;
+    picture::EdgeChoice choice = *picture::edge_choice_named(arguments.edges.empty() ? "feature" : arguments.edges);
+    choice.crease = arguments.crease.value_or(mesh ? choice.crease : 0);
+    chooser.emplace(scene, choice);
   }
-}
 
-registry::LineView view_of(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
-                          const scene::PolyCamera& camera) {
+  std::optional<picture::EdgeChooser> chooser;
+  bool all = false;
+  bool seams = false;  // are left out
+};
+
+registry::PreparedScene prepared_of(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source) {
   if (const auto reason = algorithm.why_not(source.scene))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
+  return source.decomposition && algorithm.prepare_cells != nullptr
+             ? algorithm.prepare_cells(source.decomposition->complex)
+             : value_of(algorithm.prepare(source.scene), source.name);
+}
+
+void check_view(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
+                const scene::PolyCamera& camera) {
   if (const auto reason = algorithm.why_not_seen(source.scene, camera)) {
     throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
                                                    source.name, algorithm.name, *reason));
   }
-  const registry::PreparedScene prepared = source.decomposition && algorithm.prepare_cells != nullptr
-                                              ? algorithm.prepare_cells(source.decomposition->complex)
-                                              : value_of(algorithm.prepare(source.scene), source.name);
-  return value_of(prepared.view(camera), source.name);
 }
 
 // A millimetre for paper, about a millimetre on a screen for an image.
@@ -177,50 +197,132 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
   return field;
 }
 
-void print_summary(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments,
-                   const scene::LoadedScene& source, const scene::PolyCamera& camera,
-                   const registry::LineView& view, std::size_t drawn) {
+// One view as drawn.
+struct DrawnView {
+  registry::LineView view;
+  std::vector<picture::LineLayer> layers;
+  std::size_t edges = 0;  // chosen, before any was hidden
+  std::optional<std::array<std::size_t, picture::edge_kind_count>> by_kind;
+  std::size_t pieces = 0;  // drawn
+};
+
+// Layers of one kind each, or one layer.
+std::vector<picture::LineLayer> layers_of(const picture::LinePicture& drawn, const picture::ChosenEdges& chosen) {
+  std::vector<picture::LineLayer> layers;
+  for (const std::string_view name : picture::edge_kind_names) layers.push_back({std::string(name), {}});
+  std::size_t edge = 0;
+  for (const picture::LinePiece& piece : drawn.pieces) {
+    while (chosen.edges[edge] < piece.edge) ++edge;
+    layers[static_cast<std::size_t>(chosen.kinds[edge])].picture.pieces.push_back(piece);
+  }
+  return layers;
+}
+
+DrawnView draw_view(const registry::PreparedScene& prepared, const DrawLinesArguments& arguments,
+                    const DrawnEdges& choice, const scene::LoadedScene& source, const scene::PolyCamera& camera,
+                    const picture::DrawingField& field, picture::VectorDrawing& drawing) {
+  DrawnView result;
+  picture::LinePicture whole = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
+  if (choice.chooser) {
+    const picture::ChosenEdges chosen = choice.chooser->at(camera);
+    result.view = value_of(view_of(prepared, camera, chosen), source.name);
+    result.edges = chosen.edges.size();
+    result.by_kind = chosen.counts();
+    whole = picture::only(whole, chosen);
+    if (arguments.layers == "kind") {
+      result.layers = layers_of(result.view.picture, chosen);
+    } else {
+      result.layers = {{"visible", result.view.picture}};
+    }
+  } else {
+    result.view = value_of(prepared.view(camera), source.name);
+    result.edges = picture::edges_of(source.scene).size();
+    result.layers = {{"visible", result.view.picture}};
+    if (choice.seams) {
+      result.layers[0].picture = picture::without_seams(result.view.picture, source.scene, camera);
+      whole = picture::without_seams(whole, source.scene, camera);
+    }
+  }
+  for (const picture::LineLayer& layer : result.layers) result.pieces += layer.picture.pieces.size();
+  drawing = picture::line_drawing(result.layers, source.scene, camera, field, arguments.hidden ? &whole : nullptr);
+  return result;
+}
+
+Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& file, const scene::LoadedScene& source,
+                const AimedCamera& camera, const DrawnView& drawn) {
   Json counts = Json::object();
-  for (const auto& count : view.counts) counts[std::string(count.name)] = count.value;
-  const Json document{{"schema", "sightline/draw/1"},
-                      {"algorithm", algorithm.name},
-                      {"scene", source.name},
-                      {"output", arguments.output.file},
-                      {"camera",
-                       {{"perspective", camera.perspective},
-                        {"eye", camera.eye},
-                        {"forward", camera.forward},
-                        {"right", camera.right},
-                        {"up", camera.up}}},
-                      {"edges", picture::edges_of(source.scene).size()},
-                      {"pieces", view.picture.pieces.size()},
-                      {"pieces_drawn", drawn},
-                      {"visible_length", picture::image_length(view.picture, source.scene, camera)},
-                      {"counts", counts}};
-  print_json(document);
+  for (const auto& count : drawn.view.counts) counts[std::string(count.name)] = count.value;
+  Json document{{"schema", "sightline/draw/1"},
+                {"algorithm", algorithm.name},
+                {"scene", source.name},
+                {"output", file},
+                {"camera", camera_json(source.scene, camera)},
+                {"step", source.scene.step},
+                {"largest_shift", source.report.largest_shift},
+                {"edges", drawn.edges},
+                {"pieces", drawn.view.picture.pieces.size()},
+                {"pieces_drawn", drawn.pieces},
+                {"visible_length", picture::image_length(drawn.view.picture, source.scene, camera.camera)},
+                {"counts", counts}};
+  if (drawn.by_kind) {
+    Json kinds = Json::object();
+    for (std::size_t k = 0; k < picture::edge_kind_count; ++k)
+      if ((*drawn.by_kind)[k] > 0) kinds[std::string(picture::edge_kind_names[k])] = (*drawn.by_kind)[k];
+    document["edges_by_kind"] = kinds;
+  }
+  return document;
+}
+
+// part.svg becomes part-07.svg: as many digits as the last has.
+std::string numbered(const std::string& file, int number, int count) {
+  if (count == 1) return file;
+  const std::filesystem::path path(file);
+  const std::string digits = std::to_string(count);
+  return (path.parent_path() / fmt::format("{}-{:0{}}{}", path.stem().string(), number, digits.size(), path.extension().string()))
+      .string();
 }
 
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
-  const scene::LoadedScene source = load_scene(arguments.scene);
-  const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
-  check_field(arguments, camera);
+  if (!arguments.edges.empty() && !picture::edge_choice_named(arguments.edges)) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
+                              "boundary, crease, border", arguments.edges));
+  }
+  if (arguments.crease) require_finite("--crease", *arguments.crease);
+  if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::svg ? "kind" : "none";
+  arguments.mesh.eye = eye_of(arguments.camera);
+  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
+  check_field(arguments.field, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
-                       {source, camera, arguments.field, arguments.output, arguments.json}, format);
+                       {source, aimed.camera, arguments.field, arguments.output, arguments.json}, format);
   }
-  Output file(arguments.output.file);
-  const registry::LineView view = view_of(algorithm, source, camera);
-  picture::LinePicture drawn = view.picture;
-  picture::LinePicture edges = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
-  if (!arguments.all_edges) {
-    drawn = picture::without_seams(drawn, source.scene, camera);
-    edges = picture::without_seams(edges, source.scene, camera);
+  const DrawnEdges choice(arguments, source.scene);
+  const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
+  std::optional<registry::PreparedScene> prepared;
+  base::ProgressLine line;
+  Json documents = Json::array();
+  for (int i = 0; i < arguments.turntable; ++i) {
+    AimedCamera camera = aimed;
+    camera.camera = turned_about(frame, source.scene, aimed.camera, i, arguments.turntable);
+    if (auto error = scene::eye_error(source.scene, camera.camera)) {
+      error->file = source.name;
+      throw Failure(ExitCode::bad_input, error->message());
+    }
+    if (arguments.turntable > 1) line.show(fmt::format("view {} of {}", i + 1, arguments.turntable));
+    Output file(numbered(arguments.output.file, i + 1, arguments.turntable));
+    if (!prepared) prepared = prepared_of(algorithm, source);
+    check_view(algorithm, source, camera.camera);
+    picture::VectorDrawing drawing;
+    const DrawnView drawn = draw_view(*prepared, arguments, choice, source, camera.camera, field_of(arguments, format), drawing);
+    DrawOutput output = arguments.output;
+    output.file = numbered(arguments.output.file, i + 1, arguments.turntable);
+    write_drawing(drawing, output, format, source.name, file);
+    if (arguments.json) documents.push_back(summary_of(algorithm, output.file, source, camera, drawn));
   }
-  write_drawing(picture::line_drawing(drawn, source.scene, camera, field_of(arguments, format),
-                                      arguments.hidden ? &edges : nullptr),
-                arguments.output, format, source.name, file);
-  if (arguments.json) print_summary(algorithm, arguments, source, camera, view, drawn.pieces.size());
+  if (arguments.json) print_json(arguments.turntable == 1 ? documents[0] : documents);
   return ExitCode::ok;
 }
 
@@ -228,17 +330,38 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   const auto arguments = std::make_shared<DrawLinesArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   add_camera_options(command, arguments->camera);
+  add_field_option(command, arguments->field, "everything");
   command
-      .option("--field", arguments->field,
-              "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-              "--orthographic")
-      .default_value("everything")
-      .value("ANGLE")
+      .option("--turntable", arguments->turntable,
+              "So many drawings, once around the upright through the middle of the scene; numbered")
+      .range(1, 9999)
+      .default_value()
+      .value("N")
       .group("View");
+  const Option edges =
+      command
+          .option("--edges", arguments->edges,
+                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases and borders of materials), or "
+                  "some of these kinds with commas between them")
+          .default_value("feature")
+          .value("KINDS")
+          .group("Edges");
+  command
+      .option("--crease", arguments->crease, "An edge is a crease if its faces bend by more than this")
+      .range(0.0, 180.0)
+      .default_value("30 of a mesh, 0 of other scenes")
+      .value("DEGREES")
+      .group("Edges");
   const Option all_edges =
-      command.flag("--all-edges", arguments->all_edges, "Draw edges between coplanar faces, too");
+      command.flag("--all-edges", arguments->all_edges, "As --edges all: also edges between coplanar faces").excludes(edges).group("Edges");
   const Option hidden =
-      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a second layer, dashed");
+      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
+  command
+      .option("--layers", arguments->layers, "A layer for each kind of edge, or one layer")
+      .one_of({"kind", "none"})
+      .default_value("kind for .svg, else none")
+      .group("Edges");
+  add_mesh_options(command, arguments->mesh);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
     command.added("--fill").excludes(all_edges).excludes(hidden);

@@ -1,5 +1,4 @@
-// The parts of `sightline draw`, and the options that its methods share: from where a scene is drawn, and
-// where the drawing goes.
+// The parts of `sightline draw`, and the options that its methods share: where the drawing goes.
 #pragma once
 
 #include <optional>
@@ -8,10 +7,9 @@
 
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/registry/heights.hpp"
+#include "host/app/camera_options.hpp"
 #include "host/app/command_line.hpp"
 #include "host/picture/vector_drawing.hpp"
-#include "host/scene/model/aim_camera.hpp"
-#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
 
@@ -21,30 +19,6 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
 // `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. The method is one of
 // the registry's, which does not end.
 void add_draw_heights(const Command& command, const registry::HeightMethod& method);
-
-// --- from where
-
-struct CameraArguments {
-  std::string eye;  // "X,Y,Z", as all of these; empty: not given
-  std::string look_at;
-  std::string orthographic;
-  std::string forward;
-  std::string right;
-  std::string up;
-  std::string vertical;
-};
-
-void add_camera_options(const Command& command, CameraArguments& arguments);
-
-// How the scene's coordinates are meant: as --vertical says, else as the scene's own camera does. Not as the
-// camera asked for: one that looks steeply down has the horizontal for its up.
-[[nodiscard]] scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene);
-
-// The scene's own camera changed as the options say; in free space, unless the camera is orthographic.
-// `source` names the scene in errors. Failure usage: options that contradict each other or are no vectors.
-// Failure bad_input: the eye is inside a solid or on a face, which are named.
-[[nodiscard]] scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,
-                                          const std::string& source);
 
 // --- where to
 

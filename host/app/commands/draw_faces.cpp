@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -25,6 +24,7 @@ namespace {
 
 struct DrawFacesArguments {
   std::string scene;
+  MeshArguments mesh;
   CameraArguments camera;
   std::optional<double> field;
   registry::FaceOptions options;
@@ -50,41 +50,17 @@ void name_not_solved(const registry::PreparedFaces& prepared) {
                      prepared.not_solved.size() - most));
 }
 
-// Once around the middle of the scene at the eye's height and distance, looking at it.
-scene::PolyCamera camera_around(const scene::SceneFrame& frame, const scene::PolyCamera& start,
-                                const scene::PolyPoint& middle, double part) {
-  const std::size_t u = (frame.vertical + 1) % 3;
-  const std::size_t v = (frame.vertical + 2) % 3;
-  const double angle = 2 * std::numbers::pi * part;
-  const double du = start.eye[u] - middle[u];
-  const double dv = start.eye[v] - middle[v];
-  scene::PolyPoint eye = start.eye;
-  eye[u] = static_cast<std::int32_t>(std::lround(middle[u] + du * std::cos(angle) - dv * std::sin(angle)));
-  eye[v] = static_cast<std::int32_t>(std::lround(middle[v] + du * std::sin(angle) + dv * std::cos(angle)));
-  scene::PolyPoint direction{};
-  for (std::size_t a = 0; a < 3; ++a) direction[a] = middle[a] - eye[a];
-  return scene::aimed_camera(frame, eye, direction);
-}
-
 base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                 const registry::PreparedFaces& prepared, const scene::PolyCamera& start,
                 const registry::FaceWindow& window) {
-  const scene::PolyPoint middle = scene::bounds_of(source.scene).middle();
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   const auto shades = face_shades(source.scene);
   picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
   for (int i = 0; i < arguments.frames; ++i) {
-    const scene::PolyCamera camera =
-        camera_around(frame, start, middle, static_cast<double>(i) / arguments.frames);
-    bool below = true;
-    for (const std::int32_t c : camera.eye) below = below && std::abs(c) < scene::poly_coordinate_limit;
-    std::optional<base::Error> error;
-    if (below) error = scene::eye_error(source.scene, camera);
-    if (!below || error) {
-      throw Failure(ExitCode::bad_input,
-                    fmt::format("{}: frame {} of the flight: {}", source.name, i,
-                                error ? error->message() + "; --eye says where the flight begins"
-                                      : std::string("the eye leaves the coordinates there are")));
+    const scene::PolyCamera camera = turned_about(frame, source.scene, start, i, arguments.frames);
+    if (const auto error = scene::eye_error(source.scene, camera)) {
+      throw Failure(ExitCode::bad_input, fmt::format("{}: frame {} of the flight: {}; --eye says where the flight begins",
+                                                     source.name, i, error->message()));
     }
     const auto view = value_of(prepared.view(camera, window), source.name);
     const auto added = writer.add(arguments.picture == "lines" ? outline_image(view.faces)
@@ -130,15 +106,11 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
         fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
   }
   const auto [width, height] = faces_size(arguments.pixels);
-  const scene::LoadedScene source = load_scene(arguments.scene);
+  MeshArguments mesh = arguments.mesh;
+  mesh.eye = eye_of(arguments.camera);
+  const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
-  if (arguments.field) {
-    require_finite("--field", *arguments.field);
-    if (!(*arguments.field > 0) || (camera.perspective && *arguments.field > 170))
-      throw Failure(ExitCode::usage,
-                    fmt::format("--field: found {}, expected {}", *arguments.field,
-                                camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
-  }
+  check_field(arguments.field, camera);
   if (flight && !camera.perspective)
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
   Output file(arguments.output);
@@ -172,13 +144,8 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
       .required()
       .value("FILE");
   add_camera_options(command, arguments->camera);
-  command
-      .option("--field", arguments->field,
-              "Show this much across the shorter side, straight ahead: degrees, or scene units with "
-              "--orthographic")
-      .default_value("everything, or 60 degrees of a flight")
-      .value("ANGLE")
-      .group("View");
+  add_field_option(command, arguments->field, "everything, or 60 degrees of a flight");
+  add_mesh_options(command, arguments->mesh);
   command
       .option("--pixels", arguments->pixels,
               "Size of the image; 512x512 is made by the priority display itself")

@@ -39,7 +39,9 @@ void write_lesson(const explain::Lesson& lesson, const std::string& file, Output
 
 ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArguments& arguments) {
   check_name(arguments.file);
-  const scene::LoadedScene source = load_scene(arguments.scene);
+  MeshArguments mesh;
+  mesh.eye = eye_of(arguments.camera);
+  const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   Output output(arguments.file);
   explain::Lesson lesson =

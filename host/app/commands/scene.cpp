@@ -227,8 +227,8 @@ void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
     Json document = polyhedra_json(loaded.scene);
     document.update({{"quantised", report.quantised},
                      {"largest_shift", report.largest_shift},
-                     {"split_faces", report.split_faces},
-                     {"largest_deviation", report.largest_deviation}});
+                     {"split_faces", report.faces.split_faces},
+                     {"largest_deviation", report.faces.largest_deviation}});
     return print_json(document);
   }
   warn_of_changes(report);

@@ -366,6 +366,19 @@ void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Probl
 
 }  // namespace
 
+bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+  if (ring.size() == 3) return true;
+  PolyScene alone;  // with its own numbers: the vertices of a mesh are many
+  PolyFace face;
+  for (const VertexIndex v : ring) {
+    face.outline.push_back(static_cast<VertexIndex>(alone.vertices.size()));
+    alone.vertices.push_back(vertices[v]);
+  }
+  alone.bodies.push_back({"", true, {std::move(face)}});
+  Problems problems;
+  return check_poly_face(alone, 0, 0, problems);
+}
+
 std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
   Problems problems;
   if (scene.bodies.empty()) problems.add("bodies", "expected at least one body, found none");

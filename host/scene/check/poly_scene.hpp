@@ -24,6 +24,10 @@ namespace sightline::scene {
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
 
+// Whether a ring of three or more vertices, all in one plane and not on a line, is simple and touches itself
+// nowhere; false, too, for one with too many edges side by side to be checked.
+[[nodiscard]] bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring);
+
 // How errors name things.
 [[nodiscard]] inline std::string body_place(const PolyScene& scene, std::size_t body) {
   const std::string& name = scene.bodies[body].name;

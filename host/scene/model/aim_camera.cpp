@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -156,6 +157,134 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   camera.right = reduced(completed(frame, up_of(frame), forward));
   camera.up = reduced(up);
   return camera;
+}
+
+PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
+                         const std::array<double, 3>& up, bool perspective) {
+  using Vector = std::array<double, 3>;
+  const auto product = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const auto unit = [](Vector v) {
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (double& c : v) c /= length;
+    return v;
+  };
+  // Rows right, up and right x up, which is forward or its opposite.
+  Vector third = unit(direction);
+  if (!frame.forward_is_z)
+    for (double& c : third) c = -c;
+  const Vector right = unit(product(up, third));
+  const std::array<Vector, 3> rows{right, product(third, right), third};
+  // The quaternion of a rotation from its largest part (Shepperd 1978).
+  const double trace = rows[0][0] + rows[1][1] + rows[2][2];
+  std::array<double, 4> q{1 + trace, 0, 0, 0};
+  for (std::size_t a = 0; a < 3; ++a) q[a + 1] = 1 + 2 * rows[a][a] - trace;
+  const auto largest_part = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3;
+    const std::size_t c = (a + 2) % 3;
+    const double with_w = rows[b][c] - rows[c][b];
+    if (largest_part == 0) q[a + 1] = with_w;
+    if (largest_part == a + 1) q = {with_w, 0, 0, 0};
+    if (largest_part == a + 1) {
+      q[a + 1] = 1 + 2 * rows[a][a] - trace;
+      q[b + 1] = rows[a][b] + rows[b][a];
+      q[c + 1] = rows[a][c] + rows[c][a];
+      break;
+    }
+  }
+  const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& c : q) c /= size;
+  PolyCamera best{perspective, eye, {}, {}, {}};
+  double nearest = -1;
+  constexpr double longest_quaternion = 400;  // rows have common divisors now and then
+  for (double length = 1; length < longest_quaternion; length += 0.05) {
+    std::array<std::int64_t, 4> n{};
+    double norm = 0;
+    double along = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double rounded = std::round(q[i] * length);
+      n[i] = static_cast<std::int64_t>(rounded);
+      norm += rounded * rounded;
+      along += rounded * q[i];
+    }
+    if (norm == 0 || along * along / norm <= nearest) continue;
+    const auto& [w, x, y, z] = n;
+    const std::array<geometry::Vector3, 3> matrix{
+        geometry::Vector3{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
+        geometry::Vector3{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
+        geometry::Vector3{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}};
+    PolyCamera camera{perspective, eye, {}, {}, {}};
+    bool fits = true;
+    for (std::size_t row = 0; row < 3; ++row) {
+      std::int64_t divisor = 0;
+      for (const std::int64_t c : matrix[row]) divisor = std::gcd(divisor, c);
+      for (const std::int64_t c : matrix[row]) fits = fits && std::abs(c) / divisor <= largest;
+    }
+    if (!fits) continue;
+    nearest = along * along / norm;
+    camera.right = reduced(matrix[0]);
+    camera.up = reduced(matrix[1]);
+    camera.forward = reduced(frame.forward_is_z ? matrix[2] : geometry::negated(matrix[2]));
+    best = camera;
+  }
+  return best;
+}
+
+double angle_to(const PolyCamera& camera, const std::array<double, 3>& direction) {
+  // By the tangent, which is exact for small angles.
+  const std::array<double, 3> f{double(camera.forward[0]), double(camera.forward[1]), double(camera.forward[2])};
+  double across = 0;
+  double along = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3;
+    const double part = f[a] * direction[b] - f[b] * direction[a];
+    across += part * part;
+    along += f[a] * direction[a];
+  }
+  return std::atan2(std::sqrt(across), along) * 180 / std::numbers::pi;
+}
+
+PolyPoint direction_of(const std::array<double, 3>& direction) {
+  double most = 0;
+  for (const double c : direction) most = std::max(most, std::abs(c));
+  constexpr double longest = (1 << 20) - 1;
+  const bool whole = most < longest && std::all_of(direction.begin(), direction.end(), [](double c) { return std::floor(c) == c; });
+  PolyPoint result{};
+  for (std::size_t a = 0; a < 3; ++a)
+    result[a] = static_cast<std::int32_t>(std::round(whole ? direction[a] : direction[a] / most * longest));
+  return result;
+}
+
+SceneSides sides_of(const SceneFrame& frame) {
+  const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
+  const geometry::Vector3 up = up_of(frame);
+  const geometry::Vector3 away = completed(frame, right, up);
+  SceneSides sides;
+  for (std::size_t a = 0; a < 3; ++a) {
+    sides.right[a] = static_cast<double>(right[a]);
+    sides.up[a] = static_cast<double>(up[a]);
+    sides.away[a] = static_cast<double>(away[a]);
+  }
+  return sides;
+}
+
+PolyCamera camera_outside(const SceneFrame& frame, const PolyScene& scene, const std::array<double, 3>& direction,
+                          bool perspective) {
+  const PolyBounds bounds = bounds_of(scene);
+  const PolyPoint centre = bounds.middle();
+  double length = 0;
+  for (const double c : direction) length += c * c;
+  PolyPoint eye = centre;
+  // As far as three_quarter_camera is: the corners of the scene are less than 14/25 of the way around its middle.
+  const double away = 3.125 * static_cast<double>(bounds.half_size()) / std::sqrt(length);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double place = std::round(centre[a] - away * direction[a]);
+    perspective = perspective && std::abs(place) < poly_coordinate_limit;
+    if (perspective) eye[a] = static_cast<std::int32_t>(place);
+  }
+  return aimed_camera(frame, perspective ? eye : centre, direction_of(direction), perspective);
 }
 
 PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene) {

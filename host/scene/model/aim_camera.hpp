@@ -35,6 +35,32 @@ struct SceneFrame {
 [[nodiscard]] PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye,
                                       const PolyPoint& direction, bool perspective = true);
 
+// The same with up as near as it can be to `up`, which is not along the direction: the nearest of the rotations
+// that have small enough vectors of integers (those of quaternions of integers), rarely more than 0.3 degrees
+// away. Both of any length but 0.
+[[nodiscard]] PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye,
+                                       const std::array<double, 3>& direction, const std::array<double, 3>& up,
+                                       bool perspective = true);
+
+// The angle between the direction of a camera and another one, in degrees.
+[[nodiscard]] double angle_to(const PolyCamera& camera, const std::array<double, 3>& direction);
+
+// A direction of any length but 0 as aimed_camera takes them.
+[[nodiscard]] PolyPoint direction_of(const std::array<double, 3>& direction);
+
+// The directions of a scene as somebody who stands before it has them.
+struct SceneSides {
+  std::array<double, 3> right{};
+  std::array<double, 3> up{};
+  std::array<double, 3> away{};
+};
+[[nodiscard]] SceneSides sides_of(const SceneFrame& frame);
+
+// From outside the scene's bounds onto their middle, in this direction; orthographic if no such eye keeps below
+// poly_coordinate_limit, or if that is asked for.
+[[nodiscard]] PolyCamera camera_outside(const SceneFrame& frame, const PolyScene& scene,
+                                        const std::array<double, 3>& direction, bool perspective);
+
 // From outside the scene's bounds onto their middle, from above, one side and the front; orthographic if no
 // such eye keeps below poly_coordinate_limit.
 [[nodiscard]] PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene);

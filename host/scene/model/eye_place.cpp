@@ -11,6 +11,7 @@
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/check/problems.hpp"
+#include "host/scene/model/file_units.hpp"
 
 namespace sightline::scene {
 
@@ -20,12 +21,12 @@ using geometry::Point2;
 using geometry::Vector3;
 
 // Twice the area of the outline, as a vector; partial sums wrap without harm.
-Vector3 normal_of(const PolyScene& scene, const std::vector<VertexIndex>& outline) {
+Vector3 normal_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& outline) {
   std::array<std::uint64_t, 3> sum{};
-  const PolyPoint& about = scene.vertices[outline[0]];
+  const PolyPoint& about = vertices[outline[0]];
   for (std::size_t i = 2; i < outline.size(); ++i) {
     const Vector3 part =
-        geometry::normal_of(about, scene.vertices[outline[i - 1]], scene.vertices[outline[i]]);
+        geometry::normal_of(about, vertices[outline[i - 1]], vertices[outline[i]]);
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += static_cast<std::uint64_t>(part[axis]);
   }
   return {static_cast<std::int64_t>(sum[0]), static_cast<std::int64_t>(sum[1]),
@@ -34,9 +35,9 @@ Vector3 normal_of(const PolyScene& scene, const std::vector<VertexIndex>& outlin
 
 class FaceAndEye {
  public:
-  FaceAndEye(const PolyScene& scene, const PolyFace& face, const PolyPoint& eye)
-      : scene_(scene), face_(face), eye_(eye), normal_(normal_of(scene, face.outline)) {
-    above_ = geometry::dot(normal_, geometry::difference(eye, scene.vertices[face.outline[0]]));
+  FaceAndEye(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& eye)
+      : vertices_(vertices), face_(face), eye_(eye), normal_(normal_of(vertices, face.outline)) {
+    above_ = geometry::dot(normal_, geometry::difference(eye, vertices[face.outline[0]]));
   }
 
   [[nodiscard]] bool contains() const {
@@ -60,7 +61,7 @@ class FaceAndEye {
   [[nodiscard]] int locate(const std::vector<VertexIndex>& ring, std::size_t axis) const {
     std::vector<Point2> flat;
     flat.reserve(ring.size());
-    for (const VertexIndex v : ring) flat.push_back(geometry::flattened(scene_.vertices[v], axis));
+    for (const VertexIndex v : ring) flat.push_back(geometry::flattened(vertices_[v], axis));
     return geometry::locate_in_ring(flat, geometry::flattened(eye_, axis));
   }
 
@@ -69,8 +70,8 @@ class FaceAndEye {
     const Point2 p = geometry::flattened(eye_, 0);
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2 a = geometry::flattened(scene_.vertices[ring[i]], 0);
-      const Point2 b = geometry::flattened(scene_.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]], 0);
+      const Point2 a = geometry::flattened(vertices_[ring[i]], 0);
+      const Point2 b = geometry::flattened(vertices_[ring[i + 1 == ring.size() ? 0 : i + 1]], 0);
       if ((a[1] > p[1]) == (b[1] > p[1])) continue;
       // On the line of the side the move decides: by z, or, along a side that is parallel to z, by y.
       std::int64_t left = geometry::turn(a, b, p);
@@ -81,7 +82,7 @@ class FaceAndEye {
     return inside;
   }
 
-  const PolyScene& scene_;
+  const std::vector<PolyPoint>& vertices_;
   const PolyFace& face_;
   const PolyPoint& eye_;
   Vector3 normal_;
@@ -96,7 +97,7 @@ EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
     const PolyBody& body = scene.bodies[b];
     bool inside = false;
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
-      const FaceAndEye pair(scene, body.faces[f], eye);
+      const FaceAndEye pair(scene.vertices, body.faces[f], eye);
       if (pair.contains()) return {EyePlace::Kind::on_face, b, f};
       inside = inside != pair.stops_ray();
     }
@@ -105,12 +106,15 @@ EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
   return place;
 }
 
+bool ray_crosses(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& from) {
+  return FaceAndEye(vertices, face, from).stops_ray();
+}
+
 std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera) {
   if (!camera.perspective) return std::nullopt;
   const EyePlace place = eye_place(scene, camera.eye);
   if (place.kind == EyePlace::Kind::free) return std::nullopt;
-  const std::string eye = "the eye " + std::to_string(camera.eye[0]) + "," + std::to_string(camera.eye[1]) +
-                          "," + std::to_string(camera.eye[2]) + " is ";
+  const std::string eye = "the eye " + file_point_text(scene, camera.eye) + " is ";
   if (place.kind == EyePlace::Kind::inside)
     return base::Error{"", body_place(scene, place.body),
                        eye + "inside this solid, expected it in free space"};

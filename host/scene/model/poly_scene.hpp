@@ -53,6 +53,14 @@ struct PolyCamera {
   friend bool operator==(const PolyCamera&, const PolyCamera&) = default;
 };
 
+// Faces of a mesh that are in one plane, as far as the numbers of its file can tell: their rounded vertices
+// cannot. Its edges are chosen, and what faces the eye is decided, by these (host/picture/edge_choice.hpp).
+struct PolySurface {
+  std::array<double, 3> normal{};  // of its largest face in the coordinates of the file, outwards, of length 1
+
+  friend bool operator==(const PolySurface&, const PolySurface&) = default;
+};
+
 struct PolyScene {
   std::string name;
   std::vector<PolyPoint> vertices;
@@ -60,6 +68,11 @@ struct PolyScene {
   PolyCamera camera;   // the default view
   double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
   PolyPoint origin{};  // added to a vertex before the multiplication by step
+  // Of a mesh; otherwise all three are empty. For each face, counted over all bodies from 0, the number of its
+  // surface and that of its material (empty if all have the same).
+  std::vector<PolySurface> surfaces = {};
+  std::vector<std::uint32_t> surface_of = {};
+  std::vector<std::uint32_t> material_of = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "host/base/result.hpp"
+#include "host/scene/model/file_units.hpp"
 #include "host/scene/read/obj.hpp"
 #include "host/scene/read/off.hpp"
 #include "host/scene/read/poly_json.hpp"
-#include "host/scene/read/poly_quantise.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::scene {
@@ -181,7 +181,7 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
 PolyImport import_unchanged(PolyScene scene) {
   PolyImport result{std::move(scene), {}};
   result.report.step = result.scene.step;
-  for (const PolyBody& body : result.scene.bodies) result.report.sheets += body.sheet ? 1U : 0U;
+  for (const PolyBody& body : result.scene.bodies) result.report.faces.sheets += body.sheet ? 1U : 0U;
   return result;
 }
 

@@ -10,6 +10,9 @@
 #include "host/base/result.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_shells.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/read/poly_mend.hpp"
+#include "host/scene/read/poly_planes.hpp"
 #include "host/scene/read/poly_quantise.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
@@ -24,28 +27,31 @@ class Import {
   Import(PolyMesh mesh, const PolyImportOptions& options) : mesh_(std::move(mesh)), options_(options) {}
 
   base::Result<PolyImport> run() {
+    report().vertical = mesh_.vertical;
+    report().unit = std::move(mesh_.unit);
+    report().notes = std::move(mesh_.notes);
     quantise();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
-    if (report().quantised || options_.mend) {
-      merge_vertices();
-      const std::vector<bool> used = used_vertices();
-      drop_faces();
-      drop_unused(used);
+    if (options_.mend) {
+      mend_faces();
+    } else {
+      keep_faces();
     }
-    if (report().quantised && !split_faces()) return *error_;
-    if (!mesh_.grouped) separate();
-    for (PolyBody& body : scene().bodies) close(body);
+    if (error_) return *error_;
     scene().camera = default_poly_camera(scene());
+    if (report().vertical && *report().vertical != 1)
+      scene().camera = three_quarter_camera({.vertical = *report().vertical}, scene());
     return std::move(result_);
   }
 
  private:
   [[nodiscard]] PolyScene& scene() { return result_.scene; }
   [[nodiscard]] PolyImportReport& report() { return result_.report; }
+  [[nodiscard]] MendReport& faces() { return result_.report.faces; }
 
   void quantise() {
-    const Quantisation q = quantisation_of(mesh_.vertices);
+    const Quantisation q = quantisation_of(mesh_.vertices, options_.eye);
     scene().step = report().step = q.step;
     scene().origin = q.origin;
     report().quantised = !q.as_it_is;
@@ -61,7 +67,55 @@ class Import {
     }
   }
 
-  // Mending makes one of all equal vertices, quantising only of those that were different before.
+  // --- mending
+
+  void mend_faces() {
+    FileFaces file{mesh_.vertices, {}};
+    file.starts.reserve(face_count(scene()) + 1);
+    for (const PolyBody& body : scene().bodies)
+      for (const PolyFace& face : body.faces) file.add(face.outline);
+    const MendOptions options{options_.weld / report().step, mesh_.grouped};
+    const std::vector<MendedFace> mended = mend(scene(), options, faces());
+    faces().largest_deviation *= report().step;
+    report().mended = true;
+    if (mended.empty()) {
+      error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
+                           "a mesh", "--strict names what is wrong with each"};
+      return;
+    }
+    const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
+    find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
+    if (mesh_.materials.empty()) return;
+    scene().material_of.reserve(mended.size());
+    for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
+  }
+
+  // What double coordinates leave uncertain of a plane.
+  [[nodiscard]] double least_tolerance() const {
+    double reach = 0;
+    for (const auto& vertex : mesh_.vertices)
+      for (const double c : vertex) reach = std::max(reach, std::abs(c));
+    return reach * 0x1p-48;
+  }
+
+  // --- without mending
+
+  void keep_faces() {
+    if (report().quantised) {
+      merge_vertices();
+      const std::vector<bool> used = used_vertices();
+      drop_faces();
+      drop_unused(used);
+    }
+    if (report().quantised && !split_faces()) return;
+    if (!mesh_.grouped) separate();
+    for (PolyBody& body : scene().bodies) {
+      body.sheet = body.faces.empty() || !is_closed(face_edges(body));
+      faces().sheets += body.sheet ? 1U : 0U;
+    }
+  }
+
+  // Of equal vertices those that were different before become one.
   void merge_vertices() {
     const auto& points = scene().vertices;
     std::vector<VertexIndex> order(points.size());
@@ -75,12 +129,12 @@ class Import {
       if (i == 0) continue;
       const VertexIndex first = target[order[i - 1]];
       if (points[first] != points[v]) continue;
-      if (options_.mend || mesh_.vertices[first] != mesh_.vertices[v]) target[v] = first;
+      if (mesh_.vertices[first] != mesh_.vertices[v]) target[v] = first;
     }
     std::vector<bool> keep(points.size());
     for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = target[v] == v;
-    report().merged_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
-    if (report().merged_vertices > 0) renumber(keep, target);
+    faces().merged_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
+    if (faces().merged_vertices > 0) renumber(keep, target);
   }
 
   // Leaves out vertices; `target` is the replacement of each of them.
@@ -116,7 +170,7 @@ class Import {
         return face.outline.size() < 3 || geometry::is_zero(ring_normal(scene().vertices, face.outline));
       };
       const auto end = std::remove_if(body.faces.begin(), body.faces.end(), flat);
-      report().dropped_faces += static_cast<std::size_t>(body.faces.end() - end);
+      faces().dropped_faces += static_cast<std::size_t>(body.faces.end() - end);
       body.faces.erase(end, body.faces.end());
     }
     auto& bodies = scene().bodies;
@@ -142,12 +196,12 @@ class Import {
 
   bool split_faces() {
     for (std::size_t b = 0; b < scene().bodies.size(); ++b) {
-      std::vector<PolyFace> faces;
+      std::vector<PolyFace> planar;
       for (std::size_t f = 0; f < scene().bodies[b].faces.size(); ++f) {
         PolyFace& face = scene().bodies[b].faces[f];
         const double height = face.outline.size() > 3 ? deviation(face.outline) : 0.0;
         if (height == 0.0) {
-          faces.push_back(std::move(face));
+          planar.push_back(std::move(face));
           continue;
         }
         const auto triangles = triangulate(scene().vertices, face);
@@ -156,11 +210,11 @@ class Import {
                                "is not planar and cannot be split into triangles along its vertices"};
           return false;
         }
-        ++report().split_faces;
-        report().largest_deviation = std::max(report().largest_deviation, height * report().step);
-        for (const auto& t : *triangles) faces.push_back({{t[0], t[1], t[2]}, {}});
+        ++faces().split_faces;
+        faces().largest_deviation = std::max(faces().largest_deviation, height * report().step);
+        for (const auto& t : *triangles) planar.push_back({{t[0], t[1], t[2]}, {}});
       }
-      scene().bodies[b].faces = std::move(faces);
+      scene().bodies[b].faces = std::move(planar);
     }
     return true;
   }
@@ -180,17 +234,6 @@ class Import {
     join_cavities(scene().vertices, scene().bodies);
   }
 
-  void close(PolyBody& body) {
-    body.sheet = body.faces.empty() || !is_closed(face_edges(body));
-    report().sheets += body.sheet ? 1U : 0U;
-    if (!options_.mend || body.sheet || enclosed_volume(scene().vertices, body) >= 0) return;
-    ++report().turned_bodies;
-    for (PolyFace& face : body.faces) {
-      std::reverse(face.outline.begin(), face.outline.end());
-      for (Ring& hole : face.holes) std::reverse(hole.begin(), hole.end());
-    }
-  }
-
   [[nodiscard]] std::vector<bool> used_vertices() {
     std::vector<bool> used(scene().vertices.size(), false);
     for (const PolyBody& body : scene().bodies) {
@@ -203,14 +246,14 @@ class Import {
     return used;
   }
 
-  // Those that were used before the faces around them were left out; mending, all.
+  // Those that were used before the faces around them were left out.
   void drop_unused(const std::vector<bool>& used_before) {
     std::vector<bool> keep = used_vertices();
-    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = keep[v] || (!options_.mend && !used_before[v]);
+    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = keep[v] || !used_before[v];
     std::vector<VertexIndex> target(keep.size());
     std::iota(target.begin(), target.end(), VertexIndex{0});
-    report().dropped_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
-    if (report().dropped_vertices > 0) renumber(keep, target);
+    faces().dropped_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
+    if (faces().dropped_vertices > 0) renumber(keep, target);
   }
 
   PolyMesh mesh_;

@@ -1,4 +1,4 @@
-// From the polyhedra of a file, whose coordinates may have fractions, to a PolyScene: quantised once, or not
+// From the polyhedra of a file, whose coordinates may have fractions, to a PolyScene: rounded once, or not
 // at all.
 //
 // A file whose coordinates are integers below poly_coordinate_limit is taken as it is: step 1, nothing
@@ -6,11 +6,15 @@
 // and so small that the multiples keep below 2^16, that is the step and nothing is lost; else it is the
 // smallest power of two with which they keep below 2^16 (a quarter of the limit, so that there is room for an
 // eye outside). A scene farther from the origin than four times its size is moved there first
-// (PolyScene::origin). Of a quantised file, vertices that were different and fell together become one; faces
-// that lost their area are left out; faces of four and more vertices that are no longer planar are split into
-// triangles along their own vertices. Triangles are always planar. All of it is counted. Damage that was in
-// the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to name,
-// unless the option asks for repair.
+// (PolyScene::origin). An eye farther away than that room makes the step longer, and an eye between the points
+// of a file of integers makes it shorter (PolyImportOptions::eye).
+//
+// What then happens to the faces is one of two things. Mending: poly_mend.hpp, and what lies in one plane is
+// found (poly_planes.hpp). Without it, of a rounded file: vertices that were different and fell together become
+// one; faces that lost their area are left out; faces of four and more vertices that are no longer planar are
+// split into triangles along their own vertices. Triangles are always planar. All of it is counted; damage that
+// was in the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to
+// name.
 #pragma once
 
 #include <array>
@@ -23,6 +27,7 @@
 #include "host/base/result.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/poly_mend.hpp"
 
 namespace sightline::scene {
 
@@ -45,22 +50,23 @@ struct PolyMesh {
 };
 
 struct PolyImportOptions {
-  // Make one of equal vertices, leave out unused ones, faces without area and bodies without faces; turn
-  // bodies that are closed but inside out.
   bool mend = false;
+  double weld = 0;  // mending, vertices at most so far apart become one; in the unit of the file
+  // Mending, how far a vertex may be from the plane of a surface, in the unit of the file; by default four
+  // times PolyMesh::precision, or `weld` if that is more.
+  std::optional<double> planar_tolerance = {};
+  std::optional<std::array<double, 3>> eye = {};  // has to have a place among the scene's coordinates; finite
 };
 
 struct PolyImportReport {
   bool quantised = false;
   double step = 1;
   double largest_shift = 0;  // how far a coordinate was moved by rounding, in the file's unit
-  std::size_t merged_vertices = 0;
-  std::size_t dropped_vertices = 0;  // unused
-  std::size_t dropped_faces = 0;     // without area
-  std::size_t split_faces = 0;       // no longer planar
-  double largest_deviation = 0;      // of a vertex of those from their plane, in the file's unit
-  std::size_t turned_bodies = 0;
-  std::size_t sheets = 0;  // bodies that are not closed
+  bool mended = false;
+  MendReport faces = {};                  // also without mending, as far as something was changed
+  std::optional<std::size_t> vertical = {};  // as the format says; 0, 1, 2 = x, y, z
+  std::string unit = {};                  // as the format says
+  std::vector<std::string> notes = {};    // what of the file was passed over, a phrase each
 };
 
 struct PolyImport {
@@ -68,7 +74,8 @@ struct PolyImport {
   PolyImportReport report;
 };
 
-// An error for a file whose faces cannot be split, naming body and face. The scene is not checked.
+// An error for a file whose faces cannot be split, naming body and face; mending, for one of which no face is
+// left. A scene that was not mended is not checked.
 [[nodiscard]] base::Result<PolyImport> import_poly(PolyMesh mesh, const PolyImportOptions& options = {});
 
 // From above, right and in front (y is up), outside of the scene; orthographic if no such point keeps below

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/scene/model/file_units.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -43,13 +45,12 @@ bool lossless(const Vertices& vertices, const Quantisation& q) {
 }  // namespace
 
 double Quantisation::value_of(std::int64_t n) const {
-  // A division by 1000 is rounded once, a multiplication by 0.001 twice.
-  const double inverse = std::round(1 / step);
-  const bool part_of_one = step < 1 && inverse < 1e15 && 1 / inverse == step;
-  return part_of_one ? static_cast<double>(n) / inverse : static_cast<double>(n) * step;
+  return steps_in_file(n, step);
 }
 
-Quantisation quantisation_of(const Vertices& vertices) {
+namespace {
+
+Quantisation without_eye(const Vertices& vertices) {
   Quantisation result;
   result.as_it_is = all_coordinates(
       vertices, [](double c) { return std::abs(c) < poly_coordinate_limit && std::floor(c) == c; });
@@ -80,13 +81,35 @@ Quantisation quantisation_of(const Vertices& vertices) {
   return result;
 }
 
-std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis) {
-  return static_cast<std::int32_t>(steps(value, quantisation.step) - quantisation.origin[axis]);
+}  // namespace
+
+Quantisation quantisation_of(const Vertices& vertices, const std::optional<std::array<double, 3>>& eye) {
+  Quantisation q = without_eye(vertices);
+  if (!eye || vertices.empty()) return q;
+  const auto reach = [&](const std::array<double, 3>& p) {
+    double most = 0;
+    for (std::size_t a = 0; a < 3; ++a) most = std::max(most, std::abs(p[a] / q.step - q.origin[a]));
+    return most;
+  };
+  const bool between = std::any_of(eye->begin(), eye->end(), [](double c) { return std::floor(c) != c; });
+  if (q.as_it_is && between) {  // halves of the step lose nothing
+    double most = reach(*eye);
+    for (const auto& vertex : vertices) most = std::max(most, reach(vertex));
+    for (; 2 * most <= aim; most *= 2) q.step /= 2;
+    q.as_it_is = q.step == 1;
+  }
+  int exponent = 0;
+  const double longer = std::frexp(q.step, &exponent) == 0.5 ? 2 : 10;  // a power of ten stays one
+  while (reach(*eye) > poly_coordinate_limit - 2) {
+    q.as_it_is = false;
+    q.step *= longer;
+    for (std::int32_t& o : q.origin) o = static_cast<std::int32_t>(std::round(o / longer));
+  }
+  return q;
 }
 
-double file_coordinate(const PolyScene& scene, const PolyPoint& p, std::size_t axis) {
-  const Quantisation q{false, scene.step, scene.origin};
-  return q.value_of(std::int64_t{p[axis]} + scene.origin[axis]);
+std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis) {
+  return static_cast<std::int32_t>(steps(value, quantisation.step) - quantisation.origin[axis]);
 }
 
 }  // namespace sightline::scene

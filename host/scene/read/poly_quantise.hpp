@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/scene/model/poly_scene.hpp"
@@ -19,14 +20,12 @@ struct Quantisation {
   [[nodiscard]] double value_of(std::int64_t n) const;
 };
 
-// The values are finite.
-[[nodiscard]] Quantisation quantisation_of(const std::vector<std::array<double, 3>>& vertices);
+// The values are finite. An eye, in the unit of the file, is given a place within the limit.
+[[nodiscard]] Quantisation quantisation_of(const std::vector<std::array<double, 3>>& vertices,
+                                           const std::optional<std::array<double, 3>>& eye = {});
 
 // The nearest multiple of the step (halves away from 0), less the origin; below poly_coordinate_limit for
 // every value that quantisation_of has seen.
 [[nodiscard]] std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis);
-
-// The step of a scene applied to one coordinate of a vertex: what a writer writes.
-[[nodiscard]] double file_coordinate(const PolyScene& scene, const PolyPoint& p, std::size_t axis);
 
 }  // namespace sightline::scene

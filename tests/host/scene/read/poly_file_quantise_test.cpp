@@ -16,7 +16,7 @@ TEST(Quantise, DecimalFractionsLoseNothing) {
   EXPECT_TRUE(import.report.quantised);
   EXPECT_EQ(import.report.step, 0.001);
   EXPECT_EQ(import.report.largest_shift, 0.0);
-  EXPECT_EQ(import.report.split_faces, 0U);
+  EXPECT_EQ(import.report.faces.split_faces, 0U);
   EXPECT_EQ(import.scene.vertices[0], (PolyPoint{250, 0, 0}));
   EXPECT_EQ(import.scene.vertices[3], (PolyPoint{-300, 1000, 0}));
   EXPECT_EQ(written(import.scene, PolyFormat::off),
@@ -62,9 +62,9 @@ TEST(Quantise, ASceneFarAwayIsMovedFirst) {
 TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
   const PolyImport import =
       read("OFF\n4 1 0\n0 0 0\n1.23456789 0 0\n1.23456789 1 0.1\n0 1 0\n4 0 1 2 3\n", PolyFormat::off);
-  EXPECT_EQ(import.report.split_faces, 1U);
-  EXPECT_GT(import.report.largest_deviation, 0.01);
-  EXPECT_LT(import.report.largest_deviation, 0.1);
+  EXPECT_EQ(import.report.faces.split_faces, 1U);
+  EXPECT_GT(import.report.faces.largest_deviation, 0.01);
+  EXPECT_LT(import.report.faces.largest_deviation, 0.1);
   EXPECT_EQ(import.scene.bodies[0].faces.size(), 2U);
   EXPECT_EQ(problems(import.scene), "");
 }
@@ -73,8 +73,8 @@ TEST(Quantise, PointsThatFallTogetherBecomeOne) {
   const PolyImport import =
       read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
            PolyFormat::off);
-  EXPECT_EQ(import.report.merged_vertices, 1U);
-  EXPECT_EQ(import.report.dropped_faces, 1U);
+  EXPECT_EQ(import.report.faces.merged_vertices, 1U);
+  EXPECT_EQ(import.report.faces.dropped_faces, 1U);
   // What was wrong with the file itself is not hidden.
   EXPECT_EQ(problems(import.scene), "vertex 3: is not used by any face\n");
 }
@@ -88,9 +88,9 @@ TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
             "vertex 5: is not used by any face\nvertex 4: is the same point (10, 0, 0) as vertex 1\n");
   const PolyImport mended = read(text, PolyFormat::off, true);
   EXPECT_EQ(problems(mended.scene), "");
-  EXPECT_EQ(mended.report.merged_vertices, 1U);
-  EXPECT_EQ(mended.report.dropped_vertices, 1U);
-  EXPECT_EQ(mended.report.turned_bodies, 1U);
+  EXPECT_EQ(mended.report.faces.merged_vertices, 1U);
+  EXPECT_EQ(mended.report.faces.dropped_vertices, 1U);
+  EXPECT_EQ(mended.report.faces.turned_faces, 6U);
   EXPECT_FALSE(mended.scene.bodies[0].sheet);
 }
 

@@ -102,7 +102,7 @@ TEST(WritePoly, ACavitySurvivesOff) {
     EXPECT_EQ(problems(again.scene), "");
     ASSERT_EQ(again.scene.bodies.size(), 1U);
     EXPECT_EQ(again.scene.bodies[0].faces, scene.bodies[0].faces);
-    EXPECT_EQ(again.report.turned_bodies, 0U);
+    EXPECT_EQ(again.report.faces.turned_faces, 0U);
   }
 }
 

@@ -1,0 +1,178 @@
+// See edge_choice.hpp.
+#include "host/picture/edge_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sightline::picture {
+namespace {
+
+constexpr std::size_t number_of(EdgeKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
+double square(const geometry::Vector3& v) {
+  double sum = 0;
+  for (const std::int64_t c : v) sum += static_cast<double>(c) * static_cast<double>(c);
+  return sum;
+}
+
+geometry::Vector3 area_of(const std::vector<scene::PolyPoint>& vertices, const scene::PolyFace& face) {
+  geometry::Vector3 sum{};
+  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
+      for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];
+    }
+  };
+  add(face.outline);
+  for (const auto& hole : face.holes) add(hole);
+  return sum;
+}
+
+}  // namespace
+
+std::optional<EdgeChoice> edge_choice_named(std::string_view text) {
+  EdgeChoice choice;
+  if (text == "feature") return choice;
+  if (text == "all") {
+    choice.kinds.fill(true);
+    return choice;
+  }
+  choice.kinds.fill(false);
+  choice.kinds[number_of(EdgeKind::junction)] = true;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto found = std::find(edge_kind_names.begin(), edge_kind_names.end() - 1, text.substr(0, comma));
+    if (found == edge_kind_names.end() - 1) return std::nullopt;
+    choice.kinds[static_cast<std::size_t>(found - edge_kind_names.begin())] = true;
+    if (comma == std::string_view::npos) return choice;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::array<std::size_t, edge_kind_count> ChosenEdges::counts() const {
+  std::array<std::size_t, edge_kind_count> result{};
+  for (const EdgeKind kind : kinds) ++result[number_of(kind)];
+  return result;
+}
+
+EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice)
+    : scene_(scene), choice_(choice), edges_(scene) {
+  find_surfaces();
+  kinds_.reserve(edges_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) kinds_.push_back(kind_without_eye(e));
+}
+
+// Without surfaces each face is one.
+void EdgeChooser::find_surfaces() {
+  const bool mesh = !scene_.surfaces.empty();
+  surfaces_.resize(mesh ? scene_.surfaces.size() : face_count(scene_));
+  surface_of_ = scene_.surface_of;
+  std::uint32_t number = 0;
+  for (const scene::PolyBody& body : scene_.bodies) {
+    for (const scene::PolyFace& face : body.faces) {
+      if (!mesh) surface_of_.push_back(number);
+      Surface& surface = surfaces_[surface_of_[number++]];
+      const geometry::Vector3 area = area_of(scene_.vertices, face);
+      const double size = square(area);
+      for (std::size_t a = 0; a < 3; ++a) surface.normal[a] += area[a];
+      surface.solid = !body.sheet;
+      if (size <= surface.largest) continue;
+      surface.largest = size;
+      surface.on = face.outline[0];
+    }
+  }
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    Surface& surface = surfaces_[s];
+    const double length = std::sqrt(square(surface.normal));
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (length > 0) surface.direction[a] = static_cast<double>(surface.normal[a]) / length;
+      if (mesh) surface.direction[a] = scene_.surfaces[s].normal[a];
+    }
+  }
+}
+
+// Whether two surfaces bend more than the angle; `agree`: they pass their edge in opposite directions.
+bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
+  const auto& m = surfaces_[a].direction;
+  const auto& n = surfaces_[b].direction;
+  double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  if (!agree) cosine = -cosine;
+  if (choice_.crease > 0) return cosine < std::cos(choice_.crease * std::numbers::pi / 180);
+  if (!scene_.surfaces.empty()) return true;  // another surface
+  const geometry::Vector3& v = surfaces_[a].normal;
+  const geometry::Vector3& w = surfaces_[b].normal;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t next = (axis + 1) % 3;
+    if (geometry::Int128{v[axis]} * w[next] != geometry::Int128{v[next]} * w[axis]) return true;
+  }
+  return cosine < 0;
+}
+
+EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
+  const auto uses = edges_.uses(edge);
+  if (uses.size() > 2) return EdgeKind::junction;
+  if (uses.size() == 1) return EdgeKind::boundary;
+  const std::uint32_t a = surface_of_[uses[0].face];
+  const std::uint32_t b = surface_of_[uses[1].face];
+  const bool agree = uses[0].upwards != uses[1].upwards;
+  if (a != b && bends(a, b, agree)) return EdgeKind::crease;
+  const auto& materials = scene_.material_of;
+  if (!materials.empty() && materials[uses[0].face] != materials[uses[1].face]) return EdgeKind::border;
+  return EdgeKind::flat;
+}
+
+ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
+  const geometry::Vector3 forward = geometry::vector_of(camera.forward);
+  std::vector<int> facing(surfaces_.size());  // positive: to the eye
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    const Surface& surface = surfaces_[s];
+    const geometry::Vector3 sight =
+        camera.perspective ? geometry::difference(scene_.vertices[surface.on], camera.eye) : forward;
+    facing[s] = -geometry::sign(geometry::wide_dot(surface.normal, sight));
+  }
+  const bool mesh = !scene_.surfaces.empty();
+  ChosenEdges chosen;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto uses = edges_.uses(e);
+    EdgeKind kind = kinds_[e];
+    bool away = true;
+    for (const scene::EdgeTable::Use& use : uses) {
+      const std::uint32_t surface = surface_of_[use.face];
+      away = away && surfaces_[surface].solid && facing[surface] <= 0;
+    }
+    if (uses.size() == 2) {
+      const std::uint32_t a = surface_of_[uses[0].face];
+      const std::uint32_t b = surface_of_[uses[1].face];
+      // Passed in the same direction, one of them has to be thought turned.
+      const int facing_b = uses[0].upwards != uses[1].upwards ? facing[b] : -facing[b];
+      if (a != b && (facing[a] > 0) != (facing_b > 0)) kind = EdgeKind::silhouette;
+    }
+    if (!choice_.kinds[number_of(kind)]) {
+      // An outline that is not wanted may be a crease that is.
+      kind = kinds_[e];
+      if (!choice_.kinds[number_of(kind)]) continue;
+    }
+    chosen.edges.push_back({edges_[e].low, edges_[e].high});
+    chosen.kinds.push_back(kind);
+    chosen.turned_away.push_back(away ? 1 : 0);
+    if (mesh)
+      for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of_[use.face]);
+    chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
+  }
+  return chosen;
+}
+
+LinePicture only(const LinePicture& picture, const ChosenEdges& chosen) {
+  LinePicture result;
+  auto edge = chosen.edges.begin();
+  for (const LinePiece& piece : picture.pieces) {
+    while (edge != chosen.edges.end() && *edge < piece.edge) ++edge;
+    if (edge != chosen.edges.end() && *edge == piece.edge) result.pieces.push_back(piece);
+  }
+  return result;
+}
+
+}  // namespace sightline::picture

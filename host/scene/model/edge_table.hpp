@@ -1,0 +1,44 @@
+// The edges of a scene's faces, numbered, with the faces at each.
+//
+// An edge is a pair of vertices that follow each other on an outline or a hole. Edges ascend by their lower
+// and then by their higher vertex, as those of a LinePicture do, so that the numbers of both are the same.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+class EdgeTable {
+ public:
+  // One side of a face.
+  struct Use {
+    std::uint32_t face = 0;  // counted over all bodies from 0
+    bool upwards = false;    // passed from the lower to the higher vertex
+  };
+  struct Edge {
+    VertexIndex low = 0;
+    VertexIndex high = 0;
+    std::uint32_t first = 0;  // of its uses
+  };
+
+  // Every index of a face is below the number of vertices. Sides from a vertex to itself are left out. Linear,
+  // but for sorting the sides at a vertex.
+  explicit EdgeTable(const PolyScene& scene);
+
+  [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
+  [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
+  // Ascending by face.
+  [[nodiscard]] std::span<const Use> uses(std::size_t edge) const {
+    return std::span(uses_).subspan(edges_[edge].first, edges_[edge + 1].first - edges_[edge].first);
+  }
+
+ private:
+  std::vector<Edge> edges_;  // and one more, where the uses end
+  std::vector<Use> uses_;
+};
+
+}  // namespace sightline::scene

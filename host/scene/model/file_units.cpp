@@ -1,0 +1,45 @@
+// See file_units.hpp.
+#include "host/scene/model/file_units.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace sightline::scene {
+
+double steps_in_file(std::int64_t n, double step) {
+  // A division by 1000 is rounded once, a multiplication by 0.001 twice.
+  const double inverse = std::round(1 / step);
+  const bool part_of_one = step < 1 && inverse < 1e15 && 1 / inverse == step;
+  return part_of_one ? static_cast<double>(n) / inverse : static_cast<double>(n) * step;
+}
+
+double file_coordinate(const PolyScene& scene, const PolyPoint& p, std::size_t axis) {
+  return steps_in_file(std::int64_t{p[axis]} + scene.origin[axis], scene.step);
+}
+
+std::array<double, 3> file_point(const PolyScene& scene, const PolyPoint& p) {
+  return {file_coordinate(scene, p, 0), file_coordinate(scene, p, 1), file_coordinate(scene, p, 2)};
+}
+
+std::string file_point_text(const PolyScene& scene, const PolyPoint& p) {
+  std::string text;
+  for (std::size_t a = 0; a < 3; ++a) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, file_coordinate(scene, p, a));
+    if (a > 0) text += ',';
+    text.append(digits, end);
+  }
+  return text;
+}
+
+std::optional<PolyPoint> grid_point(const PolyScene& scene, const std::array<double, 3>& in_file) {
+  PolyPoint p{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double steps = std::round(in_file[a] / scene.step) - scene.origin[a];
+    if (!(std::abs(steps) < poly_coordinate_limit)) return std::nullopt;
+    p[a] = static_cast<std::int32_t>(steps);
+  }
+  return p;
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,26 @@
+// Points of a scene in the unit of the file that it came from, and back: what people give and read.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::scene {
+
+// n steps in the unit of the file, the nearest double.
+[[nodiscard]] double steps_in_file(std::int64_t n, double step);
+
+// One coordinate of a point of the scene: what a writer writes.
+[[nodiscard]] double file_coordinate(const PolyScene& scene, const PolyPoint& p, std::size_t axis);
+[[nodiscard]] std::array<double, 3> file_point(const PolyScene& scene, const PolyPoint& p);
+// "x,y,z", each the shortest text that reads as the same number.
+[[nodiscard]] std::string file_point_text(const PolyScene& scene, const PolyPoint& p);
+
+// The nearest point of the scene's grid; empty if it is not within poly_coordinate_limit.
+[[nodiscard]] std::optional<PolyPoint> grid_point(const PolyScene& scene, const std::array<double, 3>& in_file);
+
+}  // namespace sightline::scene

@@ -1,0 +1,627 @@
+// See poly_mend.hpp.
+#include "host/scene/read/poly_mend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "host/geometry/predicates.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/check/poly_shells.hpp"
+#include "host/scene/model/edge_table.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/read/poly_triangulate.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using Ring = std::vector<VertexIndex>;
+
+constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t spread(std::uint64_t key) {  // the bits of a key over all bits of a word (Steele's SplitMix)
+  key = (key ^ key >> 30U) * 0xbf58476d1ce4e5b9U;
+  key = (key ^ key >> 27U) * 0x94d049bb133111ebU;
+  return key ^ key >> 31U;
+}
+
+// A table of numbers found again by what they stand for. There is room for `most` of them.
+class Numbers {
+ public:
+  explicit Numbers(std::size_t most) {
+    std::size_t size = 16;
+    while (size < 2 * most) size *= 2;
+    places_.assign(size, no_part);
+  }
+
+  // The number found before for which `same` holds, or else `number`, which is kept.
+  template <class Same>
+  std::uint32_t find_or_add(std::uint64_t key, std::uint32_t number, Same same) {
+    for (std::size_t at = spread(key) & (places_.size() - 1);; at = (at + 1) & (places_.size() - 1)) {
+      if (places_[at] == no_part) places_[at] = number;
+      if (places_[at] == number || same(places_[at])) return places_[at];
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> places_;
+};
+
+std::uint64_t key_of(const PolyPoint& p) {
+  std::uint64_t key = 0;
+  for (const std::int32_t c : p) key = key << 20U | static_cast<std::uint32_t>(c + poly_coordinate_limit);
+  return key;
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
+  while (parents[i] != i) {
+    parents[i] = parents[parents[i]];
+    i = parents[i];
+  }
+  return i;
+}
+
+// For each vertex the one that it becomes: of equal ones the first.
+std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points) {
+  Numbers numbers(points.size());
+  std::vector<VertexIndex> target(points.size());
+  for (VertexIndex v = 0; v < points.size(); ++v)
+    target[v] = numbers.find_or_add(key_of(points[v]), v, [&](VertexIndex w) { return points[w] == points[v]; });
+  return target;
+}
+
+// Joins, of the vertices that are their own target, those at most `distance` apart, and those that these join.
+void join_near(const std::vector<PolyPoint>& points, double distance, std::vector<VertexIndex>& target) {
+  const double side = std::max(distance, 1.0);
+  const auto cell_of = [side](const PolyPoint& p) {
+    std::array<std::int64_t, 3> cell{};
+    for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<std::int64_t>(std::floor(p[a] / side));
+    return cell;
+  };
+  const auto key = [](const std::array<std::int64_t, 3>& cell) {
+    std::uint64_t result = 0;
+    for (const std::int64_t c : cell) result = result << 21U | static_cast<std::uint64_t>(c + (1 << 20));
+    return result;
+  };
+  std::unordered_map<std::uint64_t, std::vector<VertexIndex>> cells;
+  std::vector<std::uint32_t> parents(points.size());
+  std::iota(parents.begin(), parents.end(), 0U);
+  for (VertexIndex v = 0; v < points.size(); ++v) {
+    if (target[v] != v) continue;
+    const auto cell = cell_of(points[v]);
+    for (std::int64_t n = 0; n < 27; ++n) {
+      const auto found = cells.find(key({cell[0] + n / 9 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n % 3 - 1}));
+      if (found == cells.end()) continue;
+      for (const VertexIndex w : found->second) {
+        const auto between = geometry::difference(points[v], points[w]);
+        if (static_cast<double>(geometry::dot(between, between)) > distance * distance) continue;
+        const std::uint32_t a = root_of(parents, v);
+        const std::uint32_t b = root_of(parents, w);
+        const bool a_is_lower = points[a] < points[b];
+        parents[a_is_lower ? b : a] = a_is_lower ? a : b;
+      }
+    }
+    cells[key(cell)].push_back(v);
+  }
+  for (VertexIndex& t : target) t = root_of(parents, t);
+}
+
+// A face at work.
+struct Piece {
+  Ring ring;
+  std::uint32_t body = 0;
+  std::uint32_t source = 0;
+  bool turned = false;
+  bool left_out = false;
+};
+
+// Vertices that follow themselves, and spikes: there and back.
+void clean(Ring& ring) {
+  bool changed = true;
+  while (changed && ring.size() >= 3) {
+    changed = false;
+    Ring kept;
+    for (const VertexIndex v : ring) {
+      if (!kept.empty() && kept.back() == v) continue;
+      if (kept.size() >= 2 && kept[kept.size() - 2] == v) {
+        kept.pop_back();
+        continue;
+      }
+      kept.push_back(v);
+    }
+    const auto matches = [&kept](std::size_t i, std::size_t from_end) {
+      return kept[i] == kept[kept.size() - from_end];
+    };
+    while (kept.size() >= 2 && matches(0, 1)) kept.pop_back();
+    while (kept.size() >= 3 && (matches(0, 2) || matches(1, 1))) {
+      kept.pop_back();
+      while (kept.size() >= 2 && matches(0, 1)) kept.pop_back();
+    }
+    changed = kept.size() != ring.size();
+    ring = std::move(kept);
+  }
+  if (ring.size() < 3) ring.clear();
+}
+
+bool clean_already(const Ring& ring) {
+  return ring.size() == 3 && ring[0] != ring[1] && ring[1] != ring[2] && ring[2] != ring[0];
+}
+
+class Mending {
+ public:
+  Mending(PolyScene& scene, const MendOptions& options, MendReport& report)
+      : scene_(scene), options_(options), report_(report) {}
+
+  std::vector<MendedFace> run() {
+    take_faces();
+    split_faces();
+    drop_duplicates();
+    give_flat_triangles_away();
+    drop_left_out();
+    make_parts();
+    orient();
+    put_together();
+    return drop_unused();
+  }
+
+ private:
+  [[nodiscard]] const std::vector<PolyPoint>& points() const { return scene_.vertices; }
+
+  void take_faces() {
+    std::vector<VertexIndex> target = equal_points(points());
+    if (options_.weld > 0) join_near(points(), options_.weld, target);
+    for (VertexIndex v = 0; v < target.size(); ++v) report_.merged_vertices += target[v] != v ? 1U : 0U;
+    pieces_.reserve(face_count(scene_));
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      for (PolyFace& face : scene_.bodies[b].faces) {
+        Piece piece{std::move(face.outline), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(pieces_.size())};
+        for (VertexIndex& v : piece.ring) v = target[v];
+        if (!clean_already(piece.ring)) clean(piece.ring);
+        if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
+        pieces_.push_back(std::move(piece));
+      }
+    }
+    file_faces_ = pieces_.size();
+  }
+
+  static void leave_out(Piece& piece, std::size_t& count) {
+    piece.left_out = true;
+    piece.ring.clear();
+    ++count;
+  }
+
+  [[nodiscard]] bool on_a_line(const Ring& ring) const {
+    for (std::size_t i = 2; i < ring.size(); ++i)
+      if (!geometry::is_zero(geometry::normal_of(points()[ring[0]], points()[ring[1]], points()[ring[i]]))) return false;
+    return true;
+  }
+
+  // The largest distance of a vertex from the plane through the first one with the ring's mean direction, in
+  // steps.
+  [[nodiscard]] double deviation(const Ring& ring, const geometry::Vector3& normal) const {
+    geometry::Int128 most = 0;
+    for (const VertexIndex v : ring) {
+      const auto height = geometry::wide_dot(normal, geometry::difference(points()[v], points()[ring[0]]));
+      most = std::max(most, height < 0 ? -height : height);
+    }
+    double length = 0;
+    for (const std::int64_t c : normal) length += static_cast<double>(c) * static_cast<double>(c);
+    return static_cast<double>(most) / std::sqrt(length);
+  }
+
+  // Faces of four and more vertices that are not planar or not simple become triangles, each where its face was
+  // in the list, the others at its end.
+  void split_faces() {
+    for (std::size_t p = 0; p < file_faces_; ++p) {
+      if (pieces_[p].ring.size() <= 3) continue;
+      const Ring& ring = pieces_[p].ring;
+      if (on_a_line(ring)) {
+        leave_out(pieces_[p], report_.dropped_faces);
+        continue;
+      }
+      const auto normal = ring_normal(points(), ring);
+      const bool area = !geometry::is_zero(normal);
+      const double height = area ? deviation(ring, normal) : 0;
+      if (area && height == 0 && is_simple_face(points(), ring)) continue;
+      const auto triangles = area ? triangulate(points(), {ring, {}}) : std::nullopt;
+      if (!triangles || triangles->empty()) {
+        if (report_.crossing_faces == 0) report_.first_crossing = pieces_[p].source;
+        leave_out(pieces_[p], report_.crossing_faces);
+        continue;
+      }
+      ++report_.split_faces;
+      report_.largest_deviation = std::max(report_.largest_deviation, height);
+      for (std::size_t t = 1; t < triangles->size(); ++t)
+        pieces_.push_back({{(*triangles)[t][0], (*triangles)[t][1], (*triangles)[t][2]}, pieces_[p].body, pieces_[p].source});
+      pieces_[p].ring = {(*triangles)[0][0], (*triangles)[0][1], (*triangles)[0][2]};
+    }
+    if (pieces_.size() == file_faces_) return;
+    std::stable_sort(pieces_.begin(), pieces_.end(),
+                     [](const Piece& a, const Piece& b) { return a.source < b.source; });
+  }
+
+  void drop_duplicates() {
+    Numbers numbers(pieces_.size());
+    Ring mine;
+    Ring other;
+    const auto sorted_into = [](Ring& sorted, const Ring& ring) {
+      sorted = ring;
+      std::sort(sorted.begin(), sorted.end());
+    };
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      Piece& piece = pieces_[p];
+      if (piece.left_out) continue;
+      sorted_into(mine, piece.ring);
+      std::uint64_t key = piece.body;
+      for (const VertexIndex v : mine) key = spread(key) + v;
+      const std::uint32_t first = numbers.find_or_add(key, p, [&](std::uint32_t q) {
+        if (pieces_[q].body != piece.body || pieces_[q].ring.size() != piece.ring.size()) return false;
+        sorted_into(other, pieces_[q].ring);
+        return mine == other;
+      });
+      if (first != p) leave_out(piece, report_.duplicate_faces);
+    }
+  }
+
+  // Of a triangle on a line the corner between the others, or none if it is not on a line.
+  [[nodiscard]] std::size_t middle_of_flat(const Ring& ring) const {
+    if (ring.size() != 3 || !on_a_line(ring)) return 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PolyPoint& b = points()[ring[i]];
+      const PolyPoint& a = points()[ring[(i + 2) % 3]];
+      const PolyPoint& c = points()[ring[(i + 1) % 3]];
+      if ((a < b && b < c) || (c < b && b < a)) return i;
+    }
+    return 3;
+  }
+
+  static std::uint64_t side_key(VertexIndex a, VertexIndex b) {
+    return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+  }
+
+  // The face beyond the longest side of a flat triangle gets its middle corner. It may be flat itself: then it
+  // has to be given away first.
+  void give_flat_triangles_away() {
+    std::vector<std::uint32_t> flat;
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+      if (middle_of_flat(pieces_[p].ring) < 3) flat.push_back(p);
+    if (flat.empty()) return;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> faces_at;  // sides of flat triangles
+    for (const std::uint32_t p : flat)
+      for (std::size_t i = 0; i < 3; ++i) faces_at[side_key(pieces_[p].ring[i], pieces_[p].ring[(i + 1) % 3])];
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      const Ring& ring = pieces_[p].ring;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto found = faces_at.find(side_key(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]));
+        if (found != faces_at.end()) found->second.push_back(p);
+      }
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const std::uint32_t p : flat) changed = (!pieces_[p].left_out && give_away(p, faces_at)) || changed;
+    }
+    for (const std::uint32_t p : flat)
+      if (!pieces_[p].left_out) leave_out(pieces_[p], report_.dropped_faces);
+  }
+
+  bool give_away(std::uint32_t p, std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>& faces_at) {
+    const Ring flat = pieces_[p].ring;
+    const std::size_t middle = middle_of_flat(flat);
+    const VertexIndex b = flat[middle];
+    const VertexIndex a = flat[(middle + 2) % 3];
+    const VertexIndex c = flat[(middle + 1) % 3];
+    std::uint32_t taker = no_part;
+    for (const std::uint32_t q : faces_at[side_key(a, c)]) {
+      if (q == p || pieces_[q].left_out || pieces_[q].body != pieces_[p].body) continue;
+      if (taker != no_part || middle_of_flat(pieces_[q].ring) < 3) return false;
+      taker = q;
+    }
+    if (taker == no_part) return false;
+    Ring& ring = pieces_[taker].ring;
+    if (std::find(ring.begin(), ring.end(), b) != ring.end()) return false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (side_key(ring[i], ring[(i + 1) % ring.size()]) != side_key(a, c)) continue;
+      ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, b);
+      break;
+    }
+    faces_at[side_key(a, b)].push_back(taker);
+    faces_at[side_key(b, c)].push_back(taker);
+    leave_out(pieces_[p], report_.dropped_faces);
+    return true;
+  }
+
+  void drop_left_out() {
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.left_out; }),
+                  pieces_.end());
+  }
+
+  // --- parts
+
+  // The edge table wants a scene: the faces lend it their rings.
+  void lend() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) scene_.bodies[b].faces.clear();
+    for (Piece& piece : pieces_) scene_.bodies[piece.body].faces.push_back({std::move(piece.ring), {}});
+  }
+
+  // Calls visit(uses) for the uses of an edge by each body.
+  template <class Visit>
+  void for_edges_of_bodies(const EdgeTable& edges, Visit visit) const {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      std::span<const EdgeTable::Use> uses = edges.uses(e);
+      while (!uses.empty()) {
+        std::size_t count = 1;
+        while (count < uses.size() && pieces_[uses[count].face].body == pieces_[uses[0].face].body) ++count;
+        visit(uses.first(count));
+        uses = uses.subspan(count);
+      }
+    }
+  }
+
+  struct Link {
+    std::uint32_t to = 0;
+    bool agrees = true;  // they pass the edge in opposite directions
+  };
+
+  struct Part {
+    std::uint32_t body = 0;
+    std::uint32_t faces = 0;
+    bool one_sided = false;
+    bool closed = true;
+    bool crowded = false;  // at an edge with three or more faces: a body of its own
+    geometry::Int128 volume = 0;  // six times
+    PolyPoint low{};
+    PolyPoint high{};
+    std::uint32_t first = 0;  // face
+    std::uint32_t around = no_part;  // the smallest closed part that it lies in
+    std::uint32_t depth = 0;      // how many it lies in
+
+    [[nodiscard]] bool solid() const { return closed && !one_sided && volume != 0; }
+  };
+
+  void make_parts() {
+    lend();
+    const EdgeTable edges(scene_);
+    std::vector<std::uint32_t> start(pieces_.size() + 1);
+    for_edges_of_bodies(edges, [&](std::span<const EdgeTable::Use> uses) {
+      if (uses.size() != 2) return;
+      ++start[uses[0].face + 1];
+      ++start[uses[1].face + 1];
+    });
+    for (std::size_t f = 1; f < start.size(); ++f) start[f] += start[f - 1];
+    std::vector<Link> links(start.back());
+    std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+    for_edges_of_bodies(edges, [&](std::span<const EdgeTable::Use> uses) {
+      if (uses.size() > 2) ++report_.crowded_edges;
+      if (uses.size() != 2) return;
+      const bool agrees = uses[0].upwards != uses[1].upwards;
+      links[fill[uses[0].face]++] = {uses[1].face, agrees};
+      links[fill[uses[1].face]++] = {uses[0].face, agrees};
+    });
+    part_of_.assign(pieces_.size(), no_part);
+    std::vector<std::uint32_t> queue;
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
+      if (part_of_[f] != no_part) continue;
+      const auto number = static_cast<std::uint32_t>(parts_.size());
+      Part part{pieces_[f].body};
+      part.first = f;
+      part_of_[f] = number;
+      queue.assign(1, f);
+      while (!queue.empty()) {
+        const std::uint32_t face = queue.back();
+        queue.pop_back();
+        ++part.faces;
+        for (std::uint32_t l = start[face]; l < start[face + 1]; ++l) {
+          const bool turned = pieces_[face].turned != !links[l].agrees;
+          if (part_of_[links[l].to] == no_part) {
+            part_of_[links[l].to] = number;
+            pieces_[links[l].to].turned = turned;
+            queue.push_back(links[l].to);
+          } else {
+            part.one_sided = part.one_sided || pieces_[links[l].to].turned != turned;
+          }
+        }
+      }
+      parts_.push_back(part);
+    }
+    for (std::size_t e = 0; e < edges.size(); ++e) mark_open(edges.uses(e));
+    measure();
+  }
+
+  // A part is closed if each of its edges is a side of two of its faces, passed in opposite directions.
+  void mark_open(std::span<const EdgeTable::Use> uses) {
+    for (const EdgeTable::Use& use : uses) {
+      std::size_t up = 0;
+      std::size_t down = 0;
+      for (const EdgeTable::Use& other : uses) {
+        if (part_of_[other.face] != part_of_[use.face]) continue;
+        (other.upwards != pieces_[other.face].turned ? up : down) += 1;
+      }
+      Part& part = parts_[part_of_[use.face]];
+      part.closed = part.closed && up == 1 && down == 1;
+      part.crowded = part.crowded || uses.size() > 2;
+    }
+  }
+
+  [[nodiscard]] const PolyFace& face_at(std::uint32_t face) const { return *faces_[face]; }
+
+  void measure() {
+    faces_.clear();
+    for (const PolyBody& body : scene_.bodies)
+      for (const PolyFace& face : body.faces) faces_.push_back(&face);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      Part& part = parts_[part_of_[f]];
+      if (part.first == f) part.low = part.high = points()[face_at(f).outline[0]];
+      const auto volume = enclosed_volume(points(), face_at(f));
+      part.volume += pieces_[f].turned ? -volume : volume;
+      for (const VertexIndex v : face_at(f).outline) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          part.low[a] = std::min(part.low[a], points()[v][a]);
+          part.high[a] = std::max(part.high[a], points()[v][a]);
+        }
+      }
+    }
+  }
+
+  // Which solids lie in which: for each, its first vertex against those whose bounds are around its own.
+  void orient() {
+    std::vector<std::uint32_t> solids;
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      if (parts_[p].solid()) solids.push_back(p);
+      report_.sheets += parts_[p].solid() ? 0U : 1U;
+      report_.one_sided += parts_[p].one_sided ? 1U : 0U;
+    }
+    // By their lower bounds: what lies in another begins after it.
+    std::vector<std::uint32_t> by_low = solids;
+    std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return parts_[a].low[0] != parts_[b].low[0] ? parts_[a].low[0] < parts_[b].low[0] : a < b;
+    });
+    std::vector<std::vector<std::uint32_t>> inner(parts_.size());
+    bool any = false;
+    for (std::size_t i = 0; i < by_low.size(); ++i) {
+      const Part& outer = parts_[by_low[i]];
+      for (std::size_t j = i + 1; j < by_low.size() && parts_[by_low[j]].low[0] <= outer.high[0]; ++j) {
+        if (!within(parts_[by_low[j]], outer)) continue;
+        inner[by_low[i]].push_back(by_low[j]);
+        any = true;
+      }
+    }
+    if (any) nest(inner);
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
+      const Part& part = parts_[part_of_[f]];
+      const bool inside_out = part.solid() && (part.volume > 0) != (part.depth % 2 == 0);
+      pieces_[f].turned = pieces_[f].turned != inside_out;
+      report_.turned_faces += pieces_[f].turned ? 1U : 0U;
+    }
+  }
+
+  [[nodiscard]] bool within(const Part& inner, const Part& outer) const {
+    if (inner.crowded || outer.crowded || (options_.grouped && inner.body != outer.body)) return false;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (inner.low[a] <= outer.low[a] || outer.high[a] <= inner.high[a]) return false;
+    return true;
+  }
+
+  // Rays along x meet only faces whose bounds in y are around them: those are looked up in rows.
+  void nest(const std::vector<std::vector<std::uint32_t>>& inner) {
+    std::vector<std::vector<std::uint32_t>> faces_of(parts_.size());
+    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+      if (!inner[part_of_[f]].empty()) faces_of[part_of_[f]].push_back(f);
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      if (inner[p].empty()) continue;
+      constexpr std::size_t rows = 256;
+      const std::int64_t low = parts_[p].low[1];
+      const std::int64_t size = std::int64_t{parts_[p].high[1]} - low + 1;
+      const auto row_of = [&](std::int32_t y) { return static_cast<std::size_t>((y - low) * std::int64_t{rows} / size); };
+      std::vector<std::vector<std::uint32_t>> in_row(rows);
+      for (const std::uint32_t f : faces_of[p]) {
+        std::size_t first = rows;
+        std::size_t last = 0;
+        for (const VertexIndex v : face_at(f).outline) {
+          first = std::min(first, row_of(points()[v][1]));
+          last = std::max(last, row_of(points()[v][1]));
+        }
+        for (std::size_t row = first; row <= last; ++row) in_row[row].push_back(f);
+      }
+      for (const std::uint32_t q : inner[p]) {
+        const PolyPoint& at = points()[face_at(parts_[q].first).outline[0]];
+        bool inside = false;
+        for (const std::uint32_t f : in_row[row_of(at[1])]) inside = inside != ray_crosses(points(), face_at(f), at);
+        if (!inside) continue;
+        ++parts_[q].depth;
+        if (parts_[q].around == no_part || size_of(p) < size_of(parts_[q].around)) parts_[q].around = p;
+      }
+    }
+  }
+
+  [[nodiscard]] geometry::Int128 size_of(std::uint32_t part) const {
+    return parts_[part].volume < 0 ? -parts_[part].volume : parts_[part].volume;
+  }
+
+  // --- the scene
+
+  // The body that a part belongs to in the end, as a key in the order of the result.
+  void put_together() {
+    std::vector<PolyBody> bodies;
+    std::vector<std::uint32_t> body_of(parts_.size(), no_part);
+    std::vector<std::array<std::uint32_t, 2>> of_file(scene_.bodies.size(), {no_part, no_part});
+    const auto add_body = [&](std::uint32_t p) {
+      bodies.emplace_back();
+      bodies.back().name = scene_.bodies[parts_[p].body].name;
+      bodies.back().sheet = !parts_[p].solid();
+      return static_cast<std::uint32_t>(bodies.size() - 1);
+    };
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      if (options_.grouped && !parts_[p].crowded) {
+        std::uint32_t& body = of_file[parts_[p].body][parts_[p].solid() ? 0 : 1];
+        if (body == no_part) body = add_body(p);
+        body_of[p] = body;
+      } else if (parts_[p].depth % 2 == 0) {
+        body_of[p] = add_body(p);
+      }
+    }
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      std::uint32_t around = parts_[p].around;
+      while (body_of[p] == no_part && around != no_part) {
+        body_of[p] = parts_[around].depth % 2 == 0 ? body_of[around] : no_part;
+        around = parts_[around].around;
+      }
+      if (body_of[p] == no_part) body_of[p] = add_body(p);
+    }
+    std::vector<std::vector<MendedFace>> faces(bodies.size());
+    std::uint32_t number = 0;
+    for (PolyBody& body : scene_.bodies) {
+      for (PolyFace& face : body.faces) {
+        const std::uint32_t to = body_of[part_of_[number]];
+        if (pieces_[number].turned) std::reverse(face.outline.begin(), face.outline.end());
+        bodies[to].faces.push_back(std::move(face));
+        faces[to].push_back({pieces_[number].source, pieces_[number].turned});
+        ++number;
+      }
+    }
+    scene_.bodies = std::move(bodies);
+    mended_.reserve(pieces_.size());
+    for (const auto& of_body : faces) mended_.insert(mended_.end(), of_body.begin(), of_body.end());
+  }
+
+  std::vector<MendedFace> drop_unused() {
+    std::vector<bool> used(points().size(), false);
+    for (const PolyBody& body : scene_.bodies)
+      for (const PolyFace& face : body.faces)
+        for (const VertexIndex v : face.outline) used[v] = true;
+    std::vector<VertexIndex> number(points().size());
+    VertexIndex count = 0;
+    for (VertexIndex v = 0; v < number.size(); ++v) {
+      number[v] = count;
+      if (used[v]) scene_.vertices[count++] = scene_.vertices[v];
+    }
+    report_.dropped_vertices = points().size() - count - report_.merged_vertices;
+    scene_.vertices.resize(count);
+    for (PolyBody& body : scene_.bodies)
+      for (PolyFace& face : body.faces)
+        for (VertexIndex& v : face.outline) v = number[v];
+    return std::move(mended_);
+  }
+
+  PolyScene& scene_;
+  const MendOptions& options_;
+  MendReport& report_;
+  std::vector<Piece> pieces_;
+  std::size_t file_faces_ = 0;
+  std::vector<std::uint32_t> part_of_;  // of each face
+  std::vector<Part> parts_;
+  std::vector<const PolyFace*> faces_;
+  std::vector<MendedFace> mended_;
+};
+
+}  // namespace
+
+std::vector<MendedFace> mend(PolyScene& scene, const MendOptions& options, MendReport& report) {
+  return Mending(scene, options, report).run();
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,174 @@
+// See poly_planes.hpp.
+#include "host/scene/read/poly_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+#include "host/scene/model/edge_table.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr std::uint32_t no_group = std::numeric_limits<std::uint32_t>::max();
+
+Vector between(const Vector& a, const Vector& b) {  // from b to a
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector product(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double along(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double size_of(const Vector& v) {
+  return std::sqrt(along(v, v));
+}
+
+// A face of the file: its plane, and how wide it is across its longest side.
+struct FilePlane {
+  Vector normal{};  // of length 1, as the scene has the face turned; zero if it has no area
+  Vector on{};
+  double area = 0;   // twice
+  double height = 0;  // twice the area over the longest side
+};
+
+class Surfaces {
+ public:
+  Surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance)
+      : scene_(scene), mended_(mended), file_(file), tolerance_(tolerance) {}
+
+  void run() {
+    measure();
+    link();
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t s = 0; s < planes_.size(); ++s)
+      if (in_scene_[s]) order.push_back(s);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return planes_[a].area > planes_[b].area; });
+    group_of_.assign(planes_.size(), no_group);
+    for (const std::uint32_t source : order)
+      if (group_of_[source] == no_group) gather(source);
+    scene_.surface_of.resize(mended_.size());
+    for (std::size_t f = 0; f < mended_.size(); ++f) scene_.surface_of[f] = group_of_[mended_[f].source];
+  }
+
+ private:
+  void measure() {
+    planes_.resize(file_.size());
+    in_scene_.assign(planes_.size(), false);
+    std::vector<bool> turned(planes_.size(), false);
+    for (const MendedFace& face : mended_) {
+      in_scene_[face.source] = true;
+      turned[face.source] = face.turned;
+    }
+    for (std::size_t s = 0; s < planes_.size(); ++s)
+      if (in_scene_[s]) planes_[s] = plane_of(file_.outline(s), turned[s]);
+  }
+
+  [[nodiscard]] FilePlane plane_of(std::span<const VertexIndex> outline, bool turned) const {
+    FilePlane plane;
+    const Vector& first = file_.vertices[outline[0]];
+    Vector sum{};
+    Vector shift{};
+    double longest = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vector a = between(file_.vertices[outline[i]], first);
+      const Vector b = between(file_.vertices[outline[i + 1 == outline.size() ? 0 : i + 1]], first);
+      const Vector part = product(a, b);
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[k] += part[k];
+        shift[k] += a[k] / static_cast<double>(outline.size());
+      }
+      longest = std::max(longest, size_of(between(b, a)));
+    }
+    plane.area = size_of(sum);
+    plane.height = longest > 0 ? plane.area / longest : 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      plane.on[k] = first[k] + (outline.size() > 3 ? shift[k] : 0);
+      if (plane.area > 0) plane.normal[k] = (turned ? -sum[k] : sum[k]) / plane.area;
+    }
+    return plane;
+  }
+
+  // Faces of the file next to each other: by an edge of the scene that has two faces, both of one body.
+  void link() {
+    const EdgeTable edges(scene_);
+    std::vector<std::uint32_t> body_of;
+    body_of.reserve(mended_.size());
+    for (std::uint32_t b = 0; b < scene_.bodies.size(); ++b) body_of.insert(body_of.end(), scene_.bodies[b].faces.size(), b);
+    const auto for_pairs = [&](auto visit) {
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto uses = edges.uses(e);
+        if (uses.size() != 2 || body_of[uses[0].face] != body_of[uses[1].face]) continue;
+        const std::uint32_t a = mended_[uses[0].face].source;
+        const std::uint32_t b = mended_[uses[1].face].source;
+        if (a != b) visit(a, b);
+      }
+    };
+    starts_.assign(planes_.size() + 1, 0);
+    for_pairs([&](std::uint32_t a, std::uint32_t b) {
+      ++starts_[a + 1];
+      ++starts_[b + 1];
+    });
+    for (std::size_t s = 1; s < starts_.size(); ++s) starts_[s] += starts_[s - 1];
+    next_to_.resize(starts_.back());
+    std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
+    for_pairs([&](std::uint32_t a, std::uint32_t b) {
+      next_to_[fill[a]++] = b;
+      next_to_[fill[b]++] = a;
+    });
+  }
+
+  [[nodiscard]] bool joins(std::uint32_t source, const FilePlane& plane) const {
+    const FilePlane& mine = planes_[source];
+    if (mine.height > tolerance_ && along(mine.normal, plane.normal) <= 0) return false;
+    for (const VertexIndex v : file_.outline(source))
+      if (std::abs(along(plane.normal, between(file_.vertices[v], plane.on))) > tolerance_) return false;
+    return true;
+  }
+
+  void gather(std::uint32_t seed) {
+    const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
+    scene_.surfaces.push_back({planes_[seed].normal});
+    group_of_[seed] = group;
+    if (planes_[seed].area <= 0) return;
+    queue_.assign(1, seed);
+    while (!queue_.empty()) {
+      const std::uint32_t source = queue_.back();
+      queue_.pop_back();
+      for (std::uint32_t n = starts_[source]; n < starts_[source + 1]; ++n) {
+        const std::uint32_t other = next_to_[n];
+        if (group_of_[other] != no_group || !joins(other, planes_[seed])) continue;
+        group_of_[other] = group;
+        queue_.push_back(other);
+      }
+    }
+  }
+
+  PolyScene& scene_;
+  const std::vector<MendedFace>& mended_;
+  const FileFaces& file_;
+  double tolerance_;
+  std::vector<FilePlane> planes_;  // of the faces of the file
+  std::vector<bool> in_scene_;
+  std::vector<std::uint32_t> starts_;  // of each face of the file in next_to_
+  std::vector<std::uint32_t> next_to_;
+  std::vector<std::uint32_t> group_of_;
+  std::vector<std::uint32_t> queue_;
+};
+
+}  // namespace
+
+void find_surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance) {
+  Surfaces(scene, mended, file, tolerance).run();
+}
+
+}  // namespace sightline::scene

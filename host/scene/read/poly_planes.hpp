@@ -1,0 +1,41 @@
+// Which faces of a mesh lie in one plane, as far as the numbers of its file can tell.
+//
+// The rounded vertices of a scene cannot tell: a face turned by any angle is in no plane any more once its
+// corners are on a grid. So it is judged by the coordinates of the file. The largest face that is in no group
+// yet begins one (of equal ones the first in the file); faces of the same body join it over edges that have
+// two faces, as long as all their vertices are within the tolerance of the plane of that first face and they
+// are turned the same way. A face too thin to have a direction needs the first alone. No face joins because
+// of its neighbour: a sphere of many triangles stays round.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/poly_mend.hpp"
+
+namespace sightline::scene {
+
+// The faces of a file: what mend was given, with the coordinates before they were rounded.
+struct FileFaces {
+  std::span<const std::array<double, 3>> vertices;
+  std::vector<VertexIndex> corners;
+  std::vector<std::uint32_t> starts = {0};  // of each face in corners, and where the last one ends
+
+  void add(const std::vector<VertexIndex>& outline) {
+    corners.insert(corners.end(), outline.begin(), outline.end());
+    starts.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
+  [[nodiscard]] std::span<const VertexIndex> outline(std::size_t face) const {
+    return std::span(corners).subspan(starts[face], starts[face + 1] - starts[face]);
+  }
+};
+
+// Fills in scene.surfaces and scene.surface_of. `tolerance` in the unit of the file.
+void find_surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance);
+
+}  // namespace sightline::scene
