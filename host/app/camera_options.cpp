@@ -299,39 +299,55 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
   return aimed_camera_of(arguments, scene, source).camera;
 }
 
-scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
-                               const scene::PolyCamera& camera, int number, int count) {
-  if (number == 0) return camera;
+namespace {
+
+// About the upright, by part `number` of `count`.
+Vector turned_by(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
   const std::size_t u = (frame.vertical + 1) % 3;
   const std::size_t v = (frame.vertical + 2) % 3;
   const double angle = 2 * std::numbers::pi * number / count;
-  const auto turned = [&](const Vector& p) {
-    Vector result = p;
-    result[u] = p[u] * std::cos(angle) - p[v] * std::sin(angle);
-    result[v] = p[u] * std::sin(angle) + p[v] * std::cos(angle);
-    return result;
-  };
-  scene::PolyPoint eye = camera.eye;
+  Vector result = p;
+  result[u] = p[u] * std::cos(angle) - p[v] * std::sin(angle);
+  result[v] = p[u] * std::sin(angle) + p[v] * std::cos(angle);
+  return result;
+}
+
+}  // namespace
+
+std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+                                           const scene::PolyCamera& camera, int number, int count) {
   const scene::PolyPoint middle = bounds_of(scene).middle();
-  if (camera.perspective) {
-    const Vector moved = turned(difference(vector_of(camera.eye), vector_of(middle)));
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double place = std::round(middle[a] + moved[a]);
-      if (!(std::abs(place) < scene::poly_coordinate_limit))
-        throw Failure(ExitCode::usage, fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
-      eye[a] = static_cast<std::int32_t>(place);
-    }
+  const Vector moved = turned_by(frame, difference(vector_of(camera.eye), vector_of(middle)), number, count);
+  scene::PolyPoint eye{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double place = std::round(middle[a] + moved[a]);
+    if (!(std::abs(place) < scene::poly_coordinate_limit)) return std::nullopt;
+    eye[a] = static_cast<std::int32_t>(place);
   }
-  const Vector direction = turned(vector_of(camera.forward));
+  return eye;
+}
+
+scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+                               const scene::PolyCamera& camera, int number, int count) {
+  if (number == 0) return camera;
+  scene::PolyPoint eye = camera.eye;
+  if (camera.perspective) {
+    const auto moved = turned_eye(frame, scene, camera, number, count);
+    if (!moved) {
+      throw Failure(ExitCode::usage,
+                    fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
+    }
+    eye = *moved;
+  }
+  const Vector direction = turned_by(frame, vector_of(camera.forward), number, count);
   // An upright picture stays upright.
-  const Vector up = turned(vector_of(camera.up));
   scene::PolyPoint upright{};
   upright[frame.vertical] = 1;
   const auto across = geometry::cross(geometry::vector_of(upright), geometry::vector_of(camera.right));
   const bool is_upright = camera.right[frame.vertical] == 0 && !geometry::is_zero(across);
   if (is_upright && camera.up[frame.vertical] * (frame.downwards ? -1 : 1) > 0)
     return aimed_camera(frame, eye, scene::direction_of(direction), camera.perspective);
-  return turned_camera(frame, eye, direction, up, camera.perspective);
+  return turned_camera(frame, eye, direction, turned_by(frame, vector_of(camera.up), number, count), camera.perspective);
 }
 
 base::Json camera_json(const scene::PolyScene& scene, const AimedCamera& aimed) {

@@ -62,6 +62,10 @@ struct AimedCamera {
 [[nodiscard]] scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera, int number, int count);
 
+// Where its eye is then; empty if that is beyond the scene's coordinates.
+[[nodiscard]] std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+                                                         const scene::PolyCamera& camera, int number, int count);
+
 // "eye" and "target direction" in the unit of the file, the camera's vectors, the error.
 [[nodiscard]] base::Json camera_json(const scene::PolyScene& scene, const AimedCamera& camera);
 

@@ -26,8 +26,8 @@ inline constexpr std::string_view cells_help =
 struct MeshArguments {
   bool strict = false;
   double weld = 0;
-  std::optional<double> planar_tolerance;
-  std::optional<std::array<double, 3>> eye;  // see CameraArguments
+  std::optional<double> planar_tolerance = {};
+  std::optional<std::array<double, 3>> eye = {};  // see CameraArguments
 
   [[nodiscard]] scene::PolyImportOptions import_options() const;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
+#include "host/algorithms/registry/lines.hpp"
 
 namespace sightline::registry {
 
@@ -18,10 +20,28 @@ namespace {
 
 namespace plantinga = algorithms::plantinga;
 
+// Without perspective, turned about the y axis.
+scene::PolyCamera camera_at(double angle) {
+  constexpr double length = 30000;  // the camera's numbers are below 2^15
+  const auto sine = static_cast<std::int32_t>(std::lround(length * std::sin(angle)));
+  const auto cosine = static_cast<std::int32_t>(std::lround(length * std::cos(angle)));
+  return {false, {}, {sine, 0, cosine}, {cosine, 0, -sine}, {0, 1, 0}};
+}
+
+std::optional<picture::EdgeChooser> chooser_of(const scene::PolyScene& scene, const TurnOptions& options) {
+  if (!options.edges || options.edges->all()) return std::nullopt;
+  return std::optional<picture::EdgeChooser>(std::in_place, scene, *options.edges);
+}
+
 class PlantingaTurn {
  public:
-  PlantingaTurn(plantinga::RotationModel model, plantinga::EventList list)
-      : model_(std::move(model)), list_(std::move(list)), graph_(list_), frames_(model_) {}
+  PlantingaTurn(plantinga::RotationModel model, plantinga::EventList list,
+                std::optional<picture::EdgeChooser> chooser)
+      : model_(std::move(model)),
+        list_(std::move(list)),
+        graph_(list_),
+        frames_(model_),
+        chooser_(std::move(chooser)) {}
   PlantingaTurn(const PlantingaTurn&) = delete;  // the graph points into the list
   PlantingaTurn& operator=(const PlantingaTurn&) = delete;
 
@@ -29,27 +49,99 @@ class PlantingaTurn {
     // A list that was read or made is consistent: every step fits.
     static_cast<void>(graph_.turn_to(angle));
     frames_.visible(graph_, angle, found_);
-    copy(lines);
+    edges_.clear();
+    for (const plantinga::LivePiece& piece : graph_.pieces())
+      if (piece.edge != plantinga::no_edge) edges_.push_back(piece.edge);
+    copy(angle, lines);
   }
   void whole(double angle, std::vector<TurnLine>& lines) {
     frames_.wire(angle, found_);
-    copy(lines);
+    edges_.resize(found_.size());
+    for (plantinga::EdgeIndex e = 0; e < edges_.size(); ++e) edges_[e] = e;
+    copy(angle, lines);
   }
   [[nodiscard]] const plantinga::RotationModel& model() const { return model_; }
   [[nodiscard]] const plantinga::EventList& list() const { return list_; }
 
  private:
-  void copy(std::vector<TurnLine>& lines) const {
+  // Those of the edges chosen.
+  void copy(double angle, std::vector<TurnLine>& lines) {
+    drawn_.assign(model_.edges().size(), !chooser_);
+    if (chooser_) {
+      std::size_t e = 0;
+      for (const picture::LineEdge& edge : chooser_->at(camera_at(angle)).edges) {
+        while (model_.edges()[e] != edge) ++e;
+        drawn_[e] = true;
+      }
+    }
     lines.clear();
-    for (const plantinga::ImageLine& line : found_) lines.push_back({line.u0, line.v0, line.u1, line.v1});
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      const plantinga::ImageLine& line = found_[i];
+      if (drawn_[edges_[i]]) lines.push_back({line.u0, line.v0, line.u1, line.v1});
+    }
   }
 
   plantinga::RotationModel model_;
   plantinga::EventList list_;
   plantinga::EdgeStructureGraph graph_;
   plantinga::FrameMaker frames_;
+  std::optional<picture::EdgeChooser> chooser_;  // empty: all edges are drawn
   std::vector<plantinga::ImageLine> found_;
+  std::vector<plantinga::EdgeIndex> edges_;  // of each line found
+  std::vector<bool> drawn_;                  // of each edge
 };
+
+// Each view from nothing: for scenes of more edges than events can be found for.
+class ExactTurn {
+ public:
+  ExactTurn(const scene::PolyScene& scene, PreparedScene prepared, std::optional<picture::EdgeChooser> chooser)
+      : scene_(scene), prepared_(std::move(prepared)), chooser_(std::move(chooser)) {}
+
+  void visible(double angle, std::vector<TurnLine>& lines) {
+    const scene::PolyCamera camera = camera_at(angle);
+    const auto view = chooser_ ? view_of(prepared_, camera, chooser_->at(camera)) : prepared_.view(camera);
+    lines.clear();
+    if (!view) return;  // `exact` draws every view
+    for (const picture::LinePiece& piece : view->picture.pieces)
+      add(piece.edge, angle, piece.low.to_double(), piece.high.to_double(), lines);
+  }
+  void whole(double angle, std::vector<TurnLine>& lines) const {
+    lines.clear();
+    for (const picture::LineEdge& edge : chooser_ ? chooser_->at(camera_at(angle)).edges : picture::edges_of(scene_))
+      add(edge, angle, 0, 1, lines);
+  }
+
+ private:
+  void add(const picture::LineEdge& edge, double angle, double low, double high,
+           std::vector<TurnLine>& lines) const {
+    const double sine = std::sin(angle);
+    const double cosine = std::cos(angle);
+    const auto place = [&](scene::VertexIndex v) {
+      const scene::PolyPoint& p = scene_.vertices[v];
+      return std::array{p[0] * cosine - p[2] * sine, static_cast<double>(p[1])};
+    };
+    const auto from = place(edge.from);
+    const auto to = place(edge.to);
+    const double du = to[0] - from[0];
+    const double dv = to[1] - from[1];
+    lines.push_back({from[0] + low * du, from[1] + low * dv, from[0] + high * du, from[1] + high * dv});
+  }
+
+  const scene::PolyScene& scene_;
+  PreparedScene prepared_;
+  std::optional<picture::EdgeChooser> chooser_;
+};
+
+base::Result<PreparedTurn> prepare_exact(const scene::PolyScene& scene, const TurnOptions& options) {
+  auto views = find_line_algorithm("exact")->prepare(scene);
+  if (!views) return std::move(views.error());
+  const auto turn = std::make_shared<ExactTurn>(scene, std::move(*views), chooser_of(scene, options));
+  PreparedTurn prepared;
+  prepared.visible = [turn](double angle, std::vector<TurnLine>& lines) { turn->visible(angle, lines); };
+  prepared.whole = [turn](double angle, std::vector<TurnLine>& lines) { turn->whole(angle, lines); };
+  prepared.counts = {{"edges", picture::edges_of(scene).size()}};
+  return prepared;
+}
 
 base::Result<plantinga::EventList> events_of(const plantinga::RotationModel& model,
                                              const TurnOptions& options) {
@@ -74,7 +166,7 @@ base::Result<PreparedTurn> prepare_plantinga(const scene::PolyScene& scene, cons
   plantinga::RotationModel model(scene);
   auto list = events_of(model, options);
   if (!list) return list.error();
-  const auto turn = std::make_shared<PlantingaTurn>(std::move(model), std::move(*list));
+  const auto turn = std::make_shared<PlantingaTurn>(std::move(model), std::move(*list), chooser_of(scene, options));
   PreparedTurn prepared;
   prepared.visible = [turn](double angle, std::vector<TurnLine>& lines) { turn->visible(angle, lines); };
   prepared.whole = [turn](double angle, std::vector<TurnLine>& lines) { turn->whole(angle, lines); };
@@ -88,6 +180,8 @@ base::Result<PreparedTurn> prepare_plantinga(const scene::PolyScene& scene, cons
 constexpr std::array rows{
     TurnMethod{"plantinga", "Events of a full turn, after Plantinga, Seales and Dyer (1990), exact",
                plantinga::why_not, prepare_plantinga},
+    TurnMethod{"exact", "Each view from nothing, exact",
+               [](const scene::PolyScene&) { return std::optional<std::string>(); }, prepare_exact},
 };
 
 }  // namespace

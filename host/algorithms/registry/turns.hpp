@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::registry {
 
 struct TurnOptions {
   double tolerance = 0;  // radians, at least 0: what happens within it is joined; 0: exact
+  std::optional<picture::EdgeChoice> edges;  // those drawn; empty: all
   std::string found;     // a file that PreparedTurn::keep wrote for this scene and tolerance; empty: none
   std::function<void(std::size_t done, std::size_t of)> progress = nullptr;  // from any thread, one at a time
 };
@@ -32,11 +34,13 @@ struct TurnLine {
   double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
 };
 
-// Angles are radians. `lines` is overwritten. One view at a time.
+// Angles are radians; which edges are drawn is decided to 1/30000 of one. `lines` is overwritten. One view at a
+// time.
 struct PreparedTurn {
   std::function<void(double angle, std::vector<TurnLine>& lines)> visible;
   std::function<void(double angle, std::vector<TurnLine>& lines)> whole;  // every edge, hidden or not
-  std::function<base::Result<base::Done>(const std::string& file)> keep;  // what was found
+  // What was found; null if nothing is found that could be kept.
+  std::function<base::Result<base::Done>(const std::string& file)> keep = nullptr;
   std::vector<TurnCount> counts;
 };
 
@@ -45,7 +49,7 @@ struct TurnMethod {
   std::string_view description;  // and its source
   // Why the method does not apply to the scene; empty if it does.
   std::optional<std::string> (*why_not)(const scene::PolyScene& scene);
-  // Of a checked scene to which it applies (preconditions). Errors: a limit was reached, or the file is
+  // Of a checked scene to which it applies (preconditions) and that outlives it. Errors: a limit was reached, or the file is
   // damaged or of another scene or tolerance.
   base::Result<PreparedTurn> (*prepare)(const scene::PolyScene& scene, const TurnOptions& options);
 };

@@ -30,6 +30,7 @@ using guests::skala::PictureKind;
 
 struct CompareArguments {
   std::vector<std::string> scenes;
+  MeshArguments mesh;
   std::string view;
   std::string orthographic;
   std::optional<int> scale;
@@ -121,7 +122,9 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   CameraArguments camera;
   camera.eye = arguments.view;
   camera.orthographic = arguments.orthographic;
-  const scene::LoadedScene source = load_scene(name, {.eye = eye_of(camera)});
+  MeshArguments mesh = arguments.mesh;
+  mesh.eye = eye_of(camera);
+  const scene::LoadedScene source = load_scene(name, mesh);
   const auto compare_it = [&] {
     if (source.cells) {
       refuse(!arguments.orthographic.empty(), "--orthographic", name,
@@ -202,6 +205,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
       .default_value("512")
       .range(64, 4096);
+  add_mesh_options(command, arguments.mesh);
   add_eae_options(command, arguments.no_eae);
   guests::skala::View& view = arguments.function_view;
   constexpr scene::GridSize usual = usual_grid_size(guests::skala::PictureKind::lines);

@@ -19,6 +19,7 @@
 #include "host/app/command_line.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/face_shades.hpp"
+#include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/base/progress.hpp"
@@ -136,11 +137,9 @@ struct DrawLinesArguments {
   MeshArguments mesh;
   CameraArguments camera;
   std::optional<double> field;
-  std::string edges;  // empty: feature edges
-  std::optional<double> crease;
+  EdgeArguments edges;
   std::string layers;
   int turntable = 1;
-  bool all_edges = false;
   bool hidden = false;
   bool json = false;
   DrawOutput output;
@@ -150,19 +149,14 @@ struct DrawLinesArguments {
 // Which edges are chosen. Of a scene that is no mesh, and of which nothing is asked, all but seams, whatever
 // bodies they are between: then there is no chooser.
 struct DrawnEdges {
-  explicit DrawnEdges(const DrawLinesArguments& arguments, const scene::PolyScene& scene) {
-    const bool mesh = !scene.surfaces.empty();
-    all = arguments.all_edges || arguments.edges == "all";
-    seams = !all && !mesh && arguments.edges.empty() && !arguments.crease;
-    if (all || seams) return;
-    picture::EdgeChoice choice = *picture::edge_choice_named(arguments.edges.empty() ? "feature" : arguments.edges);
-    choice.crease = arguments.crease.value_or(mesh ? choice.crease : 0);
-    chooser.emplace(scene, choice);
+  DrawnEdges(const EdgeArguments& arguments, const scene::PolyScene& scene)
+      : seams(scene.surfaces.empty() && !arguments.are_given()) {
+    const auto choice = edge_choice_of(arguments, scene);
+    if (choice && !seams) chooser.emplace(scene, *choice);
   }
 
   std::optional<picture::EdgeChooser> chooser;
-  bool all = false;
-  bool seams = false;  // are left out
+  bool seams;  // are left out
 };
 
 registry::PreparedScene prepared_of(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source) {
@@ -284,12 +278,7 @@ std::string numbered(const std::string& file, int number, int count) {
 
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
-  if (!arguments.edges.empty() && !picture::edge_choice_named(arguments.edges)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
-                              "boundary, crease, border", arguments.edges));
-  }
-  if (arguments.crease) require_finite("--crease", *arguments.crease);
+  check_edges(arguments.edges);
   if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::svg ? "kind" : "none";
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
@@ -299,7 +288,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, aimed.camera, arguments.field, arguments.output, arguments.json}, format);
   }
-  const DrawnEdges choice(arguments, source.scene);
+  const DrawnEdges choice(arguments.edges, source.scene);
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   std::optional<registry::PreparedScene> prepared;
   base::ProgressLine line;
@@ -338,22 +327,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .default_value()
       .value("N")
       .group("View");
-  const Option edges =
-      command
-          .option("--edges", arguments->edges,
-                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases and borders of materials), or "
-                  "some of these kinds with commas between them")
-          .default_value("feature")
-          .value("KINDS")
-          .group("Edges");
-  command
-      .option("--crease", arguments->crease, "An edge is a crease if its faces bend by more than this")
-      .range(0.0, 180.0)
-      .default_value("30 of a mesh, 0 of other scenes")
-      .value("DEGREES")
-      .group("Edges");
-  const Option all_edges =
-      command.flag("--all-edges", arguments->all_edges, "As --edges all: also edges between coplanar faces").excludes(edges).group("Edges");
+  add_edge_options(command, arguments->edges);
   const Option hidden =
       command.flag("--hidden", arguments->hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
   command
@@ -364,7 +338,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   add_mesh_options(command, arguments->mesh);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
-    command.added("--fill").excludes(all_edges).excludes(hidden);
+    command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");

@@ -50,6 +50,49 @@ void name_not_solved(const registry::PreparedFaces& prepared) {
                      prepared.not_solved.size() - most));
 }
 
+// A flight looks at the middle of the scene. Unless an eye is asked for, it keeps clear of every building: it is
+// as wide as it has to be, as far as the scene's coordinates go, and then as high.
+scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene::PolyScene& scene,
+                                  const scene::PolyCamera& camera, int frames) {
+  const scene::SceneFrame frame = frame_of(arguments, scene);
+  const scene::PolyBounds bounds = scene::bounds_of(scene);
+  const scene::PolyPoint middle = bounds.middle();
+  const auto looking_from = [&](const scene::PolyPoint& eye) {
+    scene::PolyPoint direction{};
+    for (std::size_t a = 0; a < 3; ++a) direction[a] = middle[a] - eye[a];
+    return direction == scene::PolyPoint{} ? camera : aimed_camera(frame, eye, direction);
+  };
+  const scene::PolyCamera start = looking_from(camera.eye);
+  if (!arguments.eye.empty()) return start;
+  const auto is_clear = [&](const scene::PolyCamera& from) {
+    for (int i = 0; i < frames; ++i) {
+      const auto at = turned_eye(frame, scene, from, i, frames);
+      if (!at) return false;
+      scene::PolyCamera moved = from;
+      moved.eye = *at;
+      if (scene::eye_error(scene, moved)) return false;
+    }
+    return true;
+  };
+  if (is_clear(start)) return start;
+  for (const bool higher : {false, true}) {
+    for (std::int64_t step = 1; step <= 8; ++step) {
+      scene::PolyPoint eye = camera.eye;
+      bool within = true;
+      for (std::size_t a = 0; a < 3; ++a) {
+        std::int64_t place = eye[a];
+        if (higher && a == frame.vertical) place += (frame.downwards ? -step : step) * bounds.half_size() / 4;
+        if (!higher && a != frame.vertical) place = middle[a] + (place - middle[a]) * (8 + step) / 8;
+        within = within && std::abs(place) < scene::poly_coordinate_limit;
+        eye[a] = static_cast<std::int32_t>(within ? place : 0);
+      }
+      if (!within) break;
+      if (const scene::PolyCamera wider = looking_from(eye); is_clear(wider)) return wider;
+    }
+  }
+  return start;  // the flight names the frame
+}
+
 base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                 const registry::PreparedFaces& prepared, const scene::PolyCamera& start,
                 const registry::FaceWindow& window) {
@@ -109,10 +152,11 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
-  const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
+  scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments.field, camera);
   if (flight && !camera.perspective)
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
+  if (flight) camera = start_of_flight(arguments.camera, source.scene, camera, arguments.frames);
   Output file(arguments.output);
   registry::FaceOptions options = arguments.options;
   options.vertical = frame_of(arguments.camera, source.scene).vertical;

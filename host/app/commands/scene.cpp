@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "host/scene/check/cell_complex.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/file_units.hpp"
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
@@ -93,11 +95,16 @@ void add_tape(const Command& parent) {
 
 struct ShowArguments {
   std::string scene;
+  MeshArguments mesh;
   bool json = false;
 };
 
+// What is wrong with a mesh, and what the other commands make of it.
 ExitCode check(const ShowArguments& arguments) {
-  scene::SceneReading reading = scene::read_scene(find_scene(arguments.scene));
+  scene::SceneFile file = find_scene(arguments.scene);
+  std::optional<scene::SceneReading> mended;
+  if (!arguments.json && scene::can_be_mended(file)) mended = scene::read_scene(file, {.mend = true});
+  scene::SceneReading reading = scene::read_scene(std::move(file));
   const std::string& name = reading.loaded.name;
   // Where the eye is, is known only among bodies that are in order.
   if (reading.errors.empty() && reading.loaded.kind != scene::SceneKind::cells) {
@@ -117,8 +124,12 @@ ExitCode check(const ShowArguments& arguments) {
                 {"errors", std::move(errors)}});
   } else {
     for (const base::Error& error : reading.errors) complain(error.message());
-    warn_of_changes(reading.loaded.report);
-    if (possible) write_stdout(name + ": a possible scene\n");
+    warn_of_changes(possible || !mended ? reading.loaded.report : mended->loaded.report);
+    if (possible) {
+      write_stdout(name + ": a possible scene\n");
+    } else if (mended && mended->errors.empty()) {
+      write_stdout(name + ": can be mended, as all other commands do without --strict\n");
+    }
   }
   return possible ? ExitCode::ok : ExitCode::bad_input;
 }
@@ -201,7 +212,9 @@ Json polyhedra_json(const scene::PolyScene& scene) {
           {"holes", counts.holes},
           {"bodies", scene.bodies.size()},
           {"sheets", counts.sheets},
-          {"bounds", Json::array({bounds.low, bounds.high})},
+          {"bounds", Json::array({scene::file_point(scene, bounds.low), scene::file_point(scene, bounds.high)})},
+          {"bounds_steps", Json::array({bounds.low, bounds.high})},
+          {"surfaces", scene.surfaces.size()},
           {"step", scene.step},
           {"origin", scene.origin}};
 }
@@ -215,10 +228,13 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   facts.row({"faces", fmt::format("{}, with {} holes", scene::face_count(scene), counts.holes)});
   facts.row(
       {"bodies", fmt::format("{} solids, {} sheets", scene.bodies.size() - counts.sheets, counts.sheets)});
-  facts.row({"bounds", box_text(bounds.low, bounds.high)});
+  if (!scene.surfaces.empty()) facts.row({"surfaces", fmt::format("{} planes and single faces", scene.surfaces.size())});
+  const auto low = scene::file_point(scene, bounds.low);
+  const auto high = scene::file_point(scene, bounds.high);
+  facts.row({"bounds", fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2])});
   facts.row({"step", fmt::format("{}", scene.step)});
   facts.row({"camera", fmt::format("{} at {}", scene.camera.perspective ? "perspective" : "orthographic",
-                                   base::joined(scene.camera.eye, ","))});
+                                   scene::file_point_text(scene, scene.camera.eye))});
 }
 
 void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
@@ -263,7 +279,7 @@ void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
 }
 
 ExitCode info(const ShowArguments& arguments) {
-  const scene::LoadedScene loaded = load_found(find_scene(arguments.scene));
+  const scene::LoadedScene loaded = load_found(find_scene(arguments.scene), arguments.mesh.import_options());
   switch (loaded.kind) {
     case scene::SceneKind::cells: describe_cells(*loaded.cells, loaded.name, arguments.json); break;
     case scene::SceneKind::polyhedra: describe_polyhedra(loaded, arguments.json); break;
@@ -272,10 +288,11 @@ ExitCode info(const ShowArguments& arguments) {
   return ExitCode::ok;
 }
 
-void add_show(const Command& parent, const char* name, ExitCode (*show)(const ShowArguments&)) {
+void add_show(const Command& parent, const char* name, ExitCode (*show)(const ShowArguments&), bool mends) {
   const Command command = parent.add_command(name, help_page(std::string("scene_") + name));
   const auto arguments = std::make_shared<ShowArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
+  if (mends) add_mesh_options(command, arguments->mesh);
   command.flag("--json", arguments->json, "One JSON document instead of lines");
   command.run([arguments, show] { return show(*arguments); });
 }
@@ -303,16 +320,12 @@ void add_list(const Command& parent) {
 
 struct ConvertArguments {
   std::string scene;
+  MeshArguments mesh;
   std::string output = "-";
-  bool mend = false;
 };
 
 ExitCode convert(const ConvertArguments& arguments) {
-  scene::SceneFile file = find_scene(arguments.scene);
-  if (arguments.mend && !scene::can_be_mended(file))
-    throw Failure(ExitCode::usage, fmt::format("--mend: found {}, expected an OFF or OBJ file", file.name));
-  const scene::LoadedScene loaded = load_found(std::move(file), {.mend = arguments.mend});
-  warn_of_changes(loaded.report);
+  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh);
   write_scene(loaded.scene, loaded.name, arguments.output);
   return ExitCode::ok;
 }
@@ -321,7 +334,7 @@ void add_convert(const Command& parent) {
   const Command command = parent.add_command("convert", help_page("scene_convert"));
   const auto arguments = std::make_shared<ConvertArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
-  command.flag("--mend", arguments->mend, "Repair OFF and OBJ files where no guess is needed");
+  add_mesh_options(command, arguments->mesh);
   command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
       .default_value()
       .value("FILE");
@@ -393,6 +406,7 @@ void add_generate(const Command& parent) {
 
 struct DecomposeArguments {
   std::string scene;
+  MeshArguments mesh;
   std::string method = "auto";
   std::string output;
   bool json = false;
@@ -430,7 +444,7 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
 ExitCode decompose(const DecomposeArguments& arguments) {
   std::unique_ptr<Output> output;
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
-  const scene::LoadedScene source = load_scene(arguments.scene);
+  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
   const scene::Decomposition result =
       value_of(scene::decomposition_of(source.scene, method_named(arguments.method)), arguments.scene);
   const auto errors = scene::check_complex(result.complex, source.scene);
@@ -449,6 +463,7 @@ void add_decompose(const Command& parent) {
   command.also_called("compartment");
   const auto arguments = std::make_shared<DecomposeArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
+  add_mesh_options(command, arguments->mesh);
   command.option("--method", arguments->method, "How space is decomposed")
       .one_of({"auto", "grid", "bsp"})
       .default_value()
@@ -466,8 +481,8 @@ void add_decompose(const Command& parent) {
 void add_scene_command(const Command& program) {
   const Command command = program.add_command("scene", help_page("scene"));
   add_tape(command);
-  add_show(command, "check", &check);
-  add_show(command, "info", &info);
+  add_show(command, "check", &check, false);
+  add_show(command, "info", &info, true);
   add_list(command);
   add_convert(command);
   add_generate(command);

@@ -12,6 +12,7 @@
 
 #include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/commands.hpp"
+#include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
@@ -26,8 +27,10 @@ struct SpinOptions {
   std::string scene;
   std::string out;
   std::string events;
-  std::string method = std::string(registry::turn_methods().front().name);
-  std::string vertical = "y";
+  MeshArguments mesh;
+  EdgeArguments edges;
+  std::string method;  // empty: as the scene is
+  std::string vertical;  // empty: as the file says, or y
   double step = 3;
   double tolerance = 0;
   int size = 480;
@@ -46,7 +49,20 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
     return p;
   };
   for (scene::PolyPoint& vertex : scene.vertices) vertex = turned(vertex);
+  // The axis of the turn is the upright through the middle.
+  const scene::PolyPoint middle = scene::bounds_of(scene).middle();
+  for (scene::PolyPoint& vertex : scene.vertices) {
+    vertex[0] -= middle[0];
+    vertex[2] -= middle[2];
+  }
   return scene;
+}
+
+// Events of a mesh are too many to be found.
+const registry::TurnMethod& method_of(const SpinOptions& options, const scene::PolyScene& scene) {
+  if (!options.method.empty()) return *registry::find_turn_method(options.method);
+  const bool each_view = options.events.empty() && !scene.surfaces.empty();
+  return *registry::find_turn_method(each_view ? "exact" : "plantinga");
 }
 
 // What was found is read from the file if it is there; else it is found, and kept there.
@@ -57,6 +73,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   base::ProgressLine line;
   registry::TurnOptions turn;
   turn.tolerance = options.tolerance * degree;
+  turn.edges = edge_choice_of(options.edges, scene);
   if (found) turn.found = options.events;
   turn.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));
@@ -116,19 +133,24 @@ void spin(const SpinOptions& options) {
     throw Failure(ExitCode::usage,
                   fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
-  const scene::LoadedScene source = load_scene(options.scene);
-  const scene::PolyScene scene = turn_upright(source.scene, options.vertical);
-  const registry::TurnMethod& method = *registry::find_turn_method(options.method);
-  if (const auto reason = method.why_not(scene)) {
-    throw Failure(ExitCode::bad_input, options.scene + ": " + *reason);
-  }
+  check_edges(options.edges);
+  const scene::LoadedScene source = load_scene(options.scene, options.mesh);
+  const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
+  const scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
+  const registry::TurnMethod& method = method_of(options, scene);
+  if (const auto reason = method.why_not(scene))
+    throw Failure(ExitCode::bad_input, fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
+  if (method.name == "exact" && !options.events.empty())
+    throw Failure(ExitCode::usage, "--events: found with --method exact, which finds none");
   Output output(options.out);
   const registry::PreparedTurn turn = prepare_turn(method, scene, options);
   const Sheet sheet(scene, options.size);
   picture::ApngWriter apng({1, static_cast<std::uint16_t>(options.rate)});
   std::vector<registry::TurnLine> lines;
   const int count = static_cast<int>(std::ceil(360 / options.step - 1e-9));
+  base::ProgressLine progress;
   for (int i = 0; i < count; ++i) {
+    progress.show(fmt::format("frame {} of {}", i + 1, count));
     const double angle = options.step * i * degree;
     (options.wire ? turn.whole : turn.visible)(angle, lines);
     const auto added = apng.add(sheet.image_of(lines));
@@ -151,6 +173,8 @@ void add_spin_command(const Command& program) {
   const Command command = program.add_command("spin", help_page("spin"));
   command.option("SCENE", options->scene, scene_help).required();
   command.option("-o,--output", options->out, "The animated PNG").required().value("FILE");
+  add_edge_options(command, options->edges);
+  add_mesh_options(command, options->mesh);
   command
       .option("--events", options->events,
               "Read the events of the turn from this file; if there is none, find and keep them in it")
@@ -159,11 +183,11 @@ void add_spin_command(const Command& program) {
   for (const registry::TurnMethod& method : registry::turn_methods()) methods.emplace_back(method.name);
   command.option("--method", options->method, "How the views of the turn are found")
       .one_of(methods)
-      .default_value();
+      .default_value("exact for a mesh, plantinga for all others");
   command.option("--vertical", options->vertical, "Which axis points up, such as z or -y")
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
       .value("AXIS")
-      .default_value();
+      .default_value("as the file's format says, or y");
   command.option("--step", options->step, "Degrees from frame to frame")
       .value("DEGREES")
       .range(0.05, 180.0)

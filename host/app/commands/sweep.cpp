@@ -33,6 +33,7 @@ constexpr std::uint64_t most_views = 1'000'000'000;
 
 struct SweepArguments {
   std::string scene;
+  MeshArguments mesh;
   std::uint64_t views = 0;
   std::uint64_t seed = 1;
   std::string shard = "1/1";
@@ -228,7 +229,7 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
 
 ExitCode run_sweep(const SweepArguments& arguments) {
   const compare::SweepShard shard = shard_argument(arguments);
-  const scene::LoadedScene source = load_scene(arguments.scene);
+  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
   const compare::Sweep sweep = sweep_of(arguments, source);
   SweepFile file(arguments.output);
   std::uint64_t differing = 0;
@@ -269,6 +270,7 @@ void add_sweep_command(const Command& program) {
   const Command command = program.add_command("sweep", help_page("sweep"));
   const auto arguments = std::make_shared<SweepArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
+  add_mesh_options(command, arguments->mesh);
   command.option("--views", arguments->views, "How many views there are in all")
       .required()
       .range(std::uint64_t{1}, most_views)

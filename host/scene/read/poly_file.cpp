@@ -125,6 +125,23 @@ std::string json_face(const PolyFace& face) {
   return text + "]}";
 }
 
+// Which faces of a mesh are one surface, and their materials.
+void append_surfaces(std::string& text, const PolyScene& scene) {
+  if (!scene.surfaces.empty()) {
+    text += ",\n\"surfaces\":[";
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+      text += s > 0 ? ",\n" : "\n";
+      for (std::size_t a = 0; a < 3; ++a) {
+        text += a > 0 ? ',' : '[';
+        append(text, scene.surfaces[s].normal[a]);
+      }
+      text += ']';
+    }
+    text += "],\n\"surface_of\":" + json_array(scene.surface_of);
+  }
+  if (!scene.material_of.empty()) text += ",\n\"material_of\":" + json_array(scene.material_of);
+}
+
 // One vertex or face a line, so that versions can be compared.
 std::string write_json(const PolyScene& scene) {
   std::string text = "{\"name\":" + json_string(scene.name) + ",\"step\":";
@@ -141,8 +158,10 @@ std::string write_json(const PolyScene& scene) {
       text += (f > 0 ? ",\n" : "\n") + json_face(body.faces[f]);
     text += "]}";
   }
+  text += ']';
+  append_surfaces(text, scene);
   const PolyCamera& camera = scene.camera;
-  return text + "],\n\"camera\":{\"perspective\":" + (camera.perspective ? "true" : "false") +
+  return text + ",\n\"camera\":{\"perspective\":" + (camera.perspective ? "true" : "false") +
          ",\"eye\":" + json_array(camera.eye) + ",\"forward\":" + json_array(camera.forward) +
          ",\"right\":" + json_array(camera.right) + ",\"up\":" + json_array(camera.up) + "}}\n";
 }

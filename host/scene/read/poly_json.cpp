@@ -85,6 +85,40 @@ class PolyReader {
     return result;
   }
 
+  // Numbers of something, one for each face of the scene.
+  void of_faces(const Json& document, const char* name, std::int64_t last, std::vector<std::uint32_t>& numbers) {
+    const Json* value = json_.optional_field(document, name, "");
+    if (value == nullptr || !json_.array(*value, name, face_count(scene_))) return;
+    numbers.reserve(value->size());
+    for (std::size_t f = 0; f < value->size() && !json_.failed(); ++f)
+      numbers.push_back(static_cast<std::uint32_t>(json_.integer((*value)[f], base::indexed(name, f), 0, last)));
+  }
+
+  PolySurface surface(const Json& value, const std::string& place) {
+    PolySurface result;
+    if (!json_.array(value, place, 3)) return result;
+    for (std::size_t a = 0; a < 3 && !json_.failed(); ++a) {
+      const auto number = value[a].number();
+      if (number && std::abs(*number) <= 1) {
+        result.normal[a] = *number;
+      } else {
+        json_.expected("a number from -1 to 1", value[a], base::indexed(place, a));
+      }
+    }
+    return result;
+  }
+
+  void read_surfaces(const Json& document) {
+    const Json* surfaces = json_.optional_field(document, "surfaces", "");
+    if (surfaces != nullptr && json_.array(*surfaces, "surfaces") && surfaces->size() > 0) {
+      for (std::size_t s = 0; s < surfaces->size() && !json_.failed(); ++s)
+        scene_.surfaces.push_back(surface((*surfaces)[s], base::indexed("surfaces", s)));
+      if (json_.field(document, "surface_of", "") == nullptr) return;
+      of_faces(document, "surface_of", static_cast<std::int64_t>(scene_.surfaces.size()) - 1, scene_.surface_of);
+    }
+    of_faces(document, "material_of", std::numeric_limits<std::uint32_t>::max(), scene_.material_of);
+  }
+
   void read(const Json& document) {
     constexpr std::int64_t largest = poly_coordinate_limit - 1;
     if (const Json* text = json_.optional_field(document, "name", ""))
@@ -106,6 +140,8 @@ class PolyReader {
     if (bodies == nullptr || !json_.array(*bodies, "bodies")) return;
     for (std::size_t b = 0; b < bodies->size() && !json_.failed(); ++b)
       scene_.bodies.push_back(body((*bodies)[b], base::indexed("bodies", b)));
+    if (json_.failed()) return;
+    read_surfaces(document);
     if (json_.failed()) return;
     const Json* camera = json_.optional_field(document, "camera", "");
     if (camera == nullptr) {

@@ -7,7 +7,9 @@
 // unless it is closed; without "camera" the camera is above, right and in front; within one,
 // "perspective" is true unless said. Everything else is ignored. Coordinates are integers, and "step" says
 // what one unit stands for (default 1); "origin" is added before that. Names are up to 200 printable ASCII
-// characters. Reading checks form only: check_poly_scene the rest.
+// characters. Of a mesh, "surfaces": [[x,y,z]...] are the normals of its surfaces, "surface_of" the surface of
+// each face, counted over all bodies, and "material_of" its material. Reading checks form only:
+// check_poly_scene the rest.
 #pragma once
 
 #include <string_view>

@@ -58,11 +58,17 @@ const std::vector<Damage>& damages() {
       {"empty_obj", "s.obj", "", "end of file: found no vertices, expected lines"},
       {"cut_off", "s.json", R"({"vertices": [[0,0,0)", "line 1, column 21: syntax error"},
       {"noise", "s.off", std::string("\x7f\0\xff\x03 OFF\n\n\x80", 11),
-       "line 1: found \"????\", expected OFF in the first line"},
+       "line 1: found \"????\", expected OFF in the first line"}};
+  return all;
+}
+
+// What is mended unless --strict is given; but by `scene check`.
+const std::vector<Damage>& mendable() {
+  static const std::vector<Damage> all{
       {"not_planar_off", "s.off", "OFF\n4 1 0\n0 0 0\n9 0 0\n9 9 1\n0 9 0\n4 0 1 2 3\n",
        "body 0, face 0: vertex 3 (0, 9, 0) is not in the plane of vertices 0, 1 and 2"},
       {"vertex_for_nothing_obj", "s.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 1\nf 1 2 3\n",
-       "vertex 3: is not used by any face"}};
+       "vertex 3: is not used by any face"};
   return all;
 }
 
@@ -116,6 +122,27 @@ TEST_F(BadInput, DamagedScenes) {
       // Jones's program takes cells only, and says so first.
       const bool cells_only = arguments.front() == "jones";
       expect_refused(arguments, 4, damage.file + ": " + (cells_only ? "" : damage.found));
+    }
+    std::filesystem::remove(path(damage.file));
+  }
+}
+
+TEST_F(BadInput, StrictMeshes) {
+  for (const Damage& damage : mendable()) {
+    SCOPED_TRACE(damage.name);
+    write(damage.file, damage.text);
+    for (Arguments arguments : commands(damage.file)) {
+      if (arguments.front() == "jones") continue;
+      const bool check = arguments[1] == "check";
+      if (!check) arguments.emplace_back("--strict");
+      expect_refused(arguments, 4, damage.file + ": " + damage.found);
+      if (check) continue;
+      arguments.pop_back();
+      const Ran ran = sightline(arguments);
+      EXPECT_EQ(ran.exit_code, 0) << text_of(arguments) << ran.err;
+      EXPECT_TRUE(has(ran.err, "mended: ")) << text_of(arguments) << ran.err;
+      std::filesystem::remove_all(path("to"));
+      std::filesystem::create_directory(path("to"));
     }
     std::filesystem::remove(path(damage.file));
   }

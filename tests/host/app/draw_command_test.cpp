@@ -125,7 +125,7 @@ TEST_F(DrawCommand, WrongCameras) {
     expect_usage_error(all, what);
   };
   expect({"--eye", "1,2"}, "--eye");
-  expect({"--eye", "1,2,262144"}, "-262143 to 262143");
+  expect({"--eye", "1,2,262144"}, "between -262143,-262143,-262143 and 262143,262143,262143");
   expect({"--eye", "1,2,3", "--look-at", "1,2,3"}, "the eye itself");
   expect({"--orthographic", "0,0,0"}, "a direction");
   expect({"--orthographic", "0,0,1", "--eye", "1,2,3"}, "one of them");

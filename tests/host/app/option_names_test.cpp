@@ -57,7 +57,6 @@ TEST_F(OptionNames, GeneratedScenesAreScenesEverywhere) {
   expect_same({"scene", "convert", "boxes-3-7"}, {"scene", "convert", "file.json"});
   for (const char* action : {"info", "check", "convert"})
     expect_usage_error({"scene", action, "boxes-0"}, "found 0, expected 1..");
-  expect_usage_error({"scene", "convert", "--mend", "boxes-3", "-o", "b.off"}, "--mend");
   // A file of that name comes first.
   write("boxes-3", "nothing");
   EXPECT_EQ(sightline({"scene", "check", "boxes-3"}).exit_code, 4);

@@ -65,7 +65,7 @@ TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
   const Ran check = sightline({"scene", "check", "twisted.off"});
   EXPECT_EQ(check.exit_code, 4);
   EXPECT_TRUE(has(check.err, "twisted.off: body 0, face 0: vertex 3")) << check.err;
-  EXPECT_EQ(sightline({"scene", "convert", "twisted.off", "-o", "out.json"}).exit_code, 4);
+  EXPECT_EQ(sightline({"scene", "convert", "twisted.off", "--strict", "-o", "out.json"}).exit_code, 4);
   EXPECT_FALSE(exists("out.json"));
   write("empty.off", "");
   EXPECT_EQ(sightline({"scene", "info", "empty.off"}).exit_code, 4);
@@ -92,20 +92,10 @@ TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
 
 TEST_F(ScenePolyCommand, MendRepairs) {
   write("double.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n3 0 1 2\n");
-  EXPECT_EQ(sightline({"scene", "convert", "double.off", "-o", "d.off"}).exit_code, 4);
-  const Ran mended = sightline({"scene", "convert", "--mend", "double.off", "-o", "d.off"});
+  EXPECT_EQ(sightline({"scene", "convert", "double.off", "--strict", "-o", "d.off"}).exit_code, 4);
+  const Ran mended = sightline({"scene", "convert", "double.off", "-o", "d.off"});
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
   EXPECT_EQ(read("d.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-}
-
-TEST_F(ScenePolyCommand, MendIsForOffAndObjOnly) {
-  ASSERT_EQ(sightline({"scene", "generate", "boxes", "2", "-o", "b.json"}).exit_code, 0);
-  for (const char* scene : {"b.json", "roberts"}) {
-    const Ran ran = sightline({"scene", "convert", "--mend", scene, "-o", "out.off"});
-    EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_TRUE(has(ran.err, "--mend")) << ran.err;
-  }
-  EXPECT_FALSE(exists("out.off"));
 }
 
 // A pipe can be read once.

@@ -121,7 +121,7 @@ TEST(LineDrawing, CoincidingEdgesAreDrawnOnce) {
 
 TEST(LineDrawing, NothingIsADrawingOfNothing) {
   const scene::PolyScene scene = square();
-  const VectorDrawing drawing = line_drawing({}, scene, {}, field(100, 50));
+  const VectorDrawing drawing = line_drawing(LinePicture{}, scene, {}, field(100, 50));
   EXPECT_TRUE(drawing.lines.empty());
   EXPECT_EQ(drawing.width, 100);
   EXPECT_EQ(drawing.height, 50);

@@ -120,7 +120,7 @@ TEST(LoadScene, MendsWhatItIsAskedToMend) {
   EXPECT_FALSE(load_scene(file));
   const auto mended = load_scene(file, {.mend = true});
   ASSERT_TRUE(mended) << mended.error().message();
-  EXPECT_EQ(mended->report.faces.turned_faces, 6U);
+  EXPECT_EQ(mended->report.faces.turned_faces, 4U);
 }
 
 }  // namespace

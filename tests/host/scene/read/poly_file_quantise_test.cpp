@@ -82,7 +82,7 @@ TEST(Quantise, PointsThatFallTogetherBecomeOne) {
 TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
   const std::string text =
       "OFF\n6 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n10 0 0\n99 99 99\n"
-      "3 1 2 0\n3 3 4 0\n3 3 2 1\n3 3 0 2\n";
+      "3 1 2 0\n3 3 4 0\n3 3 2 1\n3 3 0 2\n";  // all four inside out
   const PolyImport as_it_is = read(text, PolyFormat::off);
   EXPECT_EQ(problems(as_it_is.scene),
             "vertex 5: is not used by any face\nvertex 4: is the same point (10, 0, 0) as vertex 1\n");
@@ -90,7 +90,7 @@ TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
   EXPECT_EQ(problems(mended.scene), "");
   EXPECT_EQ(mended.report.faces.merged_vertices, 1U);
   EXPECT_EQ(mended.report.faces.dropped_vertices, 1U);
-  EXPECT_EQ(mended.report.faces.turned_faces, 6U);
+  EXPECT_EQ(mended.report.faces.turned_faces, 4U);
   EXPECT_FALSE(mended.scene.bodies[0].sheet);
 }
 

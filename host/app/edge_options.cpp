@@ -1,0 +1,44 @@
+// See edge_options.hpp.
+#include "host/app/edge_options.hpp"
+
+#include <fmt/core.h>
+
+namespace sightline::app {
+
+void add_edge_options(const Command& command, EdgeArguments& arguments) {
+  const Option kinds =
+      command
+          .option("--edges", arguments.kinds,
+                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases and borders of materials), or "
+                  "some of these kinds with commas between them")
+          .default_value("feature")
+          .value("KINDS")
+          .group("Edges");
+  command.option("--crease", arguments.crease, "An edge is a crease if its faces bend by more than this")
+      .range(0.0, 180.0)
+      .default_value("30 of a mesh, 0 of other scenes")
+      .value("DEGREES")
+      .group("Edges");
+  command.flag("--all-edges", arguments.all, "As --edges all: also edges between coplanar faces")
+      .excludes(kinds)
+      .group("Edges");
+}
+
+void check_edges(const EdgeArguments& arguments) {
+  if (!arguments.kinds.empty() && !picture::edge_choice_named(arguments.kinds)) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
+                              "boundary, crease, border",
+                              arguments.kinds));
+  }
+  if (arguments.crease) require_finite("--crease", *arguments.crease);
+}
+
+std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments, const scene::PolyScene& scene) {
+  if (arguments.all || arguments.kinds == "all") return std::nullopt;
+  picture::EdgeChoice choice = *picture::edge_choice_named(arguments.kinds.empty() ? "feature" : arguments.kinds);
+  choice.crease = arguments.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
+  return choice;
+}
+
+}  // namespace sightline::app
