@@ -99,7 +99,7 @@ void add_eae_options(const Command& command, bool& no_eae) {
 void warn_of_changes(const scene::PolyImportReport& report) {
   if (report.quantised && report.largest_shift > 0) {
     warn(
-        fmt::format("coordinates rounded to a step of {}, by at most {}", report.step, report.largest_shift));
+        fmt::format("coordinates rounded to a step of {}, by at most {:.3g}", report.step, report.largest_shift));
   } else if (report.quantised) {
     warn(fmt::format("coordinates are counted in steps of {}", report.step));
   }
@@ -113,15 +113,18 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   say(faces.dropped_faces, "face without area left out", "faces without area left out");
   say(faces.duplicate_faces, "face left out that was there twice", "faces left out that were there twice");
   if (faces.split_faces > 0) {
-    said.push_back(fmt::format("{} faces that are not planar became triangles, the farthest vertex {} off",
-                               faces.split_faces, faces.largest_deviation));
+    said.push_back(fmt::format("{} {} became triangles, the farthest vertex {:.3g} off its plane", faces.split_faces,
+                               faces.split_faces == 1 ? "face that is not planar" : "faces that are not planar",
+                               faces.largest_deviation));
   }
   say(faces.turned_faces, "face turned the right side out", "faces turned the right side out");
   say(faces.one_sided, "part has but one side", "parts have but one side");
   say(faces.crowded_edges, "edge has three or more faces", "edges have three or more faces");
   if (faces.crossing_faces > 0) {
-    said.push_back(fmt::format("{} faces whose outlines cross themselves left out, the first is face {} of the file",
-                               faces.crossing_faces, faces.first_crossing + 1));
+    said.push_back(fmt::format("{} {} left out, the first is face {} of the file", faces.crossing_faces,
+                               faces.crossing_faces == 1 ? "face whose outline crosses itself"
+                                                         : "faces whose outlines cross themselves",
+                               faces.first_crossing + 1));
   }
   for (const std::string& note : report.notes) said.push_back(note + " passed over");
   if (!said.empty()) warn((report.mended ? "mended: " : "") + base::joined(said, "; "));

@@ -19,8 +19,8 @@ namespace sightline::registry {
 
 struct TurnOptions {
   double tolerance = 0;  // radians, at least 0: what happens within it is joined; 0: exact
-  std::optional<picture::EdgeChoice> edges;  // those drawn; empty: all
-  std::string found;     // a file that PreparedTurn::keep wrote for this scene and tolerance; empty: none
+  std::optional<picture::EdgeChoice> edges = {};  // those drawn; empty: all
+  std::string found = {};  // a file that PreparedTurn::keep wrote for this scene and tolerance; empty: none
   std::function<void(std::size_t done, std::size_t of)> progress = nullptr;  // from any thread, one at a time
 };
 

@@ -128,7 +128,7 @@ ExitCode check(const ShowArguments& arguments) {
     if (possible) {
       write_stdout(name + ": a possible scene\n");
     } else if (mended && mended->errors.empty()) {
-      write_stdout(name + ": can be mended, as all other commands do without --strict\n");
+      write_stdout(name + ": all other commands mend this, unless --strict is given\n");
     }
   }
   return possible ? ExitCode::ok : ExitCode::bad_input;

@@ -68,7 +68,7 @@ const std::vector<Damage>& mendable() {
       {"not_planar_off", "s.off", "OFF\n4 1 0\n0 0 0\n9 0 0\n9 9 1\n0 9 0\n4 0 1 2 3\n",
        "body 0, face 0: vertex 3 (0, 9, 0) is not in the plane of vertices 0, 1 and 2"},
       {"vertex_for_nothing_obj", "s.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 1\nf 1 2 3\n",
-       "vertex 3: is not used by any face"};
+       "vertex 3: is not used by any face"}};
   return all;
 }
 
