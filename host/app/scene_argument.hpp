@@ -15,8 +15,8 @@
 namespace sightline::app {
 
 inline constexpr std::string_view scene_help =
-    "A built-in scene (see `sightline scene list`), a JSON, OFF or OBJ file (- for standard input), or "
-    "FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
+    "A built-in scene (see `sightline scene list`), a JSON, OFF, OBJ, STL or PLY file (- for standard input), "
+    "or FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
     "--help`)";
 // Of commands that run Jones's program.
 inline constexpr std::string_view cells_help =

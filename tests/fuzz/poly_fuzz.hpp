@@ -14,7 +14,7 @@ namespace sightline::fuzz {
 
 inline void use(const scene::PolyScene& scene) {
   if (!scene::check_poly_scene(scene).empty()) return;
-  for (const auto format : {scene::PolyFormat::off, scene::PolyFormat::obj, scene::PolyFormat::json}) {
+  for (const auto format : {scene::PolyFormat::off, scene::PolyFormat::obj, scene::PolyFormat::ply, scene::PolyFormat::json}) {
     const auto text = scene::write_poly(scene, format);
     if (!text) continue;
     const auto again = scene::read_poly(*text, "written", format);
@@ -27,7 +27,9 @@ inline void fuzz_poly(const std::uint8_t* data, std::size_t size, scene::PolyFor
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   for (const bool mend : {false, true}) {
     const auto result = scene::read_poly(text, "fuzz", format, {mend});
-    if (result) use(result->scene);
+    if (!result) continue;
+    if (mend && format != scene::PolyFormat::json && !scene::check_poly_scene(result->scene).empty()) std::abort();
+    use(result->scene);
   }
 }
 

@@ -53,7 +53,7 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
   if (!format && path != "-") {
     throw Failure(
         ExitCode::usage,
-        fmt::format("--output: found \"{}\", expected a name that ends in .json, .off or .obj", path));
+        fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
   }
   const std::string text = value_of(scene::write_poly(scene, format.value_or(scene::PolyFormat::json)), name);
   Output output(path);
@@ -335,7 +335,7 @@ void add_convert(const Command& parent) {
   const auto arguments = std::make_shared<ConvertArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   add_mesh_options(command, arguments->mesh);
-  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+  command.option("-o,--output", arguments->output, fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
       .default_value()
       .value("FILE");
   command.run([arguments] { return convert(*arguments); });
@@ -396,7 +396,7 @@ void add_generate(const Command& parent) {
       .check(why_no_whole_number)
       .default_value()
       .value("N");
-  command.option("-o,--output", arguments->output, "A .json, .off or .obj file; - is JSON on standard output")
+  command.option("-o,--output", arguments->output, fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
       .default_value()
       .value("FILE");
   command.run([arguments] { return generate(*arguments); });

@@ -56,7 +56,7 @@ struct PolyCamera {
 // Faces of a mesh that are in one plane, as far as the numbers of its file can tell: their rounded vertices
 // cannot. Its edges are chosen, and what faces the eye is decided, by these (host/picture/edge_choice.hpp).
 struct PolySurface {
-  std::array<double, 3> normal{};  // of its largest face in the coordinates of the file, outwards, of length 1
+  std::array<double, 3> normal{};  // in the coordinates of the file, outwards, of length 1
 
   friend bool operator==(const PolySurface&, const PolySurface&) = default;
 };

@@ -32,10 +32,10 @@ struct SceneFile {
 
 enum class SceneKind {
   cells,         // of the PDP-7 program; a text that is nothing else
-  polyhedra,     // OFF or OBJ by its name or beginning, JSON with bodies, or generated
+  polyhedra,     // a mesh by its beginning or name, JSON with bodies, or generated
   cell_complex,  // a cell decomposition: JSON that names its schema
 };
-// OFF and OBJ have damage that can be repaired; JSON, built-in and generated scenes are taken as they are.
+// Meshes have damage that can be mended; JSON, built-in and generated scenes are taken as they are.
 [[nodiscard]] bool can_be_mended(const SceneFile& file);
 
 struct LoadedScene {

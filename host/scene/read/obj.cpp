@@ -1,18 +1,25 @@
 // See obj.hpp.
 #include "host/scene/read/obj.hpp"
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/read/poly_text.hpp"
+#include "host/scene/read/precision.hpp"
 
 namespace sightline::scene {
 namespace {
 
 class ObjReader {
+  static constexpr std::size_t longest_word = 40;
+  static constexpr std::size_t most_notes = 8;
+  static constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
+
  public:
   ObjReader(std::string_view text, std::string_view source) : lines_(text, source) { mesh_.source = source; }
 
@@ -28,6 +35,7 @@ class ObjReader {
   struct NamedFace {
     std::size_t object = 0;  // into names_; 0: before the first
     std::size_t group = 0;
+    std::size_t material = 0;
     PolyFace face;
   };
 
@@ -42,8 +50,11 @@ class ObjReader {
       has_objects_ = true;
     } else if (word == "g") {
       group_ = name();
-    } else if (word == "l" || word == "p") {
-      error_ = lines_.unexpected(word, "faces only: lines and points cannot occlude");
+      has_groups_ = true;
+    } else if (word == "usemtl") {
+      material_ = name();
+    } else if (word != "vn" && word != "vt" && word != "s" && word != "mtllib") {
+      ++others_[std::string(word.substr(0, longest_word))];
     }
   }
 
@@ -52,10 +63,7 @@ class ObjReader {
     std::string text;
     for (std::size_t i = 1; i < lines_.fields().size(); ++i)
       text += (i > 1 ? " " : "") + std::string(lines_.fields()[i]);
-    constexpr std::size_t longest = 200;
-    if (text.size() > longest) text.resize(longest);
-    for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
-    return numbers_.try_emplace(text, numbers_.size() + 1).first->second;
+    return numbers_.try_emplace(printable_name(std::move(text)), numbers_.size() + 1).first->second;
   }
 
   void read_vertex() {
@@ -72,6 +80,7 @@ class ObjReader {
         return;
       }
       point[a] = *number;
+      precision_.add(fields[a + 1], *number);
     }
     mesh_.vertices.push_back(point);
   }
@@ -82,7 +91,7 @@ class ObjReader {
       error_ = lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected 3 or more");
       return;
     }
-    NamedFace face{object_, group_, {}};
+    NamedFace face{object_, group_, material_, {}};
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const auto vertex = vertex_of(fields[i]);
       if (!vertex) {
@@ -110,16 +119,50 @@ class ObjReader {
     return static_cast<VertexIndex>(*number > 0 ? *number - 1 : *number + count);
   }
 
+  // Whether a vertex belongs to faces of two groups: then the groups are parts of one surface, not bodies.
+  [[nodiscard]] bool groups_share_vertices() const {
+    std::vector<std::size_t> group_of(mesh_.vertices.size(), no_group);
+    for (const NamedFace& face : faces_) {
+      for (const VertexIndex v : face.face.outline) {
+        if (group_of[v] != no_group && group_of[v] != face.group) return true;
+        group_of[v] = face.group;
+      }
+    }
+    return false;
+  }
+
   void gather() {
-    mesh_.grouped = !numbers_.empty();
-    std::map<std::size_t, std::size_t> bodies;  // by number of the name
+    const bool of_groups = !has_objects_ && has_groups_ && !groups_share_vertices();
+    mesh_.grouped = has_objects_ || of_groups;
+    mesh_.precision = precision_.result(mesh_.vertices);
+    note_others();
     std::vector<std::string> names(numbers_.size() + 1);
     for (const auto& [text, number] : numbers_) names[number] = text;
+    std::map<std::size_t, std::size_t> bodies;  // by number of the name
+    std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> materials;
+    std::vector<std::vector<std::uint32_t>> materials_of;  // the faces of each body
     for (NamedFace& face : faces_) {
-      const std::size_t key = has_objects_ ? face.object : face.group;
+      const std::size_t key = has_objects_ ? face.object : of_groups ? face.group : 0;
       const auto [place, added] = bodies.try_emplace(key, mesh_.bodies.size());
-      if (added) mesh_.bodies.push_back({names[key], false, {}});
+      if (added) {
+        mesh_.bodies.push_back({names[key], false, {}});
+        materials_of.emplace_back();
+      }
       mesh_.bodies[place->second].faces.push_back(std::move(face.face));
+      const std::pair<std::size_t, std::size_t> look{face.material, of_groups ? 0 : face.group};
+      materials_of[place->second].push_back(materials.try_emplace(look, static_cast<std::uint32_t>(materials.size())).first->second);
+    }
+    if (materials.size() < 2) return;
+    for (const auto& of_body : materials_of) mesh_.materials.insert(mesh_.materials.end(), of_body.begin(), of_body.end());
+  }
+
+  void note_others() {
+    for (const auto& [word, count] : others_) {
+      if (mesh_.notes.size() == most_notes) {
+        mesh_.notes.push_back("others of " + std::to_string(others_.size() - most_notes) + " kinds");
+        break;
+      }
+      mesh_.notes.push_back(std::to_string(count) + (count == 1 ? " statement " : " statements ") + quoted_excerpt(word));
     }
   }
 
@@ -129,7 +172,11 @@ class ObjReader {
   std::vector<NamedFace> faces_;
   std::size_t object_ = 0;
   std::size_t group_ = 0;
+  std::size_t material_ = 0;
   bool has_objects_ = false;
+  bool has_groups_ = false;
+  TextPrecision precision_;
+  std::map<std::string, std::size_t> others_;  // statements that are passed over, and how many
   std::optional<base::Error> error_;
 };
 

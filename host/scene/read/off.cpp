@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/read/poly_text.hpp"
+#include "host/scene/read/precision.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -82,10 +84,13 @@ class OffReader {
       for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto number = base::decimal_number(fields[i]);
         if (!number) return fail(lines_.unexpected(fields[i], "a number"));
-        if (i < 3) point[i] = *number;
+        if (i >= 3) continue;
+        point[i] = *number;
+        precision_.add(fields[i], *number);
       }
       mesh_.vertices.push_back(point);
     }
+    mesh_.precision = precision_.result(mesh_.vertices);
     return true;
   }
 
@@ -100,6 +105,7 @@ class OffReader {
       }
       if (!read_face(faces.emplace_back())) return false;
     }
+    if (materials_.size() < 2) mesh_.materials.clear();
     return true;
   }
 
@@ -119,6 +125,10 @@ class OffReader {
         return fail(lines_.unexpected(fields[i], "a vertex below " + std::to_string(vertices_)));
       face.outline.push_back(static_cast<VertexIndex>(*vertex));
     }
+    // What follows is a colour, in numbers or as the place in a map.
+    std::string colour;
+    for (std::size_t i = static_cast<std::size_t>(*count) + 1; i < fields.size(); ++i) colour += std::string(fields[i]) + ' ';
+    mesh_.materials.push_back(materials_.try_emplace(colour, static_cast<std::uint32_t>(materials_.size())).first->second);
     return true;
   }
 
@@ -127,6 +137,8 @@ class OffReader {
   PolyMesh mesh_;
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
+  std::map<std::string, std::uint32_t> materials_;  // by the colour as written
+  TextPrecision precision_;
   std::optional<base::Error> error_;
 };
 

@@ -2,7 +2,7 @@
 //
 // "OFF", the numbers of vertices, faces and edges (the last is ignored and may be left out), a line for
 // each vertex, and a line for each face: how many vertices and which, from 0. # starts a comment. Colours
-// behind a face are passed over, as are the colours, normals and texture coordinates of COFF, NOFF, CNOFF and
+// behind a face are its material; passed over are the colours, normals and texture coordinates of COFF, NOFF, CNOFF and
 // STOFF in every combination. Four-dimensional and n-dimensional variants (4OFF, nOFF) and binary files are
 // refused by name.
 #pragma once

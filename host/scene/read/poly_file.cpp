@@ -2,15 +2,21 @@
 #include "host/scene/read/poly_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
+#include <cstdint>
 #include <set>
+#include <type_traits>
 
 #include "host/base/result.hpp"
 #include "host/scene/model/file_units.hpp"
 #include "host/scene/read/obj.hpp"
 #include "host/scene/read/off.hpp"
+#include "host/scene/read/ply.hpp"
 #include "host/scene/read/poly_json.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
+#include "host/scene/read/stl.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -102,6 +108,64 @@ base::Result<std::string> write_obj(const PolyScene& scene) {
   return text;
 }
 
+// --- binary, in little-endian byte order
+
+template <class Number>
+void append_bytes(std::string& bytes, Number number) {
+  if constexpr (std::is_same_v<Number, float>) {
+    append_bytes(bytes, std::bit_cast<std::uint32_t>(number));
+  } else if constexpr (std::is_same_v<Number, double>) {
+    append_bytes(bytes, std::bit_cast<std::uint64_t>(number));
+  } else {
+    for (std::size_t i = 0; i < sizeof number; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+  }
+}
+
+// Numbers are float32 there: what is finer is lost.
+base::Result<std::string> write_stl(const PolyScene& scene) {
+  std::string triangles;
+  std::uint32_t count = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
+      const auto split = triangulate(scene.vertices, scene.bodies[b].faces[f]);
+      if (!split) return cannot_split(b, f);
+      for (const auto& triangle : *split) {
+        for (int i = 0; i < 3; ++i) append_bytes(triangles, 0.0F);  // readers take the normal from the vertices
+        for (const VertexIndex v : triangle)
+          for (std::size_t a = 0; a < 3; ++a)
+            append_bytes(triangles, static_cast<float>(file_coordinate(scene, scene.vertices[v], a)));
+        append_bytes(triangles, std::uint16_t{0});
+        ++count;
+      }
+    }
+  }
+  std::string bytes(80, ' ');
+  append_bytes(bytes, count);
+  return bytes + triangles;
+}
+
+base::Result<std::string> write_ply(const PolyScene& scene) {
+  std::string faces;
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
+      const auto rings = rings_of(scene, scene.bodies[b].faces[f]);
+      if (rings.empty()) return cannot_split(b, f);
+      count += rings.size();
+      for (const Ring& ring : rings) {
+        append_bytes(faces, static_cast<std::uint32_t>(ring.size()));
+        for (const VertexIndex v : ring) append_bytes(faces, v);
+      }
+    }
+  }
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(scene.vertices.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " + std::to_string(count) +
+                      "\nproperty list uint uint vertex_indices\nend_header\n";
+  for (const PolyPoint& p : scene.vertices)
+    for (std::size_t a = 0; a < 3; ++a) append_bytes(bytes, file_coordinate(scene, p, a));
+  return bytes + faces;
+}
+
 std::string json_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -166,35 +230,61 @@ std::string write_json(const PolyScene& scene) {
          ",\"right\":" + json_array(camera.right) + ",\"up\":" + json_array(camera.up) + "}}\n";
 }
 
+// --- which format
+
+struct FormatName {
+  std::string_view ending;
+  PolyFormat format;
+};
+constexpr std::array format_names{
+    FormatName{"off", PolyFormat::off}, FormatName{"obj", PolyFormat::obj},   FormatName{"stl", PolyFormat::stl},
+    FormatName{"ply", PolyFormat::ply}, FormatName{"json", PolyFormat::json},
+};
+
+std::string small_letters(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+// As the first line says that is neither empty nor a comment; empty if it says nothing.
+std::optional<PolyFormat> format_by_content(std::string_view text) {
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return PolyFormat::ply;
+  if (is_binary_stl(text)) return PolyFormat::stl;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    const std::string_view begins = line.substr(first);
+    const std::string_view word = begins.substr(0, begins.find_first_of(" \t\r"));
+    constexpr std::size_t longest_off = 8;  // STCNnOFF
+    if (word.ends_with("OFF") && word.size() <= longest_off) return PolyFormat::off;
+    if (word == "{" || begins.starts_with("{")) return PolyFormat::json;
+    // A binary file may begin so, too; then its name has to say what it is.
+    if (small_letters(word) == "solid" && text.find("facet") != std::string_view::npos) return PolyFormat::stl;
+    for (const std::string_view obj : {"v", "o", "g", "vn", "vt", "f", "usemtl", "mtllib"})
+      if (word == obj && word.size() < begins.size()) return PolyFormat::obj;
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<PolyFormat> poly_format_of(std::string_view file) {
   const std::size_t dot = file.rfind('.');
   if (dot == std::string_view::npos) return std::nullopt;
-  std::string end(file.substr(dot + 1));
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (end == "off") return PolyFormat::off;
-  if (end == "obj") return PolyFormat::obj;
-  if (end == "json") return PolyFormat::json;
+  const std::string end = small_letters(file.substr(dot + 1));
+  for (const FormatName& format : format_names)
+    if (end == format.ending) return format.format;
   return std::nullopt;
 }
 
 PolyFormat poly_format_of(std::string_view file, std::string_view text) {
-  if (const auto named = poly_format_of(file)) return *named;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    const std::size_t word = line.find_first_not_of(" \t\r");
-    if (word != std::string_view::npos && line[word] != '#') {
-      const std::string_view begins = line.substr(word);
-      if (begins.starts_with("OFF")) return PolyFormat::off;
-      for (const std::string_view obj : {"v ", "o ", "g ", "vn ", "vt ", "mtllib "})
-        if (begins.starts_with(obj)) return PolyFormat::obj;
-      return PolyFormat::json;
-    }
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-  }
-  return PolyFormat::json;
+  if (const auto told = format_by_content(text)) return *told;
+  return poly_format_of(file).value_or(PolyFormat::json);
 }
 
 PolyImport import_unchanged(PolyScene scene) {
@@ -204,6 +294,19 @@ PolyImport import_unchanged(PolyScene scene) {
   return result;
 }
 
+namespace {
+
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format) {
+  switch (format) {
+    case PolyFormat::off: return read_off(text, source);
+    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::ply: return read_ply(text, source);
+    default: return read_obj(text, source);
+  }
+}
+
+}  // namespace
+
 base::Result<PolyImport> read_poly(std::string_view text, std::string_view source, PolyFormat format,
                                    const PolyImportOptions& options) {
   if (format == PolyFormat::json) {
@@ -211,7 +314,7 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
     if (!scene) return std::move(scene.error());
     return import_unchanged(std::move(*scene));
   }
-  auto mesh = format == PolyFormat::off ? read_off(text, source) : read_obj(text, source);
+  auto mesh = read_mesh(text, source, format);
   if (!mesh) return std::move(mesh.error());
   return import_poly(std::move(*mesh), options);
 }
@@ -220,6 +323,8 @@ base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) 
   switch (format) {
     case PolyFormat::off: return write_off(scene);
     case PolyFormat::obj: return write_obj(scene);
+    case PolyFormat::stl: return write_stl(scene);
+    case PolyFormat::ply: return write_ply(scene);
     case PolyFormat::json: break;
   }
   return write_json(scene);

@@ -10,11 +10,14 @@
 
 namespace sightline::scene {
 
-enum class PolyFormat { off, obj, json };
+enum class PolyFormat { off, obj, stl, ply, json };
 
-// By the end of the file's name, .off, .obj or .json in small or capital letters.
+// For texts that name what can be written.
+inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .ply";
+
+// By the end of the file's name, such as .off, in small or capital letters.
 [[nodiscard]] std::optional<PolyFormat> poly_format_of(std::string_view file);
-// As above, and for any other name by what the text begins with: OFF, or a line of OBJ; else JSON.
+// By what the text begins with; if that says nothing, as above; else JSON.
 [[nodiscard]] PolyFormat poly_format_of(std::string_view file, std::string_view text);
 
 // The scene is not checked. JSON is not quantised, nor repaired.
@@ -26,8 +29,9 @@ enum class PolyFormat { off, obj, json };
 
 // The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
-// which hide the same; the diagonals are seams. An error names a face for which that cannot be done. Neither
-// keeps the camera. OFF has no names, nor which faces make a body: read again, connected parts are
+// which hide the same; the diagonals are seams. STL (binary, float32) has triangles only, PLY (binary) no holes
+// either. An error names a face for which that cannot be done. None
+// keeps the camera. OFF, STL and PLY have no names, nor which faces make a body: read again, connected parts are
 // the bodies. In OBJ names that are ambiguous or could not be read again are changed.
 [[nodiscard]] base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format);
 

@@ -54,6 +54,7 @@ class Surfaces {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return planes_[a].area > planes_[b].area; });
     group_of_.assign(planes_.size(), no_group);
+    reached_.assign(planes_.size(), 0);
     for (const std::uint32_t source : order)
       if (group_of_[source] == no_group) gather(source);
     scene_.surface_of.resize(mended_.size());
@@ -135,22 +136,61 @@ class Surfaces {
     return true;
   }
 
-  void gather(std::uint32_t seed) {
-    const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
-    scene_.surfaces.push_back({planes_[seed].normal});
-    group_of_[seed] = group;
-    if (planes_[seed].area <= 0) return;
-    queue_.assign(1, seed);
-    while (!queue_.empty()) {
-      const std::uint32_t source = queue_.back();
-      queue_.pop_back();
+  // Those of no group that `plane` takes in, from the seed on, into `members`.
+  void flood(std::uint32_t seed, const FilePlane& plane, std::vector<std::uint32_t>& members) {
+    ++round_;
+    reached_[seed] = round_;
+    members.assign(1, seed);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const std::uint32_t source = members[m];
       for (std::uint32_t n = starts_[source]; n < starts_[source + 1]; ++n) {
         const std::uint32_t other = next_to_[n];
-        if (group_of_[other] != no_group || !joins(other, planes_[seed])) continue;
-        group_of_[other] = group;
-        queue_.push_back(other);
+        if (group_of_[other] != no_group || reached_[other] == round_ || !joins(other, plane)) continue;
+        reached_[other] = round_;
+        members.push_back(other);
       }
     }
+  }
+
+  // The plane of all of them: the sum of their areas, through the middle of their corners.
+  [[nodiscard]] FilePlane mean_plane(const std::vector<std::uint32_t>& members) const {
+    FilePlane mean;
+    std::size_t corners = 0;
+    const Vector& first = planes_[members[0]].on;
+    for (const std::uint32_t source : members) {
+      for (std::size_t k = 0; k < 3; ++k) mean.normal[k] += planes_[source].area * planes_[source].normal[k];
+      for (const VertexIndex v : file_.outline(source)) {
+        for (std::size_t k = 0; k < 3; ++k) mean.on[k] += file_.vertices[v][k] - first[k];
+        ++corners;
+      }
+    }
+    mean.area = size_of(mean.normal);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (mean.area > 0) mean.normal[k] /= mean.area;
+      mean.on[k] = first[k] + mean.on[k] / static_cast<double>(corners);
+    }
+    return mean;
+  }
+
+  // A small face says its plane badly far away, so that the group's own plane may take in more than it began with.
+  void gather(std::uint32_t seed) {
+    const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
+    FilePlane plane = planes_[seed];
+    members_.assign(1, seed);
+    if (plane.area > 0) {
+      flood(seed, plane, members_);
+      constexpr int most_rounds = 16;
+      for (int i = 0; i < most_rounds && members_.size() > 1; ++i) {
+        const FilePlane mean = mean_plane(members_);
+        if (mean.area <= 0 || !joins(seed, mean)) break;
+        flood(seed, mean, more_);
+        if (more_.size() <= members_.size()) break;
+        members_.swap(more_);
+        plane = mean;
+      }
+    }
+    for (const std::uint32_t source : members_) group_of_[source] = group;
+    scene_.surfaces.push_back({plane.normal});
   }
 
   PolyScene& scene_;
@@ -162,7 +202,10 @@ class Surfaces {
   std::vector<std::uint32_t> starts_;  // of each face of the file in next_to_
   std::vector<std::uint32_t> next_to_;
   std::vector<std::uint32_t> group_of_;
-  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint32_t> reached_;  // by each face of the file: in which round
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> members_;
+  std::vector<std::uint32_t> more_;
 };
 
 }  // namespace

@@ -46,6 +46,13 @@ base::Error PolyLines::unexpected(std::string_view found, const std::string& exp
   return error("found " + quoted_excerpt(found) + ", expected " + expected);
 }
 
+std::string printable_name(std::string text) {
+  constexpr std::size_t longest = 200;
+  if (text.size() > longest) text.resize(longest);
+  for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
+  return text;
+}
+
 std::string quoted_excerpt(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";

@@ -1,5 +1,5 @@
 // The lines of a text file as fields, and the numbers in them: the common part of
-// the readers of OFF and OBJ.
+// the readers of OFF, OBJ and STL.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +38,9 @@ class PolyLines {
   std::size_t next_number_ = 1;
   std::size_t number_ = 0;  // 0: before the first line or behind the last
 };
+
+// A name as scenes have them: at most 200 characters, and "?" for what is not printable ASCII.
+[[nodiscard]] std::string printable_name(std::string text);
 
 // At most 40 characters of what a file says, without those that are not printable ASCII.
 [[nodiscard]] std::string quoted_excerpt(std::string_view text);

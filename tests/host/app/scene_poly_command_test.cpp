@@ -86,7 +86,7 @@ TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
                                  "\", expected a whole number from 0 to 18446744073709551615"))
         << ran.err;
   }
-  EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "x.ply"}).exit_code, 2);
+  EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "x.step"}).exit_code, 2);
   EXPECT_EQ(sightline({"scene", "generate", "rooms", "2", "-o", "no/x.json"}).exit_code, 5);
 }
 

@@ -52,7 +52,9 @@ TEST(ReadPoly, OffVariantsWithColoursAndNormals) {
 TEST(ReadPoly, ObjectsComeBeforeGroups) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const PolyScene groups =
-      read(vertices + "f 1 2 3\ng left wing\nf 1 2 4\ng b\nf 1 3 4\ng left wing\nf 2 3 4\n", PolyFormat::obj)
+      read(vertices + "v 0 0 2\nv 1 0 2\nv 0 1 2\nv 0 0 3\nv 0 0 4\nv 1 0 4\nv 0 1 4\n" +
+               "f 1 2 3\ng left wing\nf 5 6 7\ng b\nf 9 10 11\ng left wing\nf 5 6 8\n",
+           PolyFormat::obj)
           .scene;
   ASSERT_EQ(groups.bodies.size(), 3U);
   EXPECT_EQ(groups.bodies[0].name, "");
@@ -63,6 +65,24 @@ TEST(ReadPoly, ObjectsComeBeforeGroups) {
   ASSERT_EQ(objects.bodies.size(), 1U);
   EXPECT_EQ(objects.bodies[0].name, "all");
   EXPECT_FALSE(objects.bodies[0].sheet);
+}
+
+TEST(ReadPoly, GroupsOfOneSurfaceAndMaterialsAreBorders) {
+  const auto import = read_poly(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nusemtl red\nf 2 3 4\nf 3 1 4\n", "test",
+      PolyFormat::obj, {.mend = true});
+  ASSERT_TRUE(import) << import.error().message();
+  ASSERT_EQ(import->scene.bodies.size(), 1U);
+  EXPECT_FALSE(import->scene.bodies[0].sheet);
+  EXPECT_EQ(import->scene.material_of, (std::vector<std::uint32_t>{0, 1, 2, 2}));
+}
+
+TEST(ReadPoly, WhatOfAnObjIsPassedOverIsCounted) {
+  const auto import = read_poly(
+      "mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\ns off\nl 1 2\nl 2 3\ncurv 0 1\nf 1 2 3\nvt 0 0\n", "test",
+      PolyFormat::obj);
+  ASSERT_TRUE(import) << import.error().message();
+  EXPECT_EQ(import->report.notes, (std::vector<std::string>{"1 statement \"curv\"", "2 statements \"l\""}));
 }
 
 TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
@@ -124,8 +144,6 @@ TEST(ReadPoly, DamageIsNamedByLine) {
       {PolyFormat::obj, "", "test: end of file: found no vertices, expected lines \"v x y z\""},
       {PolyFormat::obj, "v 0 0\n", "test: line 1: found 2 numbers, expected x, y and z"},
       {PolyFormat::obj, "v 0 0 inf\n", "test: line 1: found \"inf\", expected a number"},
-      {PolyFormat::obj, "v 0 0 0\nl 1 1\n",
-       "test: line 2: found \"l\", expected faces only: lines and points cannot occlude"},
       {PolyFormat::obj, "v 0 0 0\nf 1 1\n", "test: line 2: found 2 vertices, expected 3 or more"},
       {PolyFormat::obj, "v 0 0 0\nf 1 0 1\n",
        "test: line 2: found \"0\", expected a vertex 1..1 or the same from behind, -1..-1"},
@@ -179,7 +197,9 @@ TEST(PolyFormats, AreKnownByTheEndOfTheName) {
   EXPECT_EQ(poly_format_of("b.obj"), PolyFormat::obj);
   EXPECT_EQ(poly_format_of("b.json"), PolyFormat::json);
   EXPECT_EQ(poly_format_of("off"), std::nullopt);
-  EXPECT_EQ(poly_format_of("b.ply"), std::nullopt);
+  EXPECT_EQ(poly_format_of("b.Ply"), PolyFormat::ply);
+  EXPECT_EQ(poly_format_of("b.stl"), PolyFormat::stl);
+  EXPECT_EQ(poly_format_of("b.step"), std::nullopt);
 }
 
 }  // namespace

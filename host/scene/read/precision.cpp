@@ -1,0 +1,71 @@
+// See precision.hpp.
+#include "host/scene/read/precision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline::scene {
+namespace {
+
+double largest_of(std::span<const std::array<double, 3>> vertices) {
+  double largest = 0;
+  for (const auto& vertex : vertices)
+    for (const double c : vertex) largest = std::max(largest, std::abs(c));
+  return largest;
+}
+
+double spacing_at(double largest, int mantissa_bits) {
+  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - mantissa_bits) : 0;
+}
+
+}  // namespace
+
+double float32_precision(std::span<const std::array<double, 3>> vertices) {
+  return spacing_at(largest_of(vertices), 23);
+}
+
+double float64_precision(std::span<const std::array<double, 3>> vertices) {
+  return spacing_at(largest_of(vertices), 52);
+}
+
+void TextPrecision::add(std::string_view written, double value) {
+  if (value == 0) return;
+  int decimals = 0;
+  int digits = 0;
+  int exponent = 0;
+  bool point = false;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const char c = written[i];
+    if (c >= '0' && c <= '9') {
+      if (digits > 0 || c != '0') ++digits;
+      if (point) ++decimals;
+    } else if (c == '.') {
+      point = true;
+    } else if (c == 'e' || c == 'E') {
+      const bool minus = i + 1 < written.size() && written[i + 1] == '-';
+      for (const char d : written.substr(i + 1))
+        if (d >= '0' && d <= '9' && exponent < 10'000) exponent = 10 * exponent + (d - '0');
+      if (minus) exponent = -exponent;
+      break;
+    }
+  }
+  Seen& seen = seen_[static_cast<std::size_t>(std::ilogb(value) - lowest)];
+  seen.last_decimal = std::min(seen.last_decimal, std::max(exponent - decimals, -400));
+  seen.digits = std::max(seen.digits, digits);
+}
+
+double TextPrecision::result(std::span<const std::array<double, 3>> vertices) const {
+  const double largest = largest_of(vertices);
+  if (largest == 0) return 0;
+  Seen all;
+  for (std::size_t e = 0; e < seen_.size(); ++e) {
+    if (std::ldexp(1.0, static_cast<int>(e) + lowest + 1) <= largest / 10) continue;
+    all.last_decimal = std::min(all.last_decimal, seen_[e].last_decimal);
+    all.digits = std::max(all.digits, seen_[e].digits);
+  }
+  if (all.last_decimal == 0) return 0;
+  constexpr int most_of_float32 = 9;
+  return std::max(std::pow(10.0, all.last_decimal), spacing_at(largest, all.digits <= most_of_float32 ? 23 : 52));
+}
+
+}  // namespace sightline::scene

@@ -1,0 +1,37 @@
+// How exactly a file says where its vertices are: PolyMesh::precision.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace sightline::scene {
+
+// The distance of neighbouring numbers of the type at the largest coordinate; 0 without coordinates.
+[[nodiscard]] double float32_precision(std::span<const std::array<double, 3>> vertices);
+[[nodiscard]] double float64_precision(std::span<const std::array<double, 3>> vertices);
+
+// Of coordinates written as decimal numbers: the finest last decimal among those that are at least about a tenth
+// of the largest one, as smaller ones are often written with more decimals than the others have. If none of
+// these has more than 9 digits they may have been float32, and count as no finer than that. Whole numbers are
+// exact.
+class TextPrecision {
+ public:
+  // A coordinate as written, and its value.
+  void add(std::string_view written, double value);
+  // 0: all are whole numbers, or there are none.
+  [[nodiscard]] double result(std::span<const std::array<double, 3>> vertices) const;
+
+ private:
+  struct Seen {
+    int last_decimal = 0;  // the last digit stands for 10 to this power; at most 0
+    int digits = 0;        // most significant digits of one number
+  };
+  static constexpr int lowest = -1100;
+  static constexpr int highest = 1100;
+  std::vector<Seen> seen_ = std::vector<Seen>(highest - lowest);  // by binary exponent of the value
+};
+
+}  // namespace sightline::scene

@@ -1,0 +1,22 @@
+// STL, the triangles of 3-D printers: text or binary.
+//
+// Which of the two a file is, is told by its length, as the header of a binary file may begin with "solid", too.
+// Read are the vertices, one for each point, and which solid of a text they are of; the normals, the name in a
+// binary header and the two bytes after each triangle are passed over. z is upwards.
+// Source: 3D Systems, StereoLithography Interface Specification (1989).
+#pragma once
+
+#include <string_view>
+
+#include "host/base/result.hpp"
+#include "host/scene/read/poly_import.hpp"
+
+namespace sightline::scene {
+
+// Whether the length is that of as many triangles as the header says.
+[[nodiscard]] bool is_binary_stl(std::string_view bytes);
+
+// Errors have a line and column, or a byte.
+[[nodiscard]] base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source);
+
+}  // namespace sightline::scene

@@ -1,0 +1,116 @@
+// Files made by hand after Turk's description, in all encodings, and each kind of damage.
+#include "host/scene/read/ply.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sightline::scene {
+namespace {
+
+class Bytes {
+ public:
+  explicit Bytes(bool big) : big_(big) {}
+
+  Bytes& put(std::uint64_t word, int size) {
+    for (int i = 0; i < size; ++i) text_ += static_cast<char>(word >> (8 * (big_ ? size - 1 - i : i)));
+    return *this;
+  }
+  Bytes& real(double value) { return put(std::bit_cast<std::uint64_t>(value), 8); }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  bool big_;
+  std::string text_;
+};
+
+std::string header(const std::string& format, const std::string& vertices = "3", const std::string& faces = "1") {
+  return "ply\r\nformat " + format + " 1.0\r\ncomment made by hand\r\nelement vertex " + vertices +
+         "\r\nproperty double x\r\nproperty uchar confidence\r\nproperty double y\r\nproperty double z\r\n"
+         "element face " + faces + "\r\nproperty list uchar short vertex_indices\r\nend_header\r\n";
+}
+
+std::string binary_triangle(bool big) {
+  Bytes bytes(big);
+  bytes.real(0).put(9, 1).real(0).real(0.25);
+  bytes.real(3).put(9, 1).real(0).real(0);
+  bytes.real(0).put(9, 1).real(-3).real(0);
+  bytes.put(3, 1).put(2, 2).put(1, 2).put(0, 2);
+  return bytes.text();
+}
+
+std::string ply_error(const std::string& bytes) {
+  const auto mesh = read_ply(bytes, "a.ply");
+  return mesh ? "" : mesh.error().message();
+}
+
+TEST(Ply, AllEncodingsAreTheSameMesh) {
+  const std::string text = header("ascii") + "0 9 0 0.25\n3 9 0 0\n0 9 -3 0\n3 2 1 0";
+  for (const std::string& bytes : {text, header("binary_little_endian") + binary_triangle(false),
+                                   header("binary_big_endian") + binary_triangle(true)}) {
+    const auto mesh = read_ply(bytes, "a.ply");
+    ASSERT_TRUE(mesh) << mesh.error().message();
+    ASSERT_EQ(mesh->vertices.size(), 3U);
+    EXPECT_EQ(mesh->vertices[0], (std::array<double, 3>{0, 0, 0.25}));
+    EXPECT_EQ(mesh->vertices[2], (std::array<double, 3>{0, -3, 0}));
+    EXPECT_EQ(mesh->bodies[0].faces[0].outline, (std::vector<VertexIndex>{2, 1, 0}));
+    EXPECT_TRUE(mesh->notes.empty());
+  }
+}
+
+TEST(Ply, ColoursAreMaterialsAndOtherElementsAreNamed) {
+  const auto mesh = read_ply(
+      "ply\nformat ascii 1.0\nelement camera 1\nproperty float view\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty list uchar int vertex_index\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nproperty list uchar float weights\nend_header\n7\n0 0 0\n1 0 0\n0 1 0\n0 0 1.5\n"
+      "3 0 1 2 255 0 0 0\n3 0 2 3 255 0 1 2 0.5 nan\n3 0 1 3 255 0 0 0\n",
+      "a.ply");
+  ASSERT_TRUE(mesh) << mesh.error().message();
+  EXPECT_EQ(mesh->materials, (std::vector<std::uint32_t>{0, 1, 0}));
+  EXPECT_EQ(mesh->notes, (std::vector<std::string>{"1 of the element \"camera\""}));
+  EXPECT_EQ(mesh->precision, 0.1);
+}
+
+TEST(Ply, EachKindOfDamageIsNamed) {
+  const std::string rows = "0 9 0 0\n3 9 0 0\n0 9 -3 0\n";
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\n"), "a.ply: line 3: found no end of the header, expected \"end_header\"");
+  EXPECT_EQ(ply_error("ply\nformat ascii 2.0\nend_header\n").substr(0, 37), "a.ply: line 2: found another format, ");
+  EXPECT_EQ(ply_error("ply\nelement vertex -3\n").substr(0, 26), "a.ply: line 2: found \"-3\",");
+  EXPECT_NE(ply_error(header("ascii", "3000000")).find("found 3000000 of the element \"vertex\""), std::string::npos);
+  EXPECT_EQ(ply_error(header("ascii") + rows), "a.ply: line 15: found the end of the file, expected a whole number");
+  EXPECT_EQ(ply_error(header("ascii") + rows + "3 0 1 1000000000"), "a.ply: line 15: found vertex 1000000000, expected 0 to 2");
+  EXPECT_EQ(ply_error(header("ascii") + rows + "3 0 1 -1"), "a.ply: line 15: found vertex -1, expected 0 to 2");
+  EXPECT_EQ(ply_error(header("ascii") + rows + "-3 0 1 2").substr(0, 41), "a.ply: line 15: found a list of -3, expec");
+  EXPECT_EQ(ply_error(header("ascii") + rows + "1e300 0 1 2").substr(0, 32), "a.ply: line 15: found a list of ");
+  EXPECT_EQ(ply_error(header("ascii") + rows + "2 0 1"), "a.ply: line 15: found face 0 of 2 vertices, expected 3 or more");
+  EXPECT_EQ(ply_error(header("ascii") + "0 9 0 0\n3 9 inf 0\n0 9 -3 0\n3 2 1 0"), "a.ply: line 13: found \"inf\", expected a number");
+  const std::string body = binary_triangle(false);
+  const std::size_t begins = header("binary_little_endian").size();
+  for (std::size_t length = 0; length < body.size(); ++length) {
+    const std::string error = ply_error(header("binary_little_endian") + body.substr(0, length));
+    EXPECT_NE(error, "") << length;
+  }
+  std::string damaged = body;
+  damaged.replace(0, 8, Bytes(false).put(0x7ff0000000000000U, 8).text());
+  EXPECT_EQ(ply_error(header("binary_little_endian") + damaged),
+            "a.ply: byte " + std::to_string(begins) + ": found a value that is no finite number, expected a number");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"),
+            "a.ply: the header: found no element face, expected vertices and faces; a cloud of points has no surface: make a mesh of it first");
+  EXPECT_NE(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n").find("no property z"),
+            std::string::npos);
+  EXPECT_NE(ply_error("ply\nformat ascii 1.0\nelement face 1\nproperty float list\nend_header\n0\n").find("vertex_indices"), std::string::npos);
+}
+
+TEST(Ply, FacesBeforeVertices) {
+  const std::string faces_first =
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n";
+  EXPECT_EQ(ply_error(faces_first + "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n"), "");
+  EXPECT_EQ(ply_error(faces_first + "3 0 1 3\n0 0 0\n1 0 0\n0 1 0\n"), "a.ply: found vertex 3, expected one below 3");
+}
+
+}  // namespace
+}  // namespace sightline::scene

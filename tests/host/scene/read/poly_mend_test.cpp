@@ -1,0 +1,207 @@
+// Each kind of damage that is mended, on meshes whose right form is known by hand.
+#include "host/scene/read/poly_mend.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/poly_import.hpp"
+
+namespace sightline::scene {
+namespace {
+
+using Faces = std::vector<std::vector<VertexIndex>>;
+
+PolyMesh mesh_of(const std::vector<std::array<double, 3>>& vertices, const Faces& faces) {
+  PolyMesh mesh;
+  mesh.source = "m";
+  mesh.vertices = vertices;
+  mesh.bodies.emplace_back();
+  for (const auto& face : faces) mesh.bodies[0].faces.push_back({face, {}});
+  return mesh;
+}
+
+const std::vector<std::array<double, 3>> cube_corners{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0},
+                                                      {0, 0, 8}, {8, 0, 8}, {8, 8, 8}, {0, 8, 8}};
+// Counterclockwise from outside.
+const Faces cube_faces{{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+PolyImport mended(PolyMesh mesh, double weld = 0) {
+  auto result = import_poly(std::move(mesh), {.mend = true, .weld = weld});
+  EXPECT_TRUE(result) << result.error().message();
+  if (!result) return {};
+  EXPECT_EQ(check_poly_scene(result->scene).size(), 0U);
+  return std::move(*result);
+}
+
+std::vector<std::array<double, 3>> moved(std::vector<std::array<double, 3>> points, double scale, double shift) {
+  for (auto& point : points)
+    for (double& c : point) c = scale * c + shift;
+  return points;
+}
+
+TEST(PolyMend, WhatIsInOrderIsNotTouched) {
+  const PolyImport cube = mended(mesh_of(cube_corners, cube_faces));
+  const MendReport& report = cube.report.faces;
+  EXPECT_EQ(report.merged_vertices + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
+                report.split_faces + report.turned_faces + report.sheets + report.crowded_edges + report.crossing_faces,
+            0U);
+  ASSERT_EQ(cube.scene.bodies.size(), 1U);
+  EXPECT_FALSE(cube.scene.bodies[0].sheet);
+  EXPECT_EQ(cube.scene.surfaces.size(), 6U);
+}
+
+TEST(PolyMend, FacesTurnedTheWrongWay) {
+  Faces faces = cube_faces;
+  std::reverse(faces[1].begin(), faces[1].end());
+  std::reverse(faces[4].begin(), faces[4].end());
+  EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 2U);
+  for (std::size_t f : {0U, 2U, 3U, 5U}) std::reverse(faces[f].begin(), faces[f].end());  // all are inside out now
+  EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 6U);
+}
+
+TEST(PolyMend, ShellsWithinEachOtherTakeTurns) {
+  // Three cubes around each other, all written outside out: solid, cavity, solid.
+  std::vector<std::array<double, 3>> points;
+  Faces faces;
+  for (const double scale : {8.0, 4.0, 1.0}) {
+    const auto first = static_cast<VertexIndex>(points.size());
+    for (const auto& p : moved(cube_corners, scale, -4 * scale)) points.push_back(p);
+    for (auto face : cube_faces) {
+      for (VertexIndex& v : face) v += first;
+      faces.push_back(face);
+    }
+  }
+  const PolyImport nested = mended(mesh_of(points, faces));
+  EXPECT_EQ(nested.report.faces.turned_faces, 6U);
+  ASSERT_EQ(nested.scene.bodies.size(), 2U);
+  EXPECT_EQ(nested.scene.bodies[0].faces.size(), 12U);  // with its cavity
+  EXPECT_EQ(nested.scene.bodies[1].faces.size(), 6U);
+}
+
+TEST(PolyMend, AnOpenPartIsASheetAndAMoebiusBandHasOneSide) {
+  Faces open = cube_faces;
+  open.pop_back();
+  const PolyImport box = mended(mesh_of(cube_corners, open));
+  EXPECT_TRUE(box.scene.bodies.at(0).sheet);
+  EXPECT_EQ(box.report.faces.sheets, 1U);
+  EXPECT_EQ(box.report.faces.one_sided, 0U);
+  // Five triangles around, the smallest band of one side.
+  const std::vector<std::array<double, 3>> points{{90, 0, 5}, {28, 85, -20}, {-73, 53, 30}, {-73, -53, -7}, {28, -86, 11}};
+  EXPECT_EQ(mended(mesh_of(points, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})).report.faces.one_sided, 1U);
+}
+
+TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
+  // Every face with corners of its own, as STL has them.
+  std::vector<std::array<double, 3>> points;
+  Faces faces;
+  for (const auto& face : cube_faces) {
+    faces.emplace_back();
+    for (const VertexIndex v : face) {
+      faces.back().push_back(static_cast<VertexIndex>(points.size()));
+      points.push_back(cube_corners[v]);
+    }
+  }
+  const PolyImport joined = mended(mesh_of(points, faces));
+  EXPECT_EQ(joined.report.faces.merged_vertices, 16U);
+  EXPECT_FALSE(joined.scene.bodies.at(0).sheet);
+  // Corners that do not meet quite: apart as they are, one with a distance.
+  for (std::size_t i = 0; i < points.size(); ++i) points[i][i % 3] += 0.01 * static_cast<double>(i / 4 % 3);
+  EXPECT_GT(mended(mesh_of(points, faces)).report.faces.sheets, 0U);
+  const PolyImport welded = mended(mesh_of(points, faces), 0.1);
+  EXPECT_EQ(welded.scene.vertices.size(), 8U);
+  EXPECT_EQ(welded.report.faces.sheets, 0U);
+}
+
+TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
+  Faces faces = cube_faces;
+  faces.push_back({1, 0, 3, 2});     // the first again, from another corner
+  faces.push_back({0, 1, 0});        // no area
+  faces.push_back({0, 6, 3, 5});     // crosses itself, and is in no plane
+  const PolyImport result = mended(mesh_of(cube_corners, faces));
+  EXPECT_EQ(result.report.faces.duplicate_faces, 1U);
+  EXPECT_EQ(result.report.faces.dropped_faces, 1U);
+}
+
+TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
+  // A tetrahedron, one edge of which has a vertex in its middle on one side only, and a triangle that fills the gap.
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}};
+  const Faces faces{{0, 2, 4}, {0, 4, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {1, 4, 2}};
+  const PolyImport result = mended(mesh_of(points, faces));
+  ASSERT_EQ(result.scene.bodies.size(), 1U);
+  EXPECT_FALSE(result.scene.bodies[0].sheet);
+  EXPECT_EQ(result.report.faces.dropped_faces, 1U);
+  EXPECT_EQ(result.scene.bodies[0].faces.size(), 5U);
+}
+
+TEST(PolyMend, FacesThatAreNotPlanarBecomeTriangles) {
+  std::vector<std::array<double, 3>> points = cube_corners;
+  points[6] = {8, 8, 10};
+  const PolyImport result = mended(mesh_of(points, cube_faces));
+  EXPECT_EQ(result.report.faces.split_faces, 1U);  // the top; the sides keep their planes
+  EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
+  EXPECT_GT(result.report.faces.largest_deviation, 0.4);
+  EXPECT_LT(result.report.faces.largest_deviation, 2.0);
+}
+
+// Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)
+TEST(PolyMend, SoupsAreInOrderAfterwards) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    const int size = 1 + static_cast<int>(random() % 9);
+    std::vector<std::array<double, 3>> points(4 + random() % 12);
+    for (auto& point : points)
+      for (double& c : point) c = static_cast<double>(random() % static_cast<unsigned>(2 * size + 1));
+    Faces faces(1 + random() % 30);
+    for (auto& face : faces) {
+      face.resize(3 + random() % 3);
+      for (VertexIndex& v : face) v = static_cast<VertexIndex>(random() % points.size());
+    }
+    const auto result = import_poly(mesh_of(points, faces), {.mend = true});
+    if (!result) continue;
+    const auto errors = check_poly_scene(result->scene);
+    EXPECT_TRUE(errors.empty()) << round << ": " << errors[0].message();
+  }
+}
+
+// The order of vertices and faces in the file changes nothing of the shape.
+TEST(PolyMend, WeldingDoesNotDependOnTheOrder) {
+  std::mt19937 random(11);
+  std::vector<std::array<double, 3>> points;
+  for (int i = 0; i < 60; ++i) {
+    std::array<double, 3> point{};
+    for (double& c : point) c = static_cast<double>(random() % 1000) / 37.0;
+    points.push_back(point);
+  }
+  Faces faces;
+  for (VertexIndex v = 0; v + 2 < points.size(); v += 3) faces.push_back({v, v + 1, v + 2});
+  const auto shape = [&](const std::vector<std::size_t>& order) {
+    std::vector<std::array<double, 3>> shuffled;
+    std::vector<VertexIndex> place(points.size());
+    for (const std::size_t v : order) {
+      place[v] = static_cast<VertexIndex>(shuffled.size());
+      shuffled.push_back(points[v]);
+    }
+    Faces renamed = faces;
+    for (auto& face : renamed)
+      for (VertexIndex& v : face) v = place[v];
+    std::vector<PolyPoint> all = mended(mesh_of(shuffled, renamed), 3).scene.vertices;
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t v = 0; v < order.size(); ++v) order[v] = v;
+  const auto first = shape(order);
+  EXPECT_LT(first.size(), points.size());
+  for (int round = 0; round < 10; ++round) {
+    std::shuffle(order.begin(), order.end(), random);
+    EXPECT_EQ(shape(order), first);
+  }
+}
+
+}  // namespace
+}  // namespace sightline::scene
