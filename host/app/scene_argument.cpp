@@ -113,9 +113,12 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   say(faces.dropped_faces, "face without area left out", "faces without area left out");
   say(faces.duplicate_faces, "face left out that was there twice", "faces left out that were there twice");
   if (faces.split_faces > 0) {
-    said.push_back(fmt::format("{} {} became triangles, the farthest vertex {:.3g} off its plane", faces.split_faces,
-                               faces.split_faces == 1 ? "face that is not planar" : "faces that are not planar",
-                               faces.largest_deviation));
+    const bool flat = faces.largest_deviation == 0;
+    said.push_back(fmt::format("{} {} became triangles", faces.split_faces,
+                               faces.split_faces == 1 ? flat ? "face whose outline touches itself" : "face that is not planar"
+                               : flat                 ? "faces whose outlines touch themselves"
+                                                      : "faces that are not planar"));
+    if (!flat) said.back() += fmt::format(", the farthest vertex {:.3g} off its plane", faces.largest_deviation);
   }
   say(faces.turned_faces, "face turned the right side out", "faces turned the right side out");
   say(faces.one_sided, "part has but one side", "parts have but one side");

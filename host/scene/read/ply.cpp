@@ -210,7 +210,7 @@ class PlyReader {
       } else if (fields[0] == "property") {
         read_property(fields);
       } else {
-        fail_at_line("found " + quoted_excerpt(fields[0]), "format, element, property, comment or end_header");
+        mesh_.notes.push_back("line " + std::to_string(line_) + " of the header, " + quoted_excerpt(fields[0]));
       }
     }
     if (!error_ && !format) fail_at_line("found no format", "\"format ascii 1.0\", binary_little_endian or binary_big_endian");
@@ -263,6 +263,13 @@ class PlyReader {
 
   void read_body() {
     PlyValues values(bytes_.substr(at_), at_, line_ + 1, encoding_, source_);
+    for (const std::string_view needed : {"vertex", "face"}) {
+      const auto has_name = [needed](const PlyElement& element) { return element.name == needed; };
+      if (std::any_of(elements_.begin(), elements_.end(), has_name)) continue;
+      error_ = base::Error{source_, "the header", "found no element " + std::string(needed), "vertices and faces",
+                           needed == "face" ? "a cloud of points has no surface: make a mesh of it first" : ""};
+      return;
+    }
     bool vertices = false;
     bool faces = false;
     for (const PlyElement& element : elements_) {
@@ -285,11 +292,6 @@ class PlyReader {
           for (const PlyProperty& property : element.properties) pass_over(property, values);
       }
       if (error_) return;
-    }
-    if (!vertices || !faces) {
-      error_ = base::Error{source_, "the header", "found no element " + std::string(vertices ? "face" : "vertex"), "vertices and faces",
-                           vertices ? "a cloud of points has no surface: make a mesh of it first" : ""};
-      return;
     }
     // Faces may come before the vertices.
     for (const PolyFace& face : mesh_.bodies[0].faces)

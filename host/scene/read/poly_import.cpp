@@ -79,6 +79,10 @@ class Import {
     faces().largest_deviation *= report().step;
     report().mended = true;
     if (mended.empty()) {
+      if (file.size() == 0) {
+        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points and lines hide nothing"};
+        return;
+      }
       error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
                            "a mesh", "--strict names what is wrong with each"};
       return;

@@ -1,0 +1,191 @@
+// Feature edges of solids that are turned together with the camera: the same edges of the file, whatever the
+// rounding does to them; and what of them is seen, by `exact` and by the oracle.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/exact/edge_mesh.hpp"
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/picture/edge_choice.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/read/poly_import.hpp"
+#include "tests/support/dice.hpp"
+
+namespace sightline::algorithms {
+namespace {
+
+using Point = std::array<double, 3>;
+using Matrix = std::array<Point, 3>;
+using Dice = guests::jones::Dice;
+
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Point unit(const Point& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+Point turned(const Matrix& m, const Point& p) {
+  return {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
+}
+
+Point random_direction(Dice& dice) {
+  while (true) {
+    const Point p{dice(-1000, 1000) / 1000.0, dice(-1000, 1000) / 1000.0, dice(-1000, 1000) / 1000.0};
+    if (dot(p, p) > 0.01 && dot(p, p) < 1) return unit(p);
+  }
+}
+
+Matrix random_turn(Dice& dice) {
+  const Point a = random_direction(dice);
+  while (true) {
+    const Point b = random_direction(dice);
+    if (std::abs(dot(a, b)) > 0.9) continue;
+    const Point c = unit(cross(a, b));
+    return {a, c, cross(a, c)};
+  }
+}
+
+struct Solid {
+  std::vector<Point> vertices;
+  std::vector<std::vector<scene::VertexIndex>> faces;
+};
+
+// A prism over a polygon around the origin, its sides divided into triangles: the bends between them are those of
+// the polygon, and the diagonals are flat.
+void add_prism(Solid& solid, Dice& dice, const Point& at) {
+  const int sides = dice(3, 9);
+  const auto first = static_cast<scene::VertexIndex>(solid.vertices.size());
+  const double height = dice(20, 60) / 10.0;
+  std::vector<double> angles;
+  for (int i = 0; i < sides; ++i) angles.push_back((i + dice(-30, 30) / 100.0) * 2 * std::numbers::pi / sides);
+  for (int level = 0; level < 2; ++level)
+    for (const double angle : angles)
+      solid.vertices.push_back({at[0] + 3 * std::cos(angle), at[1] + 3 * std::sin(angle), at[2] + level * height});
+  const auto n = static_cast<scene::VertexIndex>(sides);
+  for (scene::VertexIndex i = 0; i < n; ++i) {
+    const scene::VertexIndex j = (i + 1) % n;
+    solid.faces.push_back({first + i, first + j, first + n + j});
+    solid.faces.push_back({first + i, first + n + j, first + n + i});
+  }
+  for (scene::VertexIndex i = 1; i + 1 < n; ++i) {
+    solid.faces.push_back({first, first + i + 1, first + i});
+    solid.faces.push_back({first + n, first + n + i, first + n + i + 1});
+  }
+}
+
+scene::PolyScene scene_of(const Solid& solid, const Matrix& turn, const Point& shift) {
+  scene::PolyMesh mesh;
+  mesh.bodies.emplace_back();
+  for (const auto& face : solid.faces) mesh.bodies[0].faces.push_back({face, {}});
+  for (const Point& p : solid.vertices) {
+    Point q = turned(turn, p);
+    for (std::size_t a = 0; a < 3; ++a) q[a] = static_cast<float>(q[a] + shift[a]);
+    mesh.vertices.push_back(q);
+  }
+  mesh.precision = 0x1p-19;  // float32 from 16 to 32
+  auto import = scene::import_poly(std::move(mesh), {.mend = true});
+  EXPECT_TRUE(import);
+  if (!import) return {};
+  EXPECT_EQ(import->report.faces.merged_vertices + import->report.faces.dropped_faces, 0U);
+  return std::move(import->scene);
+}
+
+// No face is nearly edge-on, nor any bend near 30 degrees: there the rounding of the camera decides.
+bool is_decided(const Solid& solid, const Point& direction) {
+  std::vector<Point> normals;
+  for (const auto& face : solid.faces) {
+    const Point& a = solid.vertices[face[0]];
+    const Point& b = solid.vertices[face[1]];
+    const Point& c = solid.vertices[face[2]];
+    normals.push_back(unit(cross({b[0] - a[0], b[1] - a[1], b[2] - a[2]}, {c[0] - a[0], c[1] - a[1], c[2] - a[2]})));
+  }
+  for (const Point& n : normals)
+    if (std::abs(dot(n, unit(direction))) < 0.02) return false;
+  for (const Point& n : normals)
+    for (const Point& m : normals)
+      if (std::abs(std::acos(std::min(1.0, dot(n, m))) * 180 / std::numbers::pi - 30) < 0.1) return false;
+  return true;
+}
+
+using Edges = std::set<std::pair<picture::LineEdge, picture::EdgeKind>>;
+
+Edges edges_of(const picture::ChosenEdges& chosen) {
+  Edges edges;
+  for (std::size_t e = 0; e < chosen.edges.size(); ++e) edges.emplace(chosen.edges[e], chosen.kinds[e]);
+  return edges;
+}
+
+TEST(FeatureEdges, OfTurnedSolidsAreTheSameEdgesOfTheFile) {
+  Dice dice(16);
+  int compared = 0;
+  std::size_t pieces = 0;
+  while (compared < 200) {
+    Solid solid;
+    add_prism(solid, dice, {0, 0, 0});
+    if (compared % 2 == 1) add_prism(solid, dice, {dice(70, 90) / 10.0, dice(-40, 40) / 10.0, dice(-20, 20) / 10.0});
+    const Point direction = random_direction(dice);
+    const Point up = random_direction(dice);
+    if (std::abs(dot(direction, up)) > 0.9 || !is_decided(solid, direction)) continue;
+    ++compared;
+    const Matrix turn = random_turn(dice);
+    const Point shift{dice(-500, 500) / 100.0, dice(-500, 500) / 100.0, dice(-500, 500) / 100.0};
+    const auto chosen_of = [&](const Matrix& matrix, const Point& by, bool compare_pieces) {
+      const scene::PolyScene scene = scene_of(solid, matrix, by);
+      const scene::PolyCamera camera =
+          scene::turned_camera({}, scene::bounds_of(scene).low, turned(matrix, direction), turned(matrix, up), false);
+      const picture::EdgeChooser chooser(scene, {});
+      picture::ChosenEdges chosen = chooser.at(camera);
+      if (compare_pieces) {
+        const exact::EdgeMesh mesh = exact::make_edge_mesh(scene);
+        const picture::LinePicture fast = exact::visible_edges(mesh, camera, &chosen);
+        EXPECT_TRUE(fast == oracle::visible_edges(scene, camera, chosen)) << compared;
+        pieces += fast.pieces.size();
+      }
+      return edges_of(chosen);
+    };
+    const Edges as_it_is = chosen_of({Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}, {0, 0, 0}, false);
+    EXPECT_EQ(as_it_is, chosen_of(turn, shift, true)) << compared;
+    // The diagonals of the sides are none.
+    for (const auto& [edge, kind] : as_it_is) EXPECT_NE(kind, picture::EdgeKind::flat);
+  }
+  EXPECT_GT(pieces, 200U * 9);
+}
+
+// In perspective, too, and with the eye near; the pictures need only agree.
+TEST(FeatureEdges, AreSeenAsTheOracleSeesThem) {
+  Dice dice(5);
+  int compared = 0;
+  for (int round = 0; compared < 60 && round < 400; ++round) {
+    Solid solid;
+    for (int i = 0; i < 3; ++i) add_prism(solid, dice, {6.5 * i, dice(-40, 40) / 10.0, dice(-20, 20) / 10.0});
+    const Matrix turn = random_turn(dice);
+    scene::PolyScene scene = scene_of(solid, turn, {0, 0, 0});
+    if (round % 3 == 0) {  // open: seen from both sides
+      for (scene::PolyBody& body : scene.bodies) body.sheet = true;
+    }
+    const Point direction = random_direction(dice);
+    scene::PolyCamera camera = scene::camera_outside({}, scene, direction, true);
+    if (scene::eye_error(scene, camera)) continue;
+    ++compared;
+    picture::EdgeChoice choice;
+    choice.crease = dice(0, 60);
+    const picture::ChosenEdges chosen = picture::EdgeChooser(scene, choice).at(camera);
+    const exact::EdgeMesh mesh = exact::make_edge_mesh(scene);
+    EXPECT_TRUE(exact::visible_edges(mesh, camera, &chosen) == oracle::visible_edges(scene, camera, chosen)) << round;
+  }
+  EXPECT_EQ(compared, 60);
+}
+
+}  // namespace
+}  // namespace sightline::algorithms
