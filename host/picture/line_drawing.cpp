@@ -291,7 +291,7 @@ VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyS
   if (edges != nullptr) {
     pen.dashes(hidden_strokes(*edges, seen, projection, window), static_cast<std::uint32_t>(drawing.layers.size()),
                field.dash);
-    drawing.layers.push_back({"hidden", {150, 150, 150}});
+    drawing.layers.push_back({std::string(dashed_layer), {150, 150, 150}});
   }
   return drawing;
 }

@@ -10,14 +10,11 @@
 #include <utility>
 
 #include "host/base/text.hpp"
-#include "host/picture/pen_path.hpp"
 #include "host/picture/svg.hpp"
 
 namespace sightline::picture {
 
 namespace {
-
-constexpr std::size_t most_pens = 8;
 
 // From the drawing to whole parts of a millimetre, from the paper's bottom left.
 class OnPaper {
@@ -109,27 +106,14 @@ std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::
   return DrawingSvg(drawing, paper, title).write();
 }
 
-std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper) {
-  const OnPaper place(drawing, paper, 1000.0 / static_cast<double>(hpgl_unit_micrometres));
-  std::string text = "IN;\n";
-  std::size_t held = 0;
-  for (std::uint32_t layer = 0; layer < drawing.layers.size(); ++layer)
-    for (const DrawingLine& line : drawing.lines) {
-      if (line.layer != layer || line.count == 0) continue;
-      const std::size_t pen = std::min<std::size_t>(layer + 1, most_pens);
-      if (pen != held) base::append(text, "SP{};\n", pen);
-      held = pen;
-      const DrawingPoint start = drawing.points[line.first];
-      base::append(text, "PU{},{};\nPD", place.x(start), place.y(start));
-      for (std::uint32_t i = 1; i < line.count; ++i) {
-        const DrawingPoint point = drawing.points[line.first + i];
-        if (i > 1) text += (i - 1) % hpgl_most_corners == 0 ? ";\nPD" : ",";
-        base::append(text, "{},{}", place.x(point), place.y(point));
-      }
-      text += ";\n";
-    }
-  text += "PU;\nSP0;\n";
-  return text;
+VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper) {
+  const double across = drawing.width / (paper.width - 2 * paper.margin);  // units of a millimetre
+  const double up = drawing.height / (paper.height - 2 * paper.margin);
+  for (DrawingPoint& p : drawing.points)
+    p = {static_cast<float>(p.x + paper.margin * across), static_cast<float>(p.y + paper.margin * up)};
+  drawing.width = paper.width * across;
+  drawing.height = paper.height * up;
+  return drawing;
 }
 
 namespace {

@@ -1,15 +1,15 @@
-// A drawing made of lines and filled facets at real coordinates, and the three files it can become: SVG in
-// millimetres with Inkscape layers, HP-GL with a pen a layer, and an image of any size.
+// A drawing made of lines and filled facets at real coordinates, and two of the files it can become: SVG in
+// millimetres with Inkscape layers, and an image of any size. plotter.hpp makes HP-GL of it.
 //
 // Coordinates run from (0, 0) at the bottom left to (width, height). Facets are painted first, each over
 // those before it; then the lines, which the facets do not cover: the caller has removed
-// what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG), a plotter unit (HP-GL)
-// or not at all (image: coverage by the distance of a pixel's middle from the line).
+// what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG) or not at all (image: coverage by the distance of a pixel's middle from the line).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/picture/image.hpp"
@@ -28,6 +28,9 @@ struct DrawingLayer {
   std::string label;
   Colour colour;
 };
+
+// The label of a layer of dashes, whose gaps mean something.
+inline constexpr std::string_view dashed_layer = "hidden";
 
 // `count` points from `first` on; a line of one point is a dot.
 struct DrawingLine {
@@ -68,10 +71,6 @@ struct Paper {
 // of no length. Facets are the layer "0 surface", lines the layers from 1 on.
 [[nodiscard]] std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::string& title);
 
-// Absolute plotter units of 0.025 mm; pen n draws layer n, the eighth all the others. Facets have no place on
-// a plotter and are left out.
-[[nodiscard]] std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper);
-
 // White paper, RGB. Lines have `pen` pixels of width with smooth edges; facets are sampled 3 x 3 in a pixel.
 struct ImageSize {
   int width = 1024;  // pixels, 1 .. 8192
@@ -79,6 +78,9 @@ struct ImageSize {
   double pen = 1.2;
 };
 [[nodiscard]] Image image_of(const VectorDrawing& drawing, const ImageSize& size);
+
+// The same drawing with the paper's margin around it, for an image of the whole sheet.
+[[nodiscard]] VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper);
 
 // Filled areas with holes as SVG in millimetres: what an algorithm gives that rebuilds the outlines of what
 // is seen of faces. Areas do not overlap (precondition), so that their order means nothing.

@@ -180,7 +180,7 @@ void check_view(const registry::LineAlgorithm& algorithm, const scene::LoadedSce
 picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format) {
   picture::DrawingField field;
   field.extent = arguments.field;
-  if (format == DrawingFormat::png) {
+  if (format == DrawingFormat::png && !arguments.output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
     field.width = arguments.output.image.width / pixels_per_unit;
     field.height = arguments.output.image.height / pixels_per_unit;
@@ -269,7 +269,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
 
 // part.svg becomes part-07.svg: as many digits as the last has.
 std::string numbered(const std::string& file, int number, int count) {
-  if (count == 1) return file;
+  if (count == 1 || file == "-") return file;
   const std::filesystem::path path(file);
   const std::string digits = std::to_string(count);
   return (path.parent_path() / fmt::format("{}-{:0{}}{}", path.stem().string(), number, digits.size(), path.extension().string()))
@@ -278,6 +278,8 @@ std::string numbered(const std::string& file, int number, int count) {
 
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
+  if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
+    throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file", arguments.json ? "--json" : "--turntable"));
   check_edges(arguments.edges);
   if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::svg ? "kind" : "none";
   arguments.mesh.eye = eye_of(arguments.camera);
@@ -308,8 +310,11 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     const DrawnView drawn = draw_view(*prepared, arguments, choice, source, camera.camera, field_of(arguments, format), drawing);
     DrawOutput output = arguments.output;
     output.file = numbered(arguments.output.file, i + 1, arguments.turntable);
-    write_drawing(drawing, output, format, source.name, file);
-    if (arguments.json) documents.push_back(summary_of(algorithm, output.file, source, camera, drawn));
+    const auto plot = write_drawing(drawing, output, format, source.name, file);
+    if (!arguments.json) continue;
+    Json document = summary_of(algorithm, output.file, source, camera, drawn);
+    if (plot) document["plot"] = *plot;
+    documents.push_back(std::move(document));
   }
   if (arguments.json) print_json(arguments.turntable == 1 ? documents[0] : documents);
   return ExitCode::ok;

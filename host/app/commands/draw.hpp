@@ -9,6 +9,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/app/camera_options.hpp"
 #include "host/app/command_line.hpp"
+#include "host/picture/plotter.hpp"
 #include "host/picture/vector_drawing.hpp"
 
 namespace sightline::app {
@@ -27,25 +28,38 @@ enum class DrawingFormat { svg, png, hpgl };
 struct DrawOutput {
   std::optional<Command> command;  // whose options these are
   std::string file;
-  picture::Paper paper;          // SVG and HP-GL
-  std::string size = "200x200";  // of the paper, millimetres
+  std::string format;            // empty: as the file's name says
+  picture::Paper paper;          // SVG and HP-GL, and an image with a size
+  std::string size = "200x200";  // of the paper: a name, or millimetres
+  bool landscape = false;
   std::string pixels = "1024x1024";
+  double dpi = 150;
   picture::ImageSize image;
+  bool as_found = false;  // not in the order of a pen
+  double min_gap = 0;
+  std::string device;
+  std::vector<int> pens;
+  std::optional<double> speed;
+  bool relative = false;
+  bool report = false;
+
+  [[nodiscard]] bool is_sheet() const;  // an image of a whole sheet of paper
+  [[nodiscard]] const picture::Plotter* plotter() const;
 };
 
-// --output, --size, --margin, --pen, --pixels.
+// --output, --format, of the paper, of the pen, of an image.
 void add_draw_output_options(const Command& command, DrawOutput& output);
 
 // Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, in small or capital letters. Failure
-// usage, also of a size that the format does not have.
+// usage, also of an option that the format does not have, or of paper that the plotter does not take.
 [[nodiscard]] DrawingFormat read_draw_output(DrawOutput& output);
 
 // Failure usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
-// Into output.file, opened before the drawing was made. It is there whole or not at all. Failure io. A
-// drawing of nothing is warned about.
-void write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
-                   const std::string& title, Output& file);
+// Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Failure
+// io. A drawing of nothing is warned about. Result: of what is drawn with a pen, how far that travels.
+std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
+                                        const std::string& title, Output& file);
 
 }  // namespace sightline::app

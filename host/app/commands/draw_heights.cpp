@@ -41,9 +41,10 @@ Family slices_named(const std::string& name) {
 }
 
 void print_drawing(const registry::HeightMethod& method, const DrawHeightsArguments& arguments,
-                   const SkalaFunction& function, const picture::VectorDrawing& drawing) {
+                   const SkalaFunction& function, const picture::VectorDrawing& drawing,
+                   const std::optional<base::Json>& plot) {
   using base::Json;
-  const Json document{{"schema", "sightline/draw/1"},
+  Json document{{"schema", "sightline/draw/1"},
                       {"algorithm", method.algorithm},
                       {"scene", function.name},
                       {"output", arguments.output.file},
@@ -53,6 +54,7 @@ void print_drawing(const registry::HeightMethod& method, const DrawHeightsArgume
                       {"rotation", arguments.view.rotation},
                       {"elevation", arguments.view.elevation},
                       {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
+  if (plot) document["plot"] = *plot;
   // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
   print_json(document);
 }
@@ -65,6 +67,7 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
   const DrawingFormat format = read_draw_output(arguments.output);
+  if (arguments.output.file == "-" && arguments.json) throw Failure(ExitCode::usage, "--output: found - with --json, expected a file");
   if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
     throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
   if (view.subject != Subject::contours) {
@@ -77,8 +80,8 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
   const registry::HeightPicture picture = method.draw(function.grid, view);
-  write_drawing(*picture.drawing, arguments.output, format, function.name, file);
-  if (arguments.json) print_drawing(method, arguments, function, *picture.drawing);
+  const auto plot = write_drawing(*picture.drawing, arguments.output, format, function.name, file);
+  if (arguments.json) print_drawing(method, arguments, function, *picture.drawing, plot);
   return ExitCode::ok;
 }
 

@@ -1,0 +1,57 @@
+// Plotters by name, and drawings in their language.
+//
+// A plotter draws within limits that are smaller than its paper. The drawing is placed so that the paper's middle is
+// the middle of the limits; what would lie beyond them is an error, never cut off or stretched.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/picture/pen_order.hpp"
+#include "host/picture/vector_drawing.hpp"
+
+namespace sightline::picture {
+
+inline constexpr int most_hpgl_pens = 8;
+
+struct PlotterPaperLimits {
+  std::string_view paper;
+  double width = 0;  // of the paper in mm, the longer side
+  double height = 0;
+  int x = 0;  // the farthest plotter units, from 0
+  int y = 0;
+};
+
+struct Plotter {
+  std::string_view name;
+  std::string_view description;
+  int pens = most_hpgl_pens;
+  PlotterSpeeds speeds;
+  std::array<PlotterPaperLimits, 4> papers;
+};
+
+// Limits: HP 7475A and 7550A Interfacing and Programming Manuals, tables of plotting areas.
+[[nodiscard]] std::span<const Plotter> plotters();
+[[nodiscard]] const Plotter* find_plotter(std::string_view name);
+
+struct HpglOptions {
+  const Plotter* plotter = nullptr;   // null: any, without limits
+  std::vector<int> pens = {};    // of the layers in their order; empty: 1, 2, 3 ...
+  std::optional<double> speed = {};   // cm/s of the lowered pen
+  bool relative = false;              // coordinates from point to point
+};
+
+// The margin of the paper, in mm, with which the plotter can draw to its edge; an error if it does not take that
+// paper.
+[[nodiscard]] base::Result<double> least_margin(const Plotter& plotter, const Paper& paper);
+
+// Plotter units of 0.025 mm, absolute unless asked otherwise. A pen draws each layer, the last one all layers beyond.
+// Facets have no place on a plotter and are left out. Of a plotter whose least_margin the paper has (precondition).
+[[nodiscard]] std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper, const HpglOptions& options = {});
+
+}  // namespace sightline::picture
