@@ -9,7 +9,7 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
   const Option kinds =
       command
           .option("--edges", arguments.kinds,
-                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases and borders of materials), or "
+                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of materials and lines in which bodies pass through each other), or "
                   "some of these kinds with commas between them")
           .default_value("feature")
           .value("KINDS")
@@ -28,15 +28,16 @@ void check_edges(const EdgeArguments& arguments) {
   if (!arguments.kinds.empty() && !picture::edge_choice_named(arguments.kinds)) {
     throw Failure(ExitCode::usage,
                   fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
-                              "boundary, crease, border",
+                              "boundary, crease, border, intersection",
                               arguments.kinds));
   }
   if (arguments.crease) require_finite("--crease", *arguments.crease);
 }
 
 std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments, const scene::PolyScene& scene) {
-  if (arguments.all || arguments.kinds == "all") return std::nullopt;
-  picture::EdgeChoice choice = *picture::edge_choice_named(arguments.kinds.empty() ? "feature" : arguments.kinds);
+  const bool all = arguments.all || arguments.kinds == "all";
+  if (all && scene.crossings.empty()) return std::nullopt;
+  picture::EdgeChoice choice = *picture::edge_choice_named(all ? "all" : arguments.kinds.empty() ? "feature" : arguments.kinds);
   choice.crease = arguments.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
   return choice;
 }

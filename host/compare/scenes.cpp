@@ -13,6 +13,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/lines.hpp"
 #include "host/guests/jones/session.hpp"
+#include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
@@ -43,6 +44,8 @@ ComparedPicture compared_by_image(const std::string& name, const std::vector<Ref
                   together.pieces(pieces));
 }
 
+constexpr const char* bodies_intersect = "bodies intersect";
+
 // Adds a picture for every algorithm of the table but the oracle's own.
 std::optional<base::Error> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
                                               const std::optional<ScreenFrame>& frame,
@@ -53,10 +56,15 @@ std::optional<base::Error> compare_algorithms(const scene::PolyScene& scene, con
   const picture::LinePicture truth = oracle::visible_edges(scene, camera);
   comparison.frame = frame ? *frame : fitted_frame(truth, scene, camera);
   const auto lines = reference_lines(truth, scene, camera, comparison.frame);
+  const bool crossing = !scene::crossings_of(scene, 1).empty();
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
     if (algorithm.name == "oracle") continue;
     const std::string name(algorithm.name);
     progress(name);
+    if (crossing && !algorithm.draws_crossings) {
+      comparison.not_applicable.emplace_back(name, bodies_intersect);
+      continue;
+    }
     if (const auto reason = algorithm.why_not(scene)) {
       comparison.not_applicable.emplace_back(name, *reason);
       continue;
@@ -84,8 +92,13 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
                    SceneComparison& comparison) {
   progress("oracle of sight lines");
   const auto truth = FaceTruth::of(scene, comparison.camera);
+  const bool crossing = !scene::crossings_of(scene, 1).empty();
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) {
     const std::string name(algorithm.name);
+    if (crossing) {
+      comparison.not_applicable.emplace_back(name, bodies_intersect);
+      continue;
+    }
     if (!truth) {
       comparison.not_applicable.emplace_back(name, truth.error().message());
       continue;

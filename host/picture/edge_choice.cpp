@@ -162,6 +162,20 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
       for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of_[use.face]);
     chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
   }
+  if (!choice_.kinds[number_of(EdgeKind::intersection)]) return chosen;
+  // Their vertices come after all others.
+  for (const scene::PolyCrossing& crossing : scene_.crossings) {
+    bool away = false;
+    for (const std::uint32_t face : {crossing.face_a, crossing.face_b}) {
+      const std::uint32_t surface = surface_of_[face];
+      away = away || (surfaces_[surface].solid && facing[surface] <= 0);
+      if (mesh) chosen.surfaces.push_back(surface);
+    }
+    chosen.edges.push_back({crossing.from, crossing.to});
+    chosen.kinds.push_back(EdgeKind::intersection);
+    chosen.turned_away.push_back(away ? 1 : 0);
+    chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
+  }
   return chosen;
 }
 

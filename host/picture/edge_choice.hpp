@@ -3,7 +3,7 @@
 // Two faces at an edge are in one plane if they are of one surface (PolyScene::surfaces), or, in a scene
 // without surfaces, if they are coplanar; an edge between them is never chosen unless all are. What faces the
 // eye is decided for a surface as a whole, by the sum of its faces' areas and a corner of its largest one;
-// edge-on counts as turned away. Angles are those between the surfaces' planes in the coordinates of the file.
+// edge-on counts as turned away; where faces cross, one that is turned away hides the line. Angles are those between the surfaces' planes in the coordinates of the file.
 #pragma once
 
 #include <array>
@@ -29,14 +29,15 @@ enum class EdgeKind : std::uint8_t {
   boundary,    // of one face
   crease,      // between two that bend by more than the angle
   border,      // between two materials
+  intersection,  // where two faces cross: PolyScene::crossings
   flat,        // the others: drawn only where all edges are
 };
-inline constexpr std::size_t edge_kind_count = 6;
+inline constexpr std::size_t edge_kind_count = 7;
 inline constexpr std::array<std::string_view, edge_kind_count> edge_kind_names{"silhouette", "junction", "boundary",
-                                                                              "crease",     "border",   "flat"};
+                                                                              "crease",     "border",   "intersection", "flat"};
 
 struct EdgeChoice {
-  std::array<bool, edge_kind_count> kinds{true, true, true, true, true, false};
+  std::array<bool, edge_kind_count> kinds{true, true, true, true, true, true, false};
   double crease = 30;  // degrees
 
   // Creases from nothing on, and what is flat, too.

@@ -100,6 +100,7 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
     }
   }
   number_edges(mesh);
+  for (const scene::PolyCrossing& crossing : scene.crossings) mesh.edges.push_back({crossing.from, crossing.to});
   return mesh;
 }
 

@@ -38,7 +38,7 @@ struct MeshFace {
 
 struct EdgeMesh {
   std::vector<Vector> vertices;
-  std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them
+  std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
 };

@@ -143,13 +143,13 @@ base::Result<PreparedScene> prepare_plantinga(const scene::PolyScene& scene) {
 
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
-                  prepare_exact},
+                  prepare_exact, false, nullptr, nullptr, true},
     LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
                   applies, prepare_jones, false, nullptr, prepare_jones_cells},
     LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
                   applies, prepare_montani_re, true},
     LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
-                  prepare_oracle},
+                  prepare_oracle, false, nullptr, nullptr, true},
     LineAlgorithm{"plantinga",
                   "One moment of a turn about the vertical, after Plantinga, Seales and Dyer (1990), exact",
                   algorithms::plantinga::why_not, prepare_plantinga, false,

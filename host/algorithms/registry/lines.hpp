@@ -66,6 +66,7 @@ struct LineAlgorithm {
   // `prepare` of a scene that already has cells; null if it does not use them. The complex is a
   // checked one (precondition).
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
+  bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings is drawn, too
 
   [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) const {

@@ -20,12 +20,33 @@ namespace {
 
 namespace plantinga = algorithms::plantinga;
 
-// Without perspective, turned about the y axis.
+// The fraction nearest to a number from 0 to 1 of those that its continued fraction has below 2^15: numerator and
+// denominator.
+std::array<std::int32_t, 2> fraction_near(double number) {
+  constexpr double limit = 32767;
+  std::array<double, 2> before{1, 0};  // whole, and the one before it
+  std::array<double, 2> last{0, 1};
+  double rest = number;
+  for (int i = 0; i < 64 && rest > 1e-12; ++i) {
+    const double part = std::floor(1 / rest);
+    rest = 1 / rest - part;
+    const std::array<double, 2> next{part * last[0] + before[0], part * last[1] + before[1]};
+    if (next[1] > limit) break;
+    before = last;
+    last = next;
+  }
+  return {static_cast<std::int32_t>(last[0]), static_cast<std::int32_t>(last[1])};
+}
+
+// Without perspective, turned about the y axis; the camera's numbers are below 2^15.
 scene::PolyCamera camera_at(double angle) {
-  constexpr double length = 30000;  // the camera's numbers are below 2^15
-  const auto sine = static_cast<std::int32_t>(std::lround(length * std::sin(angle)));
-  const auto cosine = static_cast<std::int32_t>(std::lround(length * std::cos(angle)));
-  return {false, {}, {sine, 0, cosine}, {cosine, 0, -sine}, {0, 1, 0}};
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const bool steep = std::abs(sine) > std::abs(cosine);
+  auto [small, large] = fraction_near(steep ? std::abs(cosine / sine) : std::abs(sine / cosine));
+  const std::int32_t x = (steep ? large : small) * (sine < 0 ? -1 : 1);
+  const std::int32_t z = (steep ? small : large) * (cosine < 0 ? -1 : 1);
+  return {false, {}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
 }
 
 std::optional<picture::EdgeChooser> chooser_of(const scene::PolyScene& scene, const TurnOptions& options) {

@@ -30,6 +30,7 @@
 #include "host/picture/line_picture_image.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -191,6 +192,21 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
   return field;
 }
 
+// Where bodies pass through each other: lines of their own, as far as they can be drawn; else a warning.
+void find_crossings(const registry::LineAlgorithm& algorithm, scene::LoadedScene& source) {
+  if (source.kind != scene::SceneKind::polyhedra) return;
+  if (!source.scene.surfaces.empty() && algorithm.draws_crossings) {
+    source.scene = scene::with_crossings(std::move(source.scene));
+    return;
+  }
+  const auto crossings = scene::crossings_of(source.scene, 1);
+  if (crossings.empty()) return;
+  warn(fmt::format("{}: bodies pass through each other, the first at faces {} and {} of the file; {}", source.name,
+                   crossings[0].face_a, crossings[0].face_b,
+                   algorithm.draws_crossings ? "the lines between them are drawn of a mesh only: `sightline scene convert` makes one of it"
+                                             : "`sightline draw exact` draws the lines between them"));
+}
+
 // One view as drawn.
 struct DrawnView {
   registry::LineView view;
@@ -283,7 +299,8 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   check_edges(arguments.edges);
   if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::svg ? "kind" : "none";
   arguments.mesh.eye = eye_of(arguments.camera);
-  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  find_crossings(algorithm, source);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments.field, aimed.camera);
   if (arguments.filled.fill) {

@@ -17,6 +17,7 @@
 #include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/scene/check/crossings.hpp"
 
 namespace sightline::app {
 namespace {
@@ -136,8 +137,9 @@ void spin(const SpinOptions& options) {
   check_edges(options.edges);
   const scene::LoadedScene source = load_scene(options.scene, options.mesh);
   const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
-  const scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
+  scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
   const registry::TurnMethod& method = method_of(options, scene);
+  if (method.name == "exact" && !scene.surfaces.empty()) scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
   if (method.name == "exact" && !options.events.empty())

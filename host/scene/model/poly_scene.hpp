@@ -61,6 +61,16 @@ struct PolySurface {
   friend bool operator==(const PolySurface&, const PolySurface&) = default;
 };
 
+// A line in which two faces cross, between two vertices that no face has.
+struct PolyCrossing {
+  VertexIndex from = 0;
+  VertexIndex to = 0;      // above from
+  std::uint32_t face_a = 0;  // counted over all bodies from 0
+  std::uint32_t face_b = 0;
+
+  friend bool operator==(const PolyCrossing&, const PolyCrossing&) = default;
+};
+
 struct PolyScene {
   std::string name;
   std::vector<PolyPoint> vertices;
@@ -68,11 +78,13 @@ struct PolyScene {
   PolyCamera camera;   // the default view
   double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
   PolyPoint origin{};  // added to a vertex before the multiplication by step
-  // Of a mesh; otherwise all three are empty. For each face, counted over all bodies from 0, the number of its
+  // Of a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the number of its
   // surface and that of its material (empty if all have the same).
   std::vector<PolySurface> surfaces = {};
   std::vector<std::uint32_t> surface_of = {};
   std::vector<std::uint32_t> material_of = {};
+  // Where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a checked scene.
+  std::vector<PolyCrossing> crossings = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
