@@ -1,4 +1,4 @@
-// Where bodies pass through each other, or through themselves: the lines in which the insides of two faces meet.
+// Where bodies pass through each other, or through themselves: the lines that two faces have in common within both.
 //
 // Two faces cross along a line if near every inner point of it each face lies on both sides of the other's plane.
 // So shared and touching vertices and edges are no crossings, nor are faces in one plane, nor an edge that lies on a
