@@ -114,7 +114,7 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
 
 ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArguments& arguments,
                      const FilledPicture& picture, DrawingFormat format) {
-  if (format == DrawingFormat::hpgl)
+  if (format != DrawingFormat::svg && format != DrawingFormat::png)
     throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
   if (format == DrawingFormat::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
@@ -297,7 +297,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
     throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file", arguments.json ? "--json" : "--turntable"));
   check_edges(arguments.edges);
-  if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::svg ? "kind" : "none";
+  if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
   arguments.mesh.eye = eye_of(arguments.camera);
   scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
   find_crossings(algorithm, source);
@@ -355,7 +355,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   command
       .option("--layers", arguments->layers, "A layer for each kind of edge, or one layer")
       .one_of({"kind", "none"})
-      .default_value("kind for .svg, else none")
+      .default_value("kind for .svg, .pdf and .dxf, else none")
       .group("Edges");
   add_mesh_options(command, arguments->mesh);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {

@@ -68,8 +68,8 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   view.rims = !arguments.no_rims;
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && arguments.json) throw Failure(ExitCode::usage, "--output: found - with --json, expected a file");
-  if (format == DrawingFormat::hpgl && view.subject == Subject::surface)
-    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg or .png");
+  if ((format == DrawingFormat::hpgl || format == DrawingFormat::dxf) && view.subject == Subject::surface)
+    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
   if (view.subject != Subject::contours) {
     refuse_option(arguments.output, "--levels", "--picture contours");
     refuse_option(arguments.output, "--net", "--picture contours");

@@ -13,6 +13,8 @@
 #include "host/app/commands/draw.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
+#include "host/picture/dxf.hpp"
+#include "host/picture/pdf.hpp"
 #include "host/picture/pen_order.hpp"
 #include "host/picture/png.hpp"
 
@@ -30,7 +32,7 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
                 fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
 }
 
-constexpr std::string_view format_endings = ".svg, .png, .plt or .hpgl";
+constexpr std::string_view format_endings = ".svg, .png, .plt, .hpgl, .pdf or .dxf";
 
 std::optional<DrawingFormat> format_of(const DrawOutput& output) {
   std::string ending = output.format;
@@ -43,12 +45,14 @@ std::optional<DrawingFormat> format_of(const DrawOutput& output) {
   if (ending == "svg") return DrawingFormat::svg;
   if (ending == "png") return DrawingFormat::png;
   if (ending == "plt" || ending == "hpgl") return DrawingFormat::hpgl;
+  if (ending == "pdf") return DrawingFormat::pdf;
+  if (ending == "dxf") return DrawingFormat::dxf;
   return std::nullopt;
 }
 
 void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
-  constexpr std::string_view on_paper = "a name that ends in .svg, .plt or .hpgl, or --size";
-  constexpr std::string_view with_pens = "a name that ends in .svg, .plt or .hpgl";
+  constexpr std::string_view on_paper = "--size, or a name that does not end in .png";
+  constexpr std::string_view with_pens = "a name that does not end in .png";
   constexpr std::string_view of_plotters = "a name that ends in .plt or .hpgl";
   if (format != DrawingFormat::png) {
     for (const char* option : {"--pixels", "--dpi"}) refuse_option(output, option, "a name that ends in .png");
@@ -62,8 +66,8 @@ void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
     for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) refuse_option(output, option, with_pens);
   if (format != DrawingFormat::hpgl)
     for (const char* option : {"--device", "--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
-  if (format == DrawingFormat::hpgl || (format == DrawingFormat::png && !output.is_sheet()))
-    refuse_option(output, "--pen", "a name that ends in .svg");
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::dxf || (format == DrawingFormat::png && !output.is_sheet()))
+    refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
 struct PaperSize {
@@ -131,7 +135,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
               fmt::format("The drawing; the ending says what it is: {}; - is standard output, SVG unless --format says otherwise", format_endings))
       .required()
       .value("FILE");
-  command.option("--format", output.format, "What it is, whatever its name").one_of({"svg", "png", "plt"}).default_value("as the name says");
+  command.option("--format", output.format, "What it is, whatever its name").one_of({"svg", "png", "plt", "pdf", "dxf"}).default_value("as the name says");
   command.option("--size", output.size, "Size of the paper: A0 to A6, Letter, Legal, Tabloid, or WIDTHxHEIGHT in mm, or in inches as 8x10in")
       .default_value()
       .value("SIZE")
@@ -142,7 +146,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .range(0.0, 1000.0)
       .value("MM")
       .group("Paper");
-  command.option("--pen", output.paper.pen, "Width of a line in mm, for .svg, and .png with --size")
+  command.option("--pen", output.paper.pen, "Width of a line in mm, for .svg and .pdf, and .png with --size")
       .default_value()
       .range(0.01, 10.0)
       .value("MM")
@@ -247,11 +251,16 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
   }
   const picture::VectorDrawing drawing =
       output.as_found ? found : in_pen_order(found, output.paper, {.min_gap = output.min_gap});
-  if (format == DrawingFormat::svg) {
-    file.write(std::string_view(svg_of(drawing, output.paper, title)));
-  } else {
-    const picture::HpglOptions options{output.plotter(), output.pens, output.speed, output.relative};
-    file.write(std::string_view(hpgl_of(drawing, output.paper, options)));
+  switch (format) {
+    case DrawingFormat::png: break;
+    case DrawingFormat::svg: file.write(std::string_view(svg_of(drawing, output.paper, title))); break;
+    case DrawingFormat::pdf: file.write(std::string_view(pdf_of(drawing, output.paper, title))); break;
+    case DrawingFormat::dxf: file.write(std::string_view(dxf_of(drawing, output.paper))); break;
+    case DrawingFormat::hpgl: {
+      const picture::HpglOptions options{output.plotter(), output.pens, output.speed, output.relative};
+      file.write(std::string_view(hpgl_of(drawing, output.paper, options)));
+      break;
+    }
   }
   file.commit();
   base::Json plot = plot_json(drawing, output);

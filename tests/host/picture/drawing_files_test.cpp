@@ -1,0 +1,108 @@
+// PDF and DXF read back: by the rules of their formats, every line is where the paper has it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/picture/dxf.hpp"
+#include "host/picture/pdf.hpp"
+
+namespace sightline::picture {
+namespace {
+
+using DrawnLines = std::vector<std::vector<std::pair<double, double>>>;
+
+const Paper a_sheet{120, 90, 10, 0.3};
+
+VectorDrawing three_lines() {
+  VectorDrawing drawing;
+  drawing.width = 50;  // two millimetres each, one across
+  drawing.height = 70;
+  drawing.layers = {{"silhouette", {0, 0, 0}}, {"crease (30)", {200, 0, 0}}};
+  drawing.points = {{0, 0}, {50, 0}, {50, 70}, {10, 10}, {20, 30}, {25, 35}, {1, 1}, {2, 1}, {2, 2}};
+  drawing.lines = {{0, 0, 3}, {1, 3, 2}, {1, 5, 1}};
+  drawing.facets = {{6, 3, 128}};
+  return drawing;
+}
+
+const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
+
+TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
+  const std::string pdf = pdf_of(three_lines(), a_sheet, "a (drawing)");
+  EXPECT_EQ(pdf, pdf_of(three_lines(), a_sheet, "a (drawing)"));
+  ASSERT_EQ(pdf.substr(0, 8), "%PDF-1.5");
+  const std::size_t start = pdf.rfind("startxref\n");
+  ASSERT_NE(start, std::string::npos);
+  const auto table = static_cast<std::size_t>(std::atol(pdf.c_str() + start + 10));
+  ASSERT_EQ(pdf.substr(table, 5), "xref\n");
+  std::istringstream rows(pdf.substr(table + 5));
+  int first = 0;
+  int count = 0;
+  rows >> first >> count;
+  EXPECT_EQ(count, 1 + 5 + 2);
+  for (int i = 0; i < count; ++i) {
+    std::string place;
+    std::string generation;
+    std::string kind;
+    rows >> place >> generation >> kind;
+    EXPECT_EQ(place.size(), 10U);
+    if (i == 0) continue;
+    const std::string begins = std::to_string(i) + " 0 obj\n";
+    EXPECT_EQ(pdf.substr(static_cast<std::size_t>(std::atol(place.c_str())), begins.size()), begins);
+  }
+  const std::size_t stream = pdf.find("stream\n") + 7;
+  const auto length = static_cast<std::size_t>(std::atol(pdf.c_str() + pdf.find("/Length ") + 8));
+  EXPECT_EQ(pdf.substr(stream + length, 9), "endstream");
+  EXPECT_NE(pdf.find("/MediaBox [0 0 340.157 255.118]"), std::string::npos);  // 120 and 90 mm in points
+  EXPECT_NE(pdf.find("/Name (crease \\(30\\))"), std::string::npos);
+  DrawnLines lines;
+  std::istringstream words(pdf.substr(stream, length));
+  std::vector<std::string> before;
+  for (std::string word; words >> word;) {
+    if (word == "m" || word == "l") {
+      if (word == "m") lines.emplace_back();
+      lines.back().emplace_back(std::atof(before[before.size() - 2].c_str()), std::atof(before.back().c_str()));
+    }
+    before.push_back(word);
+  }
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], (std::vector<std::pair<double, double>>{{12, 11}, {14, 11}, {14, 12}}));  // the facet
+  EXPECT_EQ(lines[1], expected_lines[0]);
+  EXPECT_EQ(lines[2], expected_lines[1]);
+  EXPECT_EQ(lines[3], (std::vector<std::pair<double, double>>{{60, 45}, {60, 45}}));
+}
+
+TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
+  std::istringstream text(dxf_of(three_lines(), a_sheet));
+  std::vector<std::pair<int, std::string>> groups;
+  for (std::string code, value; std::getline(text, code) && std::getline(text, value);) groups.emplace_back(std::atoi(code.c_str()), value);
+  ASSERT_GT(groups.size(), 20U);
+  EXPECT_EQ(groups.back(), std::pair(0, std::string("EOF")));
+  EXPECT_EQ(groups[3], std::pair(1, std::string("AC1009")));
+  std::map<std::string, int> layers;
+  std::string entity;
+  std::string of;
+  DrawnLines lines;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto& [code, value] = groups[i];
+    if (code == 0) entity = value;
+    if (entity == "LAYER" && code == 2) of = value;
+    if (entity == "LAYER" && code == 62) layers[of] = std::atoi(value.c_str());
+    if (code == 8) {
+      EXPECT_TRUE(layers.contains(value)) << value;
+    }
+    if ((entity == "POLYLINE" || entity == "POINT") && code == 8) lines.emplace_back();
+    if ((entity == "VERTEX" || entity == "POINT") && code == 10)
+      lines.back().emplace_back(std::atof(value.c_str()), std::atof(groups[i + 1].second.c_str()));
+  }
+  EXPECT_EQ(layers, (std::map<std::string, int>{{"1-SILHOUETTE", 7}, {"2-CREASE__30_", 1}}));
+  EXPECT_EQ(lines, expected_lines);
+}
+
+}  // namespace
+}  // namespace sightline::picture
