@@ -36,7 +36,12 @@ scene::SceneFile find_scene(const std::string& argument) {
                                             .remedy = base::did_you_mean(argument, names)}
                                     .message());
   }
-  return {.name = shown_name(argument), .text = read_input_text(argument)};
+  std::string folder;
+  if (argument != "-") {
+    folder = std::filesystem::path(argument).parent_path().string();
+    if (folder.empty()) folder = ".";
+  }
+  return {.name = shown_name(argument), .text = read_input_text(argument), .folder = std::move(folder)};
 }
 
 scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOptions& options) {
@@ -48,7 +53,7 @@ scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOpti
 scene::PolyImportOptions MeshArguments::import_options() const {
   require_finite("--weld", weld);
   if (planar_tolerance) require_finite("--planar-tolerance", *planar_tolerance);
-  return {.mend = !strict, .weld = weld, .planar_tolerance = planar_tolerance, .eye = eye};
+  return {.mend = !strict, .weld = weld, .planar_tolerance = planar_tolerance, .eye = eye, .folder = {}, .unit = unit};
 }
 
 void add_mesh_options(const Command& command, MeshArguments& arguments) {
@@ -68,11 +73,23 @@ void add_mesh_options(const Command& command, MeshArguments& arguments) {
       .value("DISTANCE")
       .excludes(strict)
       .group("Mesh");
+  command.option("--unit", arguments.unit, "The unit of the coordinates, of a file that does not say it")
+      .one_of({"um", "mm", "cm", "m", "inch", "ft"})
+      .default_value("mm of 3MF as it says, m of glTF, none of others")
+      .group("Mesh");
+}
+
+void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh) {
+  if (mesh.unit.empty() || loaded.report.unit == mesh.unit) return;
+  warn(loaded.report.unit.empty() ? fmt::format("--unit: {} is no mesh, and its coordinates have no unit", loaded.name)
+                                  : fmt::format("--unit: {} says that its coordinates are in {}, which they are taken to be",
+                                                loaded.name, loaded.report.unit));
 }
 
 scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh) {
   scene::LoadedScene loaded = load_found(find_scene(argument), mesh.import_options());
   warn_of_changes(loaded.report);
+  warn_of_units(loaded, mesh);
   loaded.name = argument;
   return loaded;
 }
@@ -97,11 +114,11 @@ void add_eae_options(const Command& command, bool& no_eae) {
 }
 
 void warn_of_changes(const scene::PolyImportReport& report) {
+  const std::string unit = report.unit.empty() ? "" : " " + report.unit;
   if (report.quantised && report.largest_shift > 0) {
-    warn(
-        fmt::format("coordinates rounded to a step of {}, by at most {:.3g}", report.step, report.largest_shift));
+    warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit, report.largest_shift, unit));
   } else if (report.quantised) {
-    warn(fmt::format("coordinates are counted in steps of {}", report.step));
+    warn(fmt::format("coordinates are counted in steps of {}{}", report.step, unit));
   }
   const scene::MendReport& faces = report.faces;
   std::vector<std::string> said;

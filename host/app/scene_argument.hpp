@@ -15,7 +15,7 @@
 namespace sightline::app {
 
 inline constexpr std::string_view scene_help =
-    "A built-in scene (see `sightline scene list`), a JSON, OFF, OBJ, STL or PLY file (- for standard input), "
+    "A built-in scene (see `sightline scene list`), a JSON, OFF, OBJ, STL, PLY, glTF or 3MF file (- for standard input), "
     "or FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
     "--help`)";
 // Of commands that run Jones's program.
@@ -27,6 +27,7 @@ struct MeshArguments {
   bool strict = false;
   double weld = 0;
   std::optional<double> planar_tolerance = {};
+  std::string unit;  // empty: not given
   std::optional<std::array<double, 3>> eye = {};  // see CameraArguments
 
   [[nodiscard]] scene::PolyImportOptions import_options() const;
@@ -50,6 +51,9 @@ void add_mesh_options(const Command& command, MeshArguments& arguments);
 // --eae and --no-eae, of commands that run Jones's program: whether the PDP-7 has the Type 177 extended
 // arithmetic element. The first is the default.
 void add_eae_options(const Command& command, bool& no_eae);
+
+// A warning if --unit was given for a scene that has its own, or that is no mesh.
+void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh);
 
 // What was done to the scene while it was read, as warnings.
 void warn_of_changes(const scene::PolyImportReport& report);

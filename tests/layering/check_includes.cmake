@@ -37,6 +37,7 @@ set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/base"
   "muParser=host/scene"
+  "assimp/=host/scene/read/assimp_mesh.cpp"
   "CLI/=host/app"
   "editline/=host/app"
   "gtest/=tests"

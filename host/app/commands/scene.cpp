@@ -50,7 +50,7 @@ std::string_view method_name(scene::DecompositionMethod method) {
 // As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
 void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
   const auto format = scene::poly_format_of(path);
-  if (!format && path != "-") {
+  if (path != "-" && !(format && scene::can_be_written(*format))) {
     throw Failure(
         ExitCode::usage,
         fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
@@ -241,7 +241,9 @@ void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
   const scene::PolyImportReport& report = loaded.report;
   if (json) {
     Json document = polyhedra_json(loaded.scene);
-    document.update({{"quantised", report.quantised},
+    document.update({{"unit", report.unit},
+                     {"vertical", report.vertical ? Json(std::string(1, "xyz"[*report.vertical])) : Json()},
+                     {"quantised", report.quantised},
                      {"largest_shift", report.largest_shift},
                      {"split_faces", report.faces.split_faces},
                      {"largest_deviation", report.faces.largest_deviation}});
@@ -250,6 +252,7 @@ void describe_polyhedra(const scene::LoadedScene& loaded, bool json) {
   warn_of_changes(report);
   TextTable facts = facts_table();
   list_polyhedra(loaded.scene, facts);
+  if (!report.unit.empty()) facts.row({"unit", report.unit});
   write_stdout(facts.text());
 }
 
@@ -280,6 +283,7 @@ void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
 
 ExitCode info(const ShowArguments& arguments) {
   const scene::LoadedScene loaded = load_found(find_scene(arguments.scene), arguments.mesh.import_options());
+  warn_of_units(loaded, arguments.mesh);
   switch (loaded.kind) {
     case scene::SceneKind::cells: describe_cells(*loaded.cells, loaded.name, arguments.json); break;
     case scene::SceneKind::polyhedra: describe_polyhedra(loaded, arguments.json); break;

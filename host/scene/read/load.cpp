@@ -118,7 +118,9 @@ SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   } else if (format == PolyFormat::json || is_cell_complex(file.text)) {
     read_json(file, reading);
   } else {
-    take_polyhedra(read_poly(file.text, file.name, format, options), reading);
+    PolyImportOptions with_folder = options;
+    with_folder.folder = file.folder;
+    take_polyhedra(read_poly(file.text, file.name, format, with_folder), reading);
   }
   for (base::Error& error : reading.errors) error.file = file.name;
   return reading;

@@ -22,6 +22,7 @@ namespace sightline::scene {
 struct SceneFile {
   std::string name;  // named in errors; its ending tells the format
   std::string text = {};
+  std::string folder = {};  // in which the file is; empty: it came from standard input
   bool builtin = false;
   std::optional<PolyScene> generated = {};
 };

@@ -11,6 +11,7 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/model/file_units.hpp"
+#include "host/scene/read/assimp_mesh.hpp"
 #include "host/scene/read/obj.hpp"
 #include "host/scene/read/off.hpp"
 #include "host/scene/read/ply.hpp"
@@ -238,7 +239,8 @@ struct FormatName {
 };
 constexpr std::array format_names{
     FormatName{"off", PolyFormat::off}, FormatName{"obj", PolyFormat::obj},   FormatName{"stl", PolyFormat::stl},
-    FormatName{"ply", PolyFormat::ply}, FormatName{"json", PolyFormat::json},
+    FormatName{"ply", PolyFormat::ply}, FormatName{"json", PolyFormat::json}, FormatName{"gltf", PolyFormat::gltf},
+    FormatName{"glb", PolyFormat::glb}, FormatName{"3mf", PolyFormat::threemf},
 };
 
 std::string small_letters(std::string_view text) {
@@ -249,8 +251,11 @@ std::string small_letters(std::string_view text) {
 }
 
 // As the first line says that is neither empty nor a comment; empty if it says nothing.
-std::optional<PolyFormat> format_by_content(std::string_view text) {
+std::optional<PolyFormat> format_by_content(const std::string_view whole) {
+  std::string_view text = whole;
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return PolyFormat::ply;
+  if (text.starts_with("glTF")) return PolyFormat::glb;
+  if (text.starts_with("PK\3\4")) return PolyFormat::threemf;
   if (is_binary_stl(text)) return PolyFormat::stl;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
@@ -261,7 +266,7 @@ std::optional<PolyFormat> format_by_content(std::string_view text) {
     const std::string_view word = begins.substr(0, begins.find_first_of(" \t\r"));
     constexpr std::size_t longest_off = 8;  // STCNnOFF
     if (word.ends_with("OFF") && word.size() <= longest_off) return PolyFormat::off;
-    if (word == "{" || begins.starts_with("{")) return PolyFormat::json;
+    if (begins.starts_with("{")) return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf : PolyFormat::json;
     // A binary file may begin so, too; then its name has to say what it is.
     if (small_letters(word) == "solid" && text.find("facet") != std::string_view::npos) return PolyFormat::stl;
     for (const std::string_view obj : {"v", "o", "g", "vn", "vt", "f", "usemtl", "mtllib"})
@@ -296,11 +301,14 @@ PolyImport import_unchanged(PolyScene scene) {
 
 namespace {
 
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format) {
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
   switch (format) {
     case PolyFormat::off: return read_off(text, source);
     case PolyFormat::stl: return read_stl(text, source);
     case PolyFormat::ply: return read_ply(text, source);
+    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
+    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
+    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
     default: return read_obj(text, source);
   }
 }
@@ -314,7 +322,7 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
     if (!scene) return std::move(scene.error());
     return import_unchanged(std::move(*scene));
   }
-  auto mesh = read_mesh(text, source, format);
+  auto mesh = read_mesh(text, source, format, options.folder);
   if (!mesh) return std::move(mesh.error());
   return import_poly(std::move(*mesh), options);
 }
@@ -325,7 +333,7 @@ base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) 
     case PolyFormat::obj: return write_obj(scene);
     case PolyFormat::stl: return write_stl(scene);
     case PolyFormat::ply: return write_ply(scene);
-    case PolyFormat::json: break;
+    default: break;
   }
   return write_json(scene);
 }

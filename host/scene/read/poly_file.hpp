@@ -10,10 +10,15 @@
 
 namespace sightline::scene {
 
-enum class PolyFormat { off, obj, stl, ply, json };
+enum class PolyFormat { off, obj, stl, ply, json, gltf, glb, threemf };
 
 // For texts that name what can be written.
 inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .ply";
+
+// Of glTF and 3MF there are no writers.
+[[nodiscard]] constexpr bool can_be_written(PolyFormat format) {
+  return format != PolyFormat::gltf && format != PolyFormat::glb && format != PolyFormat::threemf;
+}
 
 // By the end of the file's name, such as .off, in small or capital letters.
 [[nodiscard]] std::optional<PolyFormat> poly_format_of(std::string_view file);
@@ -27,7 +32,7 @@ inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .pl
 // What reading says of a scene that was not quantised: JSON, or generated.
 [[nodiscard]] PolyImport import_unchanged(PolyScene scene);
 
-// The text of a file, of a checked scene, in the coordinates of the file the scene came from (times step);
+// The text of a file, of a format that can be written and a checked scene, in the coordinates of the file the scene came from (times step);
 // JSON has the integers themselves. OFF and OBJ have no holes: a face with holes is written as triangles,
 // which hide the same; the diagonals are seams. STL (binary, float32) has triangles only, PLY (binary) no holes
 // either. An error names a face for which that cannot be done. None

@@ -28,7 +28,7 @@ class Import {
 
   base::Result<PolyImport> run() {
     report().vertical = mesh_.vertical;
-    report().unit = std::move(mesh_.unit);
+    report().unit = mesh_.unit.empty() ? options_.unit : std::move(mesh_.unit);
     report().notes = std::move(mesh_.notes);
     quantise();
     scene().name = std::move(mesh_.name);

@@ -56,6 +56,8 @@ struct PolyImportOptions {
   // times PolyMesh::precision, or `weld` if that is more.
   std::optional<double> planar_tolerance = {};
   std::optional<std::array<double, 3>> eye = {};  // has to have a place among the scene's coordinates; finite
+  std::string folder = {};  // in which the file is, for what it refers to; empty: in none
+  std::string unit = {};    // of the coordinates, where the format does not say it
 };
 
 struct PolyImportReport {
@@ -65,7 +67,7 @@ struct PolyImportReport {
   bool mended = false;
   MendReport faces = {};                  // also without mending, as far as something was changed
   std::optional<std::size_t> vertical = {};  // as the format says; 0, 1, 2 = x, y, z
-  std::string unit = {};                  // as the format says
+  std::string unit = {};                  // as the format says, or else PolyImportOptions::unit
   std::vector<std::string> notes = {};    // what of the file was passed over, a phrase each
 };
 
