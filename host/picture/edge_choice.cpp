@@ -69,12 +69,13 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
 void EdgeChooser::find_surfaces() {
   const bool mesh = !scene_.surfaces.empty();
   surfaces_.resize(mesh ? scene_.surfaces.size() : face_count(scene_));
-  surface_of_ = scene_.surface_of;
+  if (mesh) surface_of_ = scene_.surface_of;
   std::uint32_t number = 0;
   for (const scene::PolyBody& body : scene_.bodies) {
     for (const scene::PolyFace& face : body.faces) {
       if (!mesh) surface_of_.push_back(number);
-      Surface& surface = surfaces_[surface_of_[number++]];
+      Surface& surface = surfaces_[surface_of_[number]];
+      ++number;
       const geometry::Vector3 area = area_of(scene_.vertices, face);
       const double size = square(area);
       for (std::size_t a = 0; a < 3; ++a) surface.normal[a] += area[a];
@@ -169,7 +170,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     for (const std::uint32_t face : {crossing.face_a, crossing.face_b}) {
       const std::uint32_t surface = surface_of_[face];
       away = away || (surfaces_[surface].solid && facing[surface] <= 0);
-      if (mesh) chosen.surfaces.push_back(surface);
+      if (!scene_.surface_of.empty()) chosen.surfaces.push_back(scene_.surface_of[face]);
     }
     chosen.edges.push_back({crossing.from, crossing.to});
     chosen.kinds.push_back(EdgeKind::intersection);

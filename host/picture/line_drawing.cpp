@@ -25,10 +25,7 @@ struct Stroke {
 };
 
 // x and y within these.
-struct Window {
-  Place low{};
-  Place high{};
-};
+using Window = ImageWindow;
 
 double dot(const std::array<double, 3>& a, const scene::PolyPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -269,27 +266,37 @@ LinePicture together(std::span<const LineLayer> layers) {
 
 }  // namespace
 
-VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
-                           const scene::PolyCamera& camera, const DrawingField& field, const LinePicture* edges) {
+ImageWindow drawing_window(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           const DrawingField& field, const LinePicture* edges) {
   const Projection projection(scene, camera);
   DrawingField settled = field;
   const LinePicture seen = together(layers);
   const LinePicture& widest = edges != nullptr ? *edges : seen;
   if (!field.extent && camera.perspective && beyond(widest, projection)) settled.extent = usual_angle;
   constexpr double everything = 1e9;  // more than any image of coordinates below 2^18 without perspective
-  Window window = square(camera.perspective ? half_extent(widest_fitted_angle) : everything);
-  window = framed(settled.extent ? std::vector<Stroke>() : strokes_of(widest, projection, window), settled,
-                  camera.perspective);
+  const Window window = square(camera.perspective ? half_extent(widest_fitted_angle) : everything);
+  return framed(settled.extent ? std::vector<Stroke>() : strokes_of(widest, projection, window), settled,
+                camera.perspective);
+}
+
+VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           const DrawingField& field, const LinePicture* edges) {
+  return line_drawing(layers, scene, camera, field, drawing_window(layers, scene, camera, field, edges), edges);
+}
+
+VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           const DrawingField& field, const ImageWindow& window, const LinePicture* edges) {
+  const Projection projection(scene, camera);
   VectorDrawing drawing;
   drawing.width = field.width;
   drawing.height = field.height;
   Pen pen(drawing, window);
   for (const LineLayer& layer : layers) {
     pen.lines(strokes_of(layer.picture, projection, window), static_cast<std::uint32_t>(drawing.layers.size()));
-    drawing.layers.push_back({layer.label, {0, 0, 0}});
+    drawing.layers.push_back({layer.label, layer.colour});
   }
   if (edges != nullptr) {
-    pen.dashes(hidden_strokes(*edges, seen, projection, window), static_cast<std::uint32_t>(drawing.layers.size()),
+    pen.dashes(hidden_strokes(*edges, together(layers), projection, window), static_cast<std::uint32_t>(drawing.layers.size()),
                field.dash);
     drawing.layers.push_back({std::string(dashed_layer), {150, 150, 150}});
   }

@@ -5,6 +5,7 @@
 // do exact parameters become real coordinates. Lines that coincide are drawn once where both their ends do.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,13 @@ struct DrawingField {
 struct LineLayer {
   std::string label;
   LinePicture picture;
+  Colour colour = {};  // black
+};
+
+// The part of the image that a drawing shows; it is as wide and as high as the drawing.
+struct ImageWindow {
+  std::array<double, 2> low{};
+  std::array<double, 2> high{};
 };
 
 // Of pictures of this scene from this camera, which share no piece: a layer each. With `edges`, whole edges from
@@ -40,6 +48,13 @@ struct LineLayer {
 [[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera, const DrawingField& field,
                                          const LinePicture* edges = nullptr);
+// The window that such a drawing has, and a drawing with a window.
+[[nodiscard]] ImageWindow drawing_window(std::span<const LineLayer> layers, const scene::PolyScene& scene,
+                                         const scene::PolyCamera& camera, const DrawingField& field,
+                                         const LinePicture* edges = nullptr);
+[[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
+                                         const scene::PolyCamera& camera, const DrawingField& field,
+                                         const ImageWindow& window, const LinePicture* edges = nullptr);
 // With one layer, "visible".
 [[nodiscard]] VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera, const DrawingField& field,

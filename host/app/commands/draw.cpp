@@ -18,10 +18,12 @@
 #include "host/algorithms/registry/lines.hpp"
 #include "host/app/command_line.hpp"
 #include "host/app/commands/commands.hpp"
+#include "host/app/commands/draw_view.hpp"
 #include "host/app/commands/face_shades.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
+#include "host/base/number.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
@@ -30,7 +32,6 @@
 #include "host/picture/line_picture_image.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/vector_drawing.hpp"
-#include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -138,44 +139,14 @@ struct DrawLinesArguments {
   MeshArguments mesh;
   CameraArguments camera;
   std::optional<double> field;
-  EdgeArguments edges;
-  std::string layers;
+  LineViewOptions view;
+  std::string hatch;  // "ANGLE,SPACING"
+  std::string light;  // "X,Y,Z"
   int turntable = 1;
-  bool hidden = false;
   bool json = false;
   DrawOutput output;
   FillArguments filled;
 };
-
-// Which edges are chosen. Of a scene that is no mesh, and of which nothing is asked, all but seams, whatever
-// bodies they are between: then there is no chooser.
-struct DrawnEdges {
-  DrawnEdges(const EdgeArguments& arguments, const scene::PolyScene& scene)
-      : seams(scene.surfaces.empty() && !arguments.are_given()) {
-    const auto choice = edge_choice_of(arguments, scene);
-    if (choice && !seams) chooser.emplace(scene, *choice);
-  }
-
-  std::optional<picture::EdgeChooser> chooser;
-  bool seams;  // are left out
-};
-
-registry::PreparedScene prepared_of(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source) {
-  if (const auto reason = algorithm.why_not(source.scene))
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
-  return source.decomposition && algorithm.prepare_cells != nullptr
-             ? algorithm.prepare_cells(source.decomposition->complex)
-             : value_of(algorithm.prepare(source.scene), source.name);
-}
-
-void check_view(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
-                const scene::PolyCamera& camera) {
-  if (const auto reason = algorithm.why_not_seen(source.scene, camera)) {
-    throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
-                                                   source.name, algorithm.name, *reason));
-  }
-}
 
 // A millimetre for paper, about a millimetre on a screen for an image.
 picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format) {
@@ -192,70 +163,37 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
   return field;
 }
 
-// Where bodies pass through each other: lines of their own, as far as they can be drawn; else a warning.
-void find_crossings(const registry::LineAlgorithm& algorithm, scene::LoadedScene& source) {
-  if (source.kind != scene::SceneKind::polyhedra) return;
-  if (!source.scene.surfaces.empty() && algorithm.draws_crossings) {
-    source.scene = scene::with_crossings(std::move(source.scene));
-    return;
+// Numbers with commas between them, as many as `count`. Failure usage.
+std::vector<double> numbers_argument(std::string_view option, const std::string& text, std::size_t count, std::string_view expected) {
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (numbers.size() < count) {
+    const std::size_t comma = rest.find(',');
+    const auto number = base::decimal_number(rest.substr(0, comma));
+    if (!number || (comma == std::string_view::npos) != (numbers.size() + 1 == count))
+      throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected {}", option, text, expected));
+    numbers.push_back(*number);
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
   }
-  const auto crossings = scene::crossings_of(source.scene, 1);
-  if (crossings.empty()) return;
-  warn(fmt::format("{}: bodies pass through each other, the first at faces {} and {} of the file; {}", source.name,
-                   crossings[0].face_a, crossings[0].face_b,
-                   algorithm.draws_crossings ? "the lines between them are drawn of a mesh only: `sightline scene convert` makes one of it"
-                                             : "`sightline draw exact` draws the lines between them"));
+  return numbers;
 }
 
-// One view as drawn.
-struct DrawnView {
-  registry::LineView view;
-  std::vector<picture::LineLayer> layers;
-  std::size_t edges = 0;  // chosen, before any was hidden
-  std::optional<std::array<std::size_t, picture::edge_kind_count>> by_kind;
-  std::size_t pieces = 0;  // drawn
-};
-
-// Layers of one kind each, or one layer.
-std::vector<picture::LineLayer> layers_of(const picture::LinePicture& drawn, const picture::ChosenEdges& chosen) {
-  std::vector<picture::LineLayer> layers;
-  for (const std::string_view name : picture::edge_kind_names) layers.push_back({std::string(name), {}});
-  std::size_t edge = 0;
-  for (const picture::LinePiece& piece : drawn.pieces) {
-    while (chosen.edges[edge] < piece.edge) ++edge;
-    layers[static_cast<std::size_t>(chosen.kinds[edge])].picture.pieces.push_back(piece);
+// Failure usage: no hatching like that.
+void read_hatching(DrawLinesArguments& arguments) {
+  if (arguments.hatch.empty()) return;
+  const auto numbers = numbers_argument("--hatch", arguments.hatch, 2, "ANGLE,SPACING in degrees and mm, such as 45,1.5");
+  constexpr double least_spacing = 0.05;
+  if (std::abs(numbers[0]) > 360 || numbers[1] < least_spacing || numbers[1] > 1000)
+    throw Failure(ExitCode::usage, fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
+                                               arguments.hatch, least_spacing));
+  LineViewOptions::Hatch hatch{numbers[0], numbers[1]};
+  if (!arguments.light.empty()) {
+    const auto light = numbers_argument("--light", arguments.light, 3, "X,Y,Z, the direction towards the light");
+    hatch.light = {light[0], light[1], light[2]};
+    if (*hatch.light == std::array<double, 3>{})
+      throw Failure(ExitCode::usage, "--light: found 0,0,0, expected a direction");
   }
-  return layers;
-}
-
-DrawnView draw_view(const registry::PreparedScene& prepared, const DrawLinesArguments& arguments,
-                    const DrawnEdges& choice, const scene::LoadedScene& source, const scene::PolyCamera& camera,
-                    const picture::DrawingField& field, picture::VectorDrawing& drawing) {
-  DrawnView result;
-  picture::LinePicture whole = arguments.hidden ? picture::wire_frame(source.scene) : picture::LinePicture();
-  if (choice.chooser) {
-    const picture::ChosenEdges chosen = choice.chooser->at(camera);
-    result.view = value_of(view_of(prepared, camera, chosen), source.name);
-    result.edges = chosen.edges.size();
-    result.by_kind = chosen.counts();
-    whole = picture::only(whole, chosen);
-    if (arguments.layers == "kind") {
-      result.layers = layers_of(result.view.picture, chosen);
-    } else {
-      result.layers = {{"visible", result.view.picture}};
-    }
-  } else {
-    result.view = value_of(prepared.view(camera), source.name);
-    result.edges = picture::edges_of(source.scene).size();
-    result.layers = {{"visible", result.view.picture}};
-    if (choice.seams) {
-      result.layers[0].picture = picture::without_seams(result.view.picture, source.scene, camera);
-      whole = picture::without_seams(whole, source.scene, camera);
-    }
-  }
-  for (const picture::LineLayer& layer : result.layers) result.pieces += layer.picture.pieces.size();
-  drawing = picture::line_drawing(result.layers, source.scene, camera, field, arguments.hidden ? &whole : nullptr);
-  return result;
+  arguments.view.hatch = hatch;
 }
 
 Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& file, const scene::LoadedScene& source,
@@ -272,7 +210,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
                 {"edges", drawn.edges},
                 {"pieces", drawn.view.picture.pieces.size()},
                 {"pieces_drawn", drawn.pieces},
-                {"visible_length", picture::image_length(drawn.view.picture, source.scene, camera.camera)},
+                {"visible_length", drawn.visible_length},
                 {"counts", counts}};
   if (drawn.by_kind) {
     Json kinds = Json::object();
@@ -280,6 +218,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
       if ((*drawn.by_kind)[k] > 0) kinds[std::string(picture::edge_kind_names[k])] = (*drawn.by_kind)[k];
     document["edges_by_kind"] = kinds;
   }
+  if (drawn.hatch_lines > 0) document["hatching"] = {{"lines", drawn.hatch_lines}, {"pieces", drawn.hatch_pieces}};
   return document;
 }
 
@@ -296,38 +235,40 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
     throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file", arguments.json ? "--json" : "--turntable"));
-  check_edges(arguments.edges);
-  if (arguments.layers.empty()) arguments.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
+  check_edges(arguments.view.edges);
+  read_hatching(arguments);
+  if (arguments.view.layers.empty())
+    arguments.view.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
   arguments.mesh.eye = eye_of(arguments.camera);
-  scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
-  find_crossings(algorithm, source);
+  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments.field, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, aimed.camera, arguments.field, arguments.output, arguments.json}, format);
   }
-  const DrawnEdges choice(arguments.edges, source.scene);
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
-  std::optional<registry::PreparedScene> prepared;
+  std::vector<scene::PolyCamera> cameras;
+  for (int i = 0; i < arguments.turntable; ++i) {
+    cameras.push_back(turned_about(frame, source.scene, aimed.camera, i, arguments.turntable));
+    if (auto error = scene::eye_error(source.scene, cameras.back())) {
+      error->file = source.name;
+      throw Failure(ExitCode::bad_input, error->message());
+    }
+  }
+  std::optional<LineViews> views;
   base::ProgressLine line;
   Json documents = Json::array();
   for (int i = 0; i < arguments.turntable; ++i) {
     AimedCamera camera = aimed;
-    camera.camera = turned_about(frame, source.scene, aimed.camera, i, arguments.turntable);
-    if (auto error = scene::eye_error(source.scene, camera.camera)) {
-      error->file = source.name;
-      throw Failure(ExitCode::bad_input, error->message());
-    }
+    camera.camera = cameras[static_cast<std::size_t>(i)];
     if (arguments.turntable > 1) line.show(fmt::format("view {} of {}", i + 1, arguments.turntable));
-    Output file(numbered(arguments.output.file, i + 1, arguments.turntable));
-    if (!prepared) prepared = prepared_of(algorithm, source);
-    check_view(algorithm, source, camera.camera);
-    picture::VectorDrawing drawing;
-    const DrawnView drawn = draw_view(*prepared, arguments, choice, source, camera.camera, field_of(arguments, format), drawing);
     DrawOutput output = arguments.output;
     output.file = numbered(arguments.output.file, i + 1, arguments.turntable);
-    const auto plot = write_drawing(drawing, output, format, source.name, file);
+    Output file(output.file);
+    if (!views) views.emplace(algorithm, source, arguments.view, cameras);
+    const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
+    const auto plot = write_drawing(drawn.drawing, output, format, source.name, file);
     if (!arguments.json) continue;
     Json document = summary_of(algorithm, output.file, source, camera, drawn);
     if (plot) document["plot"] = *plot;
@@ -349,17 +290,29 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .default_value()
       .value("N")
       .group("View");
-  add_edge_options(command, arguments->edges);
+  add_edge_options(command, arguments->view.edges);
   const Option hidden =
-      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
+      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
   command
-      .option("--layers", arguments->layers, "A layer for each kind of edge, or one layer")
-      .one_of({"kind", "none"})
+      .option("--layers", arguments->view.layers, "A layer for each kind of edge, or for each body, or one layer")
+      .one_of({"kind", "body", "none"})
       .default_value("kind for .svg, .pdf and .dxf, else none")
       .group("Edges");
+  if (algorithm.draws_crossings) {
+    const Option hatch =
+        command.option("--hatch", arguments->hatch, "Shade faces by lines at this angle on the paper, that far apart where they are dense")
+            .value("DEGREES,MM")
+            .group("Hatching");
+    command.option("--light", arguments->light, "The direction towards the light")
+        .default_value("from above left, behind the eye")
+        .value("X,Y,Z")
+        .needs(hatch)
+        .group("Hatching");
+  }
   add_mesh_options(command, arguments->mesh);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
+    if (algorithm.draws_crossings) command.added("--fill").excludes(command.added("--hatch"));
     command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);

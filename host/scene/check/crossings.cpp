@@ -9,6 +9,7 @@
 
 #include "host/geometry/predicates.hpp"
 #include "host/geometry/wide_integer.hpp"
+#include "host/scene/model/finer_grid.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -307,7 +308,9 @@ class CrossingSearch {
 }  // namespace
 
 PolyScene with_crossings(PolyScene scene) {
-  for (const Crossing& crossing : crossings_of(scene)) {
+  const std::vector<Crossing> crossings = crossings_of(scene);
+  if (!crossings.empty() && scene.surfaces.empty()) number_planes(scene);
+  for (const Crossing& crossing : crossings) {
     const auto first = static_cast<VertexIndex>(scene.vertices.size());
     scene.vertices.push_back(crossing.from);
     scene.vertices.push_back(crossing.to);

@@ -32,7 +32,8 @@ struct Crossing {
                                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // The same scene with its crossings, as lines between vertices of their own at the end; their visibility is exact for
-// these rounded ends. For scenes with surfaces, whose faces are known not to hide their own lines.
+// these rounded ends. The planes of a scene without surfaces are numbered, as faces do not hide their own lines; its grid should be
+// fine (finer_grid.hpp).
 [[nodiscard]] PolyScene with_crossings(PolyScene scene);
 
 }  // namespace sightline::scene

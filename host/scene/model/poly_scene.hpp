@@ -79,7 +79,8 @@ struct PolyScene {
   double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
   PolyPoint origin{};  // added to a vertex before the multiplication by step
   // Of a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the number of its
-  // surface and that of its material (empty if all have the same).
+  // surface and that of its material (empty if all have the same). surface_of alone: numbers of planes
+  // (finer_grid.hpp), for lines that lie on faces.
   std::vector<PolySurface> surfaces = {};
   std::vector<std::uint32_t> surface_of = {};
   std::vector<std::uint32_t> material_of = {};

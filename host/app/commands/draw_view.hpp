@@ -1,0 +1,64 @@
+// What `sightline draw` shows of a scene by a method that finds visible lines: edges, lines in which bodies pass through
+// each other, hatching; one layer or many.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "host/algorithms/registry/lines.hpp"
+#include "host/app/edge_options.hpp"
+#include "host/picture/edge_choice.hpp"
+#include "host/picture/line_drawing.hpp"
+#include "host/picture/vector_drawing.hpp"
+#include "host/scene/read/load.hpp"
+
+namespace sightline::app {
+
+struct LineViewOptions {
+  EdgeArguments edges;
+  std::string layers = "kind";  // kind, body or none
+  bool hidden = false;          // hidden lines, dashed
+  struct Hatch {
+    double angle = 45;  // degrees on the paper
+    double spacing = 1;  // mm
+    std::optional<std::array<double, 3>> light = {};  // towards it, in the axes of the file; by default from above left, behind the eye
+  };
+  std::optional<Hatch> hatch = {};
+};
+
+// One view as drawn.
+struct DrawnView {
+  registry::LineView view;  // of the edges chosen, before coplanar ones are left out
+  std::size_t edges = 0;    // chosen, before any was hidden
+  std::optional<std::array<std::size_t, picture::edge_kind_count>> by_kind;
+  std::size_t pieces = 0;       // drawn, hatching apart
+  double visible_length = 0;    // of `view`, see picture::image_length
+  std::size_t hatch_lines = 0;  // before any was hidden
+  std::size_t hatch_pieces = 0;
+  picture::VectorDrawing drawing;
+};
+
+class LineViews {
+ public:
+  // The scene outlives this; it and its crossings are drawn on a finer grid where lines end between its points. A warning
+  // for bodies that pass through each other, if the algorithm cannot draw that. `cameras`: all that will be asked for.
+  // Failure usage: the algorithm does not apply.
+  LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
+            std::span<const scene::PolyCamera> cameras);
+  ~LineViews();
+  LineViews(const LineViews&) = delete;
+  LineViews& operator=(const LineViews&) = delete;
+
+  // Failure bad_input: the algorithm does not apply to the view.
+  [[nodiscard]] DrawnView at(const scene::PolyCamera& camera, const picture::DrawingField& field);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace sightline::app

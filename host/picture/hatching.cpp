@@ -1,0 +1,235 @@
+// See hatching.hpp.
+#include "host/picture/hatching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "host/geometry/predicates.hpp"
+
+namespace sightline::picture {
+namespace {
+
+using Vector3d = std::array<double, 3>;
+
+double scalar(const Vector3d& a, const Vector3d& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector3d unit_of(const Vector3d& v) {
+  const double size = std::sqrt(scalar(v, v));
+  return size > 0 ? Vector3d{v[0] / size, v[1] / size, v[2] / size} : Vector3d{};
+}
+
+Vector3d real(const scene::PolyPoint& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+// Lines of one direction: line k is where `across` . p = start + k * step in the image.
+struct HatchFamily {
+  std::array<double, 2> across{};
+  double start = 0;
+  double step = 0;
+  std::int64_t first = 0;  // that the window meets
+  std::int64_t last = -1;
+};
+
+class Hatcher {
+ public:
+  Hatcher(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window, double units, const HatchOptions& options)
+      : camera_(camera), axes_{unit_of(real(camera.right)), unit_of(real(camera.up)), unit_of(real(camera.forward))}, light_(unit_of(options.light)) {
+    result_.scene = scene;
+    families_[0] = family(options.angle, options.spacing / units, window);
+    families_[1] = family(options.angle + 90, options.spacing / units, window);
+    image_.reserve(scene.vertices.size());
+    for (const scene::PolyPoint& v : scene.vertices) {
+      Vector3d d{};
+      for (std::size_t a = 0; a < 3; ++a) d[a] = static_cast<double>(v[a] - camera.eye[a]);
+      image_.push_back({scalar(axes_[0], d), scalar(axes_[1], d), camera.perspective ? scalar(axes_[2], d) : 1.0});
+    }
+  }
+
+  base::Result<Hatching> run() {
+    std::uint32_t number = 0;
+    const std::vector<scene::PolyBody>& bodies = result_.scene.bodies;
+    for (const scene::PolyBody& body : bodies) {
+      for (const scene::PolyFace& face : body.faces) {
+        add(face, body.sheet, number++);
+        if (result_.lines.edges.size() > most_hatch_lines) {
+          return base::Error{"", "", "hatching of more than " + std::to_string(most_hatch_lines) + " lines", "fewer",
+                             "a wider spacing"};
+        }
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static HatchFamily family(double degrees, double step, const ImageWindow& window) {
+    const double angle = degrees * std::numbers::pi / 180;
+    HatchFamily family;
+    family.across = {-std::sin(angle), std::cos(angle)};
+    family.start = family.across[0] * window.low[0] + family.across[1] * window.low[1];
+    family.step = step;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double x : {window.low[0], window.high[0]}) {
+      for (const double y : {window.low[1], window.high[1]}) {
+        const double at = (family.across[0] * x + family.across[1] * y - family.start) / step;
+        low = std::min(low, at);
+        high = std::max(high, at);
+      }
+    }
+    constexpr double farthest = 1e7;
+    family.first = static_cast<std::int64_t>(std::ceil(std::max(low, -farthest)));
+    family.last = static_cast<std::int64_t>(std::floor(std::min(high, farthest)));
+    return family;
+  }
+
+  void add(const scene::PolyFace& face, bool sheet, std::uint32_t number) {
+    const auto& ring = face.outline;
+    geometry::Vector3 normal{};
+    for (std::size_t i = 0; i < ring.size() && geometry::is_zero(normal); ++i) {
+      // Of three corners: which way they turn is asked of all below.
+      normal = geometry::normal_of(at(ring[i]), at(ring[(i + 1) % ring.size()]), at(ring[(i + 2) % ring.size()]));
+    }
+    if (geometry::is_zero(normal)) return;
+    geometry::Vector3 area{};
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const auto part = geometry::normal_of(at(ring[0]), at(ring[i - 1]), at(ring[i]));
+      for (std::size_t a = 0; a < 3; ++a) area[a] += part[a];
+    }
+    if (geometry::wide_dot(normal, area) < 0) normal = geometry::negated(normal);
+    const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(ring[0]), camera_.eye) : geometry::vector_of(camera_.forward);
+    const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
+    if (facing == 0 || (facing < 0 && !sheet)) return;
+    Vector3d direction{static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])};
+    Vector3d shaded = unit_of(direction);
+    const auto surface = result_.scene.surface_of[number];
+    if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[surface].normal;
+    double light = scalar(shaded, light_);
+    if (facing < 0) light = -light;
+    const Tone tone = tone_of(light);
+    if (tone == Tone::light) return;
+    lines(face, direction, families_[0], tone == Tone::fourth ? 4 : tone == Tone::half ? 2 : 1, number, false);
+    if (tone == Tone::crossed) lines(face, direction, families_[1], 2, number, true);
+  }
+
+  [[nodiscard]] const scene::PolyPoint& at(scene::VertexIndex v) const { return result_.scene.vertices[v]; }
+
+  // Which lines meet the face's image: all of the window if a part of the face is behind the eye.
+  [[nodiscard]] std::pair<std::int64_t, std::int64_t> range(const scene::PolyFace& face, const HatchFamily& family) const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const scene::VertexIndex v : face.outline) {
+      const Vector3d& p = image_[v];
+      if (p[2] <= 0) return {family.first, family.last};
+      const double place = ((family.across[0] * p[0] + family.across[1] * p[1]) / p[2] - family.start) / family.step;
+      low = std::min(low, place);
+      high = std::max(high, place);
+    }
+    if (low > static_cast<double>(family.last) || high < static_cast<double>(family.first)) return {1, 0};
+    return {std::max(family.first, static_cast<std::int64_t>(std::floor(std::max(low, static_cast<double>(family.first))))),
+            std::min(family.last, static_cast<std::int64_t>(std::ceil(std::min(high, static_cast<double>(family.last)))))};
+  }
+
+  void lines(const scene::PolyFace& face, const Vector3d& normal, const HatchFamily& family, std::int64_t every, std::uint32_t number,
+             bool across) {
+    auto [first, last] = range(face, family);
+    const std::int64_t over = ((first % every) + every) % every;
+    if (over != 0) first += every - over;
+    for (std::int64_t k = first; k <= last; k += every) {
+      const double offset = family.start + static_cast<double>(k) * family.step;
+      // How far the points of a plane through the eye are from it; zero is the line.
+      Vector3d plane{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        plane[a] = family.across[0] * axes_[0][a] + family.across[1] * axes_[1][a];
+        if (camera_.perspective) plane[a] -= offset * axes_[2][a];
+      }
+      const Vector3d along{plane[1] * normal[2] - plane[2] * normal[1], plane[2] * normal[0] - plane[0] * normal[2],
+                           plane[0] * normal[1] - plane[1] * normal[0]};
+      places_.clear();
+      add_places(face.outline, family, offset, along);
+      for (const auto& hole : face.holes) add_places(hole, family, offset, along);
+      std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.along < b.along; });
+      for (std::size_t i = 0; i + 1 < places_.size(); i += 2) add_line(places_[i].point, places_[i + 1].point, number, across);
+      if (result_.lines.edges.size() > most_hatch_lines) return;
+    }
+  }
+
+  struct Place {
+    double along = 0;
+    scene::PolyPoint point{};
+  };
+
+  void add_places(const std::vector<scene::VertexIndex>& ring, const HatchFamily& family, double offset, const Vector3d& along) {
+    const auto distance = [&](scene::VertexIndex v) {
+      const Vector3d& p = image_[v];
+      return family.across[0] * p[0] + family.across[1] * p[1] - offset * p[2];
+    };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      // Lower vertex first: a side has one place for both faces at it.
+      const auto [p, q] = std::minmax({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
+      const double a = distance(p);
+      const double b = distance(q);
+      if ((a >= 0) == (b >= 0)) continue;
+      const double t = a / (a - b);
+      Place place;
+      Vector3d point{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        point[axis] = at(p)[axis] + t * (static_cast<double>(at(q)[axis]) - at(p)[axis]);
+        place.point[axis] = static_cast<std::int32_t>(std::floor(point[axis] + 0.5));
+      }
+      place.along = scalar(point, along);
+      places_.push_back(place);
+    }
+  }
+
+  void add_line(const scene::PolyPoint& from, const scene::PolyPoint& to, std::uint32_t face, bool across) {
+    if (from == to) return;
+    auto& vertices = result_.scene.vertices;
+    const auto first = static_cast<scene::VertexIndex>(vertices.size());
+    vertices.push_back(from);
+    vertices.push_back(to);
+    result_.scene.crossings.push_back({first, first + 1, face, face});
+    ChosenEdges& lines = result_.lines;
+    lines.edges.push_back({first, first + 1});
+    lines.kinds.push_back(EdgeKind::flat);
+    lines.turned_away.push_back(0);
+    lines.surfaces.push_back(result_.scene.surface_of[face]);
+    lines.first_surface.push_back(static_cast<std::uint32_t>(lines.surfaces.size()));
+    result_.across.push_back(across ? 1 : 0);
+  }
+
+  const scene::PolyCamera& camera_;
+  std::array<Vector3d, 3> axes_;  // of length 1
+  Vector3d light_;
+  std::array<HatchFamily, 2> families_;
+  std::vector<Vector3d> image_;  // right, up and depth of each vertex
+  std::vector<Place> places_;
+  Hatching result_;
+};
+
+}  // namespace
+
+Tone tone_of(double facing) {
+  constexpr double no_lines = 0.85;
+  constexpr double every_fourth = 0.6;
+  constexpr double every_second = 0.35;
+  constexpr double all = 0.1;
+  if (facing >= no_lines) return Tone::light;
+  if (facing >= every_fourth) return Tone::fourth;
+  if (facing >= every_second) return Tone::half;
+  return facing >= all ? Tone::full : Tone::crossed;
+}
+
+base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window, double units,
+                               const HatchOptions& options) {
+  return Hatcher(scene, camera, window, units, options).run();
+}
+
+}  // namespace sightline::picture

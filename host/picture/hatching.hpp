@@ -1,0 +1,47 @@
+// Hatching: faces shaded by parallel lines on the paper, denser where less light falls on them, as one does with a pen.
+//
+// The lines of a direction lie at whole multiples of the spacing from one corner of the window, so that they go on from
+// face to face. A face takes every fourth of them, every second or all, as the angle to the light grows, and where it is
+// darkest all of them and every second across. On each face such a line lies in its plane and ends at its outline; these
+// ends are rounded to the grid of the scene, and what is seen between them is decided like what is seen of edges.
+// Left out: shadows that bodies cast.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/picture/edge_choice.hpp"
+#include "host/picture/line_drawing.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::picture {
+
+struct HatchOptions {
+  double angle = 45;                // degrees, counterclockwise from the horizontal of the paper
+  double spacing = 1;               // of the densest lines, in units of the drawing
+  std::array<double, 3> light{};    // towards the light, of any length but 0, in the axes of the scene
+};
+
+// How dark a face is, by the share of light that its direction loses: which lines it takes.
+enum class Tone : std::uint8_t { light, fourth, half, full, crossed };
+// `facing`: the cosine of the angle between the normal, turned to the eye, and the direction of the light.
+[[nodiscard]] Tone tone_of(double facing);
+
+struct Hatching {
+  scene::PolyScene scene;           // with the lines as crossings behind its own, both faces being the face they lie on
+  ChosenEdges lines;                // all that were added, ascending
+  std::vector<std::uint8_t> across;  // of each line: one of those across
+};
+
+inline constexpr std::size_t most_hatch_lines = 2'000'000;
+
+// Of faces that are turned to the eye, and of sheets; for a drawing with this window, of `units` to one of the image.
+// The scene has surfaces or numbered planes (precondition); the finer its grid, the nearer ends are to outlines. An error
+// if there were more than most_hatch_lines.
+[[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window,
+                                             double units, const HatchOptions& options);
+
+}  // namespace sightline::picture
