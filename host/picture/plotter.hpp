@@ -32,9 +32,13 @@ struct Plotter {
   std::string_view description;
   int pens = most_hpgl_pens;
   PlotterSpeeds speeds;
-  std::array<PlotterPaperLimits, 4> papers;
+  std::array<PlotterPaperLimits, 4> papers = {};
+  // Of a drum plotter: how far the pen goes along the height of the paper, in mm; paper of any length. 0: no drum.
+  double carriage = 0;
+  double length = 0;  // mm of paper that a step file can count
 };
 
+// The first is the usual one: how long a drawing takes, unless another is named.
 // Limits: HP 7475A and 7550A Interfacing and Programming Manuals, tables of plotting areas.
 [[nodiscard]] std::span<const Plotter> plotters();
 [[nodiscard]] const Plotter* find_plotter(std::string_view name);

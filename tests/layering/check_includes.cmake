@@ -16,7 +16,7 @@ set(RULES
   "host/base="
   "host/geometry="
   "host/scene=host/base,host/geometry"
-  "host/picture=host/base,host/geometry,host/scene,emulators/core"
+  "host/picture=host/base,host/geometry,host/scene,emulators/core,emulators/devices/calcomp565.hpp"
   "host/algorithms/*=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
   "host/guests/run=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"

@@ -23,7 +23,7 @@ void add_draw_heights(const Command& command, const registry::HeightMethod& meth
 
 // --- where to
 
-enum class DrawingFormat { svg, png, hpgl, pdf, dxf };
+enum class DrawingFormat { svg, png, hpgl, pdf, dxf, steps };
 
 struct DrawOutput {
   std::optional<Command> command;  // whose options these are
@@ -50,7 +50,7 @@ struct DrawOutput {
 // --output, --format, of the paper, of the pen, of an image.
 void add_draw_output_options(const Command& command, DrawOutput& output);
 
-// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, in small or capital letters. Failure
+// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in small or capital letters. Failure
 // usage, also of an option that the format does not have, or of paper that the plotter does not take.
 [[nodiscard]] DrawingFormat read_draw_output(DrawOutput& output);
 

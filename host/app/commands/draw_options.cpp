@@ -17,6 +17,7 @@
 #include "host/picture/pdf.hpp"
 #include "host/picture/pen_order.hpp"
 #include "host/picture/png.hpp"
+#include "host/picture/step_file.hpp"
 
 namespace sightline::app {
 
@@ -24,6 +25,7 @@ namespace {
 
 // --- where to
 
+constexpr std::string_view calcomp = "calcomp";
 constexpr double widest_paper = 10'000;  // millimetres
 
 std::pair<int, int> size_argument(const char* option, const std::string& text, int most) {
@@ -32,7 +34,7 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
                 fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
 }
 
-constexpr std::string_view format_endings = ".svg, .png, .plt, .hpgl, .pdf or .dxf";
+constexpr std::string_view format_endings = ".svg, .png, .plt, .hpgl, .pdf, .dxf or .steps";
 
 std::optional<DrawingFormat> format_of(const DrawOutput& output) {
   std::string ending = output.format;
@@ -47,6 +49,7 @@ std::optional<DrawingFormat> format_of(const DrawOutput& output) {
   if (ending == "plt" || ending == "hpgl") return DrawingFormat::hpgl;
   if (ending == "pdf") return DrawingFormat::pdf;
   if (ending == "dxf") return DrawingFormat::dxf;
+  if (ending == "steps") return DrawingFormat::steps;
   return std::nullopt;
 }
 
@@ -65,8 +68,9 @@ void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
   if (format == DrawingFormat::png)
     for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) refuse_option(output, option, with_pens);
   if (format != DrawingFormat::hpgl)
-    for (const char* option : {"--device", "--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
-  if (format == DrawingFormat::hpgl || format == DrawingFormat::dxf || (format == DrawingFormat::png && !output.is_sheet()))
+    for (const char* option : {"--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
+  if (format != DrawingFormat::hpgl && format != DrawingFormat::steps) refuse_option(output, "--device", of_plotters);
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps || format == DrawingFormat::dxf || (format == DrawingFormat::png && !output.is_sheet()))
     refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
@@ -135,7 +139,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
               fmt::format("The drawing; the ending says what it is: {}; - is standard output, SVG unless --format says otherwise", format_endings))
       .required()
       .value("FILE");
-  command.option("--format", output.format, "What it is, whatever its name").one_of({"svg", "png", "plt", "pdf", "dxf"}).default_value("as the name says");
+  command.option("--format", output.format, "What it is, whatever its name").one_of({"svg", "png", "plt", "pdf", "dxf", "steps"}).default_value("as the name says");
   command.option("--size", output.size, "Size of the paper: A0 to A6, Letter, Legal, Tabloid, or WIDTHxHEIGHT in mm, or in inches as 8x10in")
       .default_value()
       .value("SIZE")
@@ -181,6 +185,12 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   const auto format = format_of(output);
   if (!format)
     throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in {}, or --format", output.file, format_endings));
+  if (*format == DrawingFormat::steps && output.device.empty()) output.device = calcomp;
+  if ((output.device == calcomp) != (*format == DrawingFormat::steps)) {
+    throw Failure(ExitCode::usage, output.device == calcomp
+                                       ? fmt::format("{}: expected a name that ends in .steps for the CalComp, or --format steps", output.file)
+                                       : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
+  }
   refuse_options_of_others(output, *format);
   read_paper(output);
   picture::Paper& paper = output.paper;
@@ -221,7 +231,8 @@ DrawingFormat read_draw_output(DrawOutput& output) {
 
 namespace {
 
-base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& output) {
+// `counted`: the seconds, where the file itself says them.
+base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& output, std::optional<double> counted) {
   const picture::PenTravel travel = picture::pen_travel(drawing, output.paper);
   const picture::Plotter& plotter = output.plotter() != nullptr ? *output.plotter() : picture::plotters().front();
   picture::PlotterSpeeds speeds = plotter.speeds;
@@ -232,7 +243,7 @@ base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& ou
           {"lifts", travel.lifts},
           {"pens", travel.pens},
           {"plotter", plotter.name},
-          {"seconds", std::round(10 * plot_seconds(drawing, output.paper, speeds)) / 10}};
+          {"seconds", std::round(10 * counted.value_or(plot_seconds(drawing, output.paper, speeds))) / 10}};
 }
 
 }  // namespace
@@ -251,11 +262,18 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
   }
   const picture::VectorDrawing drawing =
       output.as_found ? found : in_pen_order(found, output.paper, {.min_gap = output.min_gap});
+  std::optional<double> seconds;
   switch (format) {
     case DrawingFormat::png: break;
     case DrawingFormat::svg: file.write(std::string_view(svg_of(drawing, output.paper, title))); break;
     case DrawingFormat::pdf: file.write(std::string_view(pdf_of(drawing, output.paper, title))); break;
     case DrawingFormat::dxf: file.write(std::string_view(dxf_of(drawing, output.paper))); break;
+    case DrawingFormat::steps: {
+      const std::string steps = step_file_of(drawing, output.paper);
+      file.write(std::string_view(steps));
+      seconds = picture::step_file_time(steps).seconds;
+      break;
+    }
     case DrawingFormat::hpgl: {
       const picture::HpglOptions options{output.plotter(), output.pens, output.speed, output.relative};
       file.write(std::string_view(hpgl_of(drawing, output.paper, options)));
@@ -263,7 +281,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
     }
   }
   file.commit();
-  base::Json plot = plot_json(drawing, output);
+  base::Json plot = plot_json(drawing, output, seconds);
   if (output.report) {
     complain(fmt::format("{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),
                          plot["pen_up_m"].dump(), plot["lifts"].dump(), plot["seconds"].dump(), std::string(output.plotter() != nullptr ? output.device : picture::plotters().front().name)));

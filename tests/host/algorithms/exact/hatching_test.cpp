@@ -1,0 +1,253 @@
+// Hatching and lines between bodies of scenes that are no mesh: what is seen of them by `exact` and by the oracle, and laws
+// of where the lines are.
+#include "host/picture/hatching.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/algorithms/exact/edge_mesh.hpp"
+#include "host/algorithms/exact/visible_edges.hpp"
+#include "host/algorithms/oracle/edge_oracle.hpp"
+#include "host/picture/line_drawing.hpp"
+#include "host/scene/check/crossings.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/generate/scene.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/finer_grid.hpp"
+#include "tests/support/dice.hpp"
+
+namespace sightline::algorithms {
+namespace {
+
+using Dice = guests::jones::Dice;
+using scene::PolyPoint;
+using scene::VertexIndex;
+
+void add_box(scene::PolyScene& scene, const PolyPoint& low, const PolyPoint& high) {
+  const auto first = static_cast<VertexIndex>(scene.vertices.size());
+  for (int i = 0; i < 8; ++i)
+    scene.vertices.push_back({(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]});
+  scene::PolyBody& body = scene.bodies.emplace_back();
+  for (const auto& face : std::vector<std::vector<VertexIndex>>{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    body.faces.emplace_back();
+    for (const VertexIndex v : face) body.faces.back().outline.push_back(first + v);
+  }
+}
+
+// Boxes anywhere, most of which pass through others, and a sheet through all.
+scene::PolyScene crossing_boxes(Dice& dice, int count) {
+  scene::PolyScene scene;
+  for (int i = 0; i < count; ++i) {
+    PolyPoint low{};
+    PolyPoint high{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = dice(-60, 20);
+      high[a] = low[a] + dice(15, 60);
+    }
+    add_box(scene, low, high);
+  }
+  scene::PolyBody& sheet = scene.bodies.emplace_back();
+  sheet.sheet = true;
+  const auto first = static_cast<VertexIndex>(scene.vertices.size());
+  for (const PolyPoint& p : {PolyPoint{-70, -30, -70}, {70, -30, -70}, {70, 30, 70}, {-70, 30, 70}}) scene.vertices.push_back(p);
+  sheet.faces.push_back({{first, first + 1, first + 2, first + 3}, {}});
+  return scene;
+}
+
+std::optional<scene::PolyCamera> camera_around(const scene::PolyScene& scene, Dice& dice, bool perspective) {
+  const std::array<double, 3> direction{dice(-100, 100) / 100.0, dice(-100, 100) / 100.0, dice(-99, 100) / 100.0 + 0.005};
+  scene::PolyCamera camera = scene::camera_outside({}, scene, direction, perspective);
+  if (scene::eye_error(scene, camera)) return std::nullopt;
+  return camera;
+}
+
+struct Hatched {
+  picture::Hatching hatching;
+  scene::PolyCamera camera;
+  picture::ImageWindow window;
+  double units = 1;
+};
+
+// On the finest grid, for a drawing of 100 by 100.
+Hatched hatch(const scene::PolyScene& given, const scene::PolyCamera& camera, const picture::HatchOptions& options) {
+  const std::int32_t factor = scene::finest_factor(given, std::array{camera});
+  scene::PolyScene scene = scene::on_finer_grid(given, factor);
+  if (scene.surface_of.empty()) scene::number_planes(scene);
+  Hatched result;
+  result.camera = scene::on_finer_grid(camera, factor);
+  const picture::DrawingField field{100, 100, {}};
+  const picture::LineLayer edges{"", exact::visible_edges(scene, result.camera)};
+  result.window = picture::drawing_window({&edges, 1}, scene, result.camera, field);
+  result.units = 100 / (result.window.high[0] - result.window.low[0]);
+  auto hatching = picture::hatched(scene, result.camera, result.window, result.units, options);
+  EXPECT_TRUE(hatching);
+  if (hatching) result.hatching = std::move(*hatching);
+  return result;
+}
+
+picture::LinePicture seen(const Hatched& hatched) {
+  return exact::visible_edges(exact::make_edge_mesh(hatched.hatching.scene), hatched.camera, &hatched.hatching.lines);
+}
+
+TEST(Hatching, IsSeenAsTheOracleSeesIt) {
+  Dice dice(31);
+  std::size_t lines = 0;
+  std::size_t pieces = 0;
+  for (const std::string family : {"boxes", "prisms", "triangles", "town", "crossing"}) {
+    for (int i = 0; i < 15; ++i) {
+      const auto generated = family == "crossing" ? crossing_boxes(dice, 4) : *scene::generate_scene(family, 7, 100U + static_cast<unsigned>(i));
+      const auto camera = camera_around(generated, dice, i % 3 != 0);
+      if (!camera) continue;
+      const Hatched made = hatch(generated, *camera, {dice(0, 180) * 1.0, 4, {dice(-9, 9) + 0.5, dice(-9, 9) + 0.5, dice(-9, 9) + 0.5}});
+      const picture::LinePicture fast = seen(made);
+      EXPECT_TRUE(fast == oracle::visible_edges(made.hatching.scene, made.camera, made.hatching.lines)) << family << ' ' << i;
+      lines += made.hatching.lines.edges.size();
+      pieces += fast.pieces.size();
+    }
+  }
+  EXPECT_GT(lines, 4000U);
+  EXPECT_GT(pieces, 2000U);
+}
+
+// On the paper: at the angle, at whole multiples of the spacing; in space: on their faces, but for rounding.
+TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
+  Dice dice(7);
+  for (int i = 0; i < 6; ++i) {
+    const auto scene = *scene::generate_scene("boxes", 5, 10U + static_cast<unsigned>(i));
+    const auto camera = camera_around(scene, dice, i % 2 == 0);
+    if (!camera) continue;
+    const double degrees = dice(0, 179);
+    const picture::HatchOptions options{degrees, 2, {0.3, 0.2, -0.9}};
+    const Hatched made = hatch(scene, *camera, options);
+    const auto& vertices = made.hatching.scene.vertices;
+    const picture::DrawingField field{100, 100, {}};
+    std::vector<const scene::PolyFace*> faces;
+    for (const scene::PolyBody& body : made.hatching.scene.bodies)
+      for (const scene::PolyFace& face : body.faces) faces.push_back(&face);
+    for (std::size_t l = 0; l < made.hatching.lines.edges.size(); ++l) {
+      const picture::LineEdge& edge = made.hatching.lines.edges[l];
+      const picture::LineLayer layer{"", {{{edge, 0, 1}}}};
+      const picture::VectorDrawing drawing = picture::line_drawing({&layer, 1}, made.hatching.scene, made.camera, field, made.window);
+      if (drawing.points.size() != 2) continue;  // outside of the window
+      const double angle = (degrees + (made.hatching.across[l] != 0 ? 90 : 0)) * std::numbers::pi / 180;
+      for (const picture::DrawingPoint& p : drawing.points) {
+        const double at = (-std::sin(angle) * p.x + std::cos(angle) * p.y) / options.spacing;
+        EXPECT_NEAR(at, std::round(at), 0.02);
+      }
+      const scene::PolyFace& face = *faces[made.hatching.scene.crossings[l].face_a];
+      const auto normal = geometry::normal_of(vertices[face.outline[0]], vertices[face.outline[1]], vertices[face.outline[2]]);
+      const double length = std::sqrt(double(normal[0]) * double(normal[0]) + double(normal[1]) * double(normal[1]) + double(normal[2]) * double(normal[2]));
+      for (const VertexIndex v : {edge.from, edge.to}) {
+        const auto off = geometry::dot(normal, geometry::difference(vertices[v], vertices[face.outline[0]]));
+        EXPECT_LE(std::abs(static_cast<double>(off)) / length, 0.87);  // half the diagonal of a step
+      }
+    }
+  }
+}
+
+// A square of 80 by 80 that fills the middle of the paper, seen from before: so much ink, whatever the angle.
+TEST(Hatching, InkIsAreaBySpacing) {
+  scene::PolyScene scene;
+  scene::PolyBody& body = scene.bodies.emplace_back();
+  body.sheet = true;
+  scene.vertices = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}};
+  body.faces.push_back({{0, 1, 2, 3}, {}});
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  camera.eye = {0, 0, -100};
+  for (const double degrees : {0.0, 30.0, 45.0, 117.0}) {
+    struct Case {
+      std::array<double, 3> light;
+      double density;
+    };
+    for (const Case& c : {Case{{0, 0, -1}, 0}, Case{{0, 1, -1}, 0.25}, Case{{0, 2, -1}, 0.5}, Case{{0, 4, -1}, 1}, Case{{0, 1, 0}, 1.5}, Case{{0, 0, 1}, 1.5}}) {
+      const Hatched made = hatch(scene, camera, {degrees, 1, c.light});
+      double length = 0;
+      for (const picture::LineEdge& edge : made.hatching.lines.edges) {
+        const PolyPoint& p = made.hatching.scene.vertices[edge.from];
+        const PolyPoint& q = made.hatching.scene.vertices[edge.to];
+        length += std::hypot(double(p[0]) - q[0], double(p[1]) - q[1]);
+      }
+      // The square is as wide as the paper: 100.
+      length *= made.units;
+      EXPECT_NEAR(length, c.density * 100 * 100, 4 * 100 * (c.density > 0 ? 1.2 : 0)) << degrees;
+    }
+  }
+}
+
+TEST(Hatching, MoreLightIsNeverDarker) {
+  int before = static_cast<int>(picture::tone_of(-1));
+  EXPECT_EQ(before, static_cast<int>(picture::Tone::crossed));
+  for (int i = -100; i <= 100; ++i) {
+    const int tone = static_cast<int>(picture::tone_of(i / 100.0));
+    EXPECT_LE(tone, before);
+    before = tone;
+  }
+  EXPECT_EQ(before, static_cast<int>(picture::Tone::light));
+}
+
+TEST(Hatching, AHoleHasNone) {
+  scene::PolyScene scene;
+  scene::PolyBody& body = scene.bodies.emplace_back();
+  body.sheet = true;
+  scene.vertices = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}, {20, 20, 0}, {20, 60, 0}, {60, 60, 0}, {60, 20, 0}};
+  body.faces.push_back({{0, 1, 2, 3}, {{4, 5, 6, 7}}});
+  ASSERT_TRUE(scene::check_poly_scene(scene).empty());
+  scene::PolyCamera camera;
+  camera.perspective = false;
+  camera.eye = {0, 0, -100};
+  const Hatched made = hatch(scene, camera, {45, 3, {0, 1, 0}});
+  const double step = made.hatching.scene.vertices[1][0] / 80.0;
+  ASSERT_FALSE(made.hatching.lines.edges.empty());
+  for (const picture::LineEdge& edge : made.hatching.lines.edges) {
+    for (int i = 1; i < 20; ++i) {
+      const double t = i / 20.0;
+      const PolyPoint& p = made.hatching.scene.vertices[edge.from];
+      const PolyPoint& q = made.hatching.scene.vertices[edge.to];
+      const double x = (p[0] + t * (q[0] - p[0])) / step;
+      const double y = (p[1] + t * (q[1] - p[1])) / step;
+      EXPECT_FALSE(x > 20.01 && x < 59.99 && y > 20.01 && y < 59.99);
+    }
+  }
+}
+
+// Lines in which bodies of a scene without surfaces cross.
+TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
+  Dice dice(11);
+  std::size_t pieces = 0;
+  std::size_t crossings = 0;
+  for (int i = 0; i < 40; ++i) {
+    const scene::PolyScene given = crossing_boxes(dice, 5);
+    const auto camera = camera_around(given, dice, i % 2 == 0);
+    if (!camera) continue;
+    const std::int32_t factor = scene::finest_factor(given, std::array{*camera});
+    EXPECT_GE(factor, 64);
+    const scene::PolyScene scene = scene::with_crossings(scene::on_finer_grid(given, factor));
+    const scene::PolyCamera finer = scene::on_finer_grid(*camera, factor);
+    const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("all")).at(finer);
+    const picture::LinePicture fast = exact::visible_edges(exact::make_edge_mesh(scene), finer, &chosen);
+    EXPECT_TRUE(fast == oracle::visible_edges(scene, finer, chosen)) << i;
+    // What is seen of the edges is the same as without the lines, and on the grid given.
+    picture::LinePicture edges;
+    const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size()) : scene.crossings.front().from;
+    std::copy_if(fast.pieces.begin(), fast.pieces.end(), std::back_inserter(edges.pieces),
+                 [first](const picture::LinePiece& piece) { return piece.edge.from < first; });
+    EXPECT_TRUE(edges == exact::visible_edges(given, *camera)) << i;
+    crossings += scene.crossings.size();
+    pieces += fast.pieces.size() - edges.pieces.size();
+  }
+  EXPECT_GT(crossings, 500U);
+  EXPECT_GT(pieces, 100U);
+}
+
+}  // namespace
+}  // namespace sightline::algorithms

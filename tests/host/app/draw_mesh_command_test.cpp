@@ -1,0 +1,163 @@
+// `sightline draw` of meshes and of bodies that pass through each other: layers, hatching, units, step files.
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using sightline::test::has;
+
+// A box, and a bar through it.
+constexpr std::string_view box_and_bar = R"({"name":"two","step":1,"vertices":[
+[0,0,0],[10,0,0],[0,10,0],[10,10,0],[0,0,10],[10,0,10],[0,10,10],[10,10,10],
+[3,4,-5],[7,4,-5],[3,7,-5],[7,7,-5],[3,4,15],[7,4,15],[3,7,15],[7,7,15]],
+"bodies":[{"name":"box","faces":[[0,2,3,1],[4,5,7,6],[0,1,5,4],[2,6,7,3],[0,4,6,2],[1,3,7,5]]},
+{"name":"bar","faces":[[8,10,11,9],[12,13,15,14],[8,9,13,12],[10,14,15,11],[8,12,14,10],[9,11,15,13]]}],
+"camera":{"perspective":false,"eye":[40,35,50],"forward":[-4,-3,-5],"right":[5,0,-4],"up":[-12,41,-15]}})";
+
+class DrawMesh : public sightline::test::CommandLine {
+ protected:
+  // The line of the exit code and the errors of a call that must work.
+  void expect_ok(const sightline::test::Arguments& arguments) {
+    const auto ran = sightline(arguments);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  }
+};
+
+TEST_F(DrawMesh, BodiesThatPassThroughEachOtherInJson) {
+  write("two.json", box_and_bar);
+  for (const char* method : {"exact", "oracle"}) {
+    const auto ran = sightline({"draw", method, "two.json", "--json", "-o", std::string(method) + ".svg"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    EXPECT_TRUE(has(ran.out, "\"intersection\": 8")) << ran.out;
+  }
+  EXPECT_EQ(read("exact.svg"), read("oracle.svg"));
+  EXPECT_TRUE(has(read("exact.svg"), "inkscape:label=\"1 visible\""));
+  EXPECT_TRUE(has(read("exact.svg"), "inkscape:label=\"2 intersection\""));
+  const auto other = sightline({"draw", "jones", "two.json", "-o", "j.svg"});
+  EXPECT_TRUE(has(other.err, "bodies pass through each other, the first at faces")) << other.err;
+}
+
+TEST_F(DrawMesh, ALayerForEachBody) {
+  write("two.json", box_and_bar);
+  expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.svg"});
+  const std::string svg = read("b.svg");
+  EXPECT_TRUE(has(svg, "inkscape:label=\"1 box\"\n     fill=\"none\" stroke=\"#000000\"")) << svg;
+  EXPECT_TRUE(has(svg, "inkscape:label=\"2 bar\"\n     fill=\"none\" stroke=\"#c80000\"")) << svg;
+  expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.dxf"});
+  EXPECT_TRUE(has(read("b.dxf"), "1-BOX"));
+  EXPECT_TRUE(has(read("b.dxf"), "2-BAR"));
+  expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.plt"});
+  EXPECT_TRUE(has(read("b.plt"), "SP1;"));
+  EXPECT_TRUE(has(read("b.plt"), "SP2;"));
+  // All kinds of scenes, with all edges, too.
+  expect_ok({"draw", "exact", "house", "--layers", "body", "--all-edges", "-o", "h.svg"});
+}
+
+TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
+  write("two.json", box_and_bar);
+  expect_ok({"draw", "exact", "two.json", "-o", "plain.svg"});
+  const auto ran = sightline({"draw", "exact", "two.json", "--hatch", "30,2", "--light", "1,3,0.5", "--json", "-o", "h.svg"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "\"hatching\"")) << ran.out;
+  const std::string svg = read("h.svg");
+  EXPECT_TRUE(has(svg, "inkscape:label=\"3 hatching\""));
+  // The edges are those of the drawing without it.
+  const std::string plain = read("plain.svg");
+  const std::size_t begin = plain.find("<g id=\"layer-1\"");
+  const std::size_t end = plain.find("</svg>");
+  EXPECT_TRUE(has(svg, plain.substr(begin, end - begin)));
+  expect_ok({"draw", "oracle", "two.json", "--hatch", "30,2", "--light", "1,3,0.5", "-o", "o.svg"});
+  EXPECT_EQ(svg, read("o.svg"));
+}
+
+TEST_F(DrawMesh, HatchingThatCannotBe) {
+  for (const auto& [hatch, light, what] : std::vector<std::array<std::string, 3>>{{"45", "1,1,1", "ANGLE,SPACING"},
+                                                                                  {"45,0", "1,1,1", "a spacing from"},
+                                                                                  {"nan,1", "1,1,1", "ANGLE,SPACING"},
+                                                                                  {"45,1,2", "1,1,1", "ANGLE,SPACING"},
+                                                                                  {"45,1", "1,1", "--light"},
+                                                                                  {"45,1", "0,0,0", "expected a direction"}}) {
+    const auto ran = sightline({"draw", "exact", "boxes-3", "--hatch", hatch, "--light", light, "-o", "x.svg"});
+    EXPECT_EQ(ran.exit_code, 2) << hatch;
+    EXPECT_TRUE(has(ran.err, what)) << ran.err;
+  }
+  EXPECT_NE(sightline({"draw", "jones", "boxes-3", "--hatch", "45,1", "-o", "x.svg"}).exit_code, 0);
+}
+
+// The step file, sent by the host to a program on the emulated machine, which gives it to the emulated plotter.
+TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
+  write("two.json", box_and_bar);
+  const std::string player = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/boards/player.asm";
+  expect_ok({"asm", "i8080", player, "-o", "player.hex", "--format", "hex"});
+  const auto drawn = sightline({"draw", "exact", "two.json", "--json", "-o", "two.steps"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  const auto ran = sightline({"run", "i8080", "player.hex", "--plotter", "calcomp", "--parallel", "two.steps", "--strokes", "back.txt"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_FALSE(has(ran.out, "off carriage"));
+  // The same lines in HP-GL, whose units are a fortieth of a millimetre.
+  expect_ok({"draw", "exact", "two.json", "-o", "two.plt"});
+  std::set<std::pair<long, long>> steps;
+  std::istringstream strokes(read("back.txt"));
+  std::string line;
+  while (std::getline(strokes, line)) {
+    std::istringstream fields(line);
+    long time = 0;
+    long x = 0;
+    long y = 0;
+    fields >> time >> x >> y;
+    steps.emplace(x, y);
+  }
+  EXPECT_GT(steps.size(), 1000U);
+  std::istringstream plot(read("two.plt"));
+  int corners = 0;
+  std::string instruction;
+  while (std::getline(plot, instruction, ';')) {
+    const std::size_t letter = instruction.find("P");
+    if (letter == std::string::npos || (instruction[letter + 1] != 'U' && instruction[letter + 1] != 'D')) continue;
+    std::istringstream numbers(instruction.substr(letter + 2));
+    double x = 0;
+    double y = 0;
+    char comma = 0;
+    while (numbers >> x >> comma >> y) {
+      numbers >> comma;
+      // The paper of 200 mm lies in the middle of a carriage of 279.4 mm.
+      const long column = std::lround(x / 40 / 0.254);
+      const long row = std::lround((y / 40 + 39.7) / 0.254);
+      bool near = false;
+      for (long i = -1; i <= 1; ++i)
+        for (long k = -1; k <= 1; ++k) near = near || steps.contains({column + i, row + k});
+      EXPECT_TRUE(near) << x << ' ' << y;
+      ++corners;
+    }
+  }
+  EXPECT_GT(corners, 20);
+}
+
+TEST_F(DrawMesh, LimitsOfTheCalComp) {
+  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--device", "calcomp", "-o", "x.plt"}).err, ".steps for the CalComp"));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--device", "hp7475a", "-o", "x.steps"}).err, "which is for calcomp"));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--size", "A4", "--margin", "5", "-o", "x.steps"}).err, "expected 8.8 or more"));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--speed", "10", "-o", "x.steps"}).err, "--speed"));
+  expect_ok({"draw", "exact", "boxes-3", "--size", "A4", "-o", "x.steps"});
+  expect_ok({"draw", "skala", "sinc", "--device", "calcomp", "--format", "steps", "-o", "y.bin"});
+}
+
+TEST_F(DrawMesh, TheUnitOfAFile) {
+  write("a.off", "OFF\n4 4 0\n0 0 0\n1.25 0 0\n0 1.25 0\n0 0 1.25\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  EXPECT_FALSE(has(sightline({"scene", "info", "a.off"}).out, "unit"));
+  const auto ran = sightline({"scene", "info", "a.off", "--unit", "mm"});
+  EXPECT_TRUE(has(ran.out, "unit           mm")) << ran.out;
+  EXPECT_TRUE(has(ran.err, "steps of 0.01 mm")) << ran.err;
+  EXPECT_TRUE(has(sightline({"scene", "info", "a.off", "--unit", "inch", "--json"}).out, "\"unit\": \"inch\""));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--unit", "mm", "-o", "b.svg"}).err, "--unit: boxes-3 is no mesh"));
+  EXPECT_EQ(sightline({"scene", "info", "a.off", "--unit", "furlong"}).exit_code, 2);
+  EXPECT_TRUE(has(sightline({"scene", "convert", "a.off", "-o", "a.gltf"}).err, "expected a name that ends in"));
+}
+
+}  // namespace
