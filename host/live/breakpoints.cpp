@@ -18,6 +18,20 @@ bool Breakpoints::remove(int number) {
   return std::erase_if(all_, [number](const Breakpoint& each) { return each.number == number; }) != 0;
 }
 
+bool Breakpoints::move(int number, std::uint32_t to) {
+  const auto found = std::find_if(all_.begin(), all_.end(), [number](const Breakpoint& each) { return each.number == number; });
+  if (found == all_.end()) return false;
+  found->first = found->last = to;
+  return true;
+}
+
+void Breakpoints::forget_passes() {
+  for (Breakpoint& each : all_) {
+    each.passed = 0;
+    each.was_true = false;
+  }
+}
+
 bool Breakpoints::has_conditions() const {
   return std::any_of(all_.begin(), all_.end(),
                      [](const Breakpoint& each) { return each.kind == Breakpoint::Kind::condition; });

@@ -36,6 +36,10 @@ class Breakpoints {
   bool remove(int number);
   void clear() { all_.clear(); }
   [[nodiscard]] const std::vector<Breakpoint>& all() const { return all_; }
+  // Where an execution breakpoint stands now; false: there is none of that number.
+  bool move(int number, std::uint32_t to);
+  // None has been passed yet.
+  void forget_passes();
   // Some become true by themselves: conditions must be looked at after each instruction.
   [[nodiscard]] bool has_conditions() const;
 

@@ -237,13 +237,24 @@ class Adapter {
           "supportsFunctionBreakpoints", "supportsInstructionBreakpoints", "supportsDataBreakpoints", "supportsStepBack",
           "supportsEvaluateForHovers", "supportsSetVariable", "supportsReadMemoryRequest", "supportsWriteMemoryRequest",
           "supportsDisassembleRequest", "supportsSteppingGranularity", "supportsTerminateRequest", "supportsSetExpression",
-          "supportsCompletionsRequest"})
+          "supportsCompletionsRequest", "supportsRestartRequest"})
       can[each] = true;
+    hears_invalidated_ = flag_in(arguments, "supportsInvalidatedEvent");
+    hears_memory_ = flag_in(arguments, "supportsMemoryEvent");
     return can;
   }
   Json launch(const Json& arguments) {
     if (launched_) throw Refused{"found a second launch, expected one in a session"};
-    launched_.emplace(accepted(host_.launch(arguments)));
+    begin(accepted(host_.launch(arguments)), arguments);
+    afterwards_.push_back([this] { event("initialized", Json::object()); });
+    return {};
+  }
+  void begin(Launched launched, const Json& arguments) {
+    monitor_.reset();
+    debugger_.reset();
+    launched_.emplace(std::move(launched));
+    launch_arguments_ = arguments;
+    finished_ = false;
     RunHost run;
     run.run = [this](Machine& machine, const guests::run::Limits& limits, const auto& heard) {
       std::optional<guests::run::Stop> stop;
@@ -259,23 +270,42 @@ class Adapter {
     };
     run.interrupted = [this] { return message_waits(); };
     run.print = [this](std::string_view text) { output("stdout", text); };
+    MonitorHost commands = host_.commands;
     debugger_.emplace(*launched_->description, *launched_->prepared.machine, launched_->prepared.limits,
                       std::move(launched_->symbols), std::move(run));
     if (launched_->radix != 0) debugger_->set_radix(launched_->radix);
+    debugger_->set_dialect(launched_->dialect);
+    if (launched_->keys) debugger_->set_key_codes(*launched_->keys);
+    monitor_.emplace(*debugger_, std::move(commands));
     for (const std::string& warning : launched_->warnings) output("console", warning + "\n");
     debugger_->send(text_in(arguments, "input"));
     stop_on_entry_ = flag_in(arguments, "stopOnEntry");
-    afterwards_.push_back([this] { event("initialized", Json::object()); });
-    return {};
+  }
+  void set_off() {
+    if (stop_on_entry_) {
+      stopped("entry", {});
+    } else {
+      begin_running(Action::go_on);
+    }
   }
   Json configuration_done(const Json&) {
-    afterwards_.push_back([this] {
-      if (stop_on_entry_) {
-        stopped("entry", {});
-      } else {
-        begin_running(Action::go_on);
-      }
-    });
+    afterwards_.push_back([this] { set_off(); });
+    return {};
+  }
+  // The machine anew, its sources read again. Breakpoints stay: the client does not send them again.
+  Json restart(const Json& arguments) {
+    const Json& changed = member(arguments, "arguments");
+    const Json wanted = changed.is_object() ? changed : launch_arguments_;
+    running_ = false;
+    finish();
+    finished_ = false;  // until there is another
+    Launched launched = accepted(host_.launch(wanted));
+    Breakpoints kept = debugger_->breakpoints();
+    begin(std::move(launched), wanted);
+    kept.forget_passes();
+    debugger_->breakpoints() = std::move(kept);
+    find_places_again();
+    afterwards_.push_back([this] { set_off(); });
     return {};
   }
   Json disconnect(const Json&) {
@@ -298,7 +328,10 @@ class Adapter {
   // --- Breakpoints ---
 
   void forget(std::vector<int>& numbers) {
-    for (const int number : std::exchange(numbers, {})) static_cast<void>(debugger_->breakpoints().remove(number));
+    for (const int number : std::exchange(numbers, {})) {
+      static_cast<void>(debugger_->breakpoints().remove(number));
+      wanted_.erase(number);
+    }
   }
   // With the condition and the count of the request; the answer has its number.
   Json add(Breakpoint breakpoint, const Json& request, std::vector<int>& numbers) {
@@ -332,30 +365,72 @@ class Adapter {
     }
     return Json{{"breakpoints", std::move(answers)}};
   }
+  // Where a breakpoint of a source or a function was asked for.
+  struct Wanted {
+    std::string file;
+    std::int64_t line = 0;  // from 1
+    std::string name;       // of a function; then there is no file
+  };
+  struct Found {
+    std::uint32_t at = 0;
+    std::int64_t line = 0;  // from 1
+  };
+  // The first line from there on that makes a word, or the value of the name.
+  [[nodiscard]] Found place_for(const Wanted& wanted) const {
+    if (!wanted.name.empty()) return {accepted(debugger_->address_of(wanted.name)), 0};
+    const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
+      return static_cast<std::int64_t>(known.first.line) >= wanted.line && same_file(known.first.file, wanted.file);
+    });
+    if (found == lines.end()) throw Refused{"no word is made by this line or one that follows"};
+    return {found->second, static_cast<std::int64_t>(found->first.line)};
+  }
+  Json add_at(const Wanted& wanted, const Json& request, std::vector<int>& numbers) {
+    const Found found = place_for(wanted);
+    Breakpoint breakpoint;
+    breakpoint.first = breakpoint.last = found.at;
+    Json answer = add(breakpoint, request, numbers);
+    if (!flag_in(answer, "verified")) return answer;
+    wanted_[numbers.back()] = wanted;
+    tell_place(answer, found);
+    return answer;
+  }
+  void tell_place(Json& breakpoint, const Found& found) const {
+    if (found.line == 0) return;
+    breakpoint["line"] = found.line - 1 + first_line_;
+    breakpoint["instructionReference"] = reference(found.at);
+  }
   Json set_breakpoints(const Json& arguments) {
     const std::string path = text_in(member(arguments, "source"), "path");
     std::vector<int>& numbers = of_files_[path];
     return set_all(member(arguments, "breakpoints"), numbers, [&](const Json& each) {
-      // The first line from there on that makes a word.
-      const std::int64_t line = integer_in(each, "line", 0) + 1 - first_line_;
-      const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
-      const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
-        return static_cast<std::int64_t>(known.first.line) >= line && same_file(known.first.file, path);
-      });
-      if (found == lines.end()) throw Refused{"no word is made by this line or one that follows"};
-      Breakpoint breakpoint;
-      breakpoint.first = breakpoint.last = found->second;
-      Json answer = add(breakpoint, each, numbers);
-      answer["line"] = static_cast<std::int64_t>(found->first.line) - 1 + first_line_;
-      answer["instructionReference"] = reference(found->second);
-      return answer;
+      return add_at({path, integer_in(each, "line", 0) + 1 - first_line_, {}}, each, numbers);
     });
   }
   Json set_function_breakpoints(const Json& arguments) {
     return set_all(member(arguments, "breakpoints"), of_functions_, [&](const Json& each) {
-      Breakpoint breakpoint;
-      breakpoint.first = breakpoint.last = accepted(debugger_->address_of(text_in(each, "name")));
-      return add(breakpoint, each, of_functions_);
+      const std::string name = text_in(each, "name");
+      if (name.empty()) throw Refused{"found no name, expected a symbol or an expression"};
+      return add_at({{}, 0, name}, each, of_functions_);
+    });
+  }
+  // After the sources have been read again: lines and names may be elsewhere.
+  void find_places_again() {
+    std::erase_if(wanted_, [this](const auto& each) {
+      const auto& [number, wanted] = each;
+      Json breakpoint{{"id", number}, {"verified", false}};
+      try {
+        const Found found = place_for(wanted);
+        if (!debugger_->breakpoints().move(number, found.at)) return true;
+        breakpoint["verified"] = true;
+        tell_place(breakpoint, found);
+      } catch (const Refused& refused) {
+        static_cast<void>(debugger_->breakpoints().remove(number));
+        breakpoint["message"] = refused.text;
+      }
+      const bool lost = !flag_in(breakpoint, "verified");
+      event("breakpoint", Json{{"reason", "changed"}, {"breakpoint", std::move(breakpoint)}});
+      return lost;
     });
   }
   Json set_instruction_breakpoints(const Json& arguments) {
@@ -613,6 +688,13 @@ class Adapter {
     const std::size_t begun = before.find_last_of(" ()[]+-*/&|!<>=~^%");
     if (begun != std::string_view::npos) before.remove_prefix(begun + 1);
     Json targets = Json::array();
+    // Verbs of the monitor at the beginning of a line.
+    if (begun == std::string_view::npos) {
+      for (const std::string_view verb : Monitor::verbs()) {
+        if (verb.starts_with(base::lower_case(before)))
+          targets.push_back(Json{{"label", verb}, {"type", "keyword"}, {"length", before.size()}, {"start", column - static_cast<std::int64_t>(before.size())}});
+      }
+    }
     for (const std::string& name : debugger_->names()) {
       if (base::lower_case(name).starts_with(base::lower_case(before)))
         targets.push_back(Json{{"label", name}, {"length", before.size()}, {"start", column - static_cast<std::int64_t>(before.size())}});
@@ -621,13 +703,11 @@ class Adapter {
   }
   Json evaluate(const Json& arguments) {
     const std::string text = text_in(arguments, "expression");
-    std::string_view rest = text;
-    if (text_in(arguments, "context") == "repl" && base::take_word(rest) == "send") {
-      if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"') rest = rest.substr(1, rest.size() - 2);
-      const auto keys = plain_text("send", rest);
-      if (!keys) throw Refused{keys.error().message};
-      debugger_->send(*keys);
-      return Json{{"result", fmt::format("{} keys to be typed as the program asks", keys->size())}, {"variablesReference", 0}};
+    if (text_in(arguments, "context") == "repl") {
+      std::string_view line = base::without_blanks(text);
+      const bool as_command = line.starts_with(':');
+      if (as_command) line.remove_prefix(1);
+      if (as_command || (!debugger_->evaluate(line) && Monitor::is_command(line))) return command(line);
     }
     const std::int64_t value = accepted(debugger_->evaluate(text));
     const bool word = value >= 0 && value < std::int64_t{1} << debugger_->description().word_bits;
@@ -636,6 +716,46 @@ class Adapter {
     Json body{{"result", result}, {"variablesReference", 0}};
     if (value >= 0 && value < debugger_->machine().words()) body["memoryReference"] = reference(static_cast<std::uint32_t>(value));
     return body;
+  }
+
+  // A line of the monitor, typed at the console.
+  Json command(std::string_view line) {
+    const std::int64_t time = debugger_->machine().ticks();
+    const std::uint64_t instructions = debugger_->machine().instructions();
+    action_ = Action::out;  // what waits meanwhile is for the machine where it will be, but for a pause
+    const Answer answer = monitor_->execute(line);
+    action_ = Action::go_on;
+    std::string text = answer.text;
+    while (text.ends_with('\n')) text.pop_back();
+    afterwards_.push_back([this, time, instructions, text] {
+      tell_removed();
+      if (!debugger_) return;
+      const bool moved = debugger_->machine().ticks() != time || debugger_->machine().instructions() != instructions;
+      if (moved && !running_) return stopped("step", text.substr(0, text.find('\n')));
+      if (hears_invalidated_) event("invalidated", Json{{"areas", Json::array({Json("all")})}});
+      if (hears_memory_) {
+        const std::int64_t bytes = std::int64_t{debugger_->machine().words()} * bytes_a_word();
+        event("memory", Json{{"memoryReference", reference(0)}, {"offset", 0}, {"count", bytes}});
+      }
+    });
+    if (answer.kind == Answer::Kind::quit) {
+      running_ = false;
+      afterwards_.push_back([this] { event("terminated", Json::object()); });
+    }
+    if (answer.kind == Answer::Kind::wrong || answer.kind == Answer::Kind::failed) throw Refused{text};
+    return Json{{"result", text}, {"variablesReference", 0}};
+  }
+  // Of the client's breakpoints, those that a command has removed.
+  void tell_removed() {
+    const auto& all = debugger_->breakpoints().all();
+    const auto gone = [&](int number) {
+      if (std::any_of(all.begin(), all.end(), [number](const Breakpoint& each) { return each.number == number; })) return false;
+      event("breakpoint", Json{{"reason", "removed"}, {"breakpoint", Json{{"id", number}, {"verified", false}}}});
+      wanted_.erase(number);
+      return true;
+    };
+    for (auto& [path, numbers] : of_files_) std::erase_if(numbers, gone);
+    for (std::vector<int>* const numbers : {&of_functions_, &of_instructions_, &of_data_}) std::erase_if(*numbers, gone);
   }
 
   // --- Memory ---
@@ -734,7 +854,12 @@ class Adapter {
   bool by_lines_ = false;
   std::optional<base::Error> broken_;
   std::optional<Launched> launched_;
+  Json launch_arguments_;
   std::optional<Debugger> debugger_;
+  std::optional<Monitor> monitor_;
+  bool hears_invalidated_ = false;
+  bool hears_memory_ = false;
+  std::map<int, Wanted> wanted_;  // by the numbers of breakpoints
   std::map<std::string, std::vector<int>> of_files_;
   std::vector<int> of_functions_;
   std::vector<int> of_instructions_;
@@ -746,6 +871,7 @@ std::span<const Adapter::Command> Adapter::commands() {
       Command{"initialize", false, &Adapter::initialize},
       Command{"launch", false, &Adapter::launch},
       Command{"configurationDone", true, &Adapter::configuration_done},
+      Command{"restart", true, &Adapter::restart},
       Command{"disconnect", false, &Adapter::disconnect},
       Command{"terminate", false, &Adapter::terminate},
       Command{"setBreakpoints", true, &Adapter::set_breakpoints},

@@ -15,6 +15,7 @@
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
 #include "host/guests/run/engine.hpp"
+#include "host/live/monitor.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::live {
@@ -26,6 +27,8 @@ struct Launched {
   Symbols symbols{8};
   std::vector<std::string> warnings = {};
   int radix = 0;  // of values; 0: that of the machine
+  std::optional<KeyCodes> keys = std::nullopt;  // what the option `console` says; empty: as Debugger has it
+  std::string dialect = {};  // of instructions that are typed; empty: that of the machine's assembler
 };
 
 struct DapHost {
@@ -39,6 +42,8 @@ struct DapHost {
   std::function<base::Result<Launched>(const base::Json& arguments)> launch;
   // The session of a machine is over; an error is shown to the person.
   std::function<base::Result<base::Done>(const guests::run::Machine&)> finish = {};
+  // How commands of the console read and write files; its `running` is not used.
+  MonitorHost commands = {};
 };
 
 // Until the client disconnects. An error: what it sent is not the protocol, and the session cannot go on.

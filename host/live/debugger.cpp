@@ -27,6 +27,7 @@ Debugger::Debugger(const guests::run::MachineDescription& description, Machine& 
       symbols_(std::move(symbols)),
       host_(std::move(host)),
       past_(description.name, machine),
+      key_codes_(description.radix == 8 ? KeyCodes::parity : KeyCodes::ascii),
       names_{description.radix, [this](std::string_view name) { return value_of(name); },
              [this](std::int64_t at) -> std::optional<std::int64_t> {
                if (at < 0 || at >= machine_.words()) return std::nullopt;
@@ -180,7 +181,13 @@ void Debugger::start(std::uint32_t at) {
 
 base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view text) {
   std::string source;
-  if (description_.radix == 8) {
+  guests::run::Arguments options(description_.assembler.options);
+  if (!dialect_.empty()) options.value("--dialect").text = dialect_;
+  if (dialect_ == "bell") {
+    source = "..=0\n";
+    for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}=0{:o}\n", name, value);
+    source += fmt::format(".=0{:o}\n {}\n", at, text);
+  } else if (description_.radix == 8) {
     for (const auto& [name, value] : symbols_.all()) source += fmt::format("{}={:o}\n", name, value);
     source += fmt::format("{:o}/\n\t{}\n", at, text);
   } else {
@@ -188,8 +195,7 @@ base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view 
     source += fmt::format("\tORG 0{:X}H\n\t{}\n", at, text);
   }
   const std::array sources{assembler::SourceFile{"deposit", source}};
-  const guests::run::Arguments none(description_.assembler.options);
-  const auto assembled = description_.assembler.assemble(sources, none, {});
+  const auto assembled = description_.assembler.assemble(sources, options, {});
   if (!assembled) return base::fail(assembled.error().message);
   for (const auto& diagnostic : assembled->diagnostics) {
     if (diagnostic.severity == assembler::Severity::error)
@@ -203,10 +209,9 @@ base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view 
 
 // --- Running ---
 
-// Without a console that says otherwise the keys of the PDP-7 have channel 8, as those of the KSR 33.
 void Debugger::type_next() {
   if (keys_.empty() || !machine_.wants_key()) return;
-  machine_.type(code_of_key(description_.radix == 8 ? KeyCodes::parity : KeyCodes::ascii, keys_.front()));
+  machine_.type(code_of_key(key_codes_, keys_.front()));
   keys_.erase(0, 1);
 }
 

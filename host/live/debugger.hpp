@@ -16,6 +16,7 @@
 #include "host/guests/run/engine.hpp"
 #include "host/live/breakpoints.hpp"
 #include "host/live/expression.hpp"
+#include "host/live/keys.hpp"
 #include "host/live/past.hpp"
 #include "host/live/symbols.hpp"
 
@@ -75,6 +76,8 @@ class Debugger {
   // 8, 10 or 16, for numbers that are read and shown; that of the machine unless it is set.
   void set_radix(int radix);
   [[nodiscard]] int radix() const { return names_.radix; }
+  // The language of instructions that are typed, a value of the assembler's option --dialect; empty: its default.
+  void set_dialect(std::string dialect) { dialect_ = std::move(dialect); }
 
   [[nodiscard]] std::string address(std::uint32_t value) const;
   [[nodiscard]] std::string word(std::uint32_t value) const;
@@ -106,12 +109,14 @@ class Debugger {
   void put(std::uint32_t at, std::uint32_t word);
   void set(std::size_t register_number, std::uint32_t value);
   void start(std::uint32_t at);
-  // Assembles one instruction, which may use the symbols, to that address.
+  // Assembles one instruction, which may use the symbols, to that address, in the dialect that is set.
   [[nodiscard]] base::Result<base::Done> put_instruction(std::uint32_t at, std::string_view text);
   // What else is done to the machine from outside.
   void changed() { past_.changed(); }
   // After a change of media: what was before cannot be gone back to.
   void forget_past() { past_.forget(); }
+  // What the keys send; of itself that of the KSR 33 on the PDP-7, 7 bits on the 8080.
+  void set_key_codes(KeyCodes codes) { key_codes_ = codes; }
   // Keys for the console, to be typed as the program asks for them in the runs that follow.
   void send(std::string_view keys) { keys_ += keys; }
   [[nodiscard]] bool keys_wait() const { return !keys_.empty(); }
@@ -169,8 +174,10 @@ class Debugger {
   Breakpoints breakpoints_;
   Past past_;
   guests::run::Stop last_stop_{"operator", {}};
+  std::string dialect_;
   std::string printed_;
   std::string keys_;
+  KeyCodes key_codes_;
   Names names_;
   Breakpoints::Condition holds_;
 };

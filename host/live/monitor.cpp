@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -72,9 +73,14 @@ class Monitor::Inside {
       : description_(description),
         machine_(machine),
         host_(std::move(host)),
-        debugger_(description, machine, limits, std::move(symbols), host_.running) {}
+        own_(std::make_unique<Debugger>(description, machine, limits, std::move(symbols), host_.running)),
+        debugger_(*own_) {}
+  Inside(Debugger& debugger, MonitorHost host)
+      : description_(debugger.description()), machine_(debugger.machine()), host_(std::move(host)), debugger_(debugger) {}
 
   void set_radix(int radix) { debugger_.set_radix(radix); }
+  void set_key_codes(KeyCodes codes) { debugger_.set_key_codes(codes); }
+  void set_dialect(std::string dialect) { debugger_.set_dialect(std::move(dialect)); }
 
   Answer execute(std::string_view line) {
     Answer answer;
@@ -94,7 +100,6 @@ class Monitor::Inside {
   [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
   [[nodiscard]] const Stop& last_stop() const { return debugger_.last_stop(); }
 
- private:
   struct Verb {
     std::string_view name;
     std::size_t shortest;  // letters that are enough
@@ -103,7 +108,10 @@ class Monitor::Inside {
     Answer (Inside::*work)(std::string_view arguments);
   };
   static std::span<const Verb> verbs();
+  // Null: there is none. `line` is left at what follows the verb.
+  static const Verb* take_verb(std::string_view& line);
 
+ private:
   [[nodiscard]] std::string address(std::uint32_t value) const { return debugger_.address(value); }
   [[nodiscard]] std::string word(std::uint32_t value) const { return debugger_.word(value); }
   [[nodiscard]] std::int64_t evaluated(std::string_view text) const { return take(debugger_.evaluate(text)); }
@@ -205,7 +213,8 @@ class Monitor::Inside {
   const MachineDescription& description_;
   Machine& machine_;
   MonitorHost host_;
-  Debugger debugger_;
+  std::unique_ptr<Debugger> own_;  // unless it is another's
+  Debugger& debugger_;
   std::string trace_;  // under way
   std::string trace_file_;
   int depth_ = 0;  // of files that are read
@@ -259,14 +268,21 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
   return rows;
 }
 
-Answer Monitor::Inside::execute_one(std::string_view line) {
-  if (line.empty() || line.front() == '#') return {};
-  std::string_view rest = line;
-  const std::string typed = base::lower_case(take_part(rest));
+const Monitor::Inside::Verb* Monitor::Inside::take_verb(std::string_view& line) {
+  const std::string typed = base::lower_case(take_part(line));
   const auto found = std::find_if(verbs().begin(), verbs().end(), [&typed](const Verb& verb) {
     return typed.size() >= verb.shortest && verb.name.starts_with(typed);
   });
-  if (found == verbs().end()) {
+  return found == verbs().end() ? nullptr : &*found;
+}
+
+Answer Monitor::Inside::execute_one(std::string_view line) {
+  if (line.empty() || line.front() == '#') return {};
+  std::string_view rest = line;
+  const Verb* const found = take_verb(rest);
+  if (found == nullptr) {
+    std::string_view whole = line;
+    const std::string typed = base::lower_case(take_part(whole));
     std::vector<std::string> names;
     for (const Verb& verb : verbs()) names.emplace_back(verb.name);
     const std::string remedy = base::did_you_mean(typed, names);
@@ -808,10 +824,25 @@ std::vector<std::string> Monitor::Inside::completions(std::string_view line, std
 Monitor::Monitor(const MachineDescription& description, Machine& machine, const Limits& limits, Symbols symbols,
                  MonitorHost host)
     : inside_(std::make_unique<Inside>(description, machine, limits, std::move(symbols), std::move(host))) {}
+Monitor::Monitor(Debugger& debugger, MonitorHost host) : inside_(std::make_unique<Inside>(debugger, std::move(host))) {}
 Monitor::~Monitor() = default;
 
 void Monitor::set_radix(int radix) {
   inside_->set_radix(radix);
+}
+void Monitor::set_dialect(std::string dialect) {
+  inside_->set_dialect(std::move(dialect));
+}
+void Monitor::set_key_codes(KeyCodes codes) {
+  inside_->set_key_codes(codes);
+}
+bool Monitor::is_command(std::string_view line) {
+  return Inside::take_verb(line) != nullptr;
+}
+std::vector<std::string_view> Monitor::verbs() {
+  std::vector<std::string_view> names;
+  for (const Inside::Verb& verb : Inside::verbs()) names.push_back(verb.name);
+  return names;
 }
 Answer Monitor::execute(std::string_view line) {
   return inside_->execute(line);

@@ -43,12 +43,22 @@ class Monitor {
   // All must outlive the monitor; the machine was made with --monitor.
   Monitor(const guests::run::MachineDescription& description, guests::run::Machine& machine,
           const guests::run::Limits& limits, Symbols symbols, MonitorHost host);
+  // Commands for a machine that is under control already; `host.running` is not used.
+  Monitor(Debugger& debugger, MonitorHost host);
   ~Monitor();
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
   // 8, 10 or 16, for numbers that are typed and shown; that of the machine unless it is set.
   void set_radix(int radix);
+  // The language of instructions that are typed, a value of the assembler's option --dialect; empty: its default.
+  void set_dialect(std::string dialect);
+  // What `send` types; see Debugger.
+  void set_key_codes(KeyCodes codes);
+  // All verbs, whole.
+  [[nodiscard]] static std::vector<std::string_view> verbs();
+  // Whether a line begins with a verb.
+  [[nodiscard]] static bool is_command(std::string_view line);
   // One line as typed; several commands between `;`.
   [[nodiscard]] Answer execute(std::string_view line);
   // Where the machine is and what it does next.

@@ -15,6 +15,7 @@
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"
 #include "host/base/terminal.hpp"
+#include "host/live/console.hpp"
 #include "host/live/dap.hpp"
 
 namespace sightline::app {
@@ -85,8 +86,10 @@ base::Result<live::Launched> launch(const Json& request) {
     const Arguments arguments = arguments_of(request, options);
     MonitoredMachine made = make_monitored(machine, arguments);
     std::vector<std::string> warnings = made.prepared.warnings;
+    std::optional<live::KeyCodes> keys;
+    if (arguments.given("--console")) keys = accepted(live::console_options(arguments, false)).codes;
     return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings),
-                          radix_of(arguments)};
+                          radix_of(arguments), keys, dialect_of(arguments)};
   } catch (const Failure& failure) {
     return base::fail(failure.what());
   }
@@ -103,6 +106,7 @@ ExitCode serve() {
   };
   host.write = [](std::string_view text) { return base::write_now(STDOUT_FILENO, text); };
   host.launch = launch;
+  host.commands = files_of_commands();
   host.finish = [](const guests::run::Machine& machine) -> base::Result<base::Done> {
     try {
       write_media_back(machine);

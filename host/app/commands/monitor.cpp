@@ -49,9 +49,13 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
   const auto form = std::find_if(machine.formats.begin(), machine.formats.end(), [&machine](const auto& format) {
     return format.name == machine.assembler.format;
   });
-  for (std::string& path : arguments.value("--load").list) {
-    if (!guests::run::named_as_source(path)) continue;
-    const std::vector<assembler::SourceFile> sources{{path, read_input_text(path)}};
+  // Sources side by side are one program, as those of a command line of `sightline asm` are.
+  std::vector<std::string>& loads = arguments.value("--load").list;
+  for (auto first = loads.begin(); first != loads.end(); ++first) {
+    const auto last = std::find_if_not(first, loads.end(), guests::run::named_as_source);
+    if (first == last) continue;
+    std::vector<assembler::SourceFile> sources;
+    for (auto path = first; path != last; ++path) sources.push_back({*path, read_input_text(*path)});
     Arguments options(machine.assembler.options);
     options.value("--listing").flag = true;
     if (dialect_option(machine) != nullptr) options.value("--dialect").text = arguments.text("--dialect");
@@ -59,13 +63,14 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
     if (assembler::any_errors(assembled.diagnostics))
-      throw Failure(ExitCode::bad_input, fmt::format("{}: the source has errors: {}", path, first_error(assembled.diagnostics)));
+      throw Failure(ExitCode::bad_input, fmt::format("{}: the source has errors: {}", *first, first_error(assembled.diagnostics)));
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));
     programs.symbols.add_listing(assembled.listing);
     for (const guests::run::SourceLine& line : assembled.lines)
       programs.symbols.add_line(line.address, {line.file, line.line});
-    path += std::string(": ") + std::string(form->name);
-    programs.assembled[path] = accepted(form->write(assembled.program, path));
+    *first += std::string(": ") + std::string(form->name);
+    programs.assembled[*first] = accepted(form->write(assembled.program, *first));
+    first = loads.erase(first + 1, last) - 1;
   }
   for (const std::string& path : arguments.list("--symbols"))
     static_cast<void>(value_of(programs.symbols.add_table(read_input_text(path)), path));

@@ -204,6 +204,28 @@ int radix_of(const Arguments& arguments) {
   return radix.empty() ? 0 : radix == "16" ? 16 : radix == "10" ? 10 : 8;
 }
 
+std::string dialect_of(const Arguments& arguments) {
+  return arguments.given("--dialect") ? arguments.text("--dialect") : std::string();
+}
+
+live::MonitorHost files_of_commands() {
+  live::MonitorHost host;
+  host.read = [](const std::string& path) -> guests::run::Result<guests::run::Input> {
+    auto bytes = base::read_file(path);
+    if (!bytes) return guests::run::bad_input(bytes.error().message());
+    return guests::run::Input{path, std::move(*bytes)};
+  };
+  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> guests::run::Result<base::Done> {
+    const auto done = base::write_file_atomically(path, bytes);
+    if (!done) return guests::run::bad_input(done.error().message());
+    return base::Done{};
+  };
+  host.speed = [](const std::string&) -> guests::run::Result<base::Done> {
+    return guests::run::usage("there is no console; begin with --console MODE");
+  };
+  return host;
+}
+
 ExitCode hold_monitor_session(MonitorSetup setup) {
   Machine& machine = setup.machine;
   const Arguments& arguments = setup.arguments;
@@ -219,7 +241,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
     base::RawTerminal raw;
   };
   std::optional<Live> live_terminal;
-  live::MonitorHost host;
+  live::MonitorHost host = files_of_commands();
   host.running.run = [&](Machine& running, const guests::run::Limits& limits, const Heard& heard) {
     if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
     if (!live_terminal) live_terminal.emplace();
@@ -228,16 +250,6 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   };
   host.running.interrupted = [] { return base::InterruptKey::pressed(); };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
-  host.read = [](const std::string& path) -> guests::run::Result<guests::run::Input> {
-    auto bytes = base::read_file(path);
-    if (!bytes) return guests::run::bad_input(bytes.error().message());
-    return guests::run::Input{path, std::move(*bytes)};
-  };
-  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> guests::run::Result<base::Done> {
-    const auto done = base::write_file_atomically(path, bytes);
-    if (!done) return guests::run::bad_input(done.error().message());
-    return base::Done{};
-  };
   host.speed = [&](const std::string& text) -> guests::run::Result<base::Done> {
     if (!console_options) return guests::run::usage("there is no console; begin with --console MODE");
     Arguments changed = arguments;
@@ -250,6 +262,8 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   live::Monitor session(setup.description, machine, setup.limits, std::move(setup.symbols), std::move(host));
 
   if (const int radix = radix_of(arguments); radix != 0) session.set_radix(radix);
+  session.set_dialect(dialect_of(arguments));
+  if (console_options) session.set_key_codes(console_options->codes);
 
   std::unique_ptr<Lines> lines;
   if (terminal) {

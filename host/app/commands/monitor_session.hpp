@@ -1,10 +1,12 @@
 // The prompt of the monitor: lines of a person or a pipe, answered by live::Monitor.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host/app/command.hpp"
 #include "host/guests/run/engine.hpp"
+#include "host/live/monitor.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::app {
@@ -14,6 +16,12 @@ namespace sightline::app {
 
 // --radix; 0: that of the machine.
 [[nodiscard]] int radix_of(const guests::run::Arguments& arguments);
+
+// --dialect; empty: that of the machine's assembler.
+[[nodiscard]] std::string dialect_of(const guests::run::Arguments& arguments);
+
+// Reads and writes the files that commands name. There is no console to have a speed.
+[[nodiscard]] live::MonitorHost files_of_commands();
 
 // A machine made with --monitor; sources among its programs are assembled in place.
 struct MonitoredMachine {

@@ -127,6 +127,7 @@ TEST_F(Dap, BreakpointsStandInTheSource) {
 // A client that sends a request when the machine stands.
 class DapSteps : public Dap {
  protected:
+  // `launch` is called again by restart.
   void hold_with(std::function<base::Result<live::Launched>(const json&)> launch,
                  std::function<base::Result<base::Done>(const run::Machine&)> finish = {}) {
     live::DapHost host;
@@ -184,13 +185,13 @@ live::Launched launched(const run::MachineDescription& description, MachineRun& 
   return {&description, std::move(*prepared), std::move(symbols), {}};
 }
 
-live::Launched pdp7_launched(const std::string& source) {
+live::Launched pdp7_launched(const std::string& source, const char* start = "100") {
   const std::vector<assembler::SourceFile> sources{{"p.s", source}};
   const auto assembly = assembler::assemble_pdp7(sources, {});
   const auto tape = image::write_rim(assembly.image, "p.rim");
   MachineRun of(run::pdp7());
   of.set_file("--load", "p.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
-  return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols));
+  return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), start);
 }
 
 live::Launched i8080_launched(const std::string& source) {
@@ -307,6 +308,116 @@ TEST_F(DapSteps, RowsBeforeAnAddressOfThe8080) {
   EXPECT_EQ(edge[3].at("address"), "0x1");
   EXPECT_EQ(addresses(2), "0x105 ");
   EXPECT_EQ(answer("disassemble", 3).at("body").at("instructions").size(), 2U);
+}
+
+// The source has changed before it is launched again: breakpoints of lines and names go where they are now, what the client has not
+// sent again stays, and the machine is new.
+TEST_F(DapSteps, RestartsWithItsBreakpoints) {
+  request("initialize");
+  request("launch");
+  request("setBreakpoints", {{"source", {{"path", "p.s"}}}, {"breakpoints", {{{"line", 8}}}}});
+  request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "gone"}, {"hitCondition", "1"}}}}});
+  request("configurationDone");  // runs to line 8
+  look();
+  request("restart");
+  look();
+  request("continue");
+  look();
+  request("restart", {{"arguments", {{"stopOnEntry", true}}}});
+  look();
+  request("disconnect");
+  int launches = 0;
+  hold_with([&launches](const json&) {
+    const std::string head = launches++ == 0 ? "100/\n" : "300/\n";
+    const std::string gone = launches == 1 ? "gone, 0\n" : "0\n";
+    return pdp7_launched(head + "begin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n" + gone +
+                             " start begin\n",
+                         launches == 1 ? "100" : "300");
+  });
+  EXPECT_EQ(launches, 3);
+  EXPECT_EQ(answer("initialize").at("body").at("supportsRestartRequest"), true);
+  EXPECT_EQ(registers(0, {"PC", "AC", "time"}), "PC=00106 AC=000003 time=0.000007000 s");
+  EXPECT_EQ(registers(1, {"PC", "AC", "time"}), "PC=00306 AC=000003 time=0.000007000 s");
+  EXPECT_EQ(registers(2, {"PC", "AC"}), "PC=00306 AC=000005");
+  EXPECT_EQ(registers(3, {"PC", "AC"}), "PC=00300 AC=000000");
+  std::string reasons;
+  for (const json& body : events("stopped")) reasons += body.at("reason").get<std::string>() + " ";
+  EXPECT_EQ(reasons, "breakpoint breakpoint breakpoint entry ");
+  const auto changes = events("breakpoint");
+  ASSERT_GE(changes.size(), 2U);
+  EXPECT_EQ(changes[0].at("breakpoint").at("instructionReference"), "0xC6");
+  EXPECT_EQ(changes[0].at("breakpoint").at("line"), 8);
+  EXPECT_EQ(changes[1].at("breakpoint").at("verified"), false);
+}
+
+TEST_F(DapSteps, RestartOfABrokenSourceLeavesTheMachine) {
+  request("initialize");
+  request("launch");
+  request("restart");
+  look();
+  request("disconnect");
+  int launches = 0;
+  hold_with([&launches](const json&) -> base::Result<live::Launched> {
+    if (launches++ != 0) return base::fail("p.s: the source has errors");
+    return pdp7_launched("100/\nbegin, hlt\n start begin\n");
+  });
+  EXPECT_EQ(answer("restart").at("success"), false);
+  EXPECT_EQ(answer("restart").at("message"), "p.s: the source has errors");
+  EXPECT_EQ(registers(0, {"PC"}), "PC=00100");
+}
+
+// The console takes what is an expression for one, and else a line of the monitor.
+TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
+  const auto typed = [this](const std::string& line) { request("evaluate", {{"expression", line}, {"context", "repl"}}); };
+  request("initialize", {{"supportsInvalidatedEvent", true}, {"supportsMemoryEvent", true}});
+  request("launch", {{"stopOnEntry", true}});
+  request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "place"}}}}});
+  request("configurationDone");
+  typed("step 2");       // 0: stops at store+1
+  look();
+  typed("e 104");        // 1
+  typed("e");            // 2: no expression of the PDP-7: all registers
+  typed("ac+1");         // 3: an expression
+  typed("delete");       // 4: the client hears that its breakpoint is gone
+  typed("deposit 110 7");  // 5
+  typed(":evaluate [110]");  // 6
+  typed("back 2");       // 7
+  look();
+  typed("steep");        // 8: neither
+  typed("assert ac==7");  // 9
+  typed("run until pc==107");  // 10
+  request("evaluate", {{"expression", "step"}, {"context", "watch"}});  // 11: elsewhere it is an expression
+  typed("help back");    // 12
+  typed("quit");         // 13
+  request("completions", {{"text", "hist"}, {"column", 5}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return pdp7_launched("100/\nbegin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n start begin\n");
+  });
+  const auto result = [this](std::size_t n) {
+    const json whole = answer("evaluate", n);
+    return whole.at("success") == true ? whole.at("body").at("result").get<std::string>() : "! " + whole.at("message").get<std::string>();
+  };
+  EXPECT_EQ(registers(0, {"PC", "AC"}), "PC=00106 AC=000003");
+  EXPECT_EQ(result(1), "00104 740040  begin+4: hlt");
+  EXPECT_EQ(result(2).substr(0, 8), "PC 00106");
+  EXPECT_EQ(result(3), "000004 = 4.");
+  ASSERT_EQ(events("breakpoint").size(), 1U);
+  EXPECT_EQ(events("breakpoint")[0].at("reason"), "removed");
+  EXPECT_EQ(result(6), "7 = 7.");
+  EXPECT_EQ(registers(1, {"PC", "AC"}), "PC=00100 AC=000000");
+  EXPECT_EQ(result(8).substr(0, 17), "! found \"steep\", ");
+  EXPECT_EQ(result(9).substr(0, 26), "! assert: ac==7 is not tru");
+  EXPECT_EQ(result(10).substr(0, 16), "pc==107\n00107 st");
+  EXPECT_EQ(result(11).substr(0, 15), "! found \"step\",");
+  EXPECT_EQ(result(12).substr(0, 8), "ba[ck] [");
+  EXPECT_EQ(events("terminated").size(), 1U);
+  EXPECT_FALSE(events("invalidated").empty());
+  EXPECT_EQ(events("memory").at(0).at("count"), 8192 * 4);
+  std::string reasons;
+  for (const json& body : events("stopped")) reasons += body.at("reason").get<std::string>() + " ";
+  EXPECT_EQ(reasons, "entry step step step ");
+  EXPECT_EQ(answer("completions").at("body").at("targets").at(0).at("label"), "history");
 }
 
 // A line of a macro makes three instructions; an editor steps over them all, and through them in the disassembly.

@@ -669,6 +669,102 @@ TEST(MonitorStack, OutOfARecursionIsOneLevel) {
   EXPECT_EQ(s("ev sp").substr(0, 3), "400");
 }
 
+// --- All verbs ---
+
+// One expectation for each verb: in a session of pdp7_program() with a console, after the lines of `before`, the line has exactly this
+// answer. Words and addresses follow from the program, times from two or three cycles of 1.75 us an instruction.
+struct VerbCase {
+  std::string_view verb;
+  std::vector<std::string_view> before;
+  std::string_view line;
+  std::string_view answer;
+  Kind kind = Kind::done;
+};
+
+constexpr std::string_view at_store = "00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n";
+
+const std::vector<VerbCase>& verb_cases() {
+  static const std::vector<VerbCase> all{
+      {"examine", {}, "e 104", "00104 740040  begin+4: hlt  ; hlt\n"},
+      {"deposit", {}, "deposit 110 \"dac place\"; e 110", "00110 040110  place: dac 110  ; place,  0\n"},
+      {"step", {}, "step 2",
+       "00101 begin+1: jms 105  ; jms store  AC 000003  L 0  MQ 000000  SC 00  0.000003500 s\n"
+       "00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n"},
+      {"next", {"step"}, "next", "00102 begin+2: lac 112  ; lac (5  AC 000003  L 0  MQ 000000  SC 00  0.000014000 s\n"},
+      {"out", {"step 2"}, "out", "00102 begin+2: lac 112  ; lac (5  AC 000003  L 0  MQ 000000  SC 00  0.000014000 s\n"},
+      {"cycle", {"step"}, "cycle 2", at_store},
+      {"continue", {"break store+1"}, "continue", "breakpoint 1\n00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n"},
+      {"go", {"d 200 740040"}, "go 200", "stopped by halt\n00201 place+71: cal  AC 000000  L 0  MQ 000000  SC 00  0.000001750 s\n"},
+      {"run", {}, "run until ac==3 && pc>105", "ac==3 && pc>105\n00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n"},
+      {"break", {}, "break store if ac==5 count 2", "breakpoint 1: store if ac==5 count 2\n"},
+      {"watch", {}, "watch place w value 5", "breakpoint 1: watch place w value 5\n"},
+      {"delete", {"break 100", "break 101"}, "delete 1; show breaks", "2: 101, passed 0 times\n"},
+      {"nobreak", {"break 100", "break 101"}, "nobreak; show breaks", "no breakpoints\n"},
+      {"history", {"step 3"}, "history 1", "        7000 00106 040110  dac 110            00110=000003 000003 0\n"},
+      {"list", {}, "list 103-104", " 00103 100105  begin+3: jms 105  ; jms store\n 00104 740040  begin+4: hlt  ; hlt\n"},
+      {"disassemble", {}, "disassemble 103-104", " 00103 100105  begin+3: jms 105  ; jms store\n 00104 740040  begin+4: hlt  ; hlt\n"},
+      {"evaluate", {}, "evaluate place+1", "111 = 73. = place+1\n"},
+      {"show", {"step 2"}, "show stack", "00106 called from 00101  begin+1: jms 105  ; jms store\n"},
+      {"who", {"step 3"}, "who place", "00110: 000003 was written at 0.000008750 s by 00106 store+1: dac 110  ; dac place\n"},
+      {"attach", {}, "attach drum FILE", "", Kind::wrong},
+      {"detach", {}, "detach drum", "", Kind::wrong},
+      {"send", {}, "send \"A\\q\"", "", Kind::wrong},
+      {"expect", {}, "expect \"x\"", "", Kind::failed},
+      {"assert", {"step"}, "assert ac==3", ""},
+      {"back", {"step 3"}, "back", at_store},
+      {"save", {"step 2", "save s.snap", "step 2"}, "restore s.snap", at_store},
+      {"restore", {}, "restore nowhere", "restore: nowhere: no such file\n", Kind::wrong},
+      {"screenshot", {}, "screenshot a.png", "screenshot: this machine has no display or raster board; attach one when you begin\n", Kind::wrong},
+      {"trace", {"trace t", "step", "trace off"}, "do t", "", Kind::wrong},
+      {"speed", {}, "speed real", "speed: there is no console\n", Kind::wrong},
+      {"do", {}, "do commands", "3 = 3.\n"},
+      {"help", {}, "help assert", "ass[ert] EXPRESSION\n        fail unless it is true\n"},
+      {"quit", {}, "quit", "", Kind::quit},
+      {"exit", {}, "exit", "", Kind::quit},
+  };
+  return all;
+}
+
+TEST(MonitorVerbs, EachHasAnExpectation) {
+  const std::vector<std::string_view> verbs = live::Monitor::verbs();
+  for (const std::string_view verb : verbs) {
+    EXPECT_TRUE(std::any_of(verb_cases().begin(), verb_cases().end(), [verb](const VerbCase& each) { return each.verb == verb; }))
+        << "no case for " << verb;
+    EXPECT_TRUE(live::Monitor::is_command(verb));
+  }
+  EXPECT_FALSE(live::Monitor::is_command("nonsense 1"));
+  for (const VerbCase& each : verb_cases()) {
+    EXPECT_TRUE(std::find(verbs.begin(), verbs.end(), each.verb) != verbs.end()) << each.verb;
+    auto session = pdp7_program();
+    session->files["commands"] = "# once\nevaluate 1+2\n";
+    for (const std::string_view line : each.before) (*session)(line);
+    const std::string answer = (*session)(each.line, each.kind);
+    if (!each.answer.empty() || each.kind == Kind::done) {
+      EXPECT_EQ(answer, each.answer) << each.line;
+    }
+  }
+}
+
+TEST(MonitorVerbs, InstructionsAreTypedInTheDialectOfTheProgram) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("d 200 \"lac 20 i\"");  // octal
+  EXPECT_EQ(s("e 200"), "00200 220020  place+70: lac i 20\n");
+  s.monitor().set_dialect("bell");
+  s("d 200 \"lac 20 i\"");               // decimal; indirect
+  EXPECT_EQ(s("e 200"), "00200 220024  place+70: lac i 24\n");
+  s("d 200 \"-1; lac place+010; <ab>\"");
+  EXPECT_EQ(s("ev [200]"), "777777 = 262143. = -1. as a word with a sign\n");
+  EXPECT_EQ(s("ev [201]").substr(0, 6), "200120");
+  EXPECT_EQ(s("ev [202]").substr(0, 6), "141142");
+  s("d 200 \"LAC 5\"", Kind::wrong);
+  auto z = i8080_program();
+  (*z)("d 200 \"NOP ! HLT\"");
+  EXPECT_EQ((*z)("ev [201]").substr(0, 2), "76");
+  z->monitor().set_dialect("m80");
+  (*z)("d 200 \"NOP ! HLT\"", Kind::wrong);
+}
+
 TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
   auto m = pdp7_program();
   Session& s = *m;
