@@ -17,6 +17,7 @@ void add_commands(const Command& program) {
   add_compare_command(program);
   add_explain_command(program);
   add_spin_command(program);
+  add_turn_command(program);
   add_sweep_command(program);
   add_asm_command(program);
   add_disasm_command(program);

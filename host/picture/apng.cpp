@@ -70,7 +70,7 @@ void append(base::Bytes& bytes, std::span<const std::uint8_t> more) {
 ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
     : time_(time), plays_(plays), text_(std::move(text)) {}
 
-base::Result<base::Done> ApngWriter::add(const Image& image) {
+base::Result<base::Done> ApngWriter::add(const Image& image, FrameTime time) {
   if (frames_ > 0 && (image.width != width_ || image.height != height_ || image.channels != channels_)) {
     return base::Error{"APNG", "frame " + std::to_string(frames_),
                        std::to_string(image.width) + " by " + std::to_string(image.height),
@@ -87,8 +87,8 @@ base::Result<base::Done> ApngWriter::add(const Image& image) {
   put32(control, static_cast<std::uint32_t>(height_));
   put32(control, 0);  // at the left
   put32(control, 0);  // and top
-  put16(control, time_.numerator);
-  put16(control, time_.denominator);
+  put16(control, time.numerator);
+  put16(control, time.denominator);
   control.push_back(0);  // left as it is when the next one comes,
   control.push_back(0);  // which replaces it
   put_chunk(body_, "fcTL", control);

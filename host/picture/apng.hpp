@@ -1,4 +1,4 @@
-// Animated PNG: pictures of one size, one after the other, each for the same time, repeated forever.
+// Animated PNG: pictures of one size, one after the other, each for the same time or for its own, repeated forever.
 //
 // The first picture is also what a reader without animation shows. Every frame is whole: nothing is said of
 // what stayed the same. No time stamp, no host name: equal pictures give equal bytes.
@@ -28,7 +28,9 @@ class ApngWriter {
   explicit ApngWriter(FrameTime time = {}, std::uint32_t plays = 0, TextEntries text = {});
 
   // An error if encode_png does not accept the picture, or it is not of the size and channels of the first one.
-  [[nodiscard]] base::Result<base::Done> add(const Image& image);
+  [[nodiscard]] base::Result<base::Done> add(const Image& image) { return add(image, time_); }
+  // The same, shown for a time of its own.
+  [[nodiscard]] base::Result<base::Done> add(const Image& image, FrameTime time);
 
   // The file: an error if there is no frame.
   [[nodiscard]] base::Result<base::Bytes> finish() const;

@@ -23,6 +23,8 @@ set(RULES
   "host/guests/jones=host/base,host/geometry,host/scene,emulators,tools/asm"
   "host/guests/jones/precision=host/base,host/geometry,host/scene,host/guests/jones,host/algorithms/oracle,emulators/core,emulators/machines/pdp7.hpp"
   "host/guests/jones/twin=emulators/core/word.hpp,emulators/type340/words.hpp,host/geometry/integer.hpp"
+  "host/guests/turn=host/base,host/scene,host/algorithms/plantinga,emulators,tools/asm"
+  "host/guests/turn/twin=emulators/core/word.hpp"
   "host/guests/skala=host/base,host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
   "host/guests/skala/twin=host/guests/skala/commands.hpp,emulators/core/raster.hpp"
   "host/live=host/base,host/guests/run,emulators,tools/asm,tools/disasm,tools/image"

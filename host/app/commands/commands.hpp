@@ -20,6 +20,7 @@ void add_scene_command(const Command& program);
 void add_skala_command(const Command& program);
 void add_spin_command(const Command& program);
 void add_sweep_command(const Command& program);
+void add_turn_command(const Command& program);
 
 // `report` is a program of its own, sightline-report, so that only those who want it build and install it.
 // The command stands in the list and runs that program.

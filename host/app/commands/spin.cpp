@@ -12,6 +12,7 @@
 
 #include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/commands.hpp"
+#include "host/app/commands/turn_session.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
@@ -28,6 +29,8 @@ struct SpinOptions {
   std::string scene;
   std::string out;
   std::string events;
+  std::string tape;
+  std::string memory = "8k";
   MeshArguments mesh;
   EdgeArguments edges;
   std::string method;  // empty: as the scene is
@@ -136,6 +139,7 @@ void spin(const SpinOptions& options) {
   }
   check_edges(options.edges);
   const scene::LoadedScene source = load_scene(options.scene, options.mesh);
+  if (!options.tape.empty()) write_turn_tape(source.scene, options.scene, options.memory == "32k", options.tape);
   const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
   scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
   const registry::TurnMethod& method = method_of(options, scene);
@@ -181,6 +185,13 @@ void add_spin_command(const Command& program) {
       .option("--events", options->events,
               "Read the events of the turn from this file; if there is none, find and keep them in it")
       .value("FILE");
+  command
+      .option("--tape", options->tape,
+              "Also punch the model with its events as a tape for the PDP-7, as `sightline turn` shows it")
+      .value("FILE");
+  command.option("--memory", options->memory, "Core of the machine that the tape is for")
+      .one_of({"8k", "32k"})
+      .default_value();
   std::vector<std::string> methods;
   for (const registry::TurnMethod& method : registry::turn_methods()) methods.emplace_back(method.name);
   command.option("--method", options->method, "How the views of the turn are found")

@@ -1,0 +1,34 @@
+// What `sightline turn`, `spin --tape` and `demo` share: a scene made into a tape for the PDP-7, and a turn of it with hidden
+// lines and as a wire frame.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host/guests/turn/session.hpp"
+#include "host/guests/turn/tape.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::app {
+
+// `source` names the scene in errors. Failure bad_input: the model does not fit, by how many words.
+[[nodiscard]] guests::turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, bool large,
+                                           bool tilted = true);
+// As punched. Failure as turn_tape, or io.
+void write_turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, const std::string& path);
+
+struct TurnMeasure {
+  std::uint32_t step = 0;  // from picture to picture, 2^18 a turn
+  guests::turn::TurnRun hidden;
+  guests::turn::TurnRun wire;
+  // Mean time of a picture with hidden lines removed over that of a wire frame: the paper's claim.
+  [[nodiscard]] double cost_against_wire_frame() const;
+  // Seconds a turn takes.
+  [[nodiscard]] double turn_seconds() const;
+};
+// One turn at the step that takes nearest to 8 s, or so many pictures of it. Failure differs: a picture is not its twin's;
+// guest_failed: the machine stopped.
+[[nodiscard]] TurnMeasure measure_turn(const guests::turn::Session& session, const std::string& source,
+                                       std::uint32_t pictures, bool keep_strokes);
+
+}  // namespace sightline::app
