@@ -148,65 +148,30 @@ class BasicPdp7 {
   void start(pdp7::Address address) {
     devices_.clear(now_);
     if (display_) display_->power_clear(now_);
-    using Bus = Pdp7Bus<BasicPdp7, Observer>;
-    pdp7::Cpu<Bus> cpu(Bus(*this, observer_), configuration_.model, configuration_.timing, state_);
-    cpu.start(address);
-    state_ = cpu.state();
+    state_ = {.ac = state_.ac, .mq = state_.mq, .sc = state_.sc, .pc = address & pdp7::address_mask, .link = state_.link};
   }
 
   // Runs from the state as it is (the CONTINUE key) until something stops it; what is due at the boundary
   // where it stops is left to the next run, but the display has drawn everything up to that instant.
-  // Registers, time and the processor's side of the bus are locals of this function: that, and nothing else,
-  // is what makes it fast; inlined, it would share the host's registers with its caller.
   StopReason run(const Limits& limits) { return run(limits, observer_); }
 
   // The same, watched by another than the machine's own observer.
   template <class Watcher>
   [[gnu::noinline]] StopReason run(const Limits& limits, Watcher& watcher) {
-    using Bus = Pdp7Bus<BasicPdp7, Watcher>;
-    pdp7::Cpu<Bus> cpu(Bus(*this, watcher), configuration_.model, configuration_.timing, state_);
-    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
+    Pdp7Frame<BasicPdp7, Watcher> frame(*this, watcher);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
-    StopReason reason = StopReason::instruction_limit;
-    for (;;) {
-      if constexpr (Watcher::stops) {
-        if (arrives(cpu.pc())) [[unlikely]] {
-          if (left != 0 && watcher.stop(cpu.bus().now(), cpu.pc())) {
-            reason = StopReason::observer;
-            break;
-          }
-        }
-      }
-      if (cpu.bus().due()) [[unlikely]] {
-        if (left == 0) break;
-        if constexpr (core::Filtered<Watcher>) {
-          if (watcher.stop(cpu.bus().now(), cpu.pc())) {
-            reason = StopReason::observer;
-            break;
-          }
-        }
-        if (cpu.bus().now() >= limits.until) {
-          reason = StopReason::time_limit;
-          break;
-        }
-        if (attend(cpu, limits.until, left)) continue;
-      }
-      --left;
-      const pdp7::Outcome outcome = step(cpu, watcher);
-      if (outcome != pdp7::Outcome::completed) [[unlikely]] {
-        reason = reason_of(outcome);
-        break;
-      }
-    }
+    const StopReason reason = run_frame(frame, watcher, limits.until, left);
     counts_.instructions += limits.instructions - left;
-    state_ = cpu.state();
-    now_ = cpu.bus().now();
+    state_ = frame.processor.registers.state();
+    now_ = frame.now();
     if (display_) display_->advance(now_);
     return reason;
   }
 
  private:
+  template <class, class>
+  friend struct Pdp7Frame;
   template <class, class>
   friend class Pdp7Bus;
 
@@ -223,31 +188,64 @@ class BasicPdp7 {
     }
   }
 
-  template <class Cpu, class Watcher>
-  [[gnu::always_inline]] pdp7::Outcome step(Cpu& cpu, Watcher& watcher) {
+  template <class Frame, class Watcher>
+  StopReason run_frame(Frame& frame, Watcher& watcher, core::Instant until, std::uint64_t& left) {
+    const auto pc = [&frame] { return frame.processor.registers.pc(); };
+    for (;;) {
+      if constexpr (Watcher::stops) {
+        if (frame.arrives(pc())) {
+          if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
+        }
+      }
+      if (frame.due()) {
+        if (left == 0) return StopReason::instruction_limit;
+        if constexpr (core::Filtered<Watcher>) {
+          if (watcher.stop(frame.now(), pc())) return StopReason::observer;
+        }
+        if (frame.now() >= until) return StopReason::time_limit;
+        if (attend(frame, until, left)) continue;
+      }
+      const std::int64_t before = frame.allowance.instructions();
+      go_on(frame, watcher);
+      left -= static_cast<std::uint64_t>(before - frame.allowance.instructions());
+      if (frame.processor.outcome != pdp7::Outcome::completed) [[unlikely]]
+        return reason_of(frame.processor.outcome);
+    }
+  }
+
+  // Instructions up to the next boundary at which something is due, one at least; one, if each has to be told.
+  template <class Watcher>
+  void go_on(Pdp7Frame<BasicPdp7, Watcher>& frame, Watcher& watcher) {
+    using Thread = Pdp7Thread<BasicPdp7, Watcher>;
     if constexpr (Watcher::instructions) {
-      const core::Instant begun = cpu.bus().now();
-      const pdp7::State before = cpu.state();
+      const core::Instant begun = frame.now();
+      const pdp7::State before = frame.processor.registers.state();
       const core::Word18 word = core_.read(before.pc);
-      const pdp7::Outcome outcome = cpu.step();
-      watcher.instruction(InstructionRecord{begun, cpu.bus().now(), before.pc, word, before, cpu.state()});
-      return outcome;
+      Thread(frame).step();
+      watcher.instruction(
+          InstructionRecord{begun, frame.now(), before.pc, word, before, frame.processor.registers.state()});
     } else {
-      return cpu.step();
+      core::Threads<Thread>::run(frame);
     }
   }
 
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
-  template <class Cpu>
-  [[gnu::always_inline]] bool attend(Cpu& cpu, core::Instant until, std::uint64_t left) {
-    auto& bus = cpu.bus();
-    const bool deferred = cpu.interrupts_deferred();
-    const Attention found = look_around(bus.now(), cpu.interrupts_open(), until, left, bus.reporter());
-    cpu.end_interrupt_delay();
-    bus.set_now(found.now);
-    bus.set_deadline(deferred ? core::Instant::min() : found.deadline);
-    if (found.interrupt) cpu.interrupt();
+  template <class Watcher>
+  bool attend(Pdp7Frame<BasicPdp7, Watcher>& frame, core::Instant until, std::uint64_t left) {
+    pdp7::Registers& registers = frame.processor.registers;
+    const bool deferred = registers.is(pdp7::mode::interrupts_deferred);
+    const bool open = registers.is(pdp7::mode::interrupts_on) && !deferred;
+    const auto most = std::min(left, static_cast<std::uint64_t>(Pdp7Frame<BasicPdp7, Watcher>::Allowance::most));
+    const auto instructions = static_cast<std::int64_t>(most);
+    const Attention found = look_around(frame.now(), open, until, instructions, frame.report);
+    registers.modes &= ~pdp7::mode::interrupts_deferred;
+    frame.look_around_at(found.now, deferred ? found.now : found.deadline, instructions);
+    if (found.interrupt) {
+      typename Pdp7Thread<BasicPdp7, Watcher>::Execution execution(Pdp7Bus<BasicPdp7, Watcher>(frame), frame.processor);
+      execution.interrupt();
+      execution.save();
+    }
     return found.interrupt;
   }
 
@@ -257,10 +255,10 @@ class BasicPdp7 {
     bool interrupt;
   };
 
-  // Gives the devices the cycles they ask for. In and out by value: see run().
+  // Gives the devices the cycles they ask for.
   template <class Report>
   [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
-                                          std::uint64_t left, Report report) {
+                                          std::int64_t instructions, Report report) {
     bool asked = false;
     const auto tell = [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; };
     while (disk_break(now, tell) || display_break(now, tell) || clock_tick(now, tell)) {
@@ -272,14 +270,10 @@ class BasicPdp7 {
     const bool interrupt =
         interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
     const core::Instant event = asked ? now : std::min(display_due_, devices_due_);
-    return {now, std::min(event, std::min(until, shortest_end(now, left))), interrupt};
-  }
-
-  // No run of `left` instructions ends before this: each takes a cycle at least. So the instructions need to
-  // be counted, but the limit to be looked at only with the other deadlines.
-  static constexpr core::Instant shortest_end(core::Instant now, std::uint64_t left) {
-    constexpr std::uint64_t many = std::uint64_t{1} << 32;
-    return now + pdp7::machine_cycle * static_cast<std::int64_t>(std::min(left, many));
+    // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
+    // but their number to be looked at only with the other deadlines.
+    const core::Instant shortest = now + pdp7::machine_cycle * instructions;
+    return {now, std::min(event, std::min(until, shortest)), interrupt};
   }
 
   // One data break of the disk, which waits least: it comes before the display's.

@@ -1,104 +1,241 @@
 // The processor's side of the PDP-7's bus while a program runs: core memory, time, and the way to the
 // devices.
 //
-// It lives in the locals of one run and touches the machine only on the slow paths, by value, so that a
-// compiler can keep time and the deadline in registers; every verb is inlined into the run for the same
-// reason.
+// What changes with every cycle, the allowance of time, is a value in the hands of the processor; the rest is in the frame of
+// the run. The machine is touched only on the slow paths, by value, so that a compiler can keep the allowance in a
+// register; every verb is inlined into the instruction for the same reason.
 #pragma once
 
 #include <cstdint>
 
+#include "../core/allowance.hpp"
 #include "../core/reporter.hpp"
+#include "../core/threads.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "../pdp7/bus.hpp"
+#include "../pdp7/cpu.hpp"
 #include "../pdp7/timing.hpp"
 
 namespace sightline::machines {
 
+// One run of a machine.
+template <class Machine, class Observer>
+struct Pdp7Frame {
+  using Allowance = core::Allowance<core::Nanosecond>;
+
+  Pdp7Frame(Machine& of, Observer& observer)
+      : machine(&of),
+        report(observer),
+        arrives(observer),
+        core(of.core_.data()),
+        words(of.core_.size()),
+        bank(enter(of.state_.pc & pdp7::bank_mask)),
+        processor(of.configuration_.model, of.configuration_.timing, of.state_) {
+    look_around_at(of.now_, of.now_, 1);
+  }
+
+  [[nodiscard]] core::Instant now() const { return horizon - allowance.left(); }
+  [[nodiscard]] bool due() const { return allowance.over(); }
+  // Where the words of a bank lie.
+  core::Word18* enter(pdp7::Address first) {
+    bank_words = words > first ? words - first : 0;
+    return core + first;
+  }
+  // At the first boundary at or after `deadline`; `instructions` as Allowance wants them.
+  void look_around_at(core::Instant now, core::Instant deadline, std::int64_t instructions) {
+    horizon = deadline - core::Duration(1);
+    allowance = Allowance(horizon - now, instructions);
+  }
+
+  Machine* machine;
+  [[no_unique_address]] core::Reporter<Observer> report;
+  [[no_unique_address]] core::Arrivals<Observer> arrives;
+  core::Word18* core;
+  std::uint32_t words;           // that can be written
+  std::uint32_t bank_words = 0;  // likewise, from the beginning of the bank on
+  core::Word18* bank;            // where direct addresses lie
+  pdp7::Processor processor;
+  core::Instant horizon;  // the last instant that is not due
+  Allowance allowance{core::Duration(0), 0};
+};
+
 template <class Machine, class Observer>
 class Pdp7Bus {
  public:
-  // The first boundary of a run is always looked at.
-  Pdp7Bus(Machine& machine, Observer& observer)
-      : machine_(&machine),
-        report_(observer),
-        core_(machine.core_.data()),
-        words_(machine.core_.size()),
-        now_(machine.now_) {}
-  Pdp7Bus(const Pdp7Bus&) = default;
-  // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never
-  // changes in a run and does not fetch it again for every instruction.
-  [[gnu::always_inline]] Pdp7Bus& operator=(const Pdp7Bus& other) {
-    now_ = other.now_;
-    deadline_ = other.deadline_;
-    return *this;
-  }
+  using Frame = Pdp7Frame<Machine, Observer>;
+  using Allowance = typename Frame::Allowance;
 
-  [[gnu::always_inline]] core::Word18 fetch(pdp7::Address address) {
-    const core::Word18 word = core_[address];
-    pass(pdp7::Verb::fetch, address, word);
+  [[gnu::always_inline]] explicit Pdp7Bus(Frame& frame) : Pdp7Bus(frame, frame.bank, frame.allowance) {}
+  [[gnu::always_inline]] Pdp7Bus(Frame& frame, core::Word18* bank, Allowance allowance)
+      : frame_(&frame), bank_(bank), allowance_(allowance) {}
+
+  [[nodiscard]] core::Word18* bank() const { return bank_; }
+  [[nodiscard]] Allowance allowance() const { return allowance_; }
+  void count_instruction() { allowance_.count_instruction(); }
+  void save() {
+    frame_->bank = bank_;
+    frame_->allowance = allowance_;
+  }
+  void restore() {
+    bank_ = frame_->bank;
+    allowance_ = frame_->allowance;
+  }
+  void enter(pdp7::Address bank) { bank_ = frame_->enter(bank); }
+
+  // The word of the next instruction, before its cycle.
+  [[nodiscard]] [[gnu::always_inline]] core::Word18 peek(pdp7::Here here) const { return bank_[here.place]; }
+  // The cycle that takes it.
+  [[gnu::always_inline]] void fetch_peeked(pdp7::Here here, core::Word18 word) { pass(pdp7::Verb::fetch, here, word); }
+
+  template <class At>
+  [[gnu::always_inline]] core::Word18 fetch(At at) {
+    const core::Word18 word = *cell(at);
+    pass(pdp7::Verb::fetch, at, word);
     return word;
   }
-  [[gnu::always_inline]] core::Word18 read(pdp7::Address address) {
-    const core::Word18 word = core_[address];
-    pass(pdp7::Verb::read, address, word);
+  template <class At>
+  [[gnu::always_inline]] core::Word18 read(At at) {
+    const core::Word18 word = *cell(at);
+    pass(pdp7::Verb::read, at, word);
     return word;
   }
-  [[gnu::always_inline]] void write(pdp7::Address address, core::Word18 word) {
-    if (address < words_) core_[address] = word;
-    pass(pdp7::Verb::write, address, word);
+  template <class At>
+  [[gnu::always_inline]] void write(At at, core::Word18 word) {
+    put(at, word);
+    pass(pdp7::Verb::write, at, word);
   }
-  [[gnu::always_inline]] core::Word18 modify(pdp7::Address address) {
-    const core::Word18 word = core_[address] + core::Word18(1);
-    if (address < words_) core_[address] = word;
-    pass(pdp7::Verb::modify, address, word);
+  template <class At>
+  [[gnu::always_inline]] core::Word18 modify(At at) {
+    const core::Word18 word = *cell(at) + core::Word18(1);
+    put(at, word);
+    pass(pdp7::Verb::modify, at, word);
     return word;
   }
   void interrupt(core::Word18 word) {
-    core_[0] = word;
-    pass(pdp7::Verb::interrupt, 0, word);
+    frame_->core[0] = word;
+    pass(pdp7::Verb::interrupt, pdp7::Address{0}, word);
   }
-  [[gnu::always_inline]] pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
-    const auto effect = machine_->input_output(now_, word, ac);
-    report({now_, effect.stretch, pdp7::Verb::iot, word & 07777U, effect.reply.ac});
-    now_ += effect.stretch;
-    machine_->asynchronous_ += effect.stretch;
+  pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
+    const auto effect = frame_->machine->input_output(now(), word, ac);
+    report(effect.stretch, pdp7::Verb::iot, word & 07777U, effect.reply.ac);
+    take_asynchronous(effect.stretch);
     if (effect.look) attention();
     return effect.reply;
   }
   [[gnu::always_inline]] void idle(core::Duration duration) {
-    report({now_, duration, pdp7::Verb::idle, 0, core::Word18(0)});
-    now_ += duration;
-    machine_->asynchronous_ += duration;
+    report(duration, pdp7::Verb::idle, pdp7::Address{0}, core::Word18(0));
+    take_asynchronous(duration);
   }
-  [[gnu::always_inline]] core::Word18 switches() { return machine_->switches(now_); }
-  [[gnu::always_inline]] void unanswered(std::uint32_t word, pdp7::Address at) {
-    machine_->count_unanswered(word, at);
+  core::Word18 switches() { return frame_->machine->switches(now()); }
+  void unanswered(std::uint32_t word, pdp7::Address at) { frame_->machine->count_unanswered(word, at); }
+  [[gnu::always_inline]] void attention() {
+    frame_->horizon = now() - core::Duration(1);
+    allowance_.end();
   }
-  void attention() { deadline_ = core::Instant::min(); }
 
-  [[nodiscard]] bool due() const { return now_ >= deadline_; }
-  [[nodiscard]] core::Instant now() const { return now_; }
-  void set_now(core::Instant now) { now_ = now; }
-  void set_deadline(core::Instant deadline) { deadline_ = deadline; }
-  [[nodiscard]] core::Reporter<Observer> reporter() const { return report_; }
+  [[nodiscard]] [[gnu::always_inline]] bool due() const { return allowance_.over(); }
+  [[nodiscard]] [[gnu::always_inline]] core::Instant now() const { return frame_->horizon - allowance_.left(); }
 
  private:
-  [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
-    report({now_, pdp7::machine_cycle, verb, address, word});
-    now_ += pdp7::machine_cycle;
+  [[nodiscard]] [[gnu::always_inline]] core::Word18* cell(pdp7::Here here) const { return bank_ + here.place; }
+  [[nodiscard]] [[gnu::always_inline]] core::Word18* cell(pdp7::Address address) const {
+    return frame_->core + address;
   }
-  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) {
-    if (report_(cycle)) attention();
+  // Outside core nothing is written.
+  [[gnu::always_inline]] void put(pdp7::Here here, core::Word18 word) {
+    if (here.place < frame_->bank_words) [[likely]] *cell(here) = word;
+  }
+  [[gnu::always_inline]] void put(pdp7::Address address, core::Word18 word) {
+    if (address < frame_->words) *cell(address) = word;
   }
 
-  Machine* machine_;
-  [[no_unique_address]] core::Reporter<Observer> report_;
-  core::Word18* core_;
-  std::uint32_t words_;
-  core::Instant now_;
-  core::Instant deadline_ = core::Instant::min();
+  [[gnu::always_inline]] void take_asynchronous(core::Duration duration) {
+    allowance_.pass(duration);
+    frame_->machine->asynchronous_ += duration;
+  }
+  [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
+    report(pdp7::machine_cycle, verb, address, word);
+    allowance_.pass(pdp7::machine_cycle);
+  }
+  [[gnu::always_inline]] void report(core::Duration length, pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
+    if constexpr (Observer::cycles) {
+      if (frame_->report(pdp7::Cycle{now(), length, verb, address, word})) attention();
+    }
+  }
+
+  Frame* frame_;
+  core::Word18* bank_;
+  Allowance allowance_;
+};
+
+// The processor on it, as threads.hpp runs it.
+template <class Machine, class Observer>
+class Pdp7Thread {
+ public:
+  using Bus = Pdp7Bus<Machine, Observer>;
+  using Frame = typename Bus::Frame;
+  using Execution = pdp7::Execution<Bus>;
+  static constexpr unsigned codes = Execution::codes;
+
+  [[gnu::always_inline]] explicit Pdp7Thread(Frame& frame) : frame_(&frame), execution_(Bus(frame), frame.processor) {}
+
+  [[gnu::always_inline]] static Pdp7Thread resume(Frame& frame, const core::HostWords& words) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
+    auto* const bank = reinterpret_cast<core::Word18*>(static_cast<std::uintptr_t>(words.a));
+    const Bus bus(frame, bank, typename Bus::Allowance(words.b));
+    return Pdp7Thread(frame, Execution(bus, frame.processor, pdp7::Accumulator(words.c), words.d), words.e);
+  }
+  [[nodiscard]] [[gnu::always_inline]] core::HostWords host_words() const {
+    return {reinterpret_cast<std::uintptr_t>(execution_.bus().bank()), execution_.bus().allowance().host_word(),
+            execution_.accumulator().bits(), execution_.next().place, word_};
+  }
+
+  [[nodiscard]] [[gnu::always_inline]] unsigned code() {
+    word_ = execution_.bus().peek(execution_.next()).value();
+    return Execution::code_of(word_);
+  }
+  template <unsigned code>
+  [[nodiscard]] [[gnu::always_inline]] bool is_rare() const {
+    return execution_.template is_rare<code>(word_);
+  }
+  template <unsigned code>
+  [[gnu::always_inline]] void execute() {
+    execution_.bus().count_instruction();
+    execution_.template step_as<code>(word_);
+  }
+  void execute_any() {
+    execution_.bus().count_instruction();
+    take(execution_.step(word_));
+  }
+  [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
+    if constexpr (Observer::stops) {
+      if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
+    }
+    return execution_.bus().due();
+  }
+  [[gnu::always_inline]] void leave() { execution_.save(); }
+
+  // One instruction, whatever its code.
+  void step() {
+    execution_.bus().count_instruction();
+    take(execution_.step());
+    leave();
+  }
+
+ private:
+  [[gnu::always_inline]] Pdp7Thread(Frame& frame, const Execution& execution, std::uint32_t word)
+      : frame_(&frame), execution_(execution), word_(word) {}
+
+  void take(pdp7::Outcome outcome) {
+    if (outcome == pdp7::Outcome::completed) return;
+    frame_->processor.outcome = outcome;
+    execution_.bus().attention();
+  }
+
+  Frame* frame_;
+  Execution execution_;
+  std::uint32_t word_ = 0;  // that has been taken
 };
 
 }  // namespace sightline::machines

@@ -9,7 +9,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include "../core/dispatch.hpp"
 #include "../core/word.hpp"
 #include "absent_devices.hpp"
 #include "bus.hpp"
@@ -48,175 +50,268 @@ namespace detail {
   return instructions[i];
 }
 
-// Bits 0-3, by which the processor branches; from the table, so that they are written down once. The EAE
-// commands share theirs, and so do OPR and LAW, which bit 4 distinguishes.
+// Bits 0-3 of an instruction; from the table, so that they are written down once. The EAE commands share theirs, and so do
+// OPR and LAW, which bit 4 distinguishes.
 [[nodiscard]] consteval std::uint32_t code(Operation operation) {
   return row_of(operation).value >> 14;
 }
 
 }  // namespace detail
 
-// The processor is a value that holds its bus by value, a light handle on the machine behind it. That lets
-// the loop that owns it keep registers and time in host registers: the common instructions are inlined there,
-// and the others are executed on a copy out of line, because a call that took the address of the registers
-// would keep them in memory, at half the speed.
-template <Bus B>
-class Cpu {
- public:
-  constexpr Cpu(const B& bus, const Model& model, const Timing& timing, const State& state)
-      : bus_(bus), model_(&model), timing_(&timing), registers_(state) {}
+// What the processor was bought with, the registers that few instructions use, and all of them between runs.
+struct Processor {
+  Processor(const Model& bought, const Timing& times, const State& state)
+      : model(&bought), timing(&times), registers(state) {}
 
-  [[nodiscard]] constexpr State state() const { return registers_.state(); }
-  [[nodiscard]] constexpr Address pc() const { return registers_.pc(); }
+  const Model* model;
+  const Timing* timing;
+  Registers registers;
+  Outcome outcome = Outcome::completed;  // of the last instruction, if it did not just end
+};
+
+// A place in the bank of the running program, where nearly all references go: a bus may find it faster than an address.
+struct Here {
+  Address bank;
+  Address place;
+  // NOLINTNEXTLINE(google-explicit-constructor): it is an address like any other
+  constexpr operator Address() const { return bank | place; }
+};
+
+// The processor at work: a value that holds its bus, L, AC and PC, so that a compiler keeps them in host registers. The rest
+// is in a Processor, and save() puts these there, too.
+template <Bus B>
+class Execution {
+ public:
+  // Bits 0-4 of an instruction choose the code that executes it: operation and indirect bit.
+  static constexpr unsigned codes = 32;
+  [[nodiscard]] static constexpr unsigned code_of(std::uint32_t word) { return word >> 13; }
+
+  [[gnu::always_inline]] constexpr Execution(const B& bus, Processor& processor)
+      : Execution(bus, processor, processor.registers.accumulator, processor.registers.place) {}
+  [[gnu::always_inline]] constexpr Execution(const B& bus, Processor& processor, Accumulator accumulator, Address place)
+      : bus_(bus), processor_(&processor), accumulator_(accumulator), place_(place) {}
+
+  [[gnu::always_inline]] constexpr void save() {
+    processor_->registers.accumulator = accumulator_;
+    processor_->registers.place = place_;
+    if constexpr (requires { bus_.save(); }) bus_.save();
+  }
+
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
+  [[nodiscard]] constexpr Accumulator accumulator() const { return accumulator_; }
+  // Of the next instruction.
+  [[nodiscard]] constexpr Here next() const { return {processor_->registers.bank, place_}; }
 
   // One instruction; a chain of XCTs and what it ends in is one.
-  [[gnu::always_inline]] constexpr Outcome step() {
-    const std::uint32_t word = bus_.fetch(registers_.pc()).value();
-    registers_.skip();
-    if (execute_common(word, registers_.bank())) [[likely]]
-      return Outcome::completed;
-    Cpu copy = *this;
-    const Outcome outcome = copy.execute_rare(word, registers_.before());
-    bus_ = copy.bus_;
-    registers_ = copy.registers_;
+  constexpr Outcome step() {
+    const std::uint32_t word = bus_.fetch(next()).value();
+    ++place_;
+    const Outcome outcome = execute(word);
+    place_ &= in_bank_mask;
     return outcome;
   }
 
-  // An interrupt may be taken at this boundary, if one is requested. This test ends the delay of
-  // ION.
-  [[nodiscard]] constexpr bool interrupts_open() const {
-    return registers_.is(mode::interrupts_on) && !registers_.is(mode::interrupts_deferred);
+  // The same, of an instruction that a bus with fetch_peeked() has shown.
+  constexpr Outcome step(std::uint32_t word) {
+    bus_.fetch_peeked(next(), core::Word18(word));
+    ++place_;
+    const Outcome outcome = execute(word);
+    place_ &= in_bank_mask;
+    return outcome;
   }
-  [[nodiscard]] constexpr bool interrupts_deferred() const {
-    return registers_.is(mode::interrupts_deferred);
+
+  // The same, compiled for one code: in PC's bank, without a call, so that nothing leaves the host's registers. Not for a
+  // word that is_rare<code>().
+  template <unsigned code>
+  [[gnu::always_inline]] constexpr void step_as(std::uint32_t word) {
+    bus_.fetch_peeked(next(), core::Word18(word));
+    ++place_;
+    if constexpr (code >> 1 == detail::code(Operation::eae_setup)) {
+      calculate(word);
+    } else if constexpr (!is_special<code>) {
+      execute_common<code>(word, InPlace{this});
+    }
+    place_ &= in_bank_mask;
   }
-  constexpr void end_interrupt_delay() { registers_.clear(mode::interrupts_deferred); }
+
+  // What leaves PC's bank or the processor, or may not end as usual.
+  template <unsigned code>
+  [[nodiscard]] [[gnu::always_inline]] constexpr bool is_rare(std::uint32_t word) const {
+    constexpr unsigned operation = code >> 1;
+    constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
+    if constexpr (is_special<code>) return true;
+    else if constexpr (operation == detail::code(Operation::eae_setup)) return !processor_->model->eae;
+    else if constexpr (code == code_of(detail::row_of(Operation::opr).value)) return (word & rare_opr) != 0;
+    else if constexpr (operation == detail::code(Operation::opr)) return false;
+    else if constexpr ((code & 1U) != 0) return processor_->registers.is(mode::extend | mode::extend_restore);
+    else return false;
+  }
 
   // The program interrupt: the Break cycle that stores the saved word at 0; the next fetch is at 1.
   constexpr void interrupt() {
-    bus_.interrupt(registers_.saved_word());
+    bus_.interrupt(saved_word());
     enter_bank_zero(1);
-    registers_.clear(mode::extend);
-    if (timing_->interrupt_cycles > 1) bus_.idle(machine_cycle * (timing_->interrupt_cycles - 1));
+    clear(mode::extend);
+    if (processor_->timing->interrupt_cycles > 1)
+      bus_.idle(machine_cycle * (processor_->timing->interrupt_cycles - 1));
   }
 
   // The START key: PC from the ADDRESS switches, interrupt system and modes off. AC, L, MQ and SC stay.
   constexpr void start(Address address) {
-    registers_.set_pc(address);
-    registers_.clear(~0U);
+    go_to(address);
+    clear(~0U);
   }
 
  private:
-  // The memory references but CAL and XCT, LAW, and OPR without OAS and HLT; false: not one of these, nothing
-  // done. `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it. The
-  // indirect bit is tested first, so that a direct reference goes straight to its operand; among the
-  // operate words it is the bit of LAW.
-  [[gnu::always_inline]] constexpr bool execute_common(std::uint32_t word, Address bank) {
-    if ((word & indirect_bit) != 0) return execute_common_as<true>(word, bank);
-    return execute_common_as<false>(word, bank);
-  }
+  template <unsigned code>
+  static constexpr bool is_special = code >> 1 == detail::code(Operation::cal) ||
+                                     code >> 1 == detail::code(Operation::xct) ||
+                                     code >> 1 == detail::code(Operation::iot);
 
-  template <bool indirect>
-  [[gnu::always_inline]] constexpr bool execute_common_as(std::uint32_t word, Address bank) {
-    constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
-    static_assert(detail::row_of(Operation::law).value ==
-                  (detail::row_of(Operation::opr).value | indirect_bit));
-    const auto address = [&]() __attribute__((always_inline)) { return effective<indirect>(word, bank); };
-    switch ((word >> 14) & 017U) {
-      case detail::code(Operation::dac): bus_.write(address(), registers_.ac); return true;
-      case detail::code(Operation::jms): jump_to_subroutine(address()); return true;
-      case detail::code(Operation::dzm): bus_.write(address(), core::Word18(0)); return true;
-      case detail::code(Operation::lac): registers_.ac = bus_.read(address()); return true;
-      case detail::code(Operation::xor_): registers_.ac = registers_.ac ^ bus_.read(address()); return true;
-      case detail::code(Operation::add): ones_complement_add(bus_.read(address())); return true;
-      case detail::code(Operation::tad): twos_complement_add(bus_.read(address())); return true;
-      case detail::code(Operation::and_): registers_.ac = registers_.ac & bus_.read(address()); return true;
-      case detail::code(Operation::isz):
-        if (bus_.modify(address()).value() == 0) registers_.skip();
-        return true;
-      case detail::code(Operation::sad):
-        if (bus_.read(address()) != registers_.ac) registers_.skip();
-        return true;
-      case detail::code(Operation::jmp): jump<indirect>(word, bank); return true;
-      case detail::code(Operation::opr):
-        if constexpr (indirect) {
-          registers_.ac = core::Word18(word);
-          return true;
-        }
-        if ((word & rare_opr) != 0) return false;
-        operate_on_registers(word, core::Word18(0));
-        return true;
-      case detail::code(Operation::cal):
-      case detail::code(Operation::xct):
-      case detail::code(Operation::iot):
-      case detail::code(Operation::eae_setup): return false;
+  // Where the direct addresses of an instruction lie: in the bank of the word itself. Nearly always that is PC's.
+  struct InPlace {
+    const Execution* execution;
+    [[gnu::always_inline]] constexpr Here operator()(std::uint32_t word) const {
+      return {execution->processor_->registers.bank, word & in_bank_mask};
     }
-    return false;
+  };
+  // After an XCT it may be another.
+  struct InBank {
+    Address bank;
+    [[gnu::always_inline]] constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
+  };
+
+  // The memory references but CAL and XCT, LAW, and OPR without HLT and OAS.
+  template <unsigned code, class Direct>
+  [[gnu::always_inline]] constexpr void execute_common(std::uint32_t word, Direct direct) {
+    constexpr unsigned operation = code >> 1;
+    constexpr bool indirect = (code & 1U) != 0;
+    static_assert(code_of(detail::row_of(Operation::law).value) == (code_of(detail::row_of(Operation::opr).value) | 1U));
+    if constexpr (operation == detail::code(Operation::opr)) {
+      if constexpr (indirect) {
+        accumulator_.set_ac(core::Word18(word));
+      } else {
+        operate_on_registers(word, core::Word18(0));
+      }
+    } else if constexpr (operation == detail::code(Operation::jmp)) {
+      if constexpr (indirect) {
+        jump_indirect(direct(word));
+      } else {
+        go_to(direct(word));
+      }
+    } else if constexpr (indirect) {
+      const auto lies_at = direct(word);
+      refer<operation>(address_in(defer(lies_at), lies_at));
+    } else {
+      refer<operation>(direct(word));
+    }
   }
 
-  // Everything else, and whatever an XCT leads to. `at` is the address of the instruction.
-  [[gnu::noinline]] constexpr Outcome execute_rare(std::uint32_t word, Address at) {
+  // A memory reference with its address, a Here or an Address.
+  template <unsigned operation, class At>
+  [[gnu::always_inline]] constexpr void refer(At at) {
+    if constexpr (operation == detail::code(Operation::dac)) {
+      bus_.write(at, accumulator_.ac());
+    } else if constexpr (operation == detail::code(Operation::jms)) {
+      jump_to_subroutine(at);
+    } else if constexpr (operation == detail::code(Operation::dzm)) {
+      bus_.write(at, core::Word18(0));
+    } else if constexpr (operation == detail::code(Operation::lac)) {
+      accumulator_.set_ac(bus_.read(at));
+    } else if constexpr (operation == detail::code(Operation::xor_)) {
+      accumulator_.exclusive_or(bus_.read(at));
+    } else if constexpr (operation == detail::code(Operation::add)) {
+      ones_complement_add(bus_.read(at));
+    } else if constexpr (operation == detail::code(Operation::tad)) {
+      accumulator_.add(bus_.read(at));
+    } else if constexpr (operation == detail::code(Operation::and_)) {
+      accumulator_.and_(bus_.read(at));
+    } else if constexpr (operation == detail::code(Operation::isz)) {
+      skip_if(bus_.modify(at).value() == 0);
+    } else {
+      static_assert(operation == detail::code(Operation::sad));
+      skip_if(bus_.read(at) != accumulator_.ac());
+    }
+  }
+
+  // Any instruction, and whatever an XCT leads to.
+  constexpr Outcome execute(std::uint32_t word) {
+    const Address at = instruction_address();
     Address from = at;
     for (int chained = 0; (word >> 14) == detail::code(Operation::xct); ++chained) {
       from = effective(word, from & bank_mask);
-      if (chained != 0 && registers_.is(mode::trap)) return trap();
+      if (chained != 0 && processor_->registers.is(mode::trap)) return trap();
       if (chained == longest_xct_chain) return Outcome::xct_chain;
       word = bus_.read(from).value();
     }
-    if (execute_common(word, from & bank_mask)) return Outcome::completed;
     switch (instruction_of(word).operation) {
-      case Operation::cal: return call((registers_.is(mode::extend) ? 0 : registers_.bank()) | 020, word);
+      case Operation::cal:
+        return call((processor_->registers.is(mode::extend) ? 0 : processor_->registers.bank) | 020, word);
       case Operation::iot: return input_output(word, at);
       case Operation::opr: return operate_with_console(word);
-      default: return extended_arithmetic(word, at);
+      default: break;
     }
+    if ((word >> 14) == detail::code(Operation::eae_setup)) {
+      if (!processor_->model->eae) return not_answered(word, at);
+      calculate(word);
+    } else {
+      core::dispatch<codes>(code_of(word), Common{this, word, InBank{from & bank_mask}});
+    }
+    return Outcome::completed;
   }
 
+  struct Common {
+    Execution* execution;
+    std::uint32_t word;
+    InBank direct;
+    template <unsigned code>
+    [[gnu::always_inline]] constexpr void execute() const {
+      if constexpr (!is_special<code> && code >> 1 != detail::code(Operation::eae_setup))
+        execution->template execute_common<code>(word, direct);
+    }
+  };
+
   // The address of a memory reference, with the Defer cycle of an indirect one.
-  template <bool indirect>
-  [[gnu::always_inline]] constexpr Address effective(std::uint32_t word, Address bank) {
-    const Address direct = bank | (word & in_bank_mask);
-    if constexpr (!indirect) return direct;
-    return address_in(defer(direct), direct);
-  }
   constexpr Address effective(std::uint32_t word, Address bank) {
-    return (word & indirect_bit) != 0 ? effective<true>(word, bank) : effective<false>(word, bank);
+    const Address direct = bank | (word & in_bank_mask);
+    return (word & indirect_bit) != 0 ? address_in(defer(direct), direct) : direct;
   }
 
   // Locations 10-17 of any bank count up by one, over all 18 bits, before they point.
-  [[gnu::always_inline]] constexpr core::Word18 defer(Address pointer) {
-    return (pointer & in_bank_mask & ~Address{07}) == 010 ? bus_.modify(pointer) : bus_.read(pointer);
+  template <class At>
+  [[gnu::always_inline]] constexpr core::Word18 defer(At pointer) {
+    if ((Address{pointer} & in_bank_mask & ~Address{07}) == 010) return bus_.modify(pointer);
+    return bus_.read(pointer);
   }
 
-  // The address a pointer word gives: 15 bits in extend mode, else 13 in the bank the pointer lies in.
+  // The address a pointer word gives: 15 bits in extend mode, else 13 in the bank the pointer lies in. A Here is not asked
+  // for in extend mode.
+  [[nodiscard]] [[gnu::always_inline]] static constexpr Here address_in(core::Word18 pointer, Here lies_at) {
+    return {lies_at.bank, pointer.value() & in_bank_mask};
+  }
   [[nodiscard]] constexpr Address address_in(core::Word18 pointer, Address lies_at) const {
-    return registers_.is(mode::extend) ? pointer.value() & address_mask
-                                       : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
+    return processor_->registers.is(mode::extend) ? pointer.value() & address_mask
+                                                  : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
   }
 
   // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
   // (Another simulator changes the mode first; a program outside bank 0 could then not be returned to.)
-  template <bool indirect>
-  [[gnu::always_inline]] constexpr void jump(std::uint32_t word, Address bank) {
-    const Address direct = bank | (word & in_bank_mask);
-    if constexpr (!indirect) {
-      registers_.set_pc(bank, word & in_bank_mask);
-      return;
-    }
-    const core::Word18 pointer = defer(direct);
-    registers_.set_pc(address_in(pointer, direct));
-    if (registers_.is(mode::extend_restore)) {
-      registers_.clear(mode::extend_restore);
-      if (!pointer.bit(1)) registers_.clear(mode::extend);
+  [[gnu::always_inline]] constexpr void jump_indirect(Here lies_at) { go_to(address_in(defer(lies_at), lies_at)); }
+  constexpr void jump_indirect(Address lies_at) {
+    const core::Word18 pointer = defer(lies_at);
+    go_to(address_in(pointer, lies_at));
+    if (processor_->registers.is(mode::extend_restore)) {
+      clear(mode::extend_restore);
+      if (!pointer.bit(1)) clear(mode::extend);
     }
   }
 
-  [[gnu::always_inline]] constexpr void jump_to_subroutine(Address subroutine) {
-    bus_.write(subroutine, registers_.saved_word());
-    registers_.set_pc(subroutine);
-    registers_.skip();
+  template <class At>
+  [[gnu::always_inline]] constexpr void jump_to_subroutine(At subroutine) {
+    bus_.write(subroutine, saved_word());
+    go_to(subroutine);
+    ++place_;
   }
 
   constexpr Outcome call(Address location, std::uint32_t word) {
@@ -226,62 +321,51 @@ class Cpu {
 
   // End-around carry; L is set by an overflow and never cleared (PDP-4 manual page 17).
   [[gnu::always_inline]] constexpr void ones_complement_add(core::Word18 operand) {
-    std::uint32_t sum = registers_.ac.value() + operand.value();
-    if (sum > core::Word18::mask) ++sum;
-    const core::Word18 result(sum);
-    if (registers_.ac.negative() == operand.negative() && result.negative() != operand.negative())
-      registers_.set_link(true);
-    registers_.ac = result;
-  }
-
-  // The carry out of bit 0 complements L; signs are not examined (page 18).
-  [[gnu::always_inline]] constexpr void twos_complement_add(core::Word18 operand) {
-    const std::uint32_t sum = registers_.ac.value() + operand.value();
-    registers_.add_carry(sum);
-    registers_.ac = core::Word18(sum);
+    const core::Word18 ac = accumulator_.ac();
+    std::uint32_t sum = ac.value() + operand.value();
+    sum = (sum & core::Word18::mask) + (sum >> 18);
+    const std::uint32_t overflow = ~(ac.value() ^ operand.value()) & (sum ^ ac.value()) & core::Word18::sign;
+    accumulator_ = Accumulator((accumulator_.bits() & Accumulator::carry) | sum | overflow << 1);
   }
 
   [[gnu::always_inline]] constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
-    const Operated result = operate(word, registers_.ac, registers_.link(), switches);
-    registers_.ac = result.ac;
-    registers_.set_link(result.link);
-    if (result.skip) registers_.skip();
+    const OperatedBits result = operate_on_bits(word, accumulator_.bits(), switches);
+    accumulator_ = Accumulator(result.lac);
+    skip_if(result.skip);
   }
 
-  // OPR with OAS or HLT.
+  // OPR with OAS or HLT, or after an XCT.
   constexpr Outcome operate_with_console(std::uint32_t word) {
     operate_on_registers(word, (word & operate_bits::oas) != 0 ? bus_.switches() : core::Word18(0));
     if ((word & operate_bits::hlt) == 0) return Outcome::completed;
-    return registers_.is(mode::trap) ? trap() : Outcome::halted;
+    return processor_->registers.is(mode::trap) ? trap() : Outcome::halted;
   }
 
-  constexpr Outcome extended_arithmetic(std::uint32_t word, Address at) {
-    if (!model_->eae) return not_answered(word, at);
+  // Class 64 with the EAE.
+  [[gnu::always_inline]] constexpr void calculate(std::uint32_t word) {
     core::Word18 operand;
     if (eae_takes_operand(word)) {
-      operand = bus_.read(registers_.pc());
-      registers_.skip();
+      operand = bus_.read(here());
+      ++place_;
     }
-    const EaeResult result =
-        execute_eae(word, {registers_.ac, registers_.mq, registers_.sc, registers_.link()}, operand);
-    registers_.ac = result.registers.ac;
-    registers_.mq = result.registers.mq;
-    registers_.sc = result.registers.sc;
-    registers_.set_link(result.registers.link);
-    const core::Duration stepping =
-        eae_step(word) * result.steps + (is_setup(word) ? timing_->eae_setup : core::Duration{});
+    Registers& r = processor_->registers;
+    const EaeResult result = execute_eae(word, {accumulator_.ac(), r.mq, r.sc, accumulator_.link()}, operand);
+    accumulator_ = Accumulator(result.registers.ac, result.registers.link);
+    r.mq = result.registers.mq;
+    r.sc = result.registers.sc;
+    const core::Duration stepping = eae_time(word, result.steps);
     if (stepping.count() != 0) bus_.idle(stepping);
-    return Outcome::completed;
   }
 
-  [[nodiscard]] static constexpr bool is_setup(std::uint32_t word) { return (word & 0700U) == 0; }
-
-  [[nodiscard]] constexpr core::Duration eae_step(std::uint32_t word) const {
-    switch (instruction_of(word).operation) {
-      case Operation::eae_multiply: return timing_->eae_multiply_step;
-      case Operation::eae_divide: return timing_->eae_divide_step;
-      case Operation::eae_normalize: return timing_->eae_normalize_step;
-      default: return timing_->eae_shift_step;
+  // A setup makes no step, but has a time of its own.
+  [[nodiscard]] [[gnu::always_inline]] constexpr core::Duration eae_time(std::uint32_t word, int steps) const {
+    const Timing& timing = *processor_->timing;
+    switch ((word >> 6) & 07U) {
+      case 0: return timing.eae_setup;
+      case 1: return timing.eae_multiply_step * steps;
+      case 3: return timing.eae_divide_step * steps;
+      case 4: return timing.eae_normalize_step * steps;
+      default: return timing.eae_shift_step * steps;
     }
   }
 
@@ -289,14 +373,13 @@ class Cpu {
   // processor, the rest goes out. Pulses that all have no device make the instruction one that this machine
   // does not have.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
-    if (registers_.is(mode::trap)) return trap();
-    if ((word & 010U) != 0) registers_.ac = core::Word18(0);
+    if (processor_->registers.is(mode::trap)) return trap();
+    if ((word & 010U) != 0) accumulator_.set_ac(core::Word18(0));
     const std::uint32_t inside = processor_pulses(word);
-    const IotReply reply = bus_.iot(word, registers_.ac);
-    registers_.ac = reply.ac;
-    if (reads_status(word) && registers_.is(mode::interrupts_on))
-      registers_.ac = registers_.ac | core::Word18(core::Word18::sign);
-    if (reply.skip) registers_.skip();
+    const IotReply reply = bus_.iot(word, accumulator_.ac());
+    const bool on = reads_status(word) && processor_->registers.is(mode::interrupts_on);
+    accumulator_.set_ac(on ? reply.ac | core::Word18(core::Word18::sign) : reply.ac);
+    if (reply.skip) skip();
     if ((word & 07U) == 0 || (word & 07U & (inside | reply.answered)) != 0 || belongs_to_absent_device(word))
       return Outcome::completed;
     return not_answered(word, at);
@@ -308,9 +391,9 @@ class Cpu {
       case 000: return interrupt_system(word);
       case 033:  // SKP7 (this is a PDP-7); subdevice 0 is the teletype's TTS
         if ((word & skp7_bits) != skp7_bits) return 0;
-        registers_.skip();
+        skip();
         return 01;
-      case 077: return model_->extend ? memory_extension(word) : 0;
+      case 077: return processor_->model->extend ? memory_extension(word) : 0;
       default: return 0;
     }
   }
@@ -318,47 +401,101 @@ class Cpu {
   // IOF 700002, ION 700042, ITON 700062.
   constexpr std::uint32_t interrupt_system(std::uint32_t word) {
     if ((word & 02U) == 0) return 0;
-    registers_.clear(mode::interrupts_on | mode::interrupts_deferred);
-    if ((word & 040U) != 0) registers_.set(mode::interrupts_on | mode::interrupts_deferred);
-    if ((word & 060U) == 060U && model_->trap_mode) registers_.set(mode::trap);
+    clear(mode::interrupts_on | mode::interrupts_deferred);
+    if ((word & 040U) != 0) set(mode::interrupts_on | mode::interrupts_deferred);
+    if ((word & 060U) == 060U && processor_->model->trap_mode) set(mode::trap);
     bus_.attention();
     return 02;
   }
 
   // SEM 707701, EEM 707702, EMIR 707742, LEM 707704.
   constexpr std::uint32_t memory_extension(std::uint32_t word) {
-    if ((word & 01U) != 0 && registers_.is(mode::extend)) registers_.skip();
+    if ((word & 01U) != 0 && processor_->registers.is(mode::extend)) skip();
     if ((word & 02U) != 0) {
-      registers_.set(mode::extend);
-      if ((word & 040U) != 0) registers_.set(mode::extend_restore);
+      set(mode::extend);
+      if ((word & 040U) != 0) set(mode::extend_restore);
     }
-    if ((word & 04U) != 0) registers_.clear(mode::extend);
+    if ((word & 04U) != 0) clear(mode::extend);
     return 07;
   }
 
   constexpr Outcome not_answered(std::uint32_t word, Address at) {
     bus_.unanswered(word, at);
-    return model_->strict ? Outcome::unanswered : Outcome::completed;
+    return processor_->model->strict ? Outcome::unanswered : Outcome::completed;
   }
 
   // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is
   // at 2. Its Break cycle is taken to follow the instruction directly (unknown).
   constexpr Outcome trap() {
-    bus_.write(0, registers_.saved_word());
+    bus_.write(Address{0}, saved_word());
     enter_bank_zero(2);
-    registers_.set(mode::extend);
+    set(mode::extend);
     return Outcome::completed;
   }
 
   constexpr void enter_bank_zero(Address next) {
-    registers_.set_pc(next);
-    registers_.clear(~mode::extend);
+    go_to(next);
+    clear(~mode::extend);
+  }
+
+  [[gnu::always_inline]] constexpr void go_to(Here next) { place_ = next.place; }
+  [[gnu::always_inline]] constexpr void go_to(Address next) {
+    place_ = next & in_bank_mask;
+    processor_->registers.bank = next & bank_mask;
+    if constexpr (requires { bus_.enter(Address{}); }) bus_.enter(next & bank_mask);
+  }
+  // PC within an instruction: 17777 is followed by 00000.
+  [[nodiscard]] [[gnu::always_inline]] constexpr Here here() const {
+    return {processor_->registers.bank, place_ & in_bank_mask};
+  }
+  [[gnu::always_inline]] constexpr void skip() { ++place_; }
+  // A branch, and no sum: what follows must not wait for the condition, which the host guesses. The empty statement keeps
+  // compilers from making a sum of it.
+  [[gnu::always_inline]] constexpr void skip_if(bool condition) {
+    if (!condition) return;
+    ++place_;
+    if (!std::is_constant_evaluated()) asm("" : "+r"(place_));
+  }
+  // Of the instruction that has just been fetched.
+  [[nodiscard]] constexpr Address instruction_address() const {
+    return processor_->registers.bank | ((place_ - 1) & in_bank_mask);
+  }
+  constexpr void set(std::uint32_t modes) { processor_->registers.modes |= modes; }
+  constexpr void clear(std::uint32_t modes) { processor_->registers.modes &= ~modes; }
+  [[nodiscard]] [[gnu::always_inline]] constexpr core::Word18 saved_word() const {
+    const std::uint32_t modes = processor_->registers.modes;
+    return core::Word18((accumulator_.bits() & Accumulator::carry) >> 1 | (modes & (mode::extend | mode::trap)) |
+                        Address{here()});
   }
 
   B bus_;
-  const Model* model_;
-  const Timing* timing_;
-  Registers registers_;
+  Processor* processor_;
+  Accumulator accumulator_;
+  Address place_;  // of PC, in its bank; within an instruction it may have stepped beyond the end
+};
+
+// A processor on a bus of its own, instruction by instruction.
+template <Bus B>
+class Cpu {
+ public:
+  // `model` and `timing` must outlive it.
+  constexpr Cpu(const B& bus, const Model& model, const Timing& timing, const State& state)
+      : bus_(bus), processor_(model, timing, state) {}
+
+  [[nodiscard]] constexpr State state() const { return processor_.registers.state(); }
+  [[nodiscard]] constexpr Address pc() const { return processor_.registers.pc(); }
+
+  constexpr Outcome step() {
+    Execution<B> execution(bus_, processor_);
+    const Outcome outcome = execution.step();
+    execution.save();
+    bus_ = execution.bus();
+    return outcome;
+  }
+
+ private:
+  B bus_;
+  Processor processor_;
 };
 
 }  // namespace sightline::pdp7

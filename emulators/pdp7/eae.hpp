@@ -5,6 +5,7 @@
 // confirmed by three symbol tables and by a second simulator's results for 6688 operand sets.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "../core/word.hpp"
@@ -40,59 +41,47 @@ inline constexpr std::uint32_t word_mask = 0777777;
   return count == 0 ? 64 : static_cast<int>(count);
 }
 
-// Add and shift right. `product_negative` complements both halves: the 36-bit one's complement of the
-// product.
+// Add and shift right, for each step; in closed form, because the multiplier's bits that the first 18 steps test are in MQ
+// from the beginning. `product_negative` complements both halves: the 36-bit one's complement of the product.
 [[nodiscard]] constexpr EaeResult multiply(EaeRegisters r, std::uint32_t count, std::uint32_t multiplicand,
                                            bool product_negative) {
-  std::uint32_t ac = r.ac.value();
-  std::uint32_t mq = r.mq.value();
+  std::uint64_t both = (std::uint64_t{r.ac.value()} << 18) | r.mq.value();
   const int steps = full_count(count);
-  for (int i = 0; i < steps; ++i) {
-    if ((mq & 1U) != 0) ac += multiplicand;
-    mq = (mq >> 1) | ((ac & 1U) << 17);
-    ac >>= 1;
+  for (int left = steps; left > 0; left -= 18) {
+    const int n = left < 18 ? left : 18;
+    const std::uint64_t multiplier = both & ((std::uint64_t{1} << n) - 1);
+    both = (both + ((multiplier * multiplicand) << 18)) >> n;
   }
-  if (product_negative) {
-    ac = ~ac;
-    mq = ~mq;
-  }
-  return {{core::Word18(ac), core::Word18(mq), core::Word<6>(0), false}, steps};
+  if (product_negative) both = ~both;
+  return {{core::Word18(static_cast<std::uint32_t>(both >> 18)), core::Word18(static_cast<std::uint32_t>(both)),
+           core::Word<6>(0), false},
+          steps};
 }
 
-// Non-restoring; the remainder is corrected at the end. Refused with L = 1 when the quotient would not fit,
-// after the first subtraction, so AC is already less by the divisor.
+// Non-restoring, with the remainder corrected at the end: that is the division of AC and the first bits of MQ, as far as the
+// bits come from MQ. Refused with L = 1 when the quotient would not fit, after the first subtraction, so AC is
+// already less by the divisor.
 [[nodiscard]] constexpr EaeResult divide(EaeRegisters r, std::uint32_t count, std::uint32_t divisor,
                                          bool dividend_negative, bool quotient_negative) {
   if (r.ac.value() >= divisor) return {{core::Word18(r.ac.value() - divisor), r.mq, r.sc, true}, 1};
-  constexpr std::uint32_t with_link = 01777777;
   std::uint32_t ac = r.ac.value();
   std::uint32_t mq = r.mq.value();
-  std::uint32_t borrowed = 0;
   const int steps = full_count(count);
-  for (int left = steps; left > 0; --left) {
-    ac = (borrowed != 0 ? ac + divisor : ac - divisor) & with_link;
-    borrowed = (ac >> 18) & 1U;
-    if (left > 1) ac = ((ac << 1) | (mq >> 17)) & with_link;
-    mq = ((mq << 1) | (borrowed ^ 1U)) & word_mask;
+  int left = steps;
+  // A step takes the difference of AC and the divisor, then shifts. After 18 of them MQ shifts its quotient in again.
+  for (; left > 19; left -= 18) {
+    const std::uint64_t dividend = (std::uint64_t{ac} << 18) | mq;
+    mq = static_cast<std::uint32_t>((dividend >> 1) / divisor) & word_mask;
+    ac = static_cast<std::uint32_t>((dividend >> 1) % divisor << 1 | (dividend & 1U));
   }
-  if (borrowed != 0) ac += divisor;
+  // The last step does not shift.
+  const int shifts = left - 1;
+  const std::uint64_t dividend = (std::uint64_t{ac} << shifts) | (mq >> (18 - shifts));
+  ac = static_cast<std::uint32_t>(dividend % divisor);
+  mq = ((mq << left) | static_cast<std::uint32_t>(dividend / divisor)) & word_mask;
   if (dividend_negative) ac = ~ac;
   if (quotient_negative) mq = ~mq;
   return {{core::Word18(ac), core::Word18(mq), core::Word<6>(0), false}, steps};
-}
-
-// Shift left until bits 0 and 1 of AC differ or the counter has run out; the vacated end is filled with L.
-[[nodiscard]] constexpr EaeResult normalize(EaeRegisters r, std::uint32_t count) {
-  int steps = 0;
-  r.sc = core::Word<6>(count);
-  while (r.ac.bit(0) == r.ac.bit(1)) {
-    r.ac = core::Word18((r.ac.value() << 1) | (r.mq.value() >> 17));
-    r.mq = core::Word18((r.mq.value() << 1) | (r.link ? 1U : 0U));
-    r.sc = core::Word<6>(r.sc.value() - 1);
-    ++steps;
-    if (r.sc.value() == 0) break;
-  }
-  return {r, steps};
 }
 
 // The 36 bits AC:MQ with 64 copies of L at either side are shifted as one number; counts above 36 change
@@ -107,6 +96,24 @@ inline constexpr std::uint32_t word_mask = 0777777;
   r.mq = core::Word18(static_cast<std::uint32_t>(both & word_mask));
   r.sc = core::Word<6>(0);
   return {r, static_cast<int>(count)};
+}
+
+// Shift left until bits 0 and 1 of AC differ or the counter has run out; the vacated end is filled with L.
+[[nodiscard]] constexpr EaeResult normalize(EaeRegisters r, std::uint32_t count) {
+  // AC, MQ and copies of L; where two bits differ, bit 0 or 1 of `changes` is the first to be looked for.
+  const std::uint64_t all = (std::uint64_t{r.ac.value()} << 46) | (std::uint64_t{r.mq.value()} << 28) |
+                            (r.link ? (std::uint64_t{1} << 28) - 1 : 0);
+  const std::uint64_t changes = (all ^ (all << 1)) >> 1 << 1;
+  const int needed = changes == 0 ? 64 : std::countl_zero(changes);
+  const int most = full_count(count);
+  const int steps = needed < most ? needed : most;
+  if (steps == 0) {
+    r.sc = core::Word<6>(count);
+    return {r, 0};
+  }
+  EaeResult result = shift_long(r, static_cast<std::uint32_t>(steps), true);
+  result.registers.sc = core::Word<6>(count - static_cast<std::uint32_t>(steps));
+  return result;
 }
 
 [[nodiscard]] constexpr EaeResult shift_ac_left(EaeRegisters r, std::uint32_t count) {

@@ -6,6 +6,7 @@
 // rotates nothing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "../core/word.hpp"
@@ -32,33 +33,56 @@ inline constexpr std::uint32_t cma = 01, cml = 02, oas = 04, ral = 010, rar = 02
   return ((lac >> 1) | (lac << 18)) & 01777777U;
 }
 
-// Whether the skip microinstructions of `word` skip: the OR of the chosen conditions, inverted by bit 8.
-[[nodiscard]] constexpr bool operate_skips(std::uint32_t word, core::Word18 ac, bool link) {
-  using namespace operate_bits;
-  const bool any = ((word & sma) != 0 && ac.negative()) || ((word & sza) != 0 && ac.value() == 0) ||
-                   ((word & snl) != 0 && link);
-  return any != ((word & invert) != 0);
-}
+namespace detail {
 
-// Everything but HLT; `switches` are the AC switches, read only by OAS.
-[[nodiscard]] constexpr Operated operate(std::uint32_t word, core::Word18 ac, bool link,
-                                         core::Word18 switches) {
+inline constexpr std::uint32_t link_bit = core::Word18::mask + 1;
+
+// By CLL and CLA, and by CMA and CML.
+inline constexpr std::array<std::uint32_t, 4> kept{link_bit | core::Word18::mask, core::Word18::mask, link_bit, 0};
+inline constexpr std::array<std::uint32_t, 4> complemented{0, core::Word18::mask, link_bit,
+                                                           link_bit | core::Word18::mask};
+static_assert(operate_bits::cla == operate_bits::cll << 1 && operate_bits::cma == 1 && operate_bits::cml == 2);
+
+}  // namespace detail
+
+// The result of an OPR on L,AC as 19 bits.
+struct OperatedBits {
+  std::uint32_t lac;
+  bool skip;
+};
+
+// Everything but HLT; `switches` are the AC switches, read only by OAS. The skip is decided first: the OR of the chosen
+// conditions, inverted by bit 8. A branch for each group of microinstructions and none for each bit, because all OPRs of a
+// program share this code.
+[[nodiscard]] [[gnu::always_inline]] constexpr OperatedBits operate_on_bits(std::uint32_t word, std::uint32_t lac,
+                                                                            core::Word18 switches) {
   using namespace operate_bits;
-  Operated result{ac, link, operate_skips(word, ac, link)};
-  if ((word & cla) != 0) result.ac = core::Word18(0);
-  if ((word & cll) != 0) result.link = false;
-  if ((word & cma) != 0) result.ac = ~result.ac;
-  if ((word & cml) != 0) result.link = !result.link;
-  if ((word & oas) != 0) result.ac = result.ac | switches;
-  const std::uint32_t direction = word & (ral | rar);
-  if (direction == ral || direction == rar) {
-    std::uint32_t lac = (result.link ? 01000000U : 0U) | result.ac.value();
-    const int places = (word & twice) != 0 ? 2 : 1;
-    for (int i = 0; i < places; ++i) lac = direction == ral ? rotate_left(lac) : rotate_right(lac);
-    result.ac = core::Word18(lac);
-    result.link = lac > core::Word18::mask;
+  OperatedBits result{lac, false};
+  if ((word & (sma | sza | snl | invert)) != 0) {
+    const std::uint32_t ac = lac & core::Word18::mask;
+    const std::uint32_t conditions = (lac >> 11 & sma) | (lac >> 10 & snl) | (ac == 0 ? sza : 0U);
+    result.skip = ((conditions & word) != 0) != ((word & invert) != 0);
+  }
+  if ((word & (cla | cll | cma | cml)) != 0)
+    result.lac = (lac & detail::kept[(word / cll) & 3U]) ^ detail::complemented[word & 3U];
+  if ((word & (oas | ral | rar)) != 0) {
+    if ((word & oas) != 0) result.lac |= switches.value();
+    const std::uint32_t direction = word & (ral | rar);
+    result.lac &= detail::link_bit | core::Word18::mask;
+    if (direction == ral) {
+      result.lac = rotate_left(result.lac);
+      if ((word & twice) != 0) result.lac = rotate_left(result.lac);
+    } else if (direction == rar) {
+      result.lac = rotate_right(result.lac);
+      if ((word & twice) != 0) result.lac = rotate_right(result.lac);
+    }
   }
   return result;
+}
+
+[[nodiscard]] constexpr Operated operate(std::uint32_t word, core::Word18 ac, bool link, core::Word18 switches) {
+  const OperatedBits result = operate_on_bits(word, ac.value() | (link ? detail::link_bit : 0U), switches);
+  return {core::Word18(result.lac), (result.lac & detail::link_bit) != 0, result.skip};
 }
 
 }  // namespace sightline::pdp7

@@ -1,0 +1,144 @@
+// Runs the instructions of a processor one after the other until something outside them is due.
+//
+// Each of the processor's codes becomes a function that executes one instruction and ends with a jump to the function
+// of the next one. Registers, time and count are its arguments, so they stay in the host's registers by the rules
+// of calls, whatever a compiler thinks of the rest: no function is large, and none depends on where another one lies. A
+// processor of this kind is a type
+//   using Frame                         what stays in memory: the bus's other half, registers that few instructions use
+//   static constexpr unsigned codes     32 or 256
+//   static Thread resume(Frame&, HostWords)
+//   HostWords host_words() const        all that is not in the frame
+//   explicit Thread(Frame&)             from what leave() has put there
+//   unsigned code()                     takes the next instruction, gives its code
+//   template <unsigned code> bool is_rare() const    the instruction taken has to be executed by execute_any()
+//   template <unsigned code> void execute()          without a call
+//   void execute_any()
+//   bool leaves() const                 at the boundary after it: the run has to be left
+//   void leave()                        puts all into the frame
+//
+// The jump is a call in tail position. clang is made to turn it into a jump by an attribute; g++ does so where it optimises
+// (-O2). WebAssembly has no such call, and checks of addresses spoil it: there a loop with a switch does the same, on the
+// same functions. Where a compiler makes a real call after all, Allowance::most bounds the depth of the stack.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "dispatch.hpp"
+
+#if defined(SIGHTLINE_PLAIN_LOOP) || defined(__SANITIZE_ADDRESS__) || defined(__wasm__)
+#define SIGHTLINE_THREADS 0
+#elif defined(__clang__)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || !__has_cpp_attribute(clang::musttail)
+#define SIGHTLINE_THREADS 0
+#else
+#define SIGHTLINE_THREADS 1
+#define SIGHTLINE_JUMP [[clang::musttail]] return
+#endif
+#elif defined(__GNUC__) && defined(__OPTIMIZE__)
+#define SIGHTLINE_THREADS 1
+#define SIGHTLINE_JUMP return
+#else
+#define SIGHTLINE_THREADS 0
+#endif
+
+namespace sightline::core {
+
+// As much as fits into the host's registers beside the address of the frame.
+struct HostWords {
+  std::uint64_t a;
+  std::uint64_t b;
+  std::uint32_t c;
+  std::uint32_t d;
+  std::uint32_t e;
+};
+
+// The loop: portable C++.
+template <class Thread>
+struct PlainLoop {
+  [[gnu::noinline]] static void run(typename Thread::Frame& frame) {
+    Thread thread(frame);
+    do {
+      dispatch<Thread::codes>(thread.code(), Executor{&thread});
+    } while (!thread.leaves());
+    thread.leave();
+  }
+
+ private:
+  struct Executor {
+    Thread* thread;
+    template <unsigned code>
+    [[gnu::always_inline]] void execute() const {
+      if (thread->template is_rare<code>()) {
+        thread->execute_any();
+      } else {
+        thread->template execute<code>();
+      }
+    }
+  };
+};
+
+#if SIGHTLINE_THREADS
+
+template <class Thread>
+class Threads {
+ public:
+  static void run(typename Thread::Frame& frame) {
+    Thread thread(frame);
+    const unsigned code = thread.code();
+    const HostWords words = thread.host_words();
+    functions[code](frame, words.a, words.b, words.c, words.d, words.e);
+  }
+
+ private:
+  using Frame = typename Thread::Frame;
+  using Long = std::uint64_t;
+  using Word = std::uint32_t;
+  using Function = void (*)(Frame&, Long, Long, Word, Word, Word);
+
+  template <unsigned code>
+  static void one(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
+    Thread thread = Thread::resume(frame, {a, b, c, d, e});
+    if (thread.template is_rare<code>()) SIGHTLINE_JUMP any(frame, a, b, c, d, e);
+    thread.template execute<code>();
+    if (thread.leaves()) [[unlikely]] {
+      const HostWords last = thread.host_words();
+      SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, last.d, last.e);
+    }
+    const unsigned next = thread.code();
+    const HostWords words = thread.host_words();
+    SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
+  }
+
+  [[gnu::noinline]] static void any(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
+    Thread thread = Thread::resume(frame, {a, b, c, d, e});
+    thread.execute_any();
+    const bool leaves = thread.leaves();
+    const unsigned next = thread.code();
+    const HostWords words = thread.host_words();
+    if (leaves) SIGHTLINE_JUMP leave(frame, words.a, words.b, words.c, words.d, words.e);
+    SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
+  }
+
+  [[gnu::noinline, gnu::cold]] static void leave(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
+    Thread::resume(frame, {a, b, c, d, e}).leave();
+  }
+
+  template <std::size_t... code>
+  static constexpr auto all(std::index_sequence<code...>) {
+    return std::array<Function, Thread::codes>{&one<code>...};
+  }
+  static constexpr std::array<Function, Thread::codes> functions =
+      all(std::make_index_sequence<Thread::codes>{});
+};
+
+#else
+
+template <class Thread>
+using Threads = PlainLoop<Thread>;
+
+#endif
+
+}  // namespace sightline::core
