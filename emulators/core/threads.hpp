@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "dispatch.hpp"
@@ -140,5 +141,11 @@ template <class Thread>
 using Threads = PlainLoop<Thread>;
 
 #endif
+
+// A test asks for the loop by an observer that has a member `plain_loop`.
+template <class Observer>
+concept WantsPlainLoop = requires { Observer::plain_loop; };
+template <class Thread, class Observer>
+using Runner = std::conditional_t<WantsPlainLoop<Observer>, PlainLoop<Thread>, Threads<Thread>>;
 
 }  // namespace sightline::core

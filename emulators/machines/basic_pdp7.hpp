@@ -225,7 +225,7 @@ class BasicPdp7 {
       watcher.instruction(
           InstructionRecord{begun, frame.now(), before.pc, word, before, frame.processor.registers.state()});
     } else {
-      core::Threads<Thread>::run(frame);
+      core::Runner<Thread, Watcher>::run(frame);
     }
   }
 
@@ -255,10 +255,34 @@ class BasicPdp7 {
     bool interrupt;
   };
 
-  // Gives the devices the cycles they ask for.
+  // Gives the devices the cycles they ask for. Nearly always the display alone wants one.
   template <class Report>
-  [[gnu::noinline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
-                                          std::int64_t instructions, Report report) {
+  [[gnu::always_inline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
+                                               std::int64_t instructions, const Report& report) {
+    bool asked = false;
+    if (now < devices_due_)
+      display_break(now, [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; });
+    if (now >= earlier(display_due_, devices_due_)) {
+      const Served served = serve_all(now, report);
+      now = served.now;
+      asked = asked || served.asked;
+    }
+    const bool interrupt = interrupts_open && (devices_request_ || (display_ && display_->interrupt_request()));
+    const core::Instant event = asked ? now : earlier(display_due_, devices_due_);
+    // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
+    // but their number to be looked at only with the other deadlines.
+    const core::Instant shortest = now + pdp7::machine_cycle * instructions;
+    return {now, earlier(event, earlier(until, shortest)), interrupt};
+  }
+
+  static constexpr core::Instant earlier(core::Instant a, core::Instant b) { return a < b ? a : b; }
+
+  struct Served {
+    core::Instant now;
+    bool asked;  // the observer wants to be asked
+  };
+  template <class Report>
+  [[gnu::noinline]] Served serve_all(core::Instant now, const Report& report) {
     bool asked = false;
     const auto tell = [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; };
     while (disk_break(now, tell) || display_break(now, tell) || clock_tick(now, tell)) {
@@ -266,14 +290,9 @@ class BasicPdp7 {
     if (now >= devices_due_) {
       devices_.advance(now);
       devices_due_ = devices_.deadline();
+      devices_request_ = devices_.interrupt_request();
     }
-    const bool interrupt =
-        interrupts_open && (devices_.interrupt_request() || (display_ && display_->interrupt_request()));
-    const core::Instant event = asked ? now : std::min(display_due_, devices_due_);
-    // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
-    // but their number to be looked at only with the other deadlines.
-    const core::Instant shortest = now + pdp7::machine_cycle * instructions;
-    return {now, std::min(event, std::min(until, shortest)), interrupt};
+    return {now, asked};
   }
 
   // One data break of the disk, which waits least: it comes before the display's.
@@ -294,29 +313,27 @@ class BasicPdp7 {
 
   // One data break of the display, if one is asked for.
   template <class Report>
-  bool display_break(core::Instant& now, Report report) {
+  [[gnu::always_inline]] bool display_break(core::Instant& now, Report report) {
     if (now < display_due_) return false;
-    bool granted = false;
-    if (display_) {
-      display_->advance(now);
-      if (const auto* request = display_->break_request()) {
-        grant(*request, now, report);
-        granted = true;
-      }
+    if (!display_) {
+      display_due_ = core::never;
+      return false;
     }
-    display_due_ = display_ ? next_display_event(now) : core::never;
-    return granted;
-  }
-
-  // A word deposited for the display (Type 347) raises the next request at once: that is no deadline any
-  // more.
-  [[nodiscard]] core::Instant next_display_event(core::Instant now) const {
-    return display_->break_request() != nullptr ? now : display_->deadline();
+    display_->advance(now);
+    const auto* const request = display_->break_request();
+    if (request == nullptr) {
+      display_due_ = display_->deadline();
+      return false;
+    }
+    grant(*request, now, report);
+    // A word deposited for the display (Type 347) raises the next request at once: that is no deadline any more.
+    display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
+    return true;
   }
 
   // The request is copied: it is the display's own and goes as soon as it is met.
   template <class Request, class Report>
-  void grant(const Request request, core::Instant& now, Report report) {
+  [[gnu::always_inline]] void grant(const Request request, core::Instant& now, Report report) {
     const core::Word18 word = request.write ? request.word : core_.read(request.address);
     const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
@@ -391,6 +408,7 @@ class BasicPdp7 {
   // Nothing happens by itself before these. Valid inside a run.
   core::Instant display_due_{};
   core::Instant devices_due_{};
+  bool devices_request_ = false;  // an interrupt, up to devices_due_
   Counts counts_;
   std::vector<Unanswered> unanswered_;
   Observer& observer_;

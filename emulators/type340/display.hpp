@@ -108,7 +108,11 @@ class Display {
 
   // No later than the instant at which the display, left alone, raises a request or changes its interrupt request;
   // never when it will not.
-  [[nodiscard]] core::Instant deadline() const;
+  [[nodiscard]] core::Instant deadline() const {
+    if (whole_) return whole_until_;
+    if (planned_) return quiet_until_;
+    return deadline_of_delays();
+  }
   // Everything up to and including `now` has happened. `now` must not go back.
   void advance(core::Instant now) {
     if (!delays_.none()) catch_up(now);
@@ -150,12 +154,13 @@ class Display {
     advance(now);
     planned_ = false;
   }
+  [[nodiscard]] core::Instant deadline_of_delays() const;
   // `advance` when something runs; a word to be done whole has its strobe running.
   void catch_up(core::Instant now);
   void start(core::Instant now, std::uint32_t address);
   void fire(Delay delay, core::Instant t);
   void plan_word(core::Instant at);
-  [[nodiscard]] std::optional<core::Duration> time_of_whole_word() const;
+  [[nodiscard]] [[gnu::always_inline]] std::optional<core::Duration> time_of_whole_word() const;
   [[nodiscard]] bool vector_stays_inside(VectorWord w) const;
   void do_whole_word();
   void do_pulses(int count);

@@ -79,9 +79,7 @@ void Display<Sink>::point_light_pen(std::optional<LightPen> pen) {
 
 // Between a delay and its effect outside lie the fixed delays behind it, unless a flag is about to rise or fall with it.
 template <class Sink>
-core::Instant Display<Sink>::deadline() const {
-  if (whole_) return whole_until_;
-  if (planned_) return quiet_until_;
+core::Instant Display<Sink>::deadline_of_delays() const {
   const auto effect = [this](Delay d, bool at_once) {
     const core::Instant t = delays_.at(d);
     return t == core::never || at_once ? t : t + timing::intensify;
@@ -100,7 +98,10 @@ void Display<Sink>::catch_up(core::Instant now) {
   now = std::min(now, latest);
   if (whole_) {
     whole_ = false;
-    if (now >= whole_until_) do_whole_word();
+    if (now >= whole_until_) {
+      do_whole_word();
+      if (delays_.none()) return;
+    }
   }
   while (!delays_.none()) {
     if (delays_.only(Delay::intensify) && counts_pulses()) {

@@ -20,7 +20,7 @@ void Display<Sink>::plan_word(core::Instant at) {
 
 // Beyond strobe and first intensify; nothing for a word that may reach an edge, be seen by the pen, or never end.
 template <class Sink>
-std::optional<core::Duration> Display<Sink>::time_of_whole_word() const {
+inline std::optional<core::Duration> Display<Sink>::time_of_whole_word() const {
   switch (registers_.mode) {
     case Mode::parameter: return core::Duration(0);
     case Mode::point: {
