@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -214,7 +215,7 @@ class RunPorts {
 // The rows of i8080_signals(), by number; those of the status byte from its lowest bit on.
 namespace signal {
 enum : std::size_t {
-  address, data, sync, dbin, wr, wait, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
+  address, data, sync, dbin, wr, wait, ready, interrupt, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
 };
 }
 
@@ -225,6 +226,8 @@ constexpr std::array<VcdSignal, signal::count> signals{{
     {"pins", "dbin", 1, "the processor reads D7-D0"},
     {"pins", "wr", 1, "WR# is low: the byte is to be written"},
     {"pins", "wait", 1, "a wait state, or HLT"},
+    {"pins", "ready", 1, "READY: low while a wait state is asked for"},
+    {"pins", "int", 1, "INT, as the machine finds it between instructions"},
     {"pins", "t", 3, "the T-state: 1 to 5, 6 in a wait state, 7 in a cycle inside the processor"},
     {"status", "inta", 1, "of the machine cycle, as all of these: interrupt acknowledge"},
     {"status", "wo", 1, "WO#: not a write"},
@@ -248,7 +251,9 @@ constexpr std::array<VcdSignal, signal::count> signals{{
 // until the next cycle tells.
 class I8080Vcd {
  public:
-  I8080Vcd(VcdWriter writer, core::ClockRate clock) : writer_(std::move(writer)), clock_(clock) {}
+  // `requested`: whether a device asks for an interrupt.
+  I8080Vcd(VcdWriter writer, core::ClockRate clock, std::function<bool()> requested)
+      : writer_(std::move(writer)), clock_(clock), requested_(std::move(requested)) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
   void finish(core::TStateInstant now) { writer_.finish(core::nanoseconds_of(clock_.to_nanoseconds(now))); }
 
@@ -258,7 +263,10 @@ class I8080Vcd {
     const bool first = (cycle.status & status::first) != 0;
     if (first) opcode_ = cycle.data;
     // INTE falls as the interrupt is acknowledged.
-    if (first && (cycle.status & status::acknowledge) != 0) show(cycle.time, signal::inte, 0);
+    if (first && (cycle.status & status::acknowledge) != 0) {
+      show(cycle.time, signal::interrupt, 1);
+      show(cycle.time, signal::inte, 0);
+    }
     if (!first && (cycle.status & status::halt) != 0) {
       begin_halt(cycle);
     } else {
@@ -276,6 +284,7 @@ class I8080Vcd {
     show(record.end, signal::de, s.de);
     show(record.end, signal::hl, s.hl);
     show(record.end, signal::inte, s.interrupts_on ? 1 : 0);
+    show(record.end, signal::interrupt, requested_() ? 1 : 0);
   }
 
  private:
@@ -289,6 +298,7 @@ class I8080Vcd {
     show(cycle.time, signal::data, cycle.status);
     show(cycle.time, signal::sync, 1);
     for (const std::size_t pin : {signal::dbin, signal::wr, signal::wait}) show(cycle.time, pin, 0);
+    show(cycle.time, signal::ready, 1);
     show(cycle.time, signal::t, 1);
     for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, signal::inta + bit, cycle.status >> bit & 1U);
   }
@@ -322,9 +332,11 @@ class I8080Vcd {
     show(at(1), signal::dbin, reads ? 1 : 0);
     show(at(1), signal::t, 2);
     if (waits > 0) {
+      show(at(1), signal::ready, 0);
       show(at(2), signal::wait, 1);
       show(at(2), signal::t, 6);
       if (!reads) show(at(2), signal::wr, 1);
+      show(at(1 + waits), signal::ready, 1);  // which the last wait state sees
     }
     const std::int64_t third = 2 + waits;
     show(at(third), signal::wait, 0);
@@ -340,6 +352,7 @@ class I8080Vcd {
 
   VcdWriter writer_;
   core::ClockRate clock_;
+  std::function<bool()> requested_;
   std::optional<machines::I8080Cycle> pending_;
   i8080::Byte opcode_ = 0;  // of the instruction under way
   core::TStateInstant latest_{};
@@ -610,7 +623,7 @@ class I8080Run final : public Machine {
       setup_.cpm->journal = setup_.monitored;
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
     }
-    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), setup_.machine.clock);
+    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), setup_.machine.clock, [this] { return ports_.interrupt(); });
   }
 
   [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
@@ -683,7 +696,7 @@ class I8080Run final : public Machine {
 
   // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
-    if (cpm_ && !cpm_->goes_on(processor())) return std::nullopt;
+    if (cpm_ && !watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
         asked ? std::min(limit, processor_.now() + time_between_questions) : limit;
@@ -906,9 +919,24 @@ class I8080Run final : public Machine {
     if (cpm_) visit.section("cpm", *cpm_);
   }
 
+  // What CP/M changes in a watched place is an access like the program's own; writing what is there already is none.
+  template <class Work>
+  std::invoke_result_t<Work> watching_host(Work work) {
+    if (!probe_ || probe_->written_places().empty()) return work();
+    std::vector<i8080::Byte> before;
+    for (const std::uint32_t at : probe_->written_places()) before.push_back(processor_.memory()[at]);
+    const std::invoke_result_t<Work> done = work();
+    for (std::size_t n = 0; n < before.size(); ++n) {
+      const std::uint32_t at = probe_->written_places()[n];
+      const i8080::Byte now = processor_.memory()[at];
+      if (now != before[n]) probe_->add({Probe::Kind::write, ticks(), at, now});
+    }
+    return done;
+  }
+
   // Nothing: the run goes on.
   std::optional<Stop> answer(const PortCall& call) {
-    switch (cpm_->out(call.port, processor())) {
+    switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
       case Cpm::Called::answered: return std::nullopt;
       case Cpm::Called::stopped: return cpm_->stop();
       case Cpm::Called::no: break;

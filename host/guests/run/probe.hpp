@@ -55,6 +55,7 @@ class Probe {
   [[nodiscard]] Probe empty() const { return {addresses_.size(), ports_.size()}; }
 
   void mark(std::uint32_t address, std::uint8_t marks) {
+    if ((marks & ~addresses_.at(address) & is_written) != 0) written_places_.push_back(address);
     addresses_.at(address) |= marks;
     marked_ |= marks;
   }
@@ -66,6 +67,7 @@ class Probe {
   void clear_marks() {
     std::fill(addresses_.begin(), addresses_.end(), std::uint8_t{0});
     std::fill(ports_.begin(), ports_.end(), std::uint8_t{0});
+    written_places_.clear();
     marked_ = 0;
   }
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
@@ -85,6 +87,8 @@ class Probe {
   // As many as the machine has, for its observer.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
+  // Addresses with the mark is_written, for what the host itself writes.
+  [[nodiscard]] const std::vector<std::uint32_t>& written_places() const { return written_places_; }
   // A watched place can be touched without end in one instruction; the first accesses tell enough.
   void add(const Event& event) {
     constexpr std::size_t most = 64;
@@ -96,6 +100,7 @@ class Probe {
 
   std::vector<std::uint8_t> addresses_;
   std::vector<std::uint8_t> ports_;
+  std::vector<std::uint32_t> written_places_;
   std::vector<Event> events_;
   std::uint8_t marked_ = 0;  // all marks of all places
 };

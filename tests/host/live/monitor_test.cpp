@@ -574,6 +574,21 @@ TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
   EXPECT_NE(s("c").find("stopped by exit"), std::string::npos);
 }
 
+// The line that BDOS reads is put into the buffer by the host: a watch sees it, and so does `who`.
+TEST(MonitorI8080, WatchesSeeWhatCpmWrites) {
+  auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
+  Session& s = *m;
+  s("deposit 300 5; watch 302; watch 301 r; send \"K\\r\"");
+  EXPECT_EQ(s("c").substr(0, 36), "breakpoint 1: 0302  written with 4B\n");
+  EXPECT_EQ(s("ev [302]").substr(0, 2), "4B");
+  s("step");
+  EXPECT_EQ(s("who 302").substr(0, 25), "0302: 4B was written at 0");
+  s("back 3");
+  EXPECT_EQ(s("ev [302]").substr(0, 2), "0 ");
+  EXPECT_NE(s("send \"L\\r\"; c").find("written with 4C"), std::string::npos);
+  EXPECT_NE(s("c").find("stopped by exit"), std::string::npos) << "once";
+}
+
 // --- The past, against what was seen at the time ---
 
 std::vector<std::string> lines_of(const std::string& text) {

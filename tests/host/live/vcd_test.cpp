@@ -214,6 +214,36 @@ TEST_F(Vcd, TheLastCycleOfXthlHasFiveTStates) {
   EXPECT_EQ(states, "1 10 11w 100 101 ");
 }
 
+// The 88-2SIO asks for an interrupt as a character has come, and takes it back as it is read. Nothing here has wait states.
+TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
+  write("p.asm",
+        "  ORG 38H\n  IN 11H\n  NOP\n  HLT\n  ORG 100H\n  LXI SP,200H\n  MVI A,95H\n  OUT 10H\n  IN 10H\n  EI\nLOOP: JMP LOOP\n");
+  ASSERT_EQ(sightline({"asm", "i8080", "p.asm", "-o", "p.hex"}).exit_code, 0);
+  ASSERT_EQ(sightline({"run", "i8080", "p.hex", "--start", "100", "--vcd", "d.vcd:int,inta,inte,ready", "--terminal", "2sio",
+                       "--interrupt", "2sio=7", "--console", "ascii", "--send", "A"})
+                .exit_code,
+            0);
+  const Dump dump = parsed(read("d.vcd"));
+  std::string values;
+  std::vector<std::int64_t> times;
+  for (const auto& [time, value] : dump.changes.at("int")) {
+    values += value;
+    times.push_back(time);
+  }
+  ASSERT_EQ(values, "010");
+  std::int64_t acknowledged = 0;
+  for (const auto& [time, value] : dump.changes.at("inta"))
+    if (value == "1") acknowledged = time;
+  // The machine looks at the board between instructions, and acknowledges at once.
+  EXPECT_EQ(acknowledged, times[1]);
+  EXPECT_EQ(dump.at("inte", acknowledged - 1), "1");
+  EXPECT_EQ(dump.at("inte", acknowledged), "0");
+  // The RST is 11 T-states and the IN 10, in the last of which the board takes its request back.
+  EXPECT_EQ((times[2] - acknowledged + 1) / 333, 21);
+  EXPECT_EQ(dump.changes.at("ready").size(), 1U);
+  EXPECT_EQ(dump.at("ready", 0), "1");
+}
+
 TEST_F(Vcd, ADumpWithoutChangesIsOne) {
   static_cast<void>(run("pdp7", "100/ hlt\n  start 100\n", {}));
   ASSERT_EQ(sightline({"run", "pdp7", "p.rim", "--start", "100", "--vcd", "d.vcd:display"}).exit_code, 0);
