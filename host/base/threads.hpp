@@ -1,6 +1,7 @@
 // Locks and threads where there are any: a browser's module has one thread, and everything here then does its work on it.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #if defined(__wasi__)
@@ -47,3 +48,23 @@ inline void run_on_threads(unsigned count, const std::function<void()>& work) {
 }  // namespace sightline::base
 
 #endif
+
+namespace sightline::base {
+
+// work(part, begin, end) for each of `parts` consecutive parts of [0, count), as equal as they can be, also for those
+// that are empty; each on a thread of its own. Returns when all are done.
+template <class Work>
+void for_parts(unsigned parts, std::size_t count, const Work& work) {
+  const auto begin_of = [&](std::size_t part) { return count / parts * part + count % parts * part / parts; };
+  const auto run = [&](std::size_t part) { work(part, begin_of(part), begin_of(part + 1)); };
+#if !defined(__wasi__)
+  std::vector<std::thread> others;
+  for (std::size_t part = 1; part < parts; ++part) others.emplace_back([&run, part] { run(part); });
+  run(0);
+  for (std::thread& thread : others) thread.join();
+#else
+  for (std::size_t part = 0; part < parts; ++part) run(part);
+#endif
+}
+
+}  // namespace sightline::base

@@ -9,7 +9,6 @@
 #include <cassert>
 #include <compare>
 #include <cstdint>
-#include <numeric>
 
 #include "host/geometry/integer.hpp"
 
@@ -21,7 +20,10 @@ class Rational {
   constexpr Rational(std::int64_t integer) : numerator_(integer) {}  // NOLINT: an integer is a rational
   constexpr Rational(std::int64_t numerator, std::int64_t denominator) {
     assert(denominator != 0);
-    const std::int64_t divisor = std::gcd(numerator, denominator) * (denominator < 0 ? -1 : 1);
+    const auto common = static_cast<std::int64_t>(common_divisor(
+        static_cast<std::uint64_t>(numerator < 0 ? -numerator : numerator),
+        static_cast<std::uint64_t>(denominator < 0 ? -denominator : denominator)));
+    const std::int64_t divisor = denominator < 0 ? -common : common;
     numerator_ = numerator / divisor;
     denominator_ = denominator / divisor;
   }

@@ -13,7 +13,7 @@ using scene::VertexIndex;
 void append_ring(const std::vector<VertexIndex>& ring, std::uint32_t first_corner, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i], 0, 0, true});
+    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i], 0, 0});
   }
   const std::size_t count = mesh.corners.size() - first;
   for (std::size_t i = 0; i < count; ++i) {
@@ -25,12 +25,12 @@ void append_ring(const std::vector<VertexIndex>& ring, std::uint32_t first_corne
 // Twice the area, as a vector: cross products about the first corner, whose partial sums wrap without harm.
 Vector area_of(const EdgeMesh& mesh, std::uint32_t first_corner) {
   std::array<std::uint64_t, 3> sum{};
-  const Vector& about = mesh.vertices[mesh.corners[first_corner].vertex];
+  const geometry::Point3& about = mesh.vertices[mesh.corners[first_corner].vertex];
   for (std::size_t i = first_corner; i < mesh.corners.size(); ++i) {
     const Corner& corner = mesh.corners[i];
     const Vector part =
-        geometry::cross(difference(mesh.vertices[corner.vertex], about),
-                        difference(mesh.vertices[mesh.corners[first_corner + corner.next].vertex], about));
+        geometry::cross(geometry::difference(mesh.vertices[corner.vertex], about),
+                        geometry::difference(mesh.vertices[mesh.corners[first_corner + corner.next].vertex], about));
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += static_cast<std::uint64_t>(part[axis]);
   }
   return {static_cast<std::int64_t>(sum[0]), static_cast<std::int64_t>(sum[1]),
@@ -43,7 +43,7 @@ void append_face(const scene::PolyFace& given, bool sheet, std::uint32_t surface
   for (const auto& hole : given.holes) append_ring(hole, first, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
   if (count == 0) return;
-  mesh.faces.push_back({first, count, area_of(mesh, first), sheet, surface});
+  mesh.faces.push_back({area_of(mesh, first), first, count, surface, sheet});
 }
 
 picture::LineEdge side_of(const EdgeMesh& mesh, const MeshFace& face, const Corner& corner) {
@@ -52,8 +52,9 @@ picture::LineEdge side_of(const EdgeMesh& mesh, const MeshFace& face, const Corn
   return {std::min(a, b), std::max(a, b)};
 }
 
-// Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex.
-void number_edges(EdgeMesh& mesh) {
+// Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex. Leaves room for
+// the edges of crossings.
+void number_edges(EdgeMesh& mesh, std::size_t crossings) {
   std::vector<std::uint32_t> start(mesh.vertices.size() + 1);
   for (const MeshFace& face : mesh.faces) {
     for (std::uint32_t i = 0; i < face.corner_count; ++i) {
@@ -73,15 +74,13 @@ void number_edges(EdgeMesh& mesh) {
       sides[fill[edge.from]++] = {edge.to, i};
     }
   }
-  mesh.edges.reserve(sides.size() / 2 + 1);
+  mesh.edges.reserve(sides.size() / 2 + crossings);
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
     std::sort(sides.data() + start[v], sides.data() + start[v + 1],
               [](const Side& a, const Side& b) { return a.to < b.to; });
     for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
       if (i == start[v] || sides[i].to != sides[i - 1].to) mesh.edges.push_back({v, sides[i].to});
-      Corner& corner = mesh.corners[sides[i].corner];
-      corner.side = static_cast<std::uint32_t>(mesh.edges.size() - 1);
-      corner.with_edge = corner.vertex == v;
+      mesh.corners[sides[i].corner].side = static_cast<std::uint32_t>(mesh.edges.size() - 1);
     }
   }
 }
@@ -90,8 +89,18 @@ void number_edges(EdgeMesh& mesh) {
 
 EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
   EdgeMesh mesh;
-  mesh.vertices.reserve(scene.vertices.size());
-  for (const scene::PolyPoint& v : scene.vertices) mesh.vertices.push_back(geometry::vector_of(v));
+  mesh.vertices = scene.vertices;
+  std::size_t faces = 0;
+  std::size_t corners = 0;
+  for (const scene::PolyBody& body : scene.bodies) {
+    faces += body.faces.size();
+    for (const scene::PolyFace& face : body.faces) {
+      corners += face.outline.size();
+      for (const auto& hole : face.holes) corners += hole.size();
+    }
+  }
+  mesh.faces.reserve(faces);
+  mesh.corners.reserve(corners);
   std::size_t number = 0;
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
@@ -99,7 +108,7 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
       ++number;
     }
   }
-  number_edges(mesh);
+  number_edges(mesh, scene.crossings.size());
   for (const scene::PolyCrossing& crossing : scene.crossings) mesh.edges.push_back({crossing.from, crossing.to});
   return mesh;
 }

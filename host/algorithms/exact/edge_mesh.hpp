@@ -16,28 +16,23 @@ namespace sightline::algorithms::exact {
 
 using Vector = geometry::Vector3;
 
-[[nodiscard]] constexpr Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 // A corner of a face and the side that leaves it.
 struct Corner {
   std::uint32_t vertex = 0;
   std::uint32_t side = 0;  // index of an edge
   std::uint32_t next = 0;  // the other end of the side, counted from the first corner of the face
-  bool with_edge = true;   // the side runs as the edge does, from its lower to its higher vertex
 };
 
 struct MeshFace {
+  Vector normal{};  // outwards
   std::uint32_t first_corner = 0;
   std::uint32_t corner_count = 0;
-  Vector normal{};  // outwards
-  bool sheet = false;
   std::uint32_t surface = 0;  // as PolyScene::surface_of has it
+  bool sheet = false;
 };
 
 struct EdgeMesh {
-  std::vector<Vector> vertices;
+  std::vector<geometry::Point3> vertices;
   std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;

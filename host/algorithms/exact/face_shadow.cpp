@@ -1,11 +1,16 @@
 #include "host/algorithms/exact/face_shadow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
 namespace sightline::algorithms::exact {
 namespace {
+
+using geometry::cross;
+using geometry::dot;
+using geometry::vector_of;
 
 constexpr Fraction start{0, 1};
 constexpr Fraction end{1, 1};
@@ -15,78 +20,184 @@ constexpr Fraction zero_between(std::int64_t a, std::int64_t b) {
   return a > 0 ? Fraction{a, a - b} : Fraction{-a, b - a};
 }
 
+constexpr Vector minus(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
 constexpr geometry::Rational rational(const Fraction& f) {
   return {f.numerator, f.denominator};
 }
 
+// Of a ring of four corners: the two sides that cross from the corners to the right to those to the left (bits), each
+// given by its corner to the right and that to the left.
+struct CrossingSides {
+  std::array<std::uint8_t, 2> right{};
+  std::array<std::uint8_t, 2> left{};
+};
+
+constexpr unsigned all_four = 0b1111;
+
+constexpr std::array<CrossingSides, 16> find_crossing_sides() {
+  std::array<CrossingSides, 16> table{};
+  for (unsigned to_left = 0; to_left < table.size(); ++to_left) {
+    std::size_t count = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned next = (i + 1) % 4;
+      const bool leaves = ((to_left >> i) & 1U) != 0;
+      if (leaves == (((to_left >> next) & 1U) != 0) || count == 2) continue;
+      table[to_left].right[count] = static_cast<std::uint8_t>(leaves ? next : i);
+      table[to_left].left[count] = static_cast<std::uint8_t>(leaves ? i : next);
+      ++count;
+    }
+  }
+  return table;
+}
+
+constexpr std::array<CrossingSides, 16> crossing_sides = find_crossing_sides();
+
+constexpr unsigned is_negative(std::int64_t value) {
+  return static_cast<unsigned>(static_cast<std::uint64_t>(value) >> 63);
+}
+
+// All corners are to the same side; or each side crosses, which a convex face has not.
+constexpr bool is_apart(unsigned to_left) { return to_left == 0 || to_left == all_four; }
+constexpr bool alternates(unsigned to_left) { return to_left == 0b0101 || to_left == 0b1010; }
+
+// The part of an edge beyond a plane on which its ends have these values, one of them positive.
+constexpr HiddenInterval beyond(std::int64_t a, std::int64_t b) {
+  return {a < 0 ? zero_between(a, b) : start, b < 0 ? zero_between(a, b) : end};
+}
+
 }  // namespace
 
-void EdgeShadow::begin(std::uint32_t edge) {
+bool EdgeShadow::begin(const picture::LineEdge& edge) {
   edge_ = edge;
-  const picture::LineEdge& ends = view_.mesh->edges[edge];
-  a_ = view_.points[ends.from];
-  b_ = view_.points[ends.to];
-  plane_ = view_.planes[edge];
+  a_ = vector_of(view_.points[edge.from].at);
+  b_ = vector_of(view_.points[edge.to].at);
   split_ = false;
   left_.clear();
-  if (!view_.perspective) return;
-  const std::int64_t near = view_.depths[ends.from];
-  const std::int64_t far = view_.depths[ends.to];
+  if (!view_.perspective) {
+    plane_.normal = cross(view_.forward, minus(b_, a_));
+    plane_.offset = dot(plane_.normal, a_);
+    return !geometry::is_zero(plane_.normal);
+  }
+  plane_ = {cross(a_, b_), 0};
+  const std::int64_t near = dot(view_.forward, a_);
+  const std::int64_t far = dot(view_.forward, b_);
   if (near < 0) left_.add(start, zero_between(near, far));
   if (far < 0) left_.add(zero_between(near, far), end);
+  return !geometry::is_zero(plane_.normal);
+}
+
+inline EdgeShadow::Crossing EdgeShadow::crossing(const geometry::Point3& right, const geometry::Point3& left) const {
+  const Vector from = vector_of(right);
+  const Vector to = vector_of(left);
+  if (view_.perspective) {
+    const Vector normal = cross(from, to);
+    return {dot(normal, a_), dot(normal, b_)};
+  }
+  const Vector normal = cross(view_.forward, minus(to, from));
+  const std::int64_t offset = dot(normal, from);
+  return {dot(normal, a_) - offset, dot(normal, b_) - offset};
 }
 
 bool EdgeShadow::add(const Occluder& occluder) {
   const std::int64_t a = occluder.beyond.at(a_);
   const std::int64_t b = occluder.beyond.at(b_);
-  if (a <= 0 && b <= 0) return false;
-  const std::size_t count = occluder.corner_count;
-  sides_.resize(count);
+  if (!occluder.few_corners) {
+    if (a <= 0 && b <= 0) return false;
+    cast_corners(occluder, beyond(a, b));
+  } else {
+    // Four corners are compared without a branch; one that is on the plane of the edge is on neither side.
+    const auto side_of = [&](std::size_t i) { return plane_.at(vector_of(occluder.corners[i])); };
+    const std::array<std::int64_t, 4> sides{side_of(0), side_of(1), side_of(2), side_of(3)};
+    const unsigned left = is_negative(-sides[0]) | is_negative(-sides[1]) << 1 | is_negative(-sides[2]) << 2 |
+                          is_negative(-sides[3]) << 3;
+    const unsigned not_right = is_negative(~sides[0]) | is_negative(~sides[1]) << 1 | is_negative(~sides[2]) << 2 |
+                               is_negative(~sides[3]) << 3;
+    if ((a <= 0 && b <= 0) || (is_apart(left) && is_apart(not_right)))
+      return false;
+    if (alternates(left) || alternates(not_right)) {
+      cast_corners(occluder, beyond(a, b));
+    } else if (left == not_right) {
+      cast_four(occluder, beyond(a, b), left, true, true);
+    } else {
+      if (!is_apart(left)) cast_four(occluder, beyond(a, b), left, true, false);
+      if (!is_apart(not_right)) cast_four(occluder, beyond(a, b), not_right, false, true);
+    }
+  }
+  return left_.whole() && (!split_ || right_.whole());
+}
+
+// The corners `to_left` of the plane, of four: two sides cross it.
+void EdgeShadow::cast_four(const Occluder& occluder, const HiddenInterval& beyond, unsigned to_left, bool left,
+                           bool right) {
+  const CrossingSides& sides = crossing_sides[to_left];
+  const auto& corners = occluder.corners;
+  const Crossing one = crossing(corners[sides.right[0]], corners[sides.left[0]]);
+  const Crossing other = crossing(corners[sides.right[1]], corners[sides.left[1]]);
+  const bool inside = one.ahead_at_start() != other.ahead_at_start();
+  const bool one_changes = one.ahead_at_start() != one.ahead_at_end();
+  const bool other_changes = other.ahead_at_start() != other.ahead_at_end();
+  if (!(inside | one_changes | other_changes)) return;
+  std::array<Fraction, 2> changes;
+  std::size_t count = 0;
+  if (one_changes) changes[count++] = zero_between(one.at_start, one.at_end);
+  if (other_changes) changes[count++] = zero_between(other.at_start, other.at_end);
+  if (count == 2 && less(changes[1], changes[0])) std::swap(changes[0], changes[1]);
+  hide_where(inside, std::span(changes).first(count), beyond, left, right);
+}
+
+// A face of any corners and rings.
+void EdgeShadow::cast_corners(const Occluder& occluder, const HiddenInterval& beyond) {
+  const MeshFace& face = view_.mesh->faces[occluder.face];
+  sides_.resize(face.corner_count);
   std::int64_t low = 1;
   std::int64_t high = -1;
   bool touches = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t side = plane_.at(view_.points[view_.mesh->corners[occluder.first_corner + i].vertex]);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const std::int64_t side = plane_.at(vector_of(view_.points[view_.mesh->corners[face.first_corner + i].vertex].at));
     sides_[i] = side;
     low = std::min(low, side);
     high = std::max(high, side);
     touches = touches || side == 0;
   }
-  if (low > 0 || high < 0) return false;
-  const HiddenInterval beyond{a < 0 ? zero_between(a, b) : start, b < 0 ? zero_between(a, b) : end};
+  if (low > 0 || high < 0) return;
   if (touches) {
     if (high > 0) cast(occluder, beyond, 1, true, false);
     if (low < 0) cast(occluder, beyond, 0, false, true);
   } else {
     cast(occluder, beyond, 0, true, true);
   }
-  return left_.whole() && (!split_ || right_.whole());
 }
 
 // `threshold`: from which value on a corner counts as to the left.
-void EdgeShadow::cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold,
-                      bool left, bool right) {
-  const Corner* const corners = &view_.mesh->corners[occluder.first_corner];
+void EdgeShadow::cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left,
+                      bool right) {
+  const MeshFace& face = view_.mesh->faces[occluder.face];
+  const Corner* const corners = &view_.mesh->corners[face.first_corner];
+  const auto point = [&](std::size_t corner) -> const geometry::Point3& {
+    return view_.points[corners[corner].vertex].at;
+  };
   bool inside = false;
   changes_.clear();
-  for (std::size_t i = 0; i < occluder.corner_count; ++i) {
+  for (std::size_t i = 0; i < face.corner_count; ++i) {
+    const std::size_t next = corners[i].next;
     const bool leaves = sides_[i] >= threshold;
-    const bool arrives = sides_[corners[i].next] >= threshold;
-    if (leaves == arrives) continue;
-    const Plane& side = view_.planes[corners[i].side];
-    const bool positive = corners[i].with_edge == arrives;  // (side reversed) xor (crossed rightwards)
-    std::int64_t from = side.at(a_);
-    std::int64_t to = side.at(b_);
-    if (!positive) {
-      from = -from;
-      to = -to;
-    }
-    if (from > 0 || (from == 0 && to > 0)) inside = !inside;
-    if ((from > 0 && to < 0) || (from < 0 && to > 0)) changes_.push_back(zero_between(from, to));
+    if (leaves == (sides_[next] >= threshold)) continue;
+    const Crossing side = leaves ? crossing(point(next), point(i)) : crossing(point(i), point(next));
+    if (side.ahead_at_start()) inside = !inside;
+    if (side.ahead_at_start() != side.ahead_at_end()) changes_.push_back(zero_between(side.at_start, side.at_end));
   }
   std::sort(changes_.begin(), changes_.end(), less);
+  hide_where(inside, changes_, beyond, left, right);
+}
+
+// The face covers the edge from its start on if `inside`, and changes that at each of `changes`, which ascend.
+void EdgeShadow::hide_where(bool inside, std::span<const Fraction> changes, const HiddenInterval& beyond, bool left,
+                            bool right) {
   Fraction low = beyond.low;
-  for (const Fraction& change : changes_) {
+  for (const Fraction& change : changes) {
     if (inside) hide({low, less(change, beyond.high) ? change : beyond.high}, left, right);
     inside = !inside;
     if (less(low, change)) low = change;
@@ -105,10 +216,9 @@ void EdgeShadow::hide(const HiddenInterval& interval, bool left, bool right) {
 
 // Hidden is what both sides hide; the gaps between are seen.
 void EdgeShadow::append_visible(std::vector<picture::LinePiece>& pieces) const {
-  const picture::LineEdge& edge = view_.mesh->edges[edge_];
   Fraction seen_from = start;
   const auto see_up_to = [&](const Fraction& low) {
-    if (less(seen_from, low)) pieces.push_back({edge, rational(seen_from), rational(low)});
+    if (less(seen_from, low)) pieces.push_back({edge_, rational(seen_from), rational(low)});
   };
   const auto& right = split_ ? right_.intervals() : left_.intervals();
   auto other = right.begin();

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
@@ -23,23 +24,37 @@ class EdgeShadow {
  public:
   explicit EdgeShadow(const View& view) : view_(view) {}
 
-  // Begins another edge, of which nothing is hidden yet but what lies behind the eye.
-  void begin(std::uint32_t edge);
+  // Begins another edge, of which nothing is hidden yet but what lies behind the eye. False if it is seen as a point.
+  [[nodiscard]] bool begin(const picture::LineEdge& edge);
   // Adds what a face hides. True once the whole edge is hidden.
   bool add(const Occluder& occluder);
   // Appends what is seen.
   void append_visible(std::vector<picture::LinePiece>& pieces) const;
 
  private:
-  void cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left,
-            bool right);
+  // The plane of sight through a side of a face that crosses the plane of the edge, at the edge's ends: positive where
+  // the crossing is ahead.
+  struct Crossing {
+    std::int64_t at_start = 0;
+    std::int64_t at_end = 0;
+
+    [[nodiscard]] bool ahead_at_start() const { return at_start > 0 || (at_start == 0 && at_end > 0); }
+    [[nodiscard]] bool ahead_at_end() const { return at_end > 0 || (at_end == 0 && at_start > 0); }
+  };
+
+  // `right` and `left`: the corners of the side, by their side of the plane of the edge.
+  [[nodiscard, gnu::always_inline]] Crossing crossing(const geometry::Point3& right, const geometry::Point3& left) const;
+  void cast_corners(const Occluder& occluder, const HiddenInterval& beyond);
+  void cast_four(const Occluder& occluder, const HiddenInterval& beyond, unsigned to_left, bool left, bool right);
+  void cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left, bool right);
+  void hide_where(bool inside, std::span<const Fraction> changes, const HiddenInterval& beyond, bool left, bool right);
   void hide(const HiddenInterval& interval, bool left, bool right);
 
   const View& view_;
-  std::uint32_t edge_ = 0;
+  picture::LineEdge edge_;
   Vector a_{};
   Vector b_{};
-  Plane plane_{};
+  Plane plane_{};  // through the eye and the edge, positive to the left of it as seen
   bool split_ = false;  // the two sides differ; until then left_ stands for both
   HiddenPart left_;
   HiddenPart right_;

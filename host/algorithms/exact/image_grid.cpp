@@ -3,91 +3,94 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/base/threads.hpp"
+
 namespace sightline::algorithms::exact {
 namespace {
 
-constexpr double cells_an_occluder = 1.0;
-constexpr double widest_cells = 1024;
+constexpr double cells_an_occluder = 0.25;
+constexpr double most_cells_a_side = 1024;
 constexpr std::uint32_t most_entries_an_occluder = 32;  // on average
 
-// Every so many-th edge is looked at to place the grid: a few at the rim are seen as well without.
-double percentile(std::vector<double>& values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+// The occluders, the nearest first; of equals the first: keys sorted by eleven bits after eleven.
+std::vector<std::uint32_t> by_depth(std::span<const std::uint32_t> depths) {
+  constexpr unsigned digit = 11;
+  struct Key {
+    std::uint32_t depth = 0;
+    std::uint32_t occluder = 0;
+  };
+  std::vector<Key> keys(depths.size());
+  std::vector<Key> sorted(depths.size());
+  for (std::uint32_t i = 0; i < depths.size(); ++i) keys[i] = {depths[i], i};
+  for (unsigned shift = 0; shift < 32; shift += digit) {
+    std::array<std::uint32_t, (1U << digit) + 1> starts{};
+    const auto digit_of = [shift](const Key& key) { return (key.depth >> shift) & ((1U << digit) - 1); };
+    for (const Key& key : keys) ++starts[digit_of(key) + 1];
+    for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+    for (const Key& key : keys) sorted[starts[digit_of(key)]++] = key;
+    keys.swap(sorted);
+  }
+  std::vector<std::uint32_t> order(depths.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keys[i].occluder;
+  return order;
+}
+
+template <class Visit>
+void for_cells(const ImageGrid::Cells& cells, std::uint32_t side, Visit visit) {
+  for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row)
+    for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column)
+      visit(std::size_t{row} * side + column);
 }
 
 }  // namespace
 
-ImageGrid::ImageGrid(const View& view) {
-  side_ = static_cast<std::uint32_t>(std::clamp(
-      std::sqrt(static_cast<double>(view.occluders.size()) * cells_an_occluder), 1.0, widest_cells));
-  fit(view);
+ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::uint32_t> depths, unsigned jobs) {
+  side_ = static_cast<std::uint32_t>(
+      std::clamp(std::sqrt(static_cast<double>(bounds.size()) * cells_an_occluder), 1.0, most_cells_a_side));
   // Occluders that cover much of the image are in many cells each: then there are fewer cells.
-  const std::uint64_t most = std::uint64_t{most_entries_an_occluder} * view.occluders.size() + 4096;
-  while (side_ > 1 && entries_needed(view) > most) {
-    side_ /= 2;
-    fit(view);
-  }
-  starts_.assign(std::size_t{side_} * side_ + 1, 0);
-  std::vector<Cells> covered;
-  covered.reserve(view.occluders.size());
-  for (const Occluder& occluder : view.occluders) {
-    const Cells cells = cells_of(occluder.bounds);
-    covered.push_back(cells);
-    for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row) {
-      for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column) {
-        ++starts_[std::size_t{row} * side_ + column + 1];
-      }
+  const std::uint64_t most = std::uint64_t{most_entries_an_occluder} * bounds.size() + 4096;
+  while (side_ > 1 && entries_needed(bounds) > most) side_ /= 2;
+  for (std::uint32_t cell = 0; cell < side_; ++cell)
+    first_steps_.push_back(static_cast<std::uint16_t>(((cell << 15) + side_ - 1) / side_));
+  const std::vector<std::uint32_t> order = by_depth(depths);
+  // Each part counts for itself, so that its entries of a cell follow those of the parts before.
+  const std::size_t cells = std::size_t{side_} * side_;
+  std::vector<std::vector<std::uint32_t>> fill(jobs);
+  base::for_parts(jobs, order.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    fill[part].assign(cells, 0);
+    for (std::size_t i = begin; i < end; ++i)
+      for_cells(cells_of(bounds[order[i]]), side_, [&](std::size_t cell) { ++fill[part][cell]; });
+  });
+  starts_.resize(cells + 1);
+  std::uint32_t next = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    starts_[cell] = next;
+    for (std::vector<std::uint32_t>& part : fill) {
+      const std::uint32_t count = part[cell];
+      part[cell] = next;
+      next += count;
     }
   }
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-  entries_.resize(starts_.back());
-  std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-  for (std::uint32_t i = 0; i < covered.size(); ++i) {
-    for (std::uint32_t row = covered[i].low[1]; row <= covered[i].high[1]; ++row) {
-      for (std::uint32_t column = covered[i].low[0]; column <= covered[i].high[0]; ++column) {
-        entries_[fill[std::size_t{row} * side_ + column]++] = i;
-      }
+  starts_[cells] = next;
+  entries_.resize(next);
+  base::for_parts(jobs, order.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t occluder = order[i];
+      const ImageBounds& box = bounds[occluder];
+      const Entry entry{packed({box.low[0], box.low[1], last_minus(box.high[0]), last_minus(box.high[1])}),
+                        depths[occluder], occluder};
+      for_cells(cells_of(box), side_, [&](std::size_t cell) { entries_[fill[part][cell]++] = entry; });
     }
-  }
+  });
 }
 
-std::uint64_t ImageGrid::entries_needed(const View& view) const {
+std::uint64_t ImageGrid::entries_needed(std::span<const ImageBounds> bounds) const {
   std::uint64_t entries = 0;
-  for (const Occluder& occluder : view.occluders) {
-    const Cells cells = cells_of(occluder.bounds);
+  for (const ImageBounds& box : bounds) {
+    const Cells cells = cells_of(box);
     entries += std::uint64_t{cells.high[0] - cells.low[0] + 1} * (cells.high[1] - cells.low[1] + 1);
   }
   return entries;
-}
-
-// Over the edges drawn, but for the outermost hundredth on each side: one edge beside the eye may be seen a
-// thousand widths away.
-void ImageGrid::fit(const View& view) {
-  const std::size_t step = view.drawn.size() / 4096 + 1;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    std::vector<double> lows;
-    std::vector<double> highs;
-    for (std::size_t e = 0; e < view.drawn.size(); e += step) {
-      if (view.drawn[e] == 0) continue;
-      if (std::isfinite(view.bounds[e].low[axis])) lows.push_back(view.bounds[e].low[axis]);
-      if (std::isfinite(view.bounds[e].high[axis])) highs.push_back(view.bounds[e].high[axis]);
-    }
-    if (lows.empty() || highs.empty()) continue;
-    origin_[axis] = percentile(lows, 0.01);
-    const double width = percentile(highs, 0.99) - origin_[axis];
-    if (width > 0) cells_a_unit_[axis] = side_ / width;
-  }
-}
-
-ImageGrid::Cells ImageGrid::cells_of(const ImageBounds& bounds) const {
-  const auto cell = [&](double coordinate, std::size_t axis) {
-    return static_cast<std::uint32_t>(
-        std::clamp((coordinate - origin_[axis]) * cells_a_unit_[axis], 0.0, static_cast<double>(side_ - 1)));
-  };
-  return {{cell(bounds.low[0], 0), cell(bounds.low[1], 1)},
-          {cell(bounds.high[0], 0), cell(bounds.high[1], 1)}};
 }
 
 }  // namespace sightline::algorithms::exact

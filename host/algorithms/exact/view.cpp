@@ -1,139 +1,185 @@
 #include "host/algorithms/exact/view.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
-#include <limits>
 
+#include "host/base/threads.hpp"
 #include "host/geometry/integer.hpp"
 
 namespace sightline::algorithms::exact {
 namespace {
 
-using geometry::cross;
 using geometry::dot;
 using geometry::Int128;
 using geometry::vector_of;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+// Ascends with the value: single precision, its bits made to ascend below 0, too.
+std::uint32_t ascending_key(std::int64_t value) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
+}
 
-// Where vertices are seen: quotients of integers below 2^37, so rounded once and in order.
-class Projector {
+// Where vertices are seen: quotients of integers below 2^37, so rounded once and in order, as are all steps after it.
+class Raster {
  public:
-  Projector(const View& view, const scene::PolyCamera& camera)
-      : view_(view), axes_{vector_of(camera.right), vector_of(camera.up)}, image_(view.points.size()) {
-    for (std::size_t v = 0; v < image_.size(); ++v) {
-      const double over = view.perspective ? static_cast<double>(view.depths[v]) : 1.0;
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        image_[v][axis] = static_cast<double>(dot(axes_[axis], view.points[v])) / over;
-      }
+  // Over what is seen of the scene but for the outermost hundredth on each side: a vertex beside the eye may be seen
+  // a thousand widths away. A few hundred vertices show where that is.
+  Raster(const View& view, const scene::PolyCamera& camera) {
+    constexpr std::size_t samples = 500;
+    const std::vector<geometry::Point3>& vertices = view.mesh->vertices;
+    std::array<std::vector<double>, 2> seen;
+    const std::size_t step = vertices.size() / samples + 1;
+    for (std::size_t v = 0; v < vertices.size(); v += step) {
+      const Vector p = geometry::difference(vertices[v], camera.eye);
+      const std::int64_t depth = dot(view.forward, p);
+      if (view.perspective && depth <= 0) continue;
+      for (std::size_t axis = 0; axis < 2; ++axis) seen[axis].push_back(image_of(view, p, depth, axis));
+    }
+    for (std::size_t axis = 0; axis < 2 && !seen[0].empty(); ++axis) {
+      origin_[axis] = percentile(seen[axis], 0.01);
+      const double width = percentile(seen[axis], 0.99) - origin_[axis];
+      if (width > 0) steps_a_unit_[axis] = (last_step + 1) / width;
     }
   }
 
-  [[nodiscard]] bool before_eye(std::uint32_t v) const { return !view_.perspective || view_.depths[v] > 0; }
-
-  static ImageBounds nothing() { return {{infinity, infinity}, {-infinity, -infinity}}; }
-
-  // Extends bounds by what is before the eye of the segment from p to q, but for q itself.
-  void extend(ImageBounds& bounds, std::uint32_t p, std::uint32_t q) const {
-    if (before_eye(p)) extend(bounds, p);
-    if (before_eye(p) == before_eye(q)) return;
-    // The segment runs out to infinity in the direction of its point beside the eye.
-    const std::uint32_t seen = before_eye(p) ? p : q;
-    const std::uint32_t behind = before_eye(p) ? q : p;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const Int128 direction = Int128{dot(axes_[axis], view_.points[behind])} * view_.depths[seen] -
-                               Int128{dot(axes_[axis], view_.points[seen])} * view_.depths[behind];
-      if (direction > 0) bounds.high[axis] = infinity;
-      if (direction < 0) bounds.low[axis] = -infinity;
-    }
+  [[nodiscard]] std::uint16_t step_of(double image, std::size_t axis) const {
+    const double step = (image - origin_[axis]) * steps_a_unit_[axis];
+    return static_cast<std::uint16_t>(static_cast<std::int32_t>(std::min(std::max(step, 0.0), double{last_step})));
   }
-
-  void extend(ImageBounds& bounds, std::uint32_t v) const {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      bounds.low[axis] = std::min(bounds.low[axis], image_[v][axis]);
-      bounds.high[axis] = std::max(bounds.high[axis], image_[v][axis]);
-    }
+  [[nodiscard]] static double image_of(const View& view, const Vector& p, std::int64_t depth, std::size_t axis) {
+    const double over = view.perspective ? static_cast<double>(depth) : 1.0;
+    return static_cast<double>(dot(view.axes[axis], p)) / over;
   }
 
  private:
-  const View& view_;
-  std::array<Vector, 2> axes_;
-  std::vector<std::array<double, 2>> image_;
+  static double percentile(std::vector<double>& values, double part) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  }
+
+  std::array<double, 2> origin_{};
+  std::array<double, 2> steps_a_unit_{1, 1};
 };
 
-void place_points(View& view, const scene::PolyCamera& camera) {
-  const Vector eye = vector_of(camera.eye);
-  const Vector forward = vector_of(camera.forward);
-  const std::size_t count = view.mesh->vertices.size();
-  view.points.resize(count);
-  view.depths.resize(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    view.points[v] = difference(view.mesh->vertices[v], eye);
-    view.depths[v] = dot(forward, view.points[v]);
-  }
-}
-
-void place_edges(View& view, const Vector& forward, const Projector& projector) {
-  const std::size_t count = view.mesh->edges.size();
-  view.planes.resize(count);
-  view.bounds.assign(count, Projector::nothing());
-  for (std::size_t e = 0; e < count; ++e) {
-    const picture::LineEdge& edge = view.mesh->edges[e];
-    const Vector& p = view.points[edge.from];
-    const Vector& q = view.points[edge.to];
-    Plane& plane = view.planes[e];
-    if (view.perspective) {
-      plane.normal = cross(p, q);
-    } else {
-      plane.normal = cross(forward, difference(q, p));
-      plane.offset = dot(plane.normal, p);
+void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
+  const Raster raster(view, camera);
+  const std::vector<geometry::Point3>& vertices = view.mesh->vertices;
+  view.points.resize(vertices.size());
+  base::for_parts(jobs, vertices.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      ViewPoint& point = view.points[v];
+      const Vector p = geometry::difference(vertices[v], camera.eye);
+      for (std::size_t a = 0; a < 3; ++a) point.at[a] = static_cast<std::int32_t>(p[a]);
+      const std::int64_t depth = dot(view.forward, p);
+      if (view.perspective && depth <= 0) continue;
+      point.depth = ascending_key(depth);
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        point.seen[axis] = raster.step_of(Raster::image_of(view, p, depth, axis), axis);
     }
-    projector.extend(view.bounds[e], edge.from, edge.to);
-    if (projector.before_eye(edge.to)) projector.extend(view.bounds[e], edge.to);
-  }
-}
-
-void place_faces(View& view, const Vector& forward, const Projector& projector) {
-  const EdgeMesh& mesh = *view.mesh;
-  view.drawn.assign(mesh.edges.size(), 0);
-  for (const MeshFace& face : mesh.faces) {
-    const Corner* const corners = &mesh.corners[face.first_corner];
-    const std::int64_t offset = dot(face.normal, view.points[corners->vertex]);
-    const std::int64_t away = view.perspective ? offset : dot(face.normal, forward);
-    if (away > 0 && !face.sheet) continue;
-    for (std::uint32_t i = 0; i < face.corner_count; ++i) view.drawn[corners[i].side] = 1;
-    if (away == 0) continue;
-    Occluder occluder{face.first_corner, face.corner_count, {face.normal, offset}, 0, Projector::nothing(), face.surface};
-    if (away < 0) {  // positive beyond the face: against the normal
-      for (std::int64_t& part : occluder.beyond.normal) part = -part;
-      occluder.beyond.offset = -offset;
-    }
-    std::int64_t nearest = view.depths[corners->vertex];
-    std::int64_t farthest = nearest;
-    for (std::uint32_t i = 0; i < face.corner_count; ++i) {
-      const std::uint32_t vertex = corners[i].vertex;
-      projector.extend(occluder.bounds, vertex, corners[corners[i].next].vertex);
-      nearest = std::min(nearest, view.depths[vertex]);
-      farthest = std::max(farthest, view.depths[vertex]);
-    }
-    occluder.depth = nearest;
-    if (!view.perspective || farthest > 0) view.occluders.push_back(occluder);
-  }
-  std::sort(view.occluders.begin(), view.occluders.end(), [](const Occluder& a, const Occluder& b) {
-    return a.depth != b.depth ? a.depth < b.depth : a.first_corner < b.first_corner;
   });
+}
+
+// What one thread finds of a part of the faces.
+struct FacePart {
+  std::vector<std::uint8_t> drawn;
+  std::vector<Occluder> occluders;
+  std::vector<ImageBounds> bounds;
+  std::vector<std::uint32_t> depths;
+};
+
+void add_occluder(const View& view, std::uint32_t number, const Plane& beyond, FacePart& part) {
+  const MeshFace& face = view.mesh->faces[number];
+  const Corner* const corners = &view.mesh->corners[face.first_corner];
+  ImageBounds bounds;
+  std::uint32_t nearest = ~0U;
+  std::uint32_t farthest = 0;
+  bool one_ring = true;
+  for (std::uint32_t i = 0; i < face.corner_count; ++i) {
+    const ViewPoint& point = view.points[corners[i].vertex];
+    view.extend(bounds, point, view.points[corners[corners[i].next].vertex]);
+    nearest = std::min(nearest, point.depth);
+    farthest = std::max(farthest, point.depth);
+    one_ring = one_ring && corners[i].next == (i + 1 == face.corner_count ? 0 : i + 1);
+  }
+  if (view.perspective && farthest == 0) return;
+  Occluder occluder;
+  occluder.beyond = beyond;
+  occluder.face = number;
+  occluder.few_corners = one_ring && (face.corner_count == 3 || face.corner_count == 4);
+  for (std::uint32_t i = 0; occluder.few_corners && i < 4; ++i)
+    occluder.corners[i] = view.points[corners[std::min(i, face.corner_count - 1)].vertex].at;
+  part.occluders.push_back(occluder);
+  part.bounds.push_back(bounds);
+  part.depths.push_back(nearest);
+}
+
+FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
+  const EdgeMesh& mesh = *view.mesh;
+  FacePart part;
+  part.drawn.assign(mesh.edges.size(), 0);
+  const std::size_t likely = (end - begin) / 2 + 1;  // of solids; the vectors grow for sheets
+  part.occluders.reserve(likely);
+  part.bounds.reserve(likely);
+  part.depths.reserve(likely);
+  for (std::size_t number = begin; number < end; ++number) {
+    const MeshFace& face = mesh.faces[number];
+    const Corner* const corners = &mesh.corners[face.first_corner];
+    const std::int64_t offset = dot(face.normal, vector_of(view.points[corners->vertex].at));
+    const std::int64_t away = view.perspective ? offset : dot(face.normal, view.forward);
+    if (away > 0 && !face.sheet) continue;
+    for (std::uint32_t i = 0; i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
+    if (away == 0) continue;
+    // Positive beyond the face: against the normal of one that is turned to the eye.
+    const Plane beyond = away < 0 ? Plane{geometry::negated(face.normal), -offset} : Plane{face.normal, offset};
+    add_occluder(view, static_cast<std::uint32_t>(number), beyond, part);
+  }
+  return part;
+}
+
+void place_faces(View& view, unsigned jobs) {
+  std::vector<FacePart> parts(jobs);
+  base::for_parts(jobs, view.mesh->faces.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    parts[part] = faces_of(view, begin, end);
+  });
+  view.drawn = std::move(parts[0].drawn);
+  view.occluders = std::move(parts[0].occluders);
+  view.bounds = std::move(parts[0].bounds);
+  view.depths = std::move(parts[0].depths);
+  for (std::size_t p = 1; p < parts.size(); ++p) {
+    FacePart& part = parts[p];
+    for (std::size_t e = 0; e < part.drawn.size(); ++e) view.drawn[e] |= part.drawn[e];
+    view.occluders.insert(view.occluders.end(), part.occluders.begin(), part.occluders.end());
+    view.bounds.insert(view.bounds.end(), part.bounds.begin(), part.bounds.end());
+    view.depths.insert(view.depths.end(), part.depths.begin(), part.depths.end());
+    part = FacePart();
+  }
 }
 
 }  // namespace
 
-View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen) {
+// The segment runs out to infinity in the direction of its point beside the eye.
+void View::extend_to_infinity(ImageBounds& bounds, const ViewPoint& seen, const ViewPoint& behind) const {
+  const Vector p = vector_of(seen.at);
+  const Vector q = vector_of(behind.at);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Int128 direction =
+        Int128{dot(axes[axis], q)} * dot(forward, p) - Int128{dot(axes[axis], p)} * dot(forward, q);
+    if (direction > 0) bounds.high[axis] = last_step;
+    if (direction < 0) bounds.low[axis] = 0;
+  }
+}
+
+View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
+               unsigned jobs) {
   View view;
   view.mesh = &mesh;
   view.perspective = camera.perspective;
-  place_points(view, camera);
-  const Projector projector(view, camera);
-  place_edges(view, vector_of(camera.forward), projector);
-  place_faces(view, vector_of(camera.forward), projector);
+  view.forward = vector_of(camera.forward);
+  view.axes = {vector_of(camera.right), vector_of(camera.up)};
+  place_points(view, camera, jobs);
+  place_faces(view, jobs);
   if (chosen != nullptr) {
     view.drawn.assign(mesh.edges.size(), 0);
     auto edge = mesh.edges.begin();
@@ -144,10 +190,9 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
         view.drawn[static_cast<std::size_t>(edge - mesh.edges.begin())] = 1;
     }
   }
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+  for (std::size_t e = 0; view.perspective && e < mesh.edges.size(); ++e) {
     const picture::LineEdge& edge = mesh.edges[e];
-    const bool seen = projector.before_eye(edge.from) || projector.before_eye(edge.to);
-    if (!seen || view.planes[e].normal == Vector{}) view.drawn[e] = 0;
+    if (view.points[edge.from].depth == 0 && view.points[edge.to].depth == 0) view.drawn[e] = 0;
   }
   return view;
 }

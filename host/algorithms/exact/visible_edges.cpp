@@ -1,6 +1,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "host/algorithms/exact/face_shadow.hpp"
 #include "host/algorithms/exact/image_grid.hpp"
 #include "host/algorithms/exact/view.hpp"
+#include "host/base/threads.hpp"
 
 namespace sightline::algorithms::exact {
 namespace {
@@ -22,113 +24,215 @@ struct Unwatched {
 // Tells a Trace what is seen of an edge after each comparison.
 class Watched {
  public:
-  Watched(const EdgeMesh& mesh, Trace& trace) : mesh_(mesh), trace_(trace) {}
+  explicit Watched(Trace& trace) : trace_(trace) {}
 
   void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
   void compared(const picture::LineEdge& edge, const Occluder& occluder, bool hidden, const EdgeShadow& shadow) {
     std::vector<picture::LinePiece> left;
     if (!hidden) shadow.append_visible(left);
-    const auto face = std::lower_bound(
-        mesh_.faces.begin(), mesh_.faces.end(), occluder.first_corner,
-        [](const MeshFace& f, std::uint32_t corner) { return f.first_corner < corner; });
-    trace_.compared(edge, static_cast<std::uint32_t>(face - mesh_.faces.begin()), left);
+    trace_.compared(edge, occluder.face, left);
   }
   void result(const picture::LineEdge& edge, bool drawn, std::span<const picture::LinePiece> pieces) {
     trace_.result(edge, drawn, pieces);
   }
 
  private:
-  const EdgeMesh& mesh_;
   Trace& trace_;
 };
 
-// Holds one edge after the other against the occluders near it.
+// Compares one edge after the other with the occluders near it.
 template <class Listener>
 class Search {
  public:
-  Search(const View& view, Listener listener)
-      : view_(view), grid_(view), shadow_(view), met_(view.occluders.size()), listener_(listener) {}
+  Search(const View& view, const ImageGrid& grid, const picture::ChosenEdges* chosen, Listener& listener)
+      : view_(view), grid_(grid), shadow_(view), chosen_(chosen), listener_(listener) {}
 
-  // Faces of the surfaces `beside` do not hide the edge.
-  void append_visible(std::uint32_t edge, std::span<const std::uint32_t> beside,
-                      std::vector<picture::LinePiece>& pieces) {
-    beside_ = beside;
-    shadow_.begin(edge);
-    listener_.edge(view_.mesh->edges[edge]);
-    const picture::LineEdge& ends = view_.mesh->edges[edge];
-    const std::int64_t depth = std::max(view_.depths[ends.from], view_.depths[ends.to]);
-    const ImageBounds& bounds = view_.bounds[edge];
-    const ImageGrid::Cells cells = grid_.cells_of(bounds);
-    for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row) {
-      for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column) {
-        if (hidden_in(column, row, edge, bounds, depth)) return;
-      }
+  void append_visible(std::uint32_t number, std::vector<picture::LinePiece>& pieces) {
+    const picture::LineEdge& edge = view_.mesh->edges[number];
+    const std::size_t before = pieces.size();
+    const bool searched = view_.drawn[number] != 0 && shadow_.begin(edge);
+    if (searched) {
+      listener_.edge(edge);
+      if (!is_hidden(edge)) shadow_.append_visible(pieces);
     }
-    shadow_.append_visible(pieces);
+    listener_.result(edge, searched, std::span(pieces).subspan(before));
   }
 
  private:
-  bool hidden_in(std::uint32_t column, std::uint32_t row, std::uint32_t edge, const ImageBounds& bounds,
-                 std::int64_t depth) {
-    for (const std::uint32_t index : grid_.occluders_at(column, row)) {
-      const Occluder& occluder = view_.occluders[index];
-      if (occluder.depth >= depth) return false;
-      if (met_[index] == edge + 1) continue;
-      met_[index] = edge + 1;
-      if (!occluder.bounds.meets(bounds) || is_beside(occluder)) continue;
-      const bool hidden = shadow_.add(occluder);
-      listener_.compared(view_.mesh->edges[edge], occluder, hidden, shadow_);
-      if (hidden) return true;
+  bool is_hidden(const picture::LineEdge& edge) {
+    std::span<const std::uint32_t> beside;  // surfaces whose faces do not hide the edge
+    if (chosen_ != nullptr) {
+      const auto found = std::lower_bound(chosen_->edges.begin(), chosen_->edges.end(), edge);
+      beside = chosen_->surfaces_at(static_cast<std::size_t>(found - chosen_->edges.begin()));
     }
+    const std::uint32_t depth = std::max(view_.points[edge.from].depth, view_.points[edge.to].depth);
+    const ImageBounds bounds = view_.bounds_of(edge);
+    if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside)) return true;
+    ImageGrid::Query query(grid_, bounds);
+    const ImageGrid::Cells cells = query.cells();
+    near_count_ = 0;
+    for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row) {
+      for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column) {
+        query.enter(column, row);
+        std::span<const ImageGrid::Entry> entries = grid_.entries_at(column, row);
+        while (!entries.empty()) {
+          const auto some = entries.first(std::min(batch, entries.size()));
+          find_near(query, some, depth);
+          if (near_count_ >= enough && is_hidden_by_near(edge, beside)) return true;
+          if (some.back().depth > depth) break;
+          entries = entries.subspan(some.size());
+        }
+      }
+    }
+    return is_hidden_by_near(edge, beside);
+  }
+
+  // Adds to near_ which of at most a batch of entries may hide some of the edge. Whether one does is as good as random:
+  // no branch depends on it.
+  void find_near(const ImageGrid::Query& query, std::span<const ImageGrid::Entry> entries, std::uint32_t depth) {
+    std::size_t count = near_count_;
+    for (const ImageGrid::Entry& entry : entries) {
+      near_[count] = entry.occluder;
+      count += static_cast<std::size_t>(query.passes(entry)) & static_cast<std::size_t>(entry.depth <= depth);
+    }
+    near_count_ = count;
+  }
+
+  bool is_hidden_by_near(const picture::LineEdge& edge, std::span<const std::uint32_t> beside) {
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (hides_rest(edge, near_[i], beside)) return true;
     return false;
   }
 
-  [[nodiscard]] bool is_beside(const Occluder& occluder) const {
-    for (const std::uint32_t surface : beside_)
-      if (surface == occluder.surface) return true;
-    return false;
+  [[nodiscard]] bool may_hide_all(std::uint32_t number, const ImageBounds& bounds, std::uint32_t depth) const {
+    if (number == nobody) return false;
+    const ImageBounds& cover = view_.bounds[number];
+    return view_.depths[number] <= depth && cover.low[0] <= bounds.low[0] && cover.low[1] <= bounds.low[1] &&
+           bounds.high[0] <= cover.high[0] && bounds.high[1] <= cover.high[1];
+  }
+
+  // Adds what an occluder hides; true once nothing of the edge is left.
+  bool hides_rest(const picture::LineEdge& edge, std::uint32_t number, std::span<const std::uint32_t> beside) {
+    const Occluder& occluder = view_.occluders[number];
+    if (!beside.empty() && is_of(occluder, beside)) return false;
+    const bool hidden = shadow_.add(occluder);
+    listener_.compared(edge, occluder, hidden, shadow_);
+    if (hidden) last_ = number;
+    return hidden;
+  }
+
+  [[nodiscard]] bool is_of(const Occluder& occluder, std::span<const std::uint32_t> surfaces) const {
+    const std::uint32_t own = view_.mesh->faces[occluder.face].surface;
+    return std::find(surfaces.begin(), surfaces.end(), own) != surfaces.end();
   }
 
   const View& view_;
-  ImageGrid grid_;
+  const ImageGrid& grid_;
   EdgeShadow shadow_;
-  std::vector<std::uint32_t> met_;  // the edge, plus one, that an occluder was last compared with
-  Listener listener_;
-  std::span<const std::uint32_t> beside_;
+  static constexpr std::size_t batch = 16;
+  static constexpr std::size_t enough = 4;
+  std::array<std::uint32_t, batch + enough> near_{};  // occluders
+  std::size_t near_count_ = 0;
+  static constexpr std::uint32_t nobody = ~0U;
+  std::uint32_t last_ = nobody;  // the last occluder that hid what was left of an edge: it may hide the next one, too
+  const picture::ChosenEdges* chosen_;
+  Listener& listener_;
 };
+
+// The edges drawn, by the cell in which their bounds begin, row by row.
+std::vector<std::uint32_t> in_image_order(const View& view, const ImageGrid& grid) {
+  const auto cell_of = [&](std::uint32_t edge) {
+    const ImageGrid::Cells cells = grid.cells_of(view.bounds_of(view.mesh->edges[edge]));
+    return std::size_t{cells.low[1]} * grid.side() + cells.low[0];
+  };
+  std::vector<std::uint32_t> starts(std::size_t{grid.side()} * grid.side() + 1);
+  const auto count = static_cast<std::uint32_t>(view.drawn.size());
+  for (std::uint32_t edge = 0; edge < count; ++edge)
+    if (view.drawn[edge] != 0) ++starts[cell_of(edge) + 1];
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  std::vector<std::uint32_t> order(starts.back());
+  for (std::uint32_t edge = 0; edge < count; ++edge)
+    if (view.drawn[edge] != 0) order[starts[cell_of(edge)]++] = edge;
+  return order;
+}
+
+// What one thread sees of a part of the edges.
+struct SeenPart {
+  std::vector<picture::LinePiece> pieces;
+  std::vector<std::uint32_t> counts;  // pieces of each edge
+};
+
+// Pieces of edges in any order, by edge.
+picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const std::uint32_t> order,
+                             std::size_t edges) {
+  std::vector<std::uint32_t> starts(edges + 1);
+  std::size_t next = 0;
+  for (const SeenPart& part : parts)
+    for (const std::uint32_t count : part.counts) starts[order[next++] + 1] = count;
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  picture::LinePicture picture;
+  picture.pieces.resize(starts.back());
+  next = 0;
+  for (const SeenPart& part : parts) {
+    const picture::LinePiece* piece = part.pieces.data();
+    for (const std::uint32_t count : part.counts) {
+      std::copy(piece, piece + count, picture.pieces.data() + starts[order[next++]]);
+      piece += count;
+    }
+  }
+  return picture;
+}
+
+// From this many edges on they are compared in the order of the image, in which the occluders near one are those near
+// the one before, and in the cache.
+constexpr std::size_t fewest_edges_ordered = 50'000;
+constexpr std::size_t fewest_faces_a_job = 8;  // no more threads than that
 
 template <class Listener>
 picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
                                   const picture::ChosenEdges* chosen = nullptr) {
   const View view = make_view(mesh, camera, chosen);
-  Search<Listener> search(view, listener);
+  const ImageGrid grid(view.bounds, view.depths);
+  Search<Listener> search(view, grid, chosen, listener);
   picture::LinePicture picture;
-  std::size_t next = 0;  // of those chosen
-  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
-    const std::size_t before = picture.pieces.size();
-    if (view.drawn[edge] != 0) {
-      std::span<const std::uint32_t> beside;
-      if (chosen != nullptr) {
-        while (chosen->edges[next] < mesh.edges[edge]) ++next;
-        beside = chosen->surfaces_at(next);
-      }
-      search.append_visible(edge, beside, picture.pieces);
-    }
-    listener.result(mesh.edges[edge], view.drawn[edge] != 0, std::span(picture.pieces).subspan(before));
-  }
+  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) search.append_visible(edge, picture.pieces);
   return picture;
+}
+
+picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
+                                    const picture::ChosenEdges* chosen, unsigned jobs) {
+  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
+  const View view = make_view(mesh, camera, chosen, jobs);
+  const ImageGrid grid(view.bounds, view.depths, jobs);
+  const std::vector<std::uint32_t> order = in_image_order(view, grid);
+  std::vector<SeenPart> parts(jobs);
+  base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {
+    SeenPart& part = parts[number];
+    part.counts.reserve(end - begin);
+    Unwatched nobody;
+    Search<Unwatched> search(view, grid, chosen, nobody);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t before = part.pieces.size();
+      search.append_visible(order[i], part.pieces);
+      part.counts.push_back(static_cast<std::uint32_t>(part.pieces.size() - before));
+    }
+  });
+  return by_edge(parts, order, mesh.edges.size());
 }
 
 }  // namespace
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                   const picture::ChosenEdges* chosen) {
-  return search_edges(mesh, camera, Unwatched(), chosen);
+                                   const picture::ChosenEdges* chosen, unsigned jobs) {
+  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, Unwatched(), chosen);
+  return search_ordered(mesh, camera, chosen, jobs);
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {
   const EdgeMesh mesh = make_edge_mesh(scene);
-  return search_edges(mesh, camera, Watched(mesh, trace));
+  return search_edges(mesh, camera, Watched(trace));
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {

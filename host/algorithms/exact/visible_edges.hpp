@@ -28,7 +28,7 @@ namespace sightline::algorithms::exact {
 
 // The eye is in no solid and on no face (precondition).
 [[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                                 const picture::ChosenEdges* chosen = nullptr);
+                                                 const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1);
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
                                                  const scene::PolyCamera& camera);
 

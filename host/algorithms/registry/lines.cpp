@@ -23,19 +23,23 @@ std::optional<std::string> applies(const scene::PolyScene&) {
   return std::nullopt;
 }
 
-base::Result<PreparedScene> prepare_exact(const scene::PolyScene& scene) {
+base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene, unsigned jobs) {
   const auto mesh =
       std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
   PreparedScene prepared;
   prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
-  prepared.view = [mesh](const scene::PolyCamera& camera) -> base::Result<LineView> {
-    return LineView{algorithms::exact::visible_edges(*mesh, camera), {}};
+  prepared.view = [mesh, jobs](const scene::PolyCamera& camera) -> base::Result<LineView> {
+    return LineView{algorithms::exact::visible_edges(*mesh, camera, nullptr, jobs), {}};
   };
-  prepared.view_chosen = [mesh](const scene::PolyCamera& camera,
-                                const picture::ChosenEdges& chosen) -> base::Result<LineView> {
-    return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen), {}};
+  prepared.view_chosen = [mesh, jobs](const scene::PolyCamera& camera,
+                                      const picture::ChosenEdges& chosen) -> base::Result<LineView> {
+    return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen, jobs), {}};
   };
   return prepared;
+}
+
+base::Result<PreparedScene> prepare_exact(const scene::PolyScene& scene) {
+  return prepare_exact_threads(scene, 1);
 }
 
 base::Result<PreparedScene> prepare_oracle(const scene::PolyScene& scene) {
@@ -143,7 +147,7 @@ base::Result<PreparedScene> prepare_plantinga(const scene::PolyScene& scene) {
 
 constexpr std::array table{
     LineAlgorithm{"exact", "Exact visible edges of any scene, fast: for a correct drawing today", applies,
-                  prepare_exact, false, nullptr, nullptr, true},
+                  prepare_exact, false, nullptr, nullptr, true, prepare_exact_threads},
     LineAlgorithm{"jones", "From cell to cell through openings, after Jones (1971), in general position",
                   applies, prepare_jones, false, nullptr, prepare_jones_cells},
     LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",

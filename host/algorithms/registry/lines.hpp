@@ -67,6 +67,8 @@ struct LineAlgorithm {
   // checked one (precondition).
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
   bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings is drawn, too
+  // `prepare` of views each of which uses so many threads, for the same picture; null if a view uses one.
+  base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs) = nullptr;
 
   [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) const {

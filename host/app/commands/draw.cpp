@@ -316,6 +316,11 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
     command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
+  if (algorithm.prepare_threads != nullptr)
+    command.option("--jobs", arguments->view.jobs, "Threads for a view; the drawing is the same with any number")
+        .range(1U, 1024U)
+        .default_value()
+        .value("N");
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }

@@ -111,7 +111,7 @@ class LineViews::Work {
       throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
     prepared_ = source.decomposition && algorithm.prepare_cells != nullptr
                     ? algorithm.prepare_cells(source.decomposition->complex)
-                    : value_of(algorithm.prepare(scene()), source.name);
+                    : prepared(scene());
   }
 
   DrawnView at(const scene::PolyCamera& given, const picture::DrawingField& given_field) {
@@ -162,6 +162,9 @@ class LineViews::Work {
 
  private:
   [[nodiscard]] const scene::PolyScene& scene() const { return own_scene_ ? *own_scene_ : source_.scene; }
+  [[nodiscard]] registry::PreparedScene prepared(const scene::PolyScene& of) const {
+    return value_of(options_.jobs > 1 ? algorithm_.prepare_threads(of, options_.jobs) : algorithm_.prepare(of), source_.name);
+  }
   [[nodiscard]] bool has_crossings() const { return !scene().crossings.empty(); }
 
   // Whether there are lines in which bodies pass through each other, and they are drawn; if not drawn, a warning.
@@ -211,8 +214,8 @@ class LineViews::Work {
     const double units = field.width / (window.high[0] - window.low[0]);
     const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
     const picture::Hatching hatching = value_of(picture::hatched(scene(), camera, window, units, wanted), "--hatch");
-    const registry::PreparedScene prepared = value_of(algorithm_.prepare(hatching.scene), source_.name);
-    const registry::LineView seen = value_of(view_of(prepared, camera, hatching.lines), source_.name);
+    const registry::PreparedScene lines = prepared(hatching.scene);
+    const registry::LineView seen = value_of(view_of(lines, camera, hatching.lines), source_.name);
     LineLayer along{"hatching", {}};
     LineLayer across{"cross-hatching", {}};
     std::size_t line = 0;

@@ -28,6 +28,7 @@ struct LineViewOptions {
     std::optional<std::array<double, 3>> light = {};  // towards it, in the axes of the file; by default from above left, behind the eye
   };
   std::optional<Hatch> hatch = {};
+  unsigned jobs = 1;  // threads for a view, of an algorithm that can use more than one
 };
 
 // One view as drawn.

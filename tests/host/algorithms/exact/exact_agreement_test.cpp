@@ -104,5 +104,24 @@ TEST(ExactAgreement, SheetsThatCross) {
   }
 }
 
+// In the order of the image, which several threads use for any scene.
+TEST(ExactAgreement, AnyNumberOfThreadsDrawsTheSame) {
+  for (const scene::PolyScene& scene :
+       {scene::generate_boxes(40), scene::generate_town(20), scene::generate_rooms(3), scene::generate_triangles(60),
+        scene::generate_bricks(10), scene::PolyScene()}) {
+    const exact::EdgeMesh mesh = exact::make_edge_mesh(scene);
+    std::vector<scene::PolyCamera> cameras{scene.camera};
+    if (!scene.vertices.empty()) {
+      RandomCameras random(scene, 5);
+      for (int i = 0; i < 10; ++i) cameras.push_back(random.outside(i % 2 == 0));
+    }
+    for (const scene::PolyCamera& camera : cameras) {
+      const picture::LinePicture one = exact::visible_edges(mesh, camera);
+      for (const unsigned jobs : {2U, 3U, 16U})
+        EXPECT_TRUE(exact::visible_edges(mesh, camera, nullptr, jobs) == one) << scene.name << ", " << jobs;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sightline::algorithms

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <vector>
+
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 
 namespace sightline::algorithms {
@@ -16,33 +20,82 @@ std::size_t entries(const ImageGrid& grid, const ImageBounds& bounds) {
   std::size_t count = 0;
   for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row) {
     for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column)
-      count += grid.occluders_at(column, row).size();
+      count += grid.entries_at(column, row).size();
   }
   return count;
 }
 
 TEST(ImageGrid, OccludersOverTheWholeImageTakeFewEntries) {
-  const ImageBounds everywhere{{-1e9, -1e9}, {1e9, 1e9}};
-  exact::View view;
-  view.occluders.resize(20000);
-  for (exact::Occluder& occluder : view.occluders) occluder.bounds = everywhere;
-  const std::size_t needed = entries(ImageGrid(view), everywhere);
-  EXPECT_GE(needed, view.occluders.size());
-  EXPECT_LE(needed, 32 * view.occluders.size() + 4096);
+  const ImageBounds everywhere{{0, 0}, {exact::last_step, exact::last_step}};
+  const std::vector<ImageBounds> bounds(20000, everywhere);
+  const std::vector<std::uint32_t> depths(bounds.size());
+  const std::size_t needed = entries(ImageGrid(bounds, depths), everywhere);
+  EXPECT_GE(needed, bounds.size());
+  EXPECT_LE(needed, 32 * bounds.size() + 4096);
 }
 
 TEST(ImageGrid, SmallOccludersKeepSmallCells) {
-  exact::View view;
-  for (int i = 0; i < 100; ++i) {
-    exact::Occluder occluder;
-    const double x = i % 10;
-    const double y = i / 10;
-    occluder.bounds = {{x + 0.25, y + 0.25}, {x + 0.75, y + 0.75}};
-    view.occluders.push_back(occluder);
+  std::vector<ImageBounds> bounds;
+  for (std::uint16_t i = 0; i < 400; ++i) {
+    const auto x = static_cast<std::uint16_t>(i % 20 * 1640);
+    const auto y = static_cast<std::uint16_t>(i / 20 * 1640);
+    const auto far = [](std::uint16_t low) { return static_cast<std::uint16_t>(low + 800); };
+    bounds.push_back({{x, y}, {far(x), far(y)}});
   }
-  const ImageGrid grid(view);
-  EXPECT_EQ(entries(grid, {{0, 0}, {9, 9}}), 100U);
-  EXPECT_EQ(entries(grid, {{3.5, 4.5}, {3.5, 4.5}}), 1U);
+  const std::vector<std::uint32_t> depths(bounds.size());
+  const ImageGrid grid(bounds, depths);
+  EXPECT_EQ(grid.side(), 10U);
+  EXPECT_EQ(entries(grid, {{0, 0}, {exact::last_step, exact::last_step}}), 400U);
+  EXPECT_EQ(entries(grid, bounds[0]), 4U);
+}
+
+// The law of a query: of the occluders whose bounds touch a rectangle each passes once, in one of the cells, and no
+// other; and in a cell the nearest comes first. On any number of threads.
+TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
+  std::mt19937 generator(3);
+  const auto below = [&generator](std::uint32_t limit) { return static_cast<std::uint32_t>(generator()) % limit; };
+  for (int round = 0; round < 60; ++round) {
+    const auto random_bounds = [&below](std::uint32_t longest) {
+      ImageBounds bounds;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::uint32_t low = below(8) == 0 ? 0 : below(exact::last_step + 1U);
+        const std::uint32_t high = std::min<std::uint32_t>(low + below(longest), exact::last_step);
+        bounds.low[axis] = static_cast<std::uint16_t>(low);
+        bounds.high[axis] = static_cast<std::uint16_t>(high);
+      }
+      return bounds;
+    };
+    std::vector<ImageBounds> bounds(below(300));
+    std::vector<std::uint32_t> depths;
+    for (ImageBounds& box : bounds) {
+      box = random_bounds(round % 2 == 0 ? 3000 : 33000);
+      depths.push_back(below(5) == 0 ? 7 : below(1U << 31));
+    }
+    const ImageGrid grid(bounds, depths, 1 + static_cast<unsigned>(round % 3));
+    for (int query_number = 0; query_number < 20; ++query_number) {
+      const ImageBounds rectangle = random_bounds(12000);
+      ImageGrid::Query query(grid, rectangle);
+      std::vector<int> passed(bounds.size());
+      for (std::uint32_t row = query.cells().low[1]; row <= query.cells().high[1]; ++row) {
+        for (std::uint32_t column = query.cells().low[0]; column <= query.cells().high[0]; ++column) {
+          query.enter(column, row);
+          std::uint32_t before = 0;
+          for (const ImageGrid::Entry& entry : grid.entries_at(column, row)) {
+            EXPECT_EQ(entry.depth, depths[entry.occluder]);
+            EXPECT_LE(before, entry.depth);
+            before = entry.depth;
+            if (query.passes(entry)) ++passed[entry.occluder];
+          }
+        }
+      }
+      for (std::size_t i = 0; i < bounds.size(); ++i) {
+        bool touches = true;
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          touches = touches && bounds[i].low[axis] <= rectangle.high[axis] && rectangle.low[axis] <= bounds[i].high[axis];
+        ASSERT_EQ(passed[i], touches ? 1 : 0) << "round " << round << ", occluder " << i;
+      }
+    }
+  }
 }
 
 // One behind the other, so that all but the first are hidden.
