@@ -1,7 +1,10 @@
 #include "host/algorithms/skala/horizon.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace sightline::algorithms::skala {
@@ -12,21 +15,32 @@ constexpr float untouched = 1e30F;
 // A point between columns is compared with masks that cut the corners of what was drawn there.
 constexpr float corner_slack = 1.0F / 64;
 
-// Columns that a segment crosses: those in (left, right], so that of two joined segments one has the column
-// of their joint.
-// What is right of every mask, or no number, is in no column.
-constexpr float beyond_columns = 1 << 24;
-
-int first_column(float left) {
-  return left < 0 ? 0 : static_cast<int>(left < beyond_columns ? left : beyond_columns) + 1;
-}
-int last_column(float right) {
-  return right >= 0 ? static_cast<int>(right < beyond_columns ? right : beyond_columns) : -1;
+// The last column not right of x, -1 if none. Without a branch: where lines go is as good as random.
+int column_before(float x, float last) {
+  const float within = std::max(x < last ? x : last, -0.5F);
+  return static_cast<int>(within) - static_cast<int>(within < 0);
 }
 
 Vertex between(Vertex from, Vertex to, float t) {
   if (t == 1) return to;
   return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+}
+
+// Four columns at once, for which any of the compilers has instructions or makes them up.
+using Floats = float __attribute__((vector_size(16)));
+using Ints = std::int32_t __attribute__((vector_size(16)));
+
+Floats load(const float* from) {
+  Floats values;
+  std::memcpy(&values, from, sizeof values);
+  return values;
+}
+void store(const Floats& values, float* to) {
+  std::memcpy(to, &values, sizeof values);
+}
+// By masks of ones or zeros.
+Floats either(Ints first, Floats a, Floats b) {
+  return std::bit_cast<Floats>((first & std::bit_cast<Ints>(a)) | (~first & std::bit_cast<Ints>(b)));
 }
 
 class Line {
@@ -35,6 +49,7 @@ class Line {
   [[nodiscard]] float at(int column) const {
     return left_.y + (static_cast<float>(column) - left_.x) * slope_;
   }
+  [[nodiscard]] Floats at(Floats columns) const { return left_.y + (columns - left_.x) * slope_; }
 
  private:
   Vertex left_;
@@ -44,8 +59,9 @@ class Line {
 }  // namespace
 
 Horizon::Horizon(int columns)
-    : top_(static_cast<std::size_t>(columns), -untouched),
-      bottom_(static_cast<std::size_t>(columns), untouched),
+    : columns_(static_cast<std::size_t>(columns)),
+      top_(columns_ + block, -untouched),
+      bottom_(columns_ + block, untouched),
       heights_(static_cast<std::size_t>(columns) + block),
       seen_before_(static_cast<std::size_t>(columns) + 1) {}
 
@@ -71,8 +87,8 @@ void Horizon::gap(Vertex from, Vertex to, Outside a, Outside b) {
 }
 
 Horizon::Outside Horizon::outside(Vertex vertex, float slack, const Wake& wake) const {
-  const int last = static_cast<int>(top_.size()) - 1;
-  const int left = last_column(vertex.x);
+  const int last = static_cast<int>(columns_) - 1;
+  const int left = column_before(vertex.x, static_cast<float>(last));
   const auto top = [&](int column) {
     return column == wake.column ? wake.top : top_[static_cast<std::size_t>(column)];
   };
@@ -117,8 +133,10 @@ void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, 
   std::for_each(own, pieces_.end(), [](Piece& piece) { std::swap(piece.from, piece.to); });
 }
 
+// Those in (left, right], so that of two joined segments one has the column of their joint.
 Horizon::Columns Horizon::columns_of(Vertex left, Vertex right) const {
-  return {first_column(left.x), std::min(last_column(right.x), static_cast<int>(top_.size()) - 1)};
+  const auto last = static_cast<float>(columns_ - 1);
+  return {column_before(left.x, last) + 1, column_before(right.x, last)};
 }
 
 // Adds the visible pieces and leaves the segment's height in every column it crosses.
@@ -169,9 +187,49 @@ void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
   }
 }
 
+// look() and raise() for a segment in at most a block of columns. Most segments of a net are so short, and how many
+// columns they have is as good as random: a block is worked on as a whole, without a branch on it, and what is beyond the
+// segment is left out of the sums and as it was in the masks.
+void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
+  const bool leftwards = to.x < from.x;
+  const Vertex left = leftwards ? to : from;
+  const Vertex right = leftwards ? from : to;
+  const Line line(left, right);
+  const auto first = static_cast<std::size_t>(columns.first);
+  const int count = columns.last - columns.first + 1;
+  const Floats top = load(&top_[first]);
+  const Floats bottom = load(&bottom_[first]);
+  const Floats heights = line.at(Floats{0, 1, 2, 3} + static_cast<float>(columns.first));
+  const Ints own = Ints{0, 1, 2, 3} < count;
+  const Ints over = (heights - top > usual_slack) & own;
+  const Ints under = (bottom - heights > usual_slack) & own;
+  constexpr std::int32_t below_bottom = 1 << 8;  // above any sum of ones
+  const Ints flags = (over & 1) | (under & below_bottom);
+  const std::int32_t seen = flags[0] + flags[1] + flags[2] + flags[3];
+  if (seen != 0) {
+    if (seen % below_bottom == count || seen / below_bottom == count) {
+      pieces_.push_back({from, to});
+    } else {
+      store(heights, &heights_[first]);
+      mixed(left, right, columns, leftwards, usual_slack);
+    }
+  }
+  const auto end = static_cast<std::size_t>(leftwards ? columns.first : columns.last);
+  wake = {static_cast<int>(end), top_[end], bottom_[end]};
+  store(either((top < heights) & own, heights, top), &top_[first]);
+  store(either((heights < bottom) & own, heights, bottom), &bottom_[first]);
+}
+
 bool Horizon::draw(Vertex from, Vertex to, Wake& wake) {
   pieces_.clear();
-  raise(look(from, to, usual_slack, wake), to.x < from.x, wake);
+  const bool leftwards = to.x < from.x;
+  const Columns columns = leftwards ? columns_of(to, from) : columns_of(from, to);
+  if (columns.first <= columns.last && columns.last - columns.first < static_cast<int>(block)) {
+    first_own_ = 0;
+    draw_short(from, to, columns, wake);
+  } else {
+    raise(look(from, to, usual_slack, wake), leftwards, wake);
+  }
   return !pieces_.empty();
 }
 

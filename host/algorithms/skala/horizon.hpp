@@ -41,8 +41,8 @@ class Horizon {
   bool draw_chain(std::span<const Vertex> chain, Wake& wake);
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   // By column.
-  [[nodiscard]] std::span<const float> top() const { return top_; }
-  [[nodiscard]] std::span<const float> bottom() const { return bottom_; }
+  [[nodiscard]] std::span<const float> top() const { return std::span(top_).first(columns_); }
+  [[nodiscard]] std::span<const float> bottom() const { return std::span(bottom_).first(columns_); }
 
   static constexpr float usual_slack = 1.0F / 8192;  // in y; above the rounding of a line in a column
 
@@ -63,6 +63,7 @@ class Horizon {
   void gap(Vertex from, Vertex to, Outside at_from, Outside at_to);
   void add(Vertex from, Vertex to);
   void raise(Columns columns, bool leftwards, Wake& wake);
+  void draw_short(Vertex from, Vertex to, Columns columns, Wake& wake);
 
   void measure_chain(std::span<const Vertex> chain);
   void trace_chain(std::span<const Vertex> chain, bool leftwards);
@@ -70,9 +71,11 @@ class Horizon {
   void ink_chain(std::span<const Vertex> chain, bool leftwards, const Wake& wake);
   void raise_chain(Columns columns, bool leftwards, Wake& wake);
 
-  // Columns are worked on in blocks of this many, the last of which may reach beyond the masks.
+  // Columns are worked on in blocks of this many, the last of which may reach beyond the masks: so far they are longer
+  // than the screen.
   static constexpr std::size_t block = 4;
 
+  std::size_t columns_;
   std::vector<float> top_;
   std::vector<float> bottom_;
   std::vector<float> heights_;  // by column, of what was looked at last

@@ -23,7 +23,7 @@ void Horizon::measure_chain(std::span<const Vertex> chain) {
   const std::size_t count = chain.size();
   vertex_columns_.resize(count);
   slopes_.resize(count);
-  const auto last = static_cast<float>(top_.size() - 1);
+  const auto last = static_cast<float>(columns_ - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const float x = chain[i].x;
     const float within = x < last ? x : last;

@@ -144,7 +144,8 @@ class Walker {
 
   void column_edge(std::size_t row, std::size_t column) {
     if (!surface_.defined(row, column) || !surface_.defined(row + 1, column)) return;
-    const bool rim = edge_of_surface_across(row, column);
+    // A net has all edges and inks them alike.
+    const bool rim = !net_ && edge_of_surface_across(row, column);
     if (!all_edges_ && !rim) return;
     const Vertex from = surface_.at(row, column);
     const Vertex to = surface_.at(row + 1, column);
