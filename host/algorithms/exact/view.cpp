@@ -145,14 +145,14 @@ void place_faces(View& view, unsigned jobs) {
   });
   view.drawn = std::move(parts[0].drawn);
   view.occluders = std::move(parts[0].occluders);
-  view.bounds = std::move(parts[0].bounds);
-  view.depths = std::move(parts[0].depths);
+  view.occluder_bounds = std::move(parts[0].bounds);
+  view.occluder_depths = std::move(parts[0].depths);
   for (std::size_t p = 1; p < parts.size(); ++p) {
     FacePart& part = parts[p];
     for (std::size_t e = 0; e < part.drawn.size(); ++e) view.drawn[e] |= part.drawn[e];
     view.occluders.insert(view.occluders.end(), part.occluders.begin(), part.occluders.end());
-    view.bounds.insert(view.bounds.end(), part.bounds.begin(), part.bounds.end());
-    view.depths.insert(view.depths.end(), part.depths.begin(), part.depths.end());
+    view.occluder_bounds.insert(view.occluder_bounds.end(), part.bounds.begin(), part.bounds.end());
+    view.occluder_depths.insert(view.occluder_depths.end(), part.depths.begin(), part.depths.end());
     part = FacePart();
   }
 }

@@ -54,8 +54,8 @@ struct View {
   std::vector<ViewPoint> points;
   std::vector<std::uint8_t> drawn;  // 1 for edges that are not hidden by their own solid or behind the eye
   std::vector<Occluder> occluders;
-  std::vector<ImageBounds> bounds;    // of each occluder
-  std::vector<std::uint32_t> depths;  // of the nearest corner of each
+  std::vector<ImageBounds> occluder_bounds;
+  std::vector<std::uint32_t> occluder_depths;  // of the nearest corner of each
 
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
   // Of an edge, one end of which is before the eye.

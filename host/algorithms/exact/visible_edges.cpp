@@ -108,8 +108,8 @@ class Search {
 
   [[nodiscard]] bool may_hide_all(std::uint32_t number, const ImageBounds& bounds, std::uint32_t depth) const {
     if (number == nobody) return false;
-    const ImageBounds& cover = view_.bounds[number];
-    return view_.depths[number] <= depth && cover.low[0] <= bounds.low[0] && cover.low[1] <= bounds.low[1] &&
+    const ImageBounds& cover = view_.occluder_bounds[number];
+    return view_.occluder_depths[number] <= depth && cover.low[0] <= bounds.low[0] && cover.low[1] <= bounds.low[1] &&
            bounds.high[0] <= cover.high[0] && bounds.high[1] <= cover.high[1];
   }
 
@@ -194,7 +194,7 @@ template <class Listener>
 picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
                                   const picture::ChosenEdges* chosen = nullptr) {
   const View view = make_view(mesh, camera, chosen);
-  const ImageGrid grid(view.bounds, view.depths);
+  const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   Search<Listener> search(view, grid, chosen, listener);
   picture::LinePicture picture;
   for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) search.append_visible(edge, picture.pieces);
@@ -205,7 +205,7 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
                                     const picture::ChosenEdges* chosen, unsigned jobs) {
   jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
   const View view = make_view(mesh, camera, chosen, jobs);
-  const ImageGrid grid(view.bounds, view.depths, jobs);
+  const ImageGrid grid(view.occluder_bounds, view.occluder_depths, jobs);
   const std::vector<std::uint32_t> order = in_image_order(view, grid);
   std::vector<SeenPart> parts(jobs);
   base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {

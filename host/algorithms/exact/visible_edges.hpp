@@ -6,10 +6,11 @@
 //
 // Method: faces of solids that look away hide nothing that a face in front does not, and edges between such
 // faces are hidden by their own solid. The others go into a grid over the image, nearest first; each edge is
-// compared with the faces of the cells it crosses, nearest first, until it is hidden altogether or the faces
-// begin behind it. What a face hides of an edge follows from the signs of integers of 64 bits; its ends are
-// fractions of 60 over 60 bits, compared in 128. The grid alone uses floating point: quotients of exact
-// integers, correctly rounded, which keep their order.
+// compared with the face that hid the one before, and then with the faces of the cells it crosses, nearest first,
+// until it is hidden altogether or the faces begin behind it. Many edges are compared in the order of the image.
+// What a face hides of an edge follows from the signs of integers of 64 bits; its ends are fractions of 60 over
+// 60 bits, compared in 128. Which faces a cell has is decided in floating point and whole steps, both of which keep
+// the order of exact quotients. The picture depends neither on the order of edges and faces nor on threads.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ namespace sightline::algorithms::exact {
 // one is not hidden by faces of the surfaces at it, which rounding may have moved before it. What is hidden is
 // then: by faces of solids that are turned to the eye, and by faces of sheets.
 
-// The eye is in no solid and on no face (precondition).
+// The eye is in no solid and on no face (precondition). On so many threads.
 [[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                                  const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1);
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
