@@ -164,9 +164,7 @@ class Gatherer {
     const Vector3 m = geometry::cross(minus(p, other.from), other.along());
     if (m[0] == 0 && m[2] == 0) return;
     const int sign = other.to[1] > other.from[1] ? 1 : -1;
-    const double length = std::hypot(static_cast<double>(m[0]), static_cast<double>(m[2]));
-    const NearDirection v{static_cast<double>(-sign * m[2]) / length,
-                          static_cast<double>(sign * m[0]) / length, rounding};
+    const NearDirection v = near_direction(static_cast<double>(-sign * m[2]), static_cast<double>(sign * m[0]));
     if (filter_.no_contour(line.edge, v)) {
       listener_.dropped(EventKind::vertex_behind, edge_);
       return;
@@ -217,8 +215,7 @@ class Gatherer {
   }
 
   void consider(EventKind kind, std::uint32_t first, std::uint32_t second, double s, std::int64_t x, std::int64_t z) {
-    const double length = std::hypot(static_cast<double>(x), static_cast<double>(z));
-    const NearDirection v{static_cast<double>(x) / length, static_cast<double>(z) / length, rounding};
+    const NearDirection v = near_direction(static_cast<double>(x), static_cast<double>(z));
     if (filter_.hidden(s, rounding, v)) {
       listener_.dropped(kind, edge_);
     } else {
@@ -226,18 +223,31 @@ class Gatherer {
     }
   }
 
+  // Of the many pairs few are lines that are before the edge in one and the same direction.
   void pairs_of_lines() {
-    const auto [low, high] = std::minmax(segment_.from[1], segment_.to[1]);
+    struct Place {
+      std::int64_t low = 0;
+      std::int64_t high = 0;
+      Sector sector;
+      std::size_t line = 0;
+    };
+    std::vector<Place> places;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const Line& a = lines_[i];
-      for (std::size_t j = i + 1; j < lines_.size() && lines_[j].low <= a.high; ++j) {
-        const Line& b = lines_[j];
+      const Sector sector = sector_of(lines_[i]);
+      if (sector.width >= 0) places.push_back({lines_[i].low, lines_[i].high, sector, i});
+    }
+    const auto [low, high] = std::minmax(segment_.from[1], segment_.to[1]);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Place& a = places[i];
+      for (std::size_t j = i + 1; j < places.size() && places[j].low <= a.high; ++j) {
+        const Place& b = places[j];
+        if (!a.sector.meets(b.sector)) continue;
         const std::int64_t bottom = std::max({low, a.low, b.low});
         const std::int64_t top = std::min({high, a.high, b.high});
         if (bottom > top) continue;
         // At one height only: an end of one of them, unless one is level.
         if (bottom == top && low != high && a.low != a.high && b.low != b.high) continue;
-        pair(a, b);
+        pair(lines_[a.line], lines_[b.line]);
       }
     }
   }
@@ -268,15 +278,22 @@ class Gatherer {
   }
 
   [[nodiscard]] bool possible(EventKind kind, const Line& a, const Line& b, const NearDirection& v) {
+    if (surely_farther(a, v) || surely_farther(b, v)) return false;
     const Meeting first = meeting_of(a, v);
     if (!first.within) return false;
     const Meeting second = meeting_of(b, v);
-    if (!second.within || surely_farther(a, v) || surely_farther(b, v)) return false;
+    if (!second.within) return false;
     const Meeting& best = first.error < second.error ? first : second;
     const bool drop =
         filter_.no_contour(a.edge, v) || filter_.no_contour(b.edge, v) || filter_.hidden(best.s, best.error, v);
     if (drop) listener_.dropped(kind, edge_);
     return !drop;
+  }
+
+  // Coordinates are far from overflow, and a square root is sooner than std::hypot.
+  [[nodiscard]] static NearDirection near_direction(double x, double z) {
+    const double length = std::sqrt(x * x + z * z);
+    return {x / length, z / length, rounding};
   }
 
   // EEE: the roots in doubles first, and exactly where doubles do not tell.
@@ -293,7 +310,7 @@ class Gatherer {
     const double q = -(xz + (xz < 0 ? -root : root)) / 2;
     const double q_off = off + 10 * off * scale / root;
     for (const auto& [x, z] : {std::array{q, xx}, std::array{zz, q}}) {
-      const double length = std::hypot(x, z);
+      const double length = std::sqrt(x * x + z * z);
       if (!(q_off < 1e-9 * length)) return exactly(a, b);
       const NearDirection v{x / length, z / length, 2 * q_off / length};
       const bool here = possible(EventKind::three_edges, a, b, v);

@@ -2,8 +2,11 @@
 // often, answered only where the answer is sure.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "host/algorithms/plantinga/candidate_filter.hpp"
 #include "host/algorithms/plantinga/potential_events.hpp"
@@ -61,6 +64,52 @@ inline Meeting meeting_of(const Line& line, const NearDirection& v) {
 inline bool surely_farther(const Line& line, const NearDirection& v) {
   const double d = line.d.at(v);
   return std::abs(d) > (v.error + rounding) * line.d_size * 4 && line.order * d > 0;
+}
+
+// Directions from an angle on, 0 to 2 pi; none if the width is negative.
+struct Sector {
+  double from = 0;
+  double width = -1;
+
+  [[nodiscard]] bool meets(const Sector& other) const {
+    const double turn = other.from - from;
+    const double ahead = turn < 0 ? turn + 2 * std::numbers::pi : turn;
+    return ahead <= width || 2 * std::numbers::pi - ahead <= other.width;
+  }
+};
+
+// Has all directions in which the line crosses the edge, ends included, and is not farther: where N, D - N, M and D - M
+// have the sign of D, and D that in which the line is nearer. A little wider, because it is worked out in doubles; all
+// directions where these do not tell.
+inline Sector sector_of(const Line& line) {
+  constexpr double pi = std::numbers::pi;
+  constexpr double margin = 1e-6;
+  constexpr Sector whole{0, 2 * pi};
+  if (line.d_size == 0 || line.order == 0) return whole;
+  // Where a form is not negative: a quarter turn to both sides of this angle.
+  const auto middle_of = [&line](std::int64_t x, std::int64_t z) {
+    const double sign = line.order > 0 ? -1 : 1;
+    return std::atan2(sign * static_cast<double>(x), sign * static_cast<double>(z));
+  };
+  const Crossing& forms = line.exact;
+  const double middle = middle_of(forms.d.x, forms.d.z);
+  double low = -pi / 2;
+  double high = pi / 2;
+  const std::array<LinearForm, 4> others{forms.n, LinearForm{forms.d.x - forms.n.x, forms.d.z - forms.n.z}, forms.m,
+                                         LinearForm{forms.d.x - forms.m.x, forms.d.z - forms.m.z}};
+  for (const LinearForm& form : others) {
+    if (form.x == 0 && form.z == 0) continue;
+    double turn = middle_of(form.x, form.z) - middle;
+    if (turn > pi) turn -= 2 * pi;
+    if (turn < -pi) turn += 2 * pi;
+    if (std::abs(turn) > pi - margin) return whole;  // both ways along one line
+    if (turn > 0) low = std::max(low, turn - pi / 2);
+    if (turn < 0) high = std::min(high, turn + pi / 2);
+  }
+  double from = middle + low - margin;
+  if (from < 0) from += 2 * pi;
+  if (from < 0) from += 2 * pi;
+  return {from, high - low + 2 * margin};
 }
 
 inline NearDirection near(const Direction& direction) {
