@@ -37,7 +37,8 @@ struct Met {
   struct Opening {
     std::uint32_t view = 0;
     std::uint32_t first_plane = 0;  // 0 if its planes of sight are not worked out yet
-    int eye_side = 0;               // of its plane
+    std::int16_t eye_side = 0;      // of its plane
+    std::uint16_t shutting = 0;     // its side (modulo 2^16) beyond which the last mask lay that it did not meet
   };
 
   explicit Met(const scene::CellComplex& complex)
@@ -104,6 +105,8 @@ class Search {
     void make_planes(const scene::ComplexOpening& opening, Met::Opening& state);
     [[nodiscard]] std::span<const Side> first_mask(std::uint32_t first_plane, std::uint32_t count);
     [[nodiscard]] std::span<const Side> clipped(std::span<const Side> mask, std::uint32_t plane);
+    [[nodiscard]] std::span<const Side> clipped_by_sides(std::span<const Side> mask, Met::Opening& opening,
+                                                         std::uint32_t count);
   };
 
   std::vector<SightPlane<Number>> planes_;  // [0]: before the eye, in perspective
@@ -116,6 +119,7 @@ class Search {
   std::vector<Side> cut_;
   std::vector<Side> cut_again_;
   std::vector<std::int8_t> signs_;
+  std::vector<std::uint8_t> cutting_planes_;  // of an opening's sides: 1 if it cuts something off the mask
   std::size_t hiding_side_ = 0;              // of a mask: beyond which the last hidden line lay
   std::vector<std::uint32_t> met_openings_;  // of a crowded cell
   Fragments<Number> fragments_;
@@ -222,7 +226,7 @@ void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool
     left = first_mask(first, opening.side_count);
     if (sight.perspective() && !left.empty()) left = clipped(left, 0);
   } else {
-    for (std::uint32_t i = 0; i < opening.side_count && !left.empty(); ++i) left = clipped(left, first + i);
+    left = clipped_by_sides(left, state, opening.side_count);
   }
   if (left.empty()) {
     search.listener_.portal(number, opening.cells[from_negative_side ? 1 : 0], PortalTest::nothing_left);
@@ -242,7 +246,7 @@ inline bool Search<Arithmetic, Listener>::Pass::faces_eye(std::uint32_t number, 
   Met::Opening& state = met.openings[number];
   if (state.view != met.view) {
     const std::uint32_t plane = prepared.complex().openings[number].plane;
-    state = {met.view, 0, geometry::sign(sight.eye_value(prepared.planes()[plane]))};
+    state = {met.view, 0, static_cast<std::int16_t>(geometry::sign(sight.eye_value(prepared.planes()[plane]))), 0};
   }
   return state.eye_side == (from_negative_side ? -1 : 1);
 }
@@ -292,6 +296,34 @@ auto Search<Arithmetic, Listener>::Pass::clipped(std::span<const Side> mask, std
   std::vector<Side>& left = mask.data() == search.cut_.data() ? search.cut_again_ : search.cut_;
   const auto image_of = [this](std::uint32_t number) { return image(number); };
   return clip_mask<Arithmetic>(mask, plane, image(plane), image_of, search.signs_, left);
+}
+
+// Most openings are beside the mask, so all sides are asked first whether they leave anything of it, beginning with the
+// one that did not the last time; and a side that cuts nothing off the mask cuts nothing off what the others leave.
+template <class Arithmetic, class Listener>
+auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> mask, Met::Opening& opening,
+                                                          std::uint32_t count) -> std::span<const Side> {
+  if (search.cutting_planes_.size() < count) search.cutting_planes_.resize(count);
+  std::uint32_t side = opening.shutting;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const typename Arithmetic::Line line = image(opening.first_plane + side);
+    unsigned inside = 0;
+    unsigned outside = 0;
+    for (const Side& of_mask : mask) {
+      const int sign = Arithmetic::side(line, of_mask.corner);
+      inside |= static_cast<unsigned>(sign > 0);
+      outside |= static_cast<unsigned>(sign < 0);
+    }
+    if (inside == 0) {
+      opening.shutting = static_cast<std::uint16_t>(side);
+      return {};
+    }
+    search.cutting_planes_[side] = static_cast<std::uint8_t>(outside);
+    if (++side == count) side = 0;
+  }
+  for (std::uint32_t i = 0; i < count && !mask.empty(); ++i)
+    if (search.cutting_planes_[i] != 0) mask = clipped(mask, opening.first_plane + i);
+  return mask;
 }
 
 extern template class Search<NarrowArithmetic>;
