@@ -25,6 +25,14 @@ void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEd
 
 std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
   std::vector<LineEdge> edges;
+  std::size_t sides = 0;
+  for (const scene::PolyBody& body : scene.bodies) {
+    for (const scene::PolyFace& face : body.faces) {
+      sides += face.outline.size();
+      for (const auto& hole : face.holes) sides += hole.size();
+    }
+  }
+  edges.reserve(sides);
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
       append_ring(face.outline, edges);
@@ -56,11 +64,12 @@ struct Spoke {
   Vector away{};
 };
 
-// Spokes of all edges, ascending by edge. Vertices at the same point count as the first of them.
+// Spokes of the edges of a picture, ascending by edge. Vertices at the same point count as the first of them.
 class Spokes {
  public:
-  explicit Spokes(const scene::PolyScene& scene) : scene_(scene), first_at_(scene.vertices.size()) {
+  Spokes(const scene::PolyScene& scene, const LinePicture& picture) : scene_(scene), first_at_(scene.vertices.size()) {
     find_equal_points();
+    find_edges(picture);
     for (const scene::PolyBody& body : scene.bodies) {
       for (const scene::PolyFace& face : body.faces) add(face);
     }
@@ -89,6 +98,25 @@ class Spokes {
     }
   }
 
+  // Of a large scene few edges are seen, and the spokes of all would be most of what its drawing needs.
+  void find_edges(const LinePicture& picture) {
+    for (const LinePiece& piece : picture.pieces) {
+      const LineEdge known = known_as(piece.edge.from, piece.edge.to);
+      if (edges_.empty() || edges_.back() != known) edges_.push_back(known);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    first_edge_.resize(scene_.vertices.size() + 1);
+    for (const LineEdge& edge : edges_) ++first_edge_[edge.from + 1];
+    for (std::size_t v = 1; v < first_edge_.size(); ++v) first_edge_[v] += first_edge_[v - 1];
+  }
+
+  [[nodiscard]] bool is_drawn(const LineEdge& known) const {
+    const auto begin = edges_.begin() + first_edge_[known.from];
+    const auto end = edges_.begin() + first_edge_[known.from + 1];
+    return std::find(begin, end, known) != end;
+  }
+
   [[nodiscard]] LineEdge known_as(VertexIndex a, VertexIndex b) const {
     return {std::min(first_at_[a], first_at_[b]), std::max(first_at_[a], first_at_[b])};
   }
@@ -98,6 +126,9 @@ class Spokes {
   }
 
   void add(const scene::PolyFace& face) {
+    if (!has_drawn(face.outline) && std::none_of(face.holes.begin(), face.holes.end(),
+                                                 [this](const auto& hole) { return has_drawn(hole); }))
+      return;
     Vector normal{};
     for (std::size_t i = 0; i < face.outline.size(); ++i) {
       const Vector part =
@@ -109,6 +140,12 @@ class Spokes {
     for (const auto& hole : face.holes) add_ring(hole, face.outline, normal);
   }
 
+  [[nodiscard]] bool has_drawn(const std::vector<VertexIndex>& ring) const {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (is_drawn(known_as(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]))) return true;
+    return false;
+  }
+
   // The face is to the left of every ring, seen against the normal. Any corner beside the line of a side
   // gives a direction in the face or exactly out of it.
   void add_ring(const std::vector<VertexIndex>& ring, const std::vector<VertexIndex>& corners,
@@ -116,6 +153,7 @@ class Spokes {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const VertexIndex p = ring[i];
       const VertexIndex q = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (!is_drawn(known_as(p, q))) continue;
       const Vector inward = cross(normal, step(p, q));
       for (const VertexIndex corner : corners) {
         Vector away = step(p, corner);
@@ -130,6 +168,8 @@ class Spokes {
 
   const scene::PolyScene& scene_;
   std::vector<VertexIndex> first_at_;
+  std::vector<LineEdge> edges_;             // ascending
+  std::vector<std::uint32_t> first_edge_;  // of each vertex
   std::vector<Spoke> spokes_;
 };
 
@@ -180,7 +220,7 @@ bool is_seam(std::vector<Vector> spokes, const Circle& circle) {
 
 LinePicture without_seams(const LinePicture& picture, const scene::PolyScene& scene,
                           const scene::PolyCamera& camera) {
-  const Spokes spokes(scene);
+  const Spokes spokes(scene, picture);
   const Vector forward = geometry::vector_of(camera.forward);
   LinePicture features;
   for (const LinePiece& piece : picture.pieces) {

@@ -207,7 +207,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
                 {"camera", camera_json(source.scene, camera)},
                 {"step", source.scene.step},
                 {"largest_shift", source.report.largest_shift},
-                {"edges", drawn.edges},
+                {"edges", drawn.edges ? *drawn.edges : picture::edges_of(source.scene).size()},
                 {"pieces", drawn.view.picture.pieces.size()},
                 {"pieces_drawn", drawn.pieces},
                 {"visible_length", drawn.visible_length},

@@ -140,13 +140,13 @@ class LineViews::Work {
                                                                            : std::vector<LineLayer>{{"visible", drawn}};
     } else {
       result.view = value_of(prepared_.view(camera), source_.name);
-      result.edges = picture::edges_of(scene()).size();
-      LinePicture drawn = result.view.picture;
-      if (seams_) {
-        drawn = picture::without_seams(drawn, scene(), camera);
-        whole = picture::without_seams(whole, scene(), camera);
+      LinePicture drawn = seams_ ? picture::without_seams(result.view.picture, scene(), camera) : result.view.picture;
+      if (seams_) whole = picture::without_seams(whole, scene(), camera);
+      if (options_.layers == "body") {
+        layers = layers_by_body(drawn, scene());
+      } else {
+        layers.push_back({"visible", std::move(drawn)});
       }
-      layers = options_.layers == "body" ? layers_by_body(drawn, scene()) : std::vector<LineLayer>{{"visible", drawn}};
     }
     for (const LineLayer& layer : layers) result.pieces += layer.picture.pieces.size();
     result.visible_length = picture::image_length(result.view.picture, scene(), camera);

@@ -34,7 +34,7 @@ struct LineViewOptions {
 // One view as drawn.
 struct DrawnView {
   registry::LineView view;  // of the edges chosen, before coplanar ones are left out
-  std::size_t edges = 0;    // chosen, before any was hidden
+  std::optional<std::size_t> edges = {};  // chosen, before any was hidden; empty: all of the scene
   std::optional<std::array<std::size_t, picture::edge_kind_count>> by_kind;
   std::size_t pieces = 0;       // drawn, hatching apart
   double visible_length = 0;    // of `view`, see picture::image_length

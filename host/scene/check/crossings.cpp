@@ -133,20 +133,19 @@ class CrossingSearch {
   template <class Visit>
   void for_near_pairs(Visit visit) {
     const CellGrid cells = grid();
-    struct Entry {
-      std::uint64_t cell;
-      std::uint32_t face;
-    };
-    std::vector<Entry> entries;
+    // Cell and face in one number: there are at most 2^27 cells.
+    std::vector<std::uint64_t> entries;
+    const auto cell_of = [](std::uint64_t entry) { return static_cast<std::int64_t>(entry >> 32); };
+    const auto face_of = [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); };
     std::vector<std::uint32_t> large;
     constexpr std::int64_t most_cells = 512;  // of one face
-    std::vector<std::array<std::int64_t, 6>> spans(faces_.size());
+    std::vector<std::array<std::uint16_t, 6>> spans(faces_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       auto& span = spans[f];
       std::int64_t covered = 1;
       for (std::size_t k = 0; k < 3; ++k) {
-        span[k] = cells.place(faces_[f].low[k], k);
-        span[k + 3] = cells.place(faces_[f].high[k], k);
+        span[k] = static_cast<std::uint16_t>(cells.place(faces_[f].low[k], k));
+        span[k + 3] = static_cast<std::uint16_t>(cells.place(faces_[f].high[k], k));
         covered *= span[k + 3] - span[k] + 1;
       }
       if (covered > most_cells) {
@@ -156,20 +155,20 @@ class CrossingSearch {
       for (std::int64_t x = span[0]; x <= span[3]; ++x)
         for (std::int64_t y = span[1]; y <= span[4]; ++y)
           for (std::int64_t z = span[2]; z <= span[5]; ++z)
-            entries.push_back({static_cast<std::uint64_t>((x * cells.count[1] + y) * cells.count[2] + z), f});
+            entries.push_back(static_cast<std::uint64_t>((x * cells.count[1] + y) * cells.count[2] + z) << 32 | f);
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) { return x.cell != y.cell ? x.cell < y.cell : x.face < y.face; });
+    std::sort(entries.begin(), entries.end());
     for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
       std::size_t last = first;
-      while (last < entries.size() && entries[last].cell == entries[first].cell) ++last;
+      while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
       for (std::size_t i = first; i < last; ++i) {
         for (std::size_t j = i + 1; j < last; ++j) {
-          const std::uint32_t a = entries[i].face;
-          const std::uint32_t b = entries[j].face;
+          const std::uint32_t a = face_of(entries[i]);
+          const std::uint32_t b = face_of(entries[j]);
           // Once, in the first cell that both are in.
           std::int64_t cell = 0;
-          for (std::size_t k = 0; k < 3; ++k) cell = cell * cells.count[k] + std::max(spans[a][k], spans[b][k]);
-          if (static_cast<std::uint64_t>(cell) == entries[first].cell && boxes_meet(a, b)) visit(a, b);
+          for (std::size_t k = 0; k < 3; ++k) cell = cell * cells.count[k] + std::int64_t{std::max(spans[a][k], spans[b][k])};
+          if (cell == cell_of(entries[first]) && boxes_meet(a, b)) visit(a, b);
         }
       }
       first = last;
