@@ -261,6 +261,22 @@ TEST(WideIntegerDeathTest, ABoundThatDoesNotHoldStopsTheProgram) {
 }
 #endif
 
+TEST(CommonDivisor, OfWordsIsThatOfTheStandardLibrary) {
+  std::mt19937_64 dice(11);
+  const auto number = [&dice] { return dice() >> (dice() % 64); };
+  for (int round = 0; round < 20000; ++round) {
+    const std::uint64_t common = number();
+    for (const std::uint64_t factor : {std::uint64_t{1}, common | 1U, common}) {
+      const std::uint64_t m = number() * factor;
+      const std::uint64_t n = round % 50 == 0 ? 0 : number() * factor;
+      ASSERT_EQ(common_divisor(m, n), std::gcd(m, n)) << m << ' ' << n;
+      ASSERT_EQ(common_divisor(n, m), std::gcd(m, n)) << m << ' ' << n;
+    }
+  }
+  static_assert(common_divisor(std::uint64_t{0}, std::uint64_t{0}) == 0);
+  static_assert(common_divisor(~std::uint64_t{0}, ~std::uint64_t{0}) == ~std::uint64_t{0});
+}
+
 TEST(CommonDivisor, Of128Bits) {
   const Int128 p = (Int128{1} << 89) - 1;
   EXPECT_TRUE(common_divisor(p * 6, -p * 4) == p * 2);
