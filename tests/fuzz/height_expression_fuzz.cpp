@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const auto result = scene::sample_expression(text, {-2, 2}, {4, 3});
+  const auto result = scene::sample_expression(text, {{-2, 2}, {-1, 3}}, {4, 3});
   if (!result) static_cast<void>(result.error().message());
   return 0;
 }

@@ -1,4 +1,4 @@
-// Any bytes as a grid file: read, and whatever is a grid becomes every kind of picture.
+// Any bytes as a grid file: read, by its content and as points, and whatever is a grid becomes every kind of picture.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -9,6 +9,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sightline;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto points = scene::read_height_grid(text, "fuzz", {{"x", "2", "z"}});
+  if (!points) static_cast<void>(points.error().message());
   const auto result = scene::read_height_grid(text, "fuzz");
   if (!result) return 0;
   guests::skala::View view;

@@ -18,12 +18,18 @@ constexpr const char* levels_help = "How many contour levels";
 
 void add_function_options(const Command& command, SkalaSource& source, const std::string& slices,
                           const std::string& points) {
-  command.option("--function", source.expression, "A function of x and z, such as \"x*x - z*z\"")
+  command.option("--function", source.expression, "A function of x and y (or x and z), such as \"x*x - y*y\"")
       .value("EXPR");
-  command.option("--domain", source.domain, "Range of x and z in --function").default_value("-10:10").value("A:B");
+  command.option("--domain", source.domain, "Range of both variables in --function").default_value("-10:10").value("A:B");
+  command.option("--x-range", source.x_range, "Range of x in a function").default_value("--domain").value("A:B");
+  command.option("--y-range", source.y_range, "Range of the second variable").default_value("--domain").value("A:B");
+  command.option("--xyz", source.columns, "Three columns of a file of points, by name or number: x, y and height")
+      .default_value("as its heading or its content says")
+      .separated_by(',')
+      .value("X,Y,Z");
   constexpr int fewest = static_cast<int>(scene::smallest_grid.points);
   constexpr int most = static_cast<int>(scene::largest_grid.points);
-  command.option("--slices", source.slices, "Samples along z: slices, unless those along z are drawn")
+  command.option("--slices", source.slices, "Samples along the second variable: slices, unless those along it are drawn")
       .range(fewest, most)
       .default_value(slices)
       .value("N");

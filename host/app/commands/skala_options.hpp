@@ -17,7 +17,7 @@ namespace sightline::app {
   return picture == guests::skala::PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
-// --function, --domain, --slices and --points. `slices` and `points` are what help says is usual.
+// --function, --domain, --x-range, --y-range, --xyz, --slices and --points. `slices` and `points` are what help says is usual.
 void add_function_options(const Command& command, SkalaSource& source, const std::string& slices,
                           const std::string& points);
 

@@ -30,18 +30,34 @@ scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
   return {source.points.value_or(usual.points), source.slices.value_or(usual.slices)};
 }
 
+// What of `usual` is not asked for otherwise.
+scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usual) {
+  const auto read = [](const std::string& text, const char* option, scene::Interval otherwise) {
+    return text.empty() ? otherwise : checked(scene::read_domain(text, option), ExitCode::usage);
+  };
+  const scene::Interval x = read(source.domain, "--domain", usual.x);
+  const scene::Interval z = read(source.domain, "--domain", usual.z);
+  return {read(source.x_range, "--x-range", x), read(source.y_range, "--y-range", z)};
+}
+
 SkalaFunction from_expression(const SkalaSource& source, scene::GridSize size) {
-  const scene::Interval domain = source.domain.empty()
-                                     ? scene::expression_domain
-                                     : checked(scene::read_domain(source.domain), ExitCode::usage);
+  const scene::HeightDomain domain = domain_of(source, {scene::expression_domain, scene::expression_domain});
   return {source.expression, "function",
           checked(scene::sample_expression(source.expression, domain, size), ExitCode::usage)};
+}
+
+SkalaFunction from_name(const SkalaSource& source, const scene::HeightFunction& function, scene::GridSize size) {
+  const std::string& name = source.name_or_file;
+  if (source.x_range.empty() && source.y_range.empty()) return {name, file_stem(name), scene::sample(function, size)};
+  if (function.value == nullptr)
+    throw Failure(ExitCode::usage, fmt::format("--x-range: found with {}, which has no values between its points", name));
+  return {name, file_stem(name), scene::sample(function, domain_of(source, {function.domain, function.domain}), size)};
 }
 
 SkalaFunction from_file(const SkalaSource& source) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;
-  if (!std::filesystem::exists(file, unknown)) {
+  if (file != "-" && !std::filesystem::exists(file, unknown)) {
     std::vector<std::string> names;
     for (const auto& function : scene::height_functions()) names.emplace_back(function.name);
     throw Failure(ExitCode::io, base::Error{.file = file,
@@ -53,8 +69,13 @@ SkalaFunction from_file(const SkalaSource& source) {
   if (source.points || source.slices)
     throw Failure(ExitCode::usage,
                   fmt::format("{}: a grid file has its own size; found --points or --slices", file));
+  if (!source.x_range.empty() || !source.y_range.empty())
+    throw Failure(ExitCode::usage, fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", shown_name(file)));
+  const scene::GridFileOptions options{source.columns};
+  if (file == "-")
+    return {shown_name(file), "standard-input", checked(scene::read_height_grid(read_input_text(file), shown_name(file), options), ExitCode::bad_input)};
   return {file, file_stem(std::filesystem::path(file).stem().string()),
-          checked(scene::load_height_grid(file), ExitCode::bad_input)};
+          checked(scene::load_height_grid(file, options), ExitCode::bad_input)};
 }
 
 }  // namespace
@@ -67,12 +88,15 @@ SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usu
                               scene::height_function_names()));
   }
   const scene::GridSize size = size_of(source, usual);
+  if (!source.columns.empty() && source.columns.size() != 3)
+    throw Failure(ExitCode::usage, fmt::format("--xyz: found {} columns, expected three: x, y and height", source.columns.size()));
+  if (!source.expression.empty() && !source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
   if (!source.expression.empty()) return from_expression(source, size);
   if (!source.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
-  if (const auto function = scene::height_function(source.name_or_file))
-    return {source.name_or_file, file_stem(source.name_or_file), scene::sample(*function, size)};
-  return from_file(source);
+  const auto function = scene::height_function(source.name_or_file);
+  if (function && !source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
+  return function ? from_name(source, *function, size) : from_file(source);
 }
 
 }  // namespace sightline::app

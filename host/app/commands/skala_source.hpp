@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/scene/heights/grid.hpp"
 
@@ -12,7 +13,10 @@ namespace sightline::app {
 struct SkalaSource {
   std::string name_or_file;           // empty: none
   std::string expression;             // empty: none
-  std::string domain;                 // "A:B", of an expression; empty: the usual one
+  std::string domain;                 // "A:B", of both variables of an expression; empty: the usual one
+  std::string x_range;                // "A:B", of a function that is sampled; empty: as `domain` or the function says
+  std::string y_range;                // of the second variable, whatever its name
+  std::vector<std::string> columns;   // of a file of points: x, y, height; empty: as its content says
   std::optional<std::size_t> points;  // only where there is something to sample
   std::optional<std::size_t> slices;
 };
@@ -23,7 +27,7 @@ struct SkalaFunction {
   scene::HeightGrid grid;
 };
 
-// Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
+// A file "-" is standard input. Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
 // options that do not go with it, an expression or domain with an error. Failure io: neither a name nor a
 // file. Failure bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);

@@ -3,6 +3,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -45,7 +46,7 @@ std::optional<base::Error> refused(const std::string& expression, std::string_vi
       std::find_if(expression.begin(), expression.end(), [](char c) { return c < ' ' || c > '~'; });
   if (strange != expression.end()) {
     return base::Error{std::string(source), std::to_string(strange - expression.begin() + 1),
-                       "a character that is not printable ASCII", "an expression of x and z"};
+                       "a character that is not printable ASCII", "an expression of x and y, or of x and z"};
   }
   if (const auto place = assignment(expression))
     return error_at(expression, source, *place, "an assignment", "a comparison is written ==");
@@ -72,6 +73,15 @@ std::string without_position(std::string message) {
   return message;
 }
 
+// Where a variable of one letter is first named.
+std::size_t variable(const std::string& text, char name) {
+  const auto part_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == name && (i == 0 || !part_of_word(text[i - 1])) && (i + 1 == text.size() || !part_of_word(text[i + 1]))) return i;
+  }
+  return 0;
+}
+
 class Evaluator {
  public:
   explicit Evaluator(const std::string& expression) {
@@ -79,12 +89,16 @@ class Evaluator {
     parser_.DefineConst("pi", std::numbers::pi);
     parser_.DefineConst("e", std::numbers::e);
     parser_.DefineVar("x", &x_);
+    parser_.DefineVar("y", &z_);
     parser_.DefineVar("z", &z_);
     parser_.SetExpr(expression);
     static_cast<void>(parser_.Eval());
     if (parser_.GetNumResults() != 1)
       throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", expression,
                             static_cast<int>(outer_comma(expression)));
+    const auto& used = parser_.GetUsedVar();
+    uses_y_ = used.count("y") != 0;
+    if (uses_y_ && used.count("z") != 0) throw mu::ParserError(mu::ecUNASSIGNABLE_TOKEN, "z", expression, static_cast<int>(variable(expression, 'z')));
   }
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
@@ -94,8 +108,11 @@ class Evaluator {
     z_ = z;
     return parser_.Eval();
   }
+  // Rather than z.
+  [[nodiscard]] bool uses_y() const { return uses_y_; }
 
  private:
+  bool uses_y_ = false;
   double x_ = 0;
   double z_ = 0;
   mu::Parser parser_;
@@ -103,21 +120,24 @@ class Evaluator {
 
 }  // namespace
 
-base::Result<HeightGrid> sample_expression(const std::string& expression, Interval domain, GridSize size,
+base::Result<HeightGrid> sample_expression(const std::string& expression, const HeightDomain& domain, GridSize size,
                                            std::string_view source) {
   const auto checked = check_size(size, source);
   if (!checked) return checked.error();
   if (auto error = refused(expression, source)) return *error;
   try {
     Evaluator value(expression);
-    HeightGrid grid = sample(value, domain, size);
+    HeightGrid grid = sample_values(value, domain, size);
+    grid.names = {"x", value.uses_y() ? "y" : "z", ""};
     if (anywhere_finite(grid.heights)) return grid;
     return error_at(expression, source, 0, "a function that is nowhere finite on its domain",
-                    "a number at some x and z");
+                    "a number at some place");
   } catch (const mu::ParserError& error) {
     const int place = error.GetPos();
+    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && error.GetToken() == "z")
+      return error_at(expression, source, static_cast<std::size_t>(std::max(place, 0)), "z beside y", "one name for the second variable");
     return error_at(expression, source, place < 0 ? expression.size() : static_cast<std::size_t>(place),
-                    "an error: " + without_position(error.GetMsg()), "an expression of x and z");
+                    "an error: " + without_position(error.GetMsg()), "an expression of x and y, or of x and z");
   }
 }
 

@@ -124,8 +124,12 @@ std::string height_function_names() {
   return names;
 }
 
+HeightGrid sample(const HeightFunction& function, const HeightDomain& domain, GridSize size) {
+  return sample_values(function.value, domain, size);
+}
+
 HeightGrid sample(const HeightFunction& function, GridSize size) {
-  if (function.value != nullptr) return sample(function.value, function.domain, size);
+  if (function.value != nullptr) return sample(function, {function.domain, function.domain}, size);
   const auto of_index = function.name == "spike" ? spike : terrain;
   HeightGrid grid{
       even_positions(size.points), even_positions(size.slices), {}, function.domain, function.domain, {}};

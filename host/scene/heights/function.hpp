@@ -36,20 +36,24 @@ inline constexpr std::size_t figure_functions = 8;
 // that on 65 x 65 points, so that pictures of different sizes agree; of the others their own.
 [[nodiscard]] HeightGrid sample(const HeightFunction& function, GridSize size);
 
+// The same elsewhere. Of a function of x and z, not of the grid's indices (precondition).
+[[nodiscard]] HeightGrid sample(const HeightFunction& function, const HeightDomain& domain, GridSize size);
+
 // Any function of x and z, range as above; where nothing of the 65 x 65 is finite, the grid's own.
 template <class Function>
-[[nodiscard]] HeightGrid sample(Function&& value, Interval domain, GridSize size) {
+[[nodiscard]] HeightGrid sample_values(Function&& value, const HeightDomain& domain, GridSize size) {
   const auto heights_at = [&](const std::vector<double>& x, const std::vector<double>& z) {
-    const double middle = domain.low / 2 + domain.high / 2;
-    const double half = domain.high / 2 - domain.low / 2;
+    const auto place = [](Interval within, double part) {
+      return (within.low / 2 + within.high / 2) + part * (within.high / 2 - within.low / 2);
+    };
     std::vector<double> heights;
     heights.reserve(x.size() * z.size());
     for (const double w : z) {
-      for (const double u : x) heights.push_back(value(middle + u * half, middle + w * half));
+      for (const double u : x) heights.push_back(value(place(domain.x, u), place(domain.z, w)));
     }
     return heights;
   };
-  HeightGrid grid{even_positions(size.points), even_positions(size.slices), {}, domain, domain, {}};
+  HeightGrid grid{even_positions(size.points), even_positions(size.slices), {}, domain.x, domain.z, {}, {}};
   grid.heights = heights_at(grid.x, grid.z);
   const std::vector<double> standard = even_positions(65);
   const std::vector<double> standard_heights = heights_at(standard, standard);

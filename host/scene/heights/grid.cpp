@@ -17,6 +17,14 @@ std::vector<double> even_positions(std::size_t count) {
   return positions;
 }
 
+std::vector<double> normalised(std::vector<double> places, Interval domain) {
+  // Halves, since a difference may be beyond the greatest double.
+  const double middle = domain.low / 2 + domain.high / 2;
+  const double half = domain.high / 2 - domain.low / 2;
+  for (double& place : places) place = std::clamp((place - middle) / half, -1.0, 1.0);
+  return places;
+}
+
 Interval finite_range(const std::vector<double>& values) {
   Interval range;
   bool none = true;

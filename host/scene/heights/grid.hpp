@@ -5,6 +5,7 @@
 // coordinates, since a picture only needs those; the domain is kept to be shown to people.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,6 +20,14 @@ struct Interval {
   double high = 0;
 
   friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+// Where a function is sampled.
+struct HeightDomain {
+  Interval x;
+  Interval z;
+
+  friend bool operator==(const HeightDomain&, const HeightDomain&) = default;
 };
 
 struct GridSize {
@@ -37,6 +46,7 @@ struct HeightGrid {
   Interval domain_x;            // what [-1, 1] stands for
   Interval domain_z;
   Interval range;  // heights drawn at -1 and +1; equal ones: everything is flat
+  std::array<std::string, 3> names = {};  // of x, z and the heights, as a file's heading has them; empty: none
 
   [[nodiscard]] std::size_t points() const { return x.size(); }
   [[nodiscard]] std::size_t slices() const { return z.size(); }
@@ -47,6 +57,9 @@ struct HeightGrid {
 
 // `count` positions at equal distances from -1 to 1, of exact symmetry about 0; a single one is at 0.
 [[nodiscard]] std::vector<double> even_positions(std::size_t count);
+
+// Ascending places of a domain, whose ends they have, in [-1, 1].
+[[nodiscard]] std::vector<double> normalised(std::vector<double> places, Interval domain);
 
 // The least and the greatest finite value. {0, 0} if there is none.
 [[nodiscard]] Interval finite_range(const std::vector<double>& values);

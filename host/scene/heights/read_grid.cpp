@@ -7,6 +7,7 @@
 
 #include "host/base/file.hpp"
 #include "host/base/result.hpp"
+#include "host/scene/heights/read_columns.hpp"
 #include "host/scene/heights/read_points.hpp"
 #include "host/scene/heights/read_text.hpp"
 
@@ -47,14 +48,31 @@ base::Result<HeightGrid> read_matrix(const HeightText& text, std::string_view so
   return grid;
 }
 
+// With the form it is in.
+base::Result<HeightGrid> read_form(HeightText& text, std::string_view source, const GridFileOptions& options) {
+  if (!options.columns.empty()) {
+    const auto columns = columns_named(text, options.columns, source);
+    if (!columns) return columns.error();
+    return read_scattered(text, *columns, source);
+  }
+  const bool corner_is_named = text.has_heading() && !text.heading.names.front().empty();
+  if (text.heading.table && (corner_is_named || is_table(text))) return read_table(text, source);
+  if (text.heading.table) {
+    // A matrix whose first height is missing.
+    text.lines.insert(text.lines.begin(), text.heading.line);
+    text.heading = {};
+  }
+  if (is_point_data(text)) return read_points(text, source);
+  if (const auto columns = columns_by_content(text)) return read_scattered(text, *columns, source);
+  return read_matrix(text, source);
+}
+
 }  // namespace
 
-base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_view source) {
-  const auto lines = read_height_text(text, source);
+base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_view source, const GridFileOptions& options) {
+  auto lines = read_height_text(text, source);
   if (!lines) return lines.error();
-  const auto& height_text = *lines;
-  auto result =
-      is_point_data(height_text) ? read_points(height_text, source) : read_matrix(height_text, source);
+  auto result = read_form(*lines, source, options);
   if (!result) return result;
   HeightGrid& grid = *result;
   if (grid.slices() > largest_grid.slices || grid.points() > largest_grid.points) {
@@ -68,7 +86,7 @@ base::Result<HeightGrid> read_height_grid(std::string_view text, std::string_vie
   return result;
 }
 
-base::Result<HeightGrid> load_height_grid(const std::string& file) {
+base::Result<HeightGrid> load_height_grid(const std::string& file, const GridFileOptions& options) {
   const base::FileStatus status = base::file_status(file);
   if (status.kind == base::FileStatus::Kind::none) return error_in(file, "", "no such file", "");
   if (status.kind == base::FileStatus::Kind::other)
@@ -77,7 +95,7 @@ base::Result<HeightGrid> load_height_grid(const std::string& file) {
   if (status.size > largest_grid_file) return error_in(file, "", "a file of more than 64 MiB", "at most that");
   const auto bytes = base::read_file(file);
   if (!bytes) return error_in(file, "", "a file that cannot be read", "");
-  return read_height_grid(std::string(bytes->begin(), bytes->end()), file);
+  return read_height_grid(std::string(bytes->begin(), bytes->end()), file, options);
 }
 
 }  // namespace sightline::scene

@@ -1,12 +1,10 @@
 #include "host/scene/heights/read_points.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,8 +32,8 @@ class Points {
     const std::vector<double>& z = curves_are_slices ? curves : along;
     grid.domain_x = domain(x);
     grid.domain_z = domain(z);
-    grid.x = normalised(x, grid.domain_x);
-    grid.z = normalised(z, grid.domain_z);
+    grid.x = in_order(x, grid.domain_x);
+    grid.z = in_order(z, grid.domain_z);
     for (std::size_t slice = 0; slice < z.size(); ++slice) {
       const std::size_t s = z.front() > z.back() ? z.size() - 1 - slice : slice;
       for (std::size_t point = 0; point < x.size(); ++point) {
@@ -88,8 +86,8 @@ class Points {
           return fail(i, field, std::string(name(field)) + " = nan", "a number");
         const std::size_t same_as = field == constant_ ? i - i % length_ : i % length_;
         if (value(i, field) == value(same_as, field)) continue;
-        return fail(i, field, std::string(name(field)) + " = " + text(value(i, field)),
-                    text(value(same_as, field)) + " as in line " + std::to_string(lines_[same_as].number));
+        return fail(i, field, std::string(name(field)) + " = " + shortest_text(value(i, field)),
+                    shortest_text(value(same_as, field)) + " as in line " + std::to_string(lines_[same_as].number));
       }
     }
     return true;
@@ -106,26 +104,26 @@ class Points {
     const bool falling = along[0] > along[1];
     for (std::size_t i = 1; i < along.size(); ++i) {
       if (falling ? along[i] < along[i - 1] : along[i] > along[i - 1]) continue;
-      return fail(i * stride, field, std::string(name(field)) + " = " + text(along[i]),
-                  std::string(falling ? "less" : "more") + " than the " + text(along[i - 1]) + " before it");
+      return fail(i * stride, field, std::string(name(field)) + " = " + shortest_text(along[i]),
+                  std::string(falling ? "less" : "more") + " than the " + shortest_text(along[i - 1]) + " before it");
     }
     const Interval ends = domain(along);
     if (!(ends.high / 2 - ends.low / 2 >= std::numeric_limits<double>::min()))
-      return fail(0, field, std::string(name(field)) + " from " + text(ends.low) + " to " + text(ends.high),
+      return fail(0, field, std::string(name(field)) + " from " + shortest_text(ends.low) + " to " + shortest_text(ends.high),
                   "places that are farther apart");
     return distinct(along, ends, field, stride);
   }
 
   // Places that differ in the file may not do so in [-1, 1].
   bool distinct(const std::vector<double>& along, Interval ends, std::size_t field, std::size_t stride) {
-    const std::vector<double> ascending = normalised(along, ends);
+    const std::vector<double> ascending = in_order(along, ends);
     const auto same = std::adjacent_find(ascending.begin(), ascending.end());
     if (same == ascending.end()) return true;
     const auto n = static_cast<std::size_t>(same - ascending.begin());
     const std::size_t later = along.front() > along.back() ? along.size() - 1 - n : n + 1;
     return fail(later * stride, field,
-                std::string(name(field)) + " = " + text(along[later]) + ", too close to the " +
-                    text(along[later - 1]) + " before it",
+                std::string(name(field)) + " = " + shortest_text(along[later]) + ", too close to the " +
+                    shortest_text(along[later - 1]) + " before it",
                 "places that are farther apart");
   }
 
@@ -133,22 +131,12 @@ class Points {
     return {std::min(along.front(), along.back()), std::max(along.front(), along.back())};
   }
 
-  // Ascending in [-1, 1]. Halves, since a difference may be beyond the greatest double.
-  static std::vector<double> normalised(std::vector<double> along, Interval domain) {
+  static std::vector<double> in_order(std::vector<double> along, Interval domain) {
     if (along.front() > along.back()) std::reverse(along.begin(), along.end());
-    const double middle = domain.low / 2 + domain.high / 2;
-    const double half = domain.high / 2 - domain.low / 2;
-    for (double& place : along) place = std::clamp((place - middle) / half, -1.0, 1.0);
-    return along;
+    return normalised(std::move(along), domain);
   }
 
   static std::string_view name(std::size_t field) { return field == 0 ? "x" : "y"; }
-  static std::string text(double number) {
-    char buffer[32];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, number);
-    return {buffer, error == std::errc{} ? end : buffer};
-  }
-
   bool fail(std::size_t line, std::size_t field, std::string found, std::string expected) {
     const HeightLine& where = lines_[line];
     error_ = base::Error{source_, place_of(where.number, where.fields[field].column), std::move(found),

@@ -1,9 +1,14 @@
 #include "host/scene/heights/read_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <system_error>
+#include <utility>
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
@@ -22,10 +27,15 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-bool is_nan(std::string_view field) {
+bool is_word(std::string_view field, std::string_view word) {
   const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-  constexpr std::string_view word = "nan";
   return std::equal(field.begin(), field.end(), word.begin(), word.end(), same);
+}
+
+// As spreadsheets and statistics programs write a missing value.
+bool is_missing(std::string_view field) {
+  constexpr std::array<std::string_view, 4> words{"nan", "na", "n/a", "null"};
+  return field.empty() || std::any_of(words.begin(), words.end(), [field](std::string_view word) { return is_word(field, word); });
 }
 
 // What a message can show of a field: short, and no control characters.
@@ -36,91 +46,17 @@ std::string shown(std::string_view field) {
   return text + (field.size() > most ? "...'" : "'");
 }
 
-// The separator of the whole file: ';' if it occurs outside comments, else ',', else a blank.
-char separator_of(std::string_view text) {
-  char separator = ' ';
-  bool comment = false;
-  for (const char c : text) {
-    comment = c == '\n' ? false : comment || c == '#';
-    if (comment) continue;
-    if (c == ';') return ';';
-    if (c == ',') separator = ',';
-  }
-  return separator;
-}
-
-class LineReader {
- public:
-  LineReader(std::string_view text, std::string_view source)
-      : source_(source), separator_(separator_of(text)) {}
-
-  // Of a line without comment and line end. False: error() says what is wrong.
-  bool read(std::string_view line, HeightLine& result) {
-    result.end = line.size() + 1;
-    std::size_t begin = 0;
-    while (begin <= line.size()) {
-      if (separator_ == ' ') {
-        begin = line.find_first_not_of(blanks, begin);
-        if (begin == std::string_view::npos) break;
-      }
-      const std::size_t found =
-          separator_ == ' ' ? line.find_first_of(blanks, begin) : line.find(separator_, begin);
-      const std::size_t end = std::min(found, line.size());
-      if (!field(line, begin, end, result)) return false;
-      begin = end + 1;
-    }
-    return true;
-  }
-
-  [[nodiscard]] bool separated() const { return separator_ != ' '; }
-  [[nodiscard]] const base::Error& error() const { return *error_; }
-
- private:
-  bool field(std::string_view line, std::size_t begin, std::size_t end, HeightLine& result) {
-    const std::string_view text = trimmed(line.substr(begin, end - begin));
-    const std::size_t column =
-        text.empty() ? begin + 1 : static_cast<std::size_t>(text.data() - line.data()) + 1;
-    if (result.fields.size() == largest_grid.points)
-      return fail(result.number, column, "more than 1024 fields", "at most 1024");
-    if (text.empty())
-      return fail(result.number, column, "an empty field", "a number, or nan where there is none");
-    if (is_nan(text)) {
-      result.fields.push_back({std::numeric_limits<double>::quiet_NaN(), column});
-      return true;
-    }
-    const auto value = base::decimal_number(text);
-    if (!value) {
-      const bool comma = text.find(',') != std::string_view::npos;
-      return fail(result.number, column, shown(text),
-                  comma ? "a finite number with a decimal point" : "a finite number or nan");
-    }
-    result.fields.push_back({*value, column});
-    return true;
-  }
-
-  bool fail(std::size_t line, std::size_t column, std::string found, std::string expected) {
-    error_ = base::Error{source_, place_of(line, column), std::move(found), std::move(expected)};
-    return false;
-  }
-
-  std::string source_;
-  char separator_;
-  std::optional<base::Error> error_;
+// Text without line end and comment.
+struct RawLine {
+  std::string_view text;
+  std::size_t number = 1;
+  bool after_blank = false;
 };
 
-}  // namespace
-
-std::string place_of(std::size_t line, std::size_t column) {
-  return std::to_string(line) + ":" + std::to_string(column);
-}
-
-base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
-  LineReader reader(text, source);
-  HeightText result;
-  result.separated = reader.separated();
+// The lines that are not empty.
+std::vector<RawLine> raw_lines(std::string_view text) {
+  std::vector<RawLine> lines;
   bool blank = false;
-  std::size_t numbers = 0;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
@@ -132,17 +68,205 @@ base::Result<HeightText> read_height_text(std::string_view text, std::string_vie
       blank = blank || comment == std::string_view::npos;
       continue;
     }
-    HeightLine fields{{}, number, 1, blank && !result.lines.empty()};
+    lines.push_back({line, number, blank && !lines.empty()});
     blank = false;
+  }
+  return lines;
+}
+
+// Do tabs separate fields, rather than being blanks? Every line has as many, and no other blank is between two fields; a tab
+// before the first field of every line is only indentation.
+bool tabs_separate(const std::vector<RawLine>& lines) {
+  const auto tabs = [](std::string_view text) { return std::count(text.begin(), text.end(), '\t'); };
+  const auto first = tabs(lines.front().text);
+  bool indented = true;
+  for (const RawLine& line : lines) {
+    if (tabs(line.text) != first) return false;
+    indented = indented && (line.text.front() == '\t' || line.text.front() == ' ');
+    std::string_view rest = line.text;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\t'), rest.size());
+      if (trimmed(rest.substr(0, end)).find(' ') != std::string_view::npos) return false;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return first > 0 && !indented;
+}
+
+// The separator of the whole file: ';' if some line has it, else ',', else a tab, else a blank.
+char separator_of(const std::vector<RawLine>& lines) {
+  for (const char separator : {';', ','})
+    if (std::any_of(lines.begin(), lines.end(), [separator](const RawLine& line) { return line.text.find(separator) != std::string_view::npos; }))
+      return separator;
+  return tabs_separate(lines) ? '\t' : ' ';
+}
+
+struct RawField {
+  std::string_view text;
+  std::size_t column = 1;
+};
+
+class LineReader {
+ public:
+  LineReader(const std::vector<RawLine>& lines, std::string_view source) : source_(source), separator_(separator_of(lines)) {
+    const auto ends = [this](const RawLine& line) { return ends_with_separator(line.text); };
+    separator_ends_line_ = separated() && std::all_of(lines.begin(), lines.end(), ends);
+  }
+
+  [[nodiscard]] bool separated() const { return separator_ != ' '; }
+  [[nodiscard]] const base::Error& error() const { return *error_; }
+
+  // A line of numbers. False: error() says what is wrong.
+  bool read(const RawLine& line, HeightLine& result) {
+    if (!split(line)) return false;
+    result = {{}, line.number, line.text.size() + 1, line.after_blank};
+    for (const RawField& field : fields_) {
+      const auto value = number(field.text);
+      if (!value) {
+        const bool comma = separator_ != ';' && field.text.find(',') != std::string_view::npos;
+        return fail(line.number, field.column, shown(field.text),
+                    comma ? "a finite number with a decimal point" : "a finite number or nan");
+      }
+      result.fields.push_back({*value, field.column});
+    }
+    return true;
+  }
+
+  // The first line as a heading: names only, or a corner that is no number before numbers. False: it is none.
+  bool read_heading(const RawLine& line, HeightHeading& heading) {
+    // A line of a table begins with its place.
+    most_fields_ = largest_grid.points + 1;
+    heading.table = false;
+    const bool found = find_heading(line, heading);
+    if (!found || !heading.table) most_fields_ = largest_grid.points;
+    return found;
+  }
+
+ private:
+  bool find_heading(const RawLine& line, HeightHeading& heading) {
+    if (!split(line) || fields_.empty()) return false;
+    std::size_t names = 0;
+    std::size_t numbers = 0;
+    for (const RawField& field : fields_) {
+      const bool word = !number(field.text);
+      if (word && !printable(field.text)) return false;
+      names += word ? 1 : 0;
+      numbers += !word && !is_missing(field.text) ? 1 : 0;
+    }
+    const std::string_view corner = fields_.front().text;
+    heading.table = fields_.size() >= 3 && numbers + 1 == fields_.size() && (names == 1 ? !number(corner) : corner.empty());
+    if (!heading.table && (names == 0 || numbers > 0)) return false;
+    heading.line = {{}, line.number, line.text.size() + 1, false};
+    for (const RawField& field : fields_) {
+      heading.line.fields.push_back({number(field.text).value_or(std::numeric_limits<double>::quiet_NaN()), field.column});
+      if (heading.names.empty() || !heading.table) heading.names.emplace_back(field.text);
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool ends_with_separator(std::string_view text) const {
+    const std::size_t last = separator_ == '\t' ? text.find_last_not_of(' ') : text.find_last_not_of(blanks);
+    return last != std::string_view::npos && text[last] == separator_;
+  }
+
+  bool split(const RawLine& line) {
+    fields_.clear();
+    const std::string_view text = line.text;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+      if (!separated()) {
+        begin = text.find_first_not_of(blanks, begin);
+        if (begin == std::string_view::npos) break;
+      }
+      const std::size_t from = begin + skipped(text.substr(begin));
+      std::size_t end = from;
+      const bool quoted = from < text.size() && text[from] == '"';
+      if (quoted) {
+        end = text.find('"', from + 1);
+        if (end == std::string_view::npos) return fail(line.number, from + 1, "a quotation mark without its second", "one on the same line");
+      }
+      end = std::min(separated() ? text.find(separator_, end) : text.find_first_of(blanks, end), text.size());
+      std::string_view field = trimmed(text.substr(begin, end - begin));
+      std::size_t column = field.empty() ? begin + 1 : static_cast<std::size_t>(field.data() - text.data()) + 1;
+      if (quoted && field.size() >= 2 && field.back() == '"') {
+        field = trimmed(field.substr(1, field.size() - 2));
+        ++column;
+      }
+      if (separator_ends_line_ && end == text.size() && field.empty()) break;
+      if (fields_.size() == most_fields_) return fail(line.number, column, "more than 1024 fields", "at most 1024");
+      fields_.push_back({field, column});
+      begin = end + 1;
+    }
+    return true;
+  }
+
+  static std::size_t skipped(std::string_view text) { return std::min(text.find_first_not_of(blanks), text.size()); }
+
+  // NaN of a missing one.
+  std::optional<double> number(std::string_view field) {
+    if (is_missing(field)) return std::numeric_limits<double>::quiet_NaN();
+    const auto value = base::decimal_number(field);
+    if (value || separator_ != ';') return value;
+    // With semicolons between fields a comma may be that of a decimal fraction.
+    if (std::count(field.begin(), field.end(), ',') != 1 || field.find('.') != std::string_view::npos) return std::nullopt;
+    decimal_ = field;
+    std::replace(decimal_.begin(), decimal_.end(), ',', '.');
+    return base::decimal_number(decimal_);
+  }
+
+  static bool printable(std::string_view text) {
+    return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
+  }
+
+  bool fail(std::size_t line, std::size_t column, std::string found, std::string expected) {
+    error_ = base::Error{source_, place_of(line, column), std::move(found), std::move(expected)};
+    return false;
+  }
+
+  std::string source_;
+  char separator_;
+  bool separator_ends_line_ = false;  // of every line
+  std::size_t most_fields_ = largest_grid.points;
+  std::vector<RawField> fields_;
+  std::string decimal_;
+  std::optional<base::Error> error_;
+};
+
+}  // namespace
+
+std::string place_of(std::size_t line, std::size_t column) {
+  return std::to_string(line) + ":" + std::to_string(column);
+}
+
+std::string shortest_text(double number) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, number);
+  return {buffer, error == std::errc{} ? end : buffer};
+}
+
+base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+  const std::vector<RawLine> lines = raw_lines(text);
+  const base::Error nothing{std::string(source), "", "no line of numbers", "at least two"};
+  if (lines.empty()) return nothing;
+  LineReader reader(lines, source);
+  HeightText result;
+  result.separated = reader.separated();
+  std::size_t numbers = 0;
+  for (const RawLine& line : lines) {
+    if (&line == &lines.front() && reader.read_heading(line, result.heading)) continue;
+    HeightLine fields;
     if (!reader.read(line, fields)) return reader.error();
     numbers += fields.fields.size();
-    if (numbers > most_numbers) {
-      return base::Error{std::string(source), place_of(number, 1), "more numbers than the largest grid has",
+    if (numbers > most_numbers + lines.size()) {
+      return base::Error{std::string(source), place_of(line.number, 1), "more numbers than the largest grid has",
                          "at most 1024 slices of 1024 points"};
     }
     result.lines.push_back(std::move(fields));
   }
-  if (result.lines.empty()) return base::Error{std::string(source), "", "no line of numbers", "at least two"};
+  if (result.lines.empty()) return nothing;
+  // Of the first line below a heading, blank lines say nothing.
+  result.lines.front().after_blank = false;
   return result;
 }
 

@@ -12,7 +12,7 @@
 namespace sightline::scene {
 
 struct HeightField {
-  double value = 0;
+  double value = 0;        // NaN where there is none
   std::size_t column = 1;  // in the line, from 1
 };
 
@@ -23,15 +23,29 @@ struct HeightLine {
   bool after_blank = false;  // empty lines are before it (other than at the start of the file)
 };
 
-struct HeightText {
-  bool separated = false;         // by commas or semicolons
-  std::vector<HeightLine> lines;  // at least one; none empty
+// The first line, if it is no line of numbers.
+struct HeightHeading {
+  std::vector<std::string> names;  // of the columns; of a table only that of the corner
+  HeightLine line;                 // NaN for a name
+  bool table = false;              // numbers behind the corner: places along x, and every line begins with one along z
 };
 
-// A field that is no number, more than 1024 fields in a line or a file without numbers is an error.
+struct HeightText {
+  bool separated = false;         // by commas, semicolons or tabs, so that a field can be empty
+  HeightHeading heading;          // without names and fields: none
+  std::vector<HeightLine> lines;  // at least one; none empty
+
+  [[nodiscard]] bool has_heading() const { return !heading.names.empty(); }
+};
+
+// A field that is neither number nor missing below the first line, more than 1024 fields in a line or a file without
+// numbers is an error.
 [[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
 
 // "line:column"
 [[nodiscard]] std::string place_of(std::size_t line, std::size_t column);
+
+// A number as the shortest text that reads back the same.
+[[nodiscard]] std::string shortest_text(double number);
 
 }  // namespace sightline::scene

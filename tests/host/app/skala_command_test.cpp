@@ -186,7 +186,7 @@ TEST_F(SkalaCommand, ExpressionsAndGridFiles) {
 TEST_F(SkalaCommand, BadInputIsNamedAndNothingIsWritten) {
   write("row.csv", "1,2,3\n");
   write("word.csv", "1,2\n3,four\n");
-  write("hole.csv", "1,2\n3,\n");
+  write("hole.csv", "1,2\n3,?\n");
   expect_failure({"lines", "row.csv"}, 4, "row.csv");
   expect_failure({"lines", "word.csv"}, 4, "word.csv:2:3");
   expect_failure({"surface", "hole.csv"}, 4, "hole.csv:2");

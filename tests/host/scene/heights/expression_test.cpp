@@ -12,7 +12,7 @@ namespace sightline::scene {
 namespace {
 
 HeightGrid grid_of(const std::string& expression, Interval domain = {-2, 2}, GridSize size = {5, 3}) {
-  const auto result = sample_expression(expression, domain, size);
+  const auto result = sample_expression(expression, {domain, domain}, size);
   if (!result) {
     ADD_FAILURE() << result.error().message(base::MessageStyle::position);
     return {};
@@ -21,7 +21,7 @@ HeightGrid grid_of(const std::string& expression, Interval domain = {-2, 2}, Gri
 }
 
 base::Error error_of(const std::string& expression, GridSize size = {5, 3}) {
-  const auto result = sample_expression(expression, {-2, 2}, size);
+  const auto result = sample_expression(expression, {{-2, 2}, {-2, 2}}, size);
   if (!result) return result.error();
   ADD_FAILURE() << "no error: " << expression;
   return {};
@@ -35,6 +35,23 @@ TEST(SampleExpression, OfXAndZ) {
   EXPECT_EQ(grid.height(4, 2), 22);
   EXPECT_EQ(grid.range, (Interval{-22, 22}));
   EXPECT_EQ(grid.domain_z, (Interval{-2, 2}));
+}
+
+TEST(SampleExpression, OfXAndY) {
+  const auto result = sample_expression("x + 10*y", {{-2, 2}, {0, 6}}, {5, 3});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->height(0, 0), -2);
+  EXPECT_EQ(result->height(1, 1), 29);
+  EXPECT_EQ(result->height(4, 2), 62);
+  EXPECT_EQ(result->domain_x, (Interval{-2, 2}));
+  EXPECT_EQ(result->domain_z, (Interval{0, 6}));
+  EXPECT_EQ(result->names[1], "y");
+  EXPECT_EQ(grid_of("x + 10*z").names[1], "z");
+  const base::Error both = error_of("sin(xz) + y");
+  EXPECT_EQ(both.place, "5");
+  const base::Error two = error_of("cos(x) + y * z");
+  EXPECT_EQ(two.place, "14");
+  EXPECT_EQ(two.found, "z beside y");
 }
 
 TEST(SampleExpression, FunctionsConstantsAndChoice) {
@@ -62,7 +79,7 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
             std::string::npos)
       << unknown.message(base::MessageStyle::position);
   EXPECT_EQ(unknown.file, "--function");
-  EXPECT_EQ(error_of("x + y").place, "5");
+  EXPECT_EQ(error_of("x + w").place, "5");
   EXPECT_EQ(error_of("x + ").place, "5");
   EXPECT_EQ(error_of("(x + z").place, "7");
   EXPECT_EQ(error_of("x z").place, "3");
@@ -72,7 +89,7 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
 
 // The parser counts from 0 and says so in the middle of its sentences.
 TEST(SampleExpression, OnePlaceIsSaid) {
-  for (const char* wrong : {"x + y", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
+  for (const char* wrong : {"x + w", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
     const base::Error error = error_of(wrong);
     EXPECT_EQ(error.message(base::MessageStyle::position).find("position"), std::string::npos)
