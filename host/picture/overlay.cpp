@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "host/picture/overlay_text.hpp"
+#include "host/picture/lettering.hpp"
 
 namespace sightline::picture {
 namespace {

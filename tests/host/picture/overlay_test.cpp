@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "host/picture/overlay_text.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -61,36 +60,6 @@ TEST(Overlay, OfPixelsHasTheThreeColours) {
   EXPECT_EQ(pixel(image, 7 + middle(50), 1031 - middle(60)), blue);
   EXPECT_EQ(pixel(image, 7 + middle(30), 1031 - middle(30)), blue) << "lit in both, but not alike";
   EXPECT_EQ(pixel(image, 7 + middle(5), 1031 - middle(5)), white);
-}
-
-TEST(OverlayText, EverySignIsWithinItsPlace) {
-  for (char c = ' '; c <= '~'; ++c) {
-    VectorDrawing drawing;
-    EXPECT_EQ(append_text(drawing, 0, 10, 20, 6, std::string(1, c)), 16);
-    for (const DrawingPoint& p : drawing.points) {
-      EXPECT_TRUE(p.x >= 10 && p.x <= 14 && p.y >= 20 && p.y <= 26) << c;
-    }
-    EXPECT_EQ(drawing.lines.empty(), c == ' ') << c;
-    for (const DrawingLine& line : drawing.lines) {
-      EXPECT_GT(line.count, 0U) << c;
-      EXPECT_LE(line.first + line.count, drawing.points.size()) << c;
-    }
-  }
-  VectorDrawing drawing;
-  EXPECT_EQ(append_text(drawing, 0, 0, 0, 12, "abc"), text_width(12, "abc"));
-}
-
-TEST(OverlayText, LettersAndDigitsAreTold) {
-  const std::string signs = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-  for (const char a : signs) {
-    for (const char b : signs) {
-      VectorDrawing first;
-      VectorDrawing second;
-      append_text(first, 0, 0, 0, 6, std::string(1, a));
-      append_text(second, 0, 0, 0, 6, std::string(1, b));
-      EXPECT_EQ(first.points == second.points, a == b) << a << b;
-    }
-  }
 }
 
 }  // namespace
