@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "host/base/text.hpp"
@@ -54,16 +55,16 @@ class PdfPage {
   std::string content(const Paper& paper) {
     base::append(text_, "{:.6f} 0 0 {:.6f} 0 0 cm\n1 J 1 j {:.3f} w\n", 72 / 25.4, 72 / 25.4, paper.pen);
     for (const DrawingFacet& facet : drawing_.facets) {
-      const double grey = facet.grey / 255.0;
-      base::append(text_, "{:.4f} g {:.4f} G\n", grey, grey);
+      colour(facet.colour, "rg");
+      colour(facet.colour, "RG");
       for (std::uint32_t i = 0; i < facet.count; ++i) point(facet.first + i, i == 0 ? 'm' : 'l');
       // A line of its own colour around it, or the paper would shine through where two meet.
       text_ += "0.05 w b\n";
     }
     base::append(text_, "{:.3f} w\n", paper.pen);
     for (std::uint32_t layer = 0; layer < drawing_.layers.size(); ++layer) {
-      const Colour& colour = drawing_.layers[layer].colour;
-      base::append(text_, "/OC /L{} BDC\n{:.4f} {:.4f} {:.4f} RG\n", layer, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+      base::append(text_, "/OC /L{} BDC\n", layer);
+      colour(drawing_.layers[layer].colour, "RG");
       for (const DrawingLine& line : drawing_.lines) {
         if (line.layer != layer || line.count == 0) continue;
         point(line.first, 'm');
@@ -77,6 +78,10 @@ class PdfPage {
   }
 
  private:
+  void colour(Colour colour, std::string_view what) {
+    base::append(text_, "{:.4f} {:.4f} {:.4f} {}\n", colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0, what);
+  }
+
   void point(std::uint32_t number, char what) {
     const DrawingPoint& p = drawing_.points[number];
     base::append(text_, "{:.3f} {:.3f} {}\n", margin_ + p.x * across_, margin_ + p.y * up_, what);

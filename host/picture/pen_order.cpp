@@ -549,7 +549,7 @@ VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, con
     }
   }
   for (const DrawingFacet& facet : drawing.facets) {
-    result.facets.push_back({static_cast<std::uint32_t>(result.points.size()), facet.count, facet.grey});
+    result.facets.push_back({static_cast<std::uint32_t>(result.points.size()), facet.count, facet.colour});
     for (std::uint32_t i = 0; i < facet.count; ++i) result.points.push_back(drawing.points[facet.first + i]);
   }
   return result;

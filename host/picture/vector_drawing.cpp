@@ -63,7 +63,7 @@ class DrawingSvg {
   void facets() {
     svg_.open_areas("surface", "0 surface", "stroke-width=\"0.05\" stroke-linejoin=\"round\"");
     for (const DrawingFacet& facet : drawing_.facets) {
-      svg_.begin_polygon({facet.grey, facet.grey, facet.grey});
+      svg_.begin_polygon(facet.colour);
       points(facet.first, facet.count);
       svg_.end_shape();
     }

@@ -45,7 +45,7 @@ struct DrawingLine {
 struct DrawingFacet {
   std::uint32_t first = 0;
   std::uint8_t count = 0;
-  std::uint8_t grey = 0;
+  Colour colour = {};
 
   friend bool operator==(const DrawingFacet&, const DrawingFacet&) = default;
 };

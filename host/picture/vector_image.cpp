@@ -32,10 +32,10 @@ class Canvas {
     if (drawing_.facets.empty()) return;
     // A band of rows at a time, so that samples take little memory.
     constexpr int band = 64;
-    std::vector<std::uint8_t> grey;
+    std::vector<Colour> paint;
     for (int top = 0; top < image_.height; top += band) {
       const int rows = std::min(band, image_.height - top) * samples;
-      grey.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(image_.width * samples), 255);
+      paint.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(image_.width * samples), {255, 255, 255});
       for (const DrawingFacet& facet : drawing_.facets) {
         std::array<ImagePlace, 4> corners{};
         double least = 1e9;
@@ -48,10 +48,10 @@ class Canvas {
           most = std::max(most, corners[i].y);
         }
         if (most < 0 || least > rows) continue;
-        triangle(grey, rows, {corners[0], corners[1], corners[2]}, facet.grey);
-        if (facet.count == 4) triangle(grey, rows, {corners[0], corners[2], corners[3]}, facet.grey);
+        triangle(paint, rows, {corners[0], corners[1], corners[2]}, facet.colour);
+        if (facet.count == 4) triangle(paint, rows, {corners[0], corners[2], corners[3]}, facet.colour);
       }
-      take(grey, top, rows / samples);
+      take(paint, top, rows / samples);
     }
   }
 
@@ -74,8 +74,7 @@ class Canvas {
   }
 
   // Sample (c, r) lies at (c, r); those on the edge are in.
-  void triangle(std::vector<std::uint8_t>& grey, int rows, const std::array<ImagePlace, 3>& corners,
-                std::uint8_t shade) const {
+  void triangle(std::vector<Colour>& paint, int rows, const std::array<ImagePlace, 3>& corners, Colour shade) const {
     const int columns = image_.width * samples;
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     const int last = std::min(static_cast<int>(std::floor(std::min(high, 1e6))), rows - 1);
@@ -93,24 +92,27 @@ class Canvas {
       const int from = static_cast<int>(std::ceil(std::max(left, 0.0)));
       const int to = std::min(static_cast<int>(std::floor(std::max(right, -1.0))), columns - 1);
       if (from > to) continue;
-      const auto start = grey.begin() + static_cast<std::ptrdiff_t>(row) * columns;
+      const auto start = paint.begin() + static_cast<std::ptrdiff_t>(row) * columns;
       std::fill(start + from, start + to + 1, shade);
     }
   }
 
-  void take(const std::vector<std::uint8_t>& grey, int top, int rows) {
+  void take(const std::vector<Colour>& paint, int top, int rows) {
     const std::size_t width = static_cast<std::size_t>(image_.width) * samples;
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < image_.width; ++column) {
-        int sum = 0;
+        std::array<int, 3> sums{};
         for (std::size_t i = 0; i < samples; ++i)
-          for (std::size_t j = 0; j < samples; ++j)
-            sum += grey[(static_cast<std::size_t>(row) * samples + i) * width +
-                        static_cast<std::size_t>(column) * samples + j];
+          for (std::size_t j = 0; j < samples; ++j) {
+            const Colour& sample = paint[(static_cast<std::size_t>(row) * samples + i) * width +
+                                         static_cast<std::size_t>(column) * samples + j];
+            sums[0] += sample.red;
+            sums[1] += sample.green;
+            sums[2] += sample.blue;
+          }
         constexpr int all = samples * samples;
-        const auto mean = static_cast<std::uint8_t>((2 * sum + all) / (2 * all));
-        const auto pixel = static_cast<std::ptrdiff_t>(image_.index(column, top + row));
-        std::fill_n(image_.pixels.begin() + pixel, 3, mean);
+        for (std::size_t k = 0; k < 3; ++k)
+          image_.pixels[image_.index(column, top + row) + k] = static_cast<std::uint8_t>((2 * sums[k] + all) / (2 * all));
       }
   }
 

@@ -109,6 +109,10 @@ HeightPicture draw_native(const HeightGrid& grid, const HeightView& view) {
   return picture;
 }
 
+native::Figure native_figure(const HeightGrid& grid, const HeightView& view, const native::FigureOptions& options) {
+  return native::figure(grid, view, options);
+}
+
 // --- the oracle
 
 std::optional<std::string> why_no_oracle(const HeightGrid& grid, const HeightView& view) {
@@ -143,7 +147,7 @@ constexpr std::array rows{
                  draw_guest},
     HeightMethod{"twin", "The same program in C++, dot for dot", any_grid, draw_twin},
     HeightMethod{"native", "Skala's masks as a modern algorithm: vectors on masks finer than a dot",
-                 why_no_native, draw_native, "skala"},
+                 why_no_native, draw_native, "skala", native_figure},
     HeightMethod{"oracle", "What depth alone lets be seen in each column: what the others are checked by",
                  why_no_oracle, draw_oracle},
 };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
+#include "host/algorithms/skala/figure.hpp"
 #include "host/algorithms/skala/view.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -43,6 +44,8 @@ struct HeightMethod {
   // Of a method that draws vectors, facets far to near: its name for `draw` and in the cross-check. Else
   // empty.
   std::string_view algorithm = {};
+  // Of the same: the drawing as a figure for a page.
+  algorithms::skala::Figure (*figure)(const scene::HeightGrid& grid, const HeightView& view, const algorithms::skala::FigureOptions& options) = nullptr;
 };
 
 // The same view in the terms of the program on the 8080, and back.

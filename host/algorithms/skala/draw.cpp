@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 #include "host/algorithms/skala/facing.hpp"
 #include "host/algorithms/skala/surface.hpp"
 #include "host/algorithms/skala/walk.hpp"
+#include "host/picture/height_colours.hpp"
 
 namespace sightline::algorithms::skala {
 namespace {
@@ -18,8 +20,10 @@ namespace {
 constexpr std::array<picture::Colour, 6> contour_colours{
     {{31, 95, 191}, {0, 140, 149}, {46, 139, 87}, {190, 140, 0}, {214, 96, 20}, {178, 34, 52}}};
 
-std::vector<double> contour_levels(scene::Interval range, int count) {
-  std::vector<double> levels;
+std::vector<double> contour_levels(scene::Interval range, const View& view) {
+  std::vector<double> levels = view.level_heights;
+  const int count = view.levels;
+  if (!levels.empty()) return levels;
   if (!(range.high > range.low)) return levels;
   for (int k = 1; k <= std::clamp(count, 0, 255); ++k) {
     const double part = static_cast<double>(k) / (std::clamp(count, 0, 255) + 1);
@@ -52,14 +56,29 @@ void measure_heights(Walk& order, const scene::HeightGrid& grid) {
     }
 }
 
-// The slope along x of the data as a grey: the first component of the unit normal (Skala 1985, section 4).
+// Colours of cells: their height; or the slope along x of the data as a grey, the first component of the unit normal (Skala 1985,
+// section 4).
 class Shading {
  public:
-  explicit Shading(const scene::HeightGrid& grid) : grid_(grid) {
+  Shading(const scene::HeightGrid& grid, Colouring colouring) : grid_(grid), colouring_(colouring) {
     const double half = grid.range.high / 2 - grid.range.low / 2;
     scale_ = half > 0 && std::isfinite(1 / half) ? 1 / half : 0;
   }
   // Of the cell whose least indices these are.
+  [[nodiscard]] picture::Colour colour(std::size_t point, std::size_t slice) const {
+    if (colouring_ == Colouring::heights) return colour_of_height(point, slice);
+    const std::uint8_t shade = grey(point, slice);
+    return {shade, shade, shade};
+  }
+
+ private:
+  // The mean of its corners' heights, in halves since their sum may be beyond the greatest double.
+  [[nodiscard]] picture::Colour colour_of_height(std::size_t point, std::size_t slice) const {
+    double part = 0;
+    for (const auto& [p, s] : {std::pair{point, slice}, std::pair{point + 1, slice}, std::pair{point, slice + 1}, std::pair{point + 1, slice + 1}})
+      part += ((grid_.height(p, s) / 2 - grid_.range.low / 2) * scale_) / 4;
+    return picture::height_colour(part);
+  }
   [[nodiscard]] std::uint8_t grey(std::size_t point, std::size_t slice) const {
     const double a = grid_.height(point, slice) * scale_;
     const double b = grid_.height(point + 1, slice) * scale_;
@@ -72,8 +91,8 @@ class Shading {
     return static_cast<std::uint8_t>(145 + std::floor(100 * normal + 0.5));
   }
 
- private:
   const scene::HeightGrid& grid_;
+  Colouring colouring_;
   double scale_ = 0;
 };
 
@@ -82,23 +101,23 @@ class Facets {
   Facets(const Surface& surface, Sheet& sheet) : surface_(surface), sheet_(sheet) {}
 
   // A cell that is folded along its diagonal is two triangles, since its outline may cross itself.
-  void add(std::size_t row, std::size_t column, std::uint8_t grey) {
+  void add(std::size_t row, std::size_t column, picture::Colour colour) {
     const Vertex& near = surface_.at(row, column);
     const Vertex& beside = surface_.at(row, column + 1);
     const Vertex& behind = surface_.at(row + 1, column);
     const Vertex& far = surface_.at(row + 1, column + 1);
     const bool folded =
         folds(side_of(surface_, row, column, Half::near), side_of(surface_, row, column, Half::far));
-    if (!folded) return put({beside, far, behind, near}, grey);
-    put({beside, far, behind}, grey);
-    put({near, beside, behind}, grey);
+    if (!folded) return put({beside, far, behind, near}, colour);
+    put({beside, far, behind}, colour);
+    put({near, beside, behind}, colour);
   }
 
  private:
-  void put(std::initializer_list<Vertex> corners, std::uint8_t grey) {
+  void put(std::initializer_list<Vertex> corners, picture::Colour colour) {
     picture::VectorDrawing& drawing = sheet_.drawing();
     drawing.facets.push_back(
-        {static_cast<std::uint32_t>(drawing.points.size()), static_cast<std::uint8_t>(corners.size()), grey});
+        {static_cast<std::uint32_t>(drawing.points.size()), static_cast<std::uint8_t>(corners.size()), colour});
     for (const Vertex corner : corners) drawing.points.push_back(sheet_.place(corner));
   }
 
@@ -111,7 +130,7 @@ void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Wal
   if (surface.rows() < 2 || surface.columns() < 2) return;
   Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
   Facets facets(surface, sheet);
-  const Shading shading(grid);
+  const Shading shading(grid, view.colouring);
   const std::size_t columns = surface.columns() - 1;
   for (std::size_t row = surface.rows() - 1; row-- > 0;)
     for (std::size_t column = columns; column-- > 0;) {
@@ -119,7 +138,7 @@ void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Wal
       const std::size_t a = surface.height_index(row, column);
       const std::size_t b = surface.height_index(row + 1, column + 1);
       facets.add(row, column,
-                 shading.grey(std::min(a % grid.points(), b % grid.points()),
+                 shading.colour(std::min(a % grid.points(), b % grid.points()),
                               std::min(a / grid.points(), b / grid.points())));
     }
 }
@@ -135,7 +154,7 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   const Surface surface(grid, view, rows);
   Walk order{&surface, &view, {}, {}, {}};
   if (view.subject == Subject::contours) {
-    order.levels = contour_levels(grid.range, view.levels);
+    order.levels = contour_levels(grid.range, view);
     measure_heights(order, grid);
   }
   name_layers(drawing, order.levels, rows != Family::along_z);

@@ -9,7 +9,6 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-constexpr double height_of_unit = 0.6;
 // 255 units of y and 16384 columns both have 24 bits, what a float holds.
 constexpr double lattice_x = 1024;
 constexpr double lattice_y = 65536;
@@ -67,6 +66,10 @@ class Fit {
       shift_ = size * lattice / 2;
     }
   }
+  // As value * scale + shift, where `from` is 0.
+  [[nodiscard]] double from() const { return low_; }
+  [[nodiscard]] double scale() const { return scale_ * step_; }
+  [[nodiscard]] double shift() const { return shift_ * step_; }
   [[nodiscard]] double place(double value) const {
     const double steps = (value - low_) * scale_ + shift_ + 0.5;
     return static_cast<double>(static_cast<std::int32_t>(steps)) * step_;
@@ -92,17 +95,17 @@ std::vector<Term> terms(const std::vector<double>& places, double to_x, double t
   return all;
 }
 
-// Heights as h cos E * 0.6: middle and factor of an affine map.
+// Heights on the screen: middle and factor of an affine map.
 struct Upwards {
   double middle = 0;
   double factor = 0;
 
-  Upwards(scene::Interval range, double cosine) {
+  Upwards(scene::Interval range, double to_screen) {
     // Halves, since the difference of two heights may be beyond the greatest double.
     const double half = range.high / 2 - range.low / 2;
     if (!(half > 0) || !std::isfinite(1 / half)) return;
     middle = range.high / 2 + range.low / 2;
-    factor = height_of_unit * cosine / half;
+    factor = to_screen / half;
   }
   // NaN for an undefined height, whatever the range.
   [[nodiscard]] double operator()(double height) const { return (height - middle) * factor; }
@@ -117,7 +120,7 @@ Family resolved_family(const View& view) {
 }
 
 Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
-    : row_is_slice_(family != Family::along_z), vertices_(grid.points() * grid.slices()) {
+    : row_is_slice_(family != Family::along_z), vertices_(grid.points() * grid.slices()), range_(grid.range) {
   const Turn rotation = turn_of(view.rotation);
   const Turn elevation = turn_of(view.elevation);
   rows_ = row_is_slice_ ? grid.slices() : grid.points();
@@ -129,11 +132,12 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
   rows_reversed_ = row_is_slice_ ? along_z_back : along_x_back;
   columns_reversed_ = row_is_slice_ ? along_x_back : along_z_back;
 
-  const auto x_terms = terms(grid.x, rotation.cosine, -rotation.sine, along_x_back);
-  const auto z_terms = terms(grid.z, rotation.sine, rotation.cosine, along_z_back);
+  const BoxSides& sides = view.sides;
+  const auto x_terms = terms(grid.x, rotation.cosine * sides.x, -rotation.sine * sides.x, along_x_back);
+  const auto z_terms = terms(grid.z, rotation.sine * sides.z, rotation.cosine * sides.z, along_z_back);
   const std::vector<Term>& row_terms = row_is_slice_ ? z_terms : x_terms;
   const std::vector<Term>& column_terms = row_is_slice_ ? x_terms : z_terms;
-  const Upwards upwards(grid.range, elevation.cosine);
+  const Upwards upwards(grid.range, sides.height * elevation.cosine);
   // Of every vertex, row by row: its number, and where it lies before it is fitted.
   const auto for_each = [&](const auto& visit) {
     std::size_t vertex = 0;
@@ -159,6 +163,14 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
   const double width = std::clamp(view.columns, fewest_columns, most_columns);
   const Fit fit_x(extremes_x, width, lattice_x);
   const Fit fit_y(extremes_y, picture_extent, lattice_y);
+  across_ = {rotation.cosine * sides.x, rotation.sine * sides.z, 0};
+  up_ = {-rotation.sine * sides.x * elevation.sine, rotation.cosine * sides.z * elevation.sine, sides.height * elevation.cosine};
+  from_ = {fit_x.from(), fit_y.from()};
+  scale_ = {fit_x.scale(), fit_y.scale()};
+  shift_ = {fit_x.shift(), fit_y.shift()};
+  if (extremes_x.high >= extremes_x.low) origin_ = {extremes_x.low, extremes_y.low};
+  extents_ = {std::max(extremes_x.high - extremes_x.low, 0.0), std::max(extremes_y.high - extremes_y.low, 0.0)};
+  to_eye_ = {rotation.sine * elevation.cosine, -rotation.cosine * elevation.cosine, elevation.sine};
   for_each([&](std::size_t vertex, double x, double y) {
     if (std::abs(y) < farthest) {
       vertices_[vertex] = {static_cast<float>(fit_x.place(x) - 0.5), static_cast<float>(fit_y.place(y))};
@@ -167,6 +179,26 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
       whole_ = false;
     }
   });
+}
+
+std::array<double, 2> Surface::project(double x, double z, double height) const {
+  return {x * across_[0] + z * across_[1], x * up_[0] + z * up_[1] + height * up_[2]};
+}
+
+Vertex Surface::place(double x, double z, double height) const {
+  const auto [across, up] = project(x, z, height);
+  return {static_cast<float>((across - from_[0]) * scale_[0] + shift_[0] - 0.5),
+          static_cast<float>((up - from_[1]) * scale_[1] + shift_[1])};
+}
+
+double Surface::normalised_height(double height) const {
+  const double half = range_.high / 2 - range_.low / 2;
+  if (!(half > 0) || !std::isfinite(1 / half)) return 0;
+  return (height - (range_.high / 2 + range_.low / 2)) / half;
+}
+
+std::array<double, 3> Surface::to_eye() const {
+  return to_eye_;
 }
 
 }  // namespace sightline::algorithms::skala

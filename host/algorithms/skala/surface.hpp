@@ -3,12 +3,14 @@
 //
 // With x, z, h in [-1, 1], rotation A and elevation E:
 //   screen x = x cos A + z sin A     depth = -x sin A + z cos A     screen y = 0.6 h cos E + depth sin E
+// where 0.6 is View::sides' height, and x and z are stretched by the others.
 // Both are fitted to 0..255 by their extremes over the defined points, and rounded to a lattice far finer
 // than a mask column: points that coincide in exact arithmetic then coincide here, and the last bit of a sine
 // does not decide what is visible. Along a vertical of the screen depth grows with z / cos A and with
 // -x / sin A; so every row's and every column's order follows from two signs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -44,6 +46,16 @@ class Surface {
     const Vertex& vertex = at(row, column);
     return vertex.y == vertex.y;
   }
+  // Any place of the box in which x, z and height run from -1 to 1; and beyond it.
+  [[nodiscard]] Vertex place(double x, double z, double height) const;
+  // A height of the grid in these terms: its range is -1 to 1. 0 for all if the range is nothing.
+  [[nodiscard]] double normalised_height(double height) const;
+  // Towards the eye of x, z and height.
+  [[nodiscard]] std::array<double, 3> to_eye() const;
+  // The same in the units of View::sides, x and y, and what 0 and 255 of the picture are there.
+  [[nodiscard]] std::array<double, 2> project(double x, double z, double height) const;
+  [[nodiscard]] std::array<double, 2> origin() const { return origin_; }
+  [[nodiscard]] std::array<double, 2> extents() const { return extents_; }
   // Is every vertex defined?
   [[nodiscard]] bool whole() const { return whole_; }
   // Index of the vertex's height in the grid.
@@ -61,6 +73,17 @@ class Surface {
   bool columns_reversed_ = false;
   bool whole_ = true;
   std::vector<Vertex> vertices_;
+
+  // To the screen: of x, z and height each, and where these are fitted to.
+  std::array<double, 3> across_{};
+  std::array<double, 3> up_{};
+  std::array<double, 2> from_{};
+  std::array<double, 2> scale_{};
+  std::array<double, 2> shift_{};
+  std::array<double, 2> origin_{};
+  std::array<double, 2> extents_{};
+  std::array<double, 3> to_eye_{};
+  scene::Interval range_;
 };
 
 // along_x or along_z, as asked for or else the less end-on; both stays.

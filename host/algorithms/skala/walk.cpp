@@ -45,7 +45,7 @@ class Walker {
         sheet_(drawing, std::clamp(view_.columns, fewest_columns, most_columns)),
         horizon_(std::clamp(view_.columns, fewest_columns, most_columns)),
         lines_(view_.subject == Subject::lines),
-        net_(lines_ ? view_.family == Family::both : view_.subject == Subject::contours && view_.net),
+        net_(lines_ ? view_.family == Family::both : view_.net),
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),

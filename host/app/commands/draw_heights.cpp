@@ -2,13 +2,22 @@
 // registry.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/base/json.hpp"
+#include "host/base/number.hpp"
+#include "host/scene/heights/read_text.hpp"
+#include "host/scene/heights/round_values.hpp"
 
 namespace sightline::app {
 
@@ -22,6 +31,14 @@ struct DrawHeightsArguments {
   registry::HeightView view;
   std::string picture;
   std::string along;
+  std::string colours;
+  std::string aspect = "free";
+  std::optional<double> contour_step;
+  std::vector<std::string> axis_names;
+  algorithms::skala::FigureOptions figure;
+  bool no_legend = false;
+  bool silhouette = false;
+  bool no_silhouette = false;
   bool json = false;
   bool no_visibility = false;
   bool no_rims = false;
@@ -40,10 +57,80 @@ Family slices_named(const std::string& name) {
   return name == "x" ? Family::along_x : Family::along_z;
 }
 
+void refuse_without_axes(const DrawOutput& output, const std::string& option, bool axes) {
+  if (!axes) refuse_option(output, option, "--axes");
+}
+
+// --- proportions of the box
+
+using algorithms::skala::BoxSides;
+
+// "4:3:1"
+std::optional<BoxSides> sides_named(const std::string& text) {
+  std::array<double, 3> sides{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t end = i < 2 ? rest.find(':') : rest.size();
+    if (end == std::string_view::npos) return std::nullopt;
+    const auto number = base::fixed_number(rest.substr(0, end), 1e-3, 1e3);
+    if (!number) return std::nullopt;
+    sides[i] = *number;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  const double longer = std::max(sides[0], sides[1]);
+  return BoxSides{sides[0] / longer, sides[1] / longer, sides[2] / longer};
+}
+
+BoxSides sides_of(const std::string& aspect, const scene::HeightGrid& grid) {
+  if (aspect == "free") return {};
+  if (aspect != "equal" && aspect != "equal-xy") {
+    if (const auto sides = sides_named(aspect)) return *sides;
+    throw Failure(ExitCode::usage, fmt::format("--aspect: found \"{}\", expected free, equal-xy, equal, or three sides X:Y:HEIGHT, each 0.001 to 1000", aspect));
+  }
+  const auto extent = [](scene::Interval interval) { return interval.high / 2 - interval.low / 2; };
+  const double longer = std::max(extent(grid.domain_x), extent(grid.domain_z));
+  BoxSides sides{extent(grid.domain_x) / longer, extent(grid.domain_z) / longer, BoxSides{}.height};
+  if (aspect == "equal") sides.height = extent(grid.range) / longer;
+  constexpr double thinnest = 1e-3;
+  if (std::min(sides.x, sides.z) < thinnest || sides.height > 1 / thinnest) {
+    throw Failure(ExitCode::usage, fmt::format("--aspect {}: one side of the box is more than 1000 times as long as another, expected free or sides of your own",
+                                               aspect));
+  }
+  return sides;
+}
+
+// --- contours
+
+// Round heights inside the range, unless levels or their distance are asked for.
+std::vector<double> levels_of(const DrawHeightsArguments& arguments, const scene::HeightGrid& grid) {
+  constexpr int most_levels = 255;
+  constexpr int usual_most = 12;
+  if (arguments.output.command->is_given("--levels")) return {};
+  if (arguments.contour_step) {
+    auto levels = scene::multiples_within(grid.range, *arguments.contour_step, most_levels);
+    if (levels.empty() && grid.range.high > grid.range.low)
+      throw Failure(ExitCode::usage, fmt::format("--contour-step: found {}, of which heights from {} to {} have none or more than {} multiples", *arguments.contour_step,
+                                                 scene::shortest_text(grid.range.low), scene::shortest_text(grid.range.high), most_levels));
+    return levels;
+  }
+  std::vector<double> levels;
+  for (const scene::RoundValue& round : scene::round_values(grid.range, usual_most))
+    if (round.value > grid.range.low && round.value < grid.range.high) levels.push_back(round.value);
+  return levels;
+}
+
+base::Json numbers(const std::vector<double>& values) {
+  base::Json array = base::Json::array();
+  for (const double value : values) array.push_back(value);
+  return array;
+}
+
 void print_drawing(const registry::HeightMethod& method, const DrawHeightsArguments& arguments,
-                   const SkalaFunction& function, const picture::VectorDrawing& drawing,
+                   const SkalaFunction& function, const algorithms::skala::Figure& figure,
                    const std::optional<base::Json>& plot) {
   using base::Json;
+  const picture::VectorDrawing& drawing = figure.drawing;
+  const bool equal = figure.scale[0] == figure.scale[1];
   Json document{{"schema", "sightline/draw/1"},
                       {"algorithm", method.algorithm},
                       {"scene", function.name},
@@ -51,37 +138,88 @@ void print_drawing(const registry::HeightMethod& method, const DrawHeightsArgume
                       {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
                       {"slices", function.grid.slices()},
                       {"points", function.grid.points()},
+                      {"x_range", numbers({function.grid.domain_x.low, function.grid.domain_x.high})},
+                      {"y_range", numbers({function.grid.domain_z.low, function.grid.domain_z.high})},
+                      {"height_range", numbers({function.grid.range.low, function.grid.range.high})},
                       {"rotation", arguments.view.rotation},
                       {"elevation", arguments.view.elevation},
+                      {"aspect", {{"name", arguments.aspect}, {"box", numbers({figure.sides.x, figure.sides.z, figure.sides.height})}, {"stretched", !equal}}},
                       {"counts", {{"lines", drawing.lines.size()}, {"facets", drawing.facets.size()}}}};
+  if (arguments.view.subject == Subject::contours || arguments.figure.floor) {
+    const std::vector<double>& levels = arguments.view.level_heights;
+    document["levels"] = levels.empty() ? Json(arguments.view.levels) : numbers(levels);
+  }
   if (plot) document["plot"] = *plot;
   // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
   print_json(document);
 }
 
-ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
+// --- what is drawn
+
+void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
   registry::HeightView& view = arguments.view;
   view.subject = subject_named(arguments.picture);
   view.family = slices_named(arguments.along);
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
+  // Without it a contour would end in the middle of nowhere where the surface turns away.
+  view.silhouette = arguments.silhouette || (view.subject == Subject::contours && !arguments.no_silhouette);
+  if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
+  const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf;
+  if (with_pens && view.subject == Subject::surface)
+    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
+  const DrawOutput& output = arguments.output;
+  const bool levels = view.subject == Subject::contours || arguments.figure.floor;
+  if (!levels)
+    for (const char* option : {"--levels", "--contour-step", "--labels"}) refuse_option(output, option, "--picture contours or --floor");
+  if (view.subject == Subject::lines) {
+    refuse_option(output, "--net", "--picture contours or --picture surface");
+    if (!arguments.figure.floor) refuse_option(output, "--colours", "--picture contours or --picture surface");
+  }
+  if (arguments.contour_step) require_finite("--contour-step", *arguments.contour_step);
+  if (arguments.contour_step && output.command->is_given("--levels")) throw Failure(ExitCode::usage, "--levels: found with --contour-step");
+  require_finite("--text", arguments.figure.text);
+  if (!arguments.axis_names.empty() && arguments.axis_names.size() != 3)
+    throw Failure(ExitCode::usage, fmt::format("--axis-names: found {}, expected three: of x, y and the height", arguments.axis_names.size()));
+  if (!arguments.axis_names.empty()) refuse_without_axes(output, "--axis-names", arguments.figure.axes);
+  arguments.figure.legend = view.colouring == algorithms::skala::Colouring::heights && !with_pens && !arguments.no_legend;
+}
+
+// A millimetre on paper; on an image four pixels, about a millimetre on a screen.
+void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, DrawingFormat format) {
+  algorithms::skala::FigureOptions& figure = arguments.figure;
+  const DrawOutput& output = arguments.output;
+  if (format == DrawingFormat::png && !output.is_sheet()) {
+    constexpr double pixels_per_unit = 4;
+    figure.width = output.image.width / pixels_per_unit;
+    figure.height = output.image.height / pixels_per_unit;
+  } else {
+    figure.width = output.paper.width - 2 * output.paper.margin;
+    figure.height = output.paper.height - 2 * output.paper.margin;
+  }
+  figure.names = function.grid.names;
+  if (figure.names[0].empty()) figure.names[0] = "x";
+  if (figure.names[1].empty()) figure.names[1] = "y";
+  for (std::size_t i = 0; i < arguments.axis_names.size(); ++i) figure.names[i] = arguments.axis_names[i];
+}
+
+ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
+  registry::HeightView& view = arguments.view;
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && arguments.json) throw Failure(ExitCode::usage, "--output: found - with --json, expected a file");
-  if ((format == DrawingFormat::hpgl || format == DrawingFormat::dxf) && view.subject == Subject::surface)
-    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
-  if (view.subject != Subject::contours) {
-    refuse_option(arguments.output, "--levels", "--picture contours");
-    refuse_option(arguments.output, "--net", "--picture contours");
-  }
+  read_view(arguments, format);
   const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
+  view.sides = sides_of(arguments.aspect, function.grid);
+  if (view.subject == Subject::contours || arguments.figure.floor) view.level_heights = levels_of(arguments, function.grid);
+  read_page(arguments, function, format);
   Output file(arguments.output.file);
   if (const auto reason = method.why_not(function.grid, view))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
-  const registry::HeightPicture picture = method.draw(function.grid, view);
-  const auto plot = write_drawing(*picture.drawing, arguments.output, format, function.name, file);
-  if (arguments.json) print_drawing(method, arguments, function, *picture.drawing, plot);
+  const algorithms::skala::Figure figure = method.figure(function.grid, view, arguments.figure);
+  const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
+  if (arguments.json) print_drawing(method, arguments, function, figure, plot);
   return ExitCode::ok;
 }
 
@@ -92,14 +230,34 @@ void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
       .one_of({"x", "z", "both"})
       .default_value("the less end-on");
   add_angle_options(command, view.rotation, view.elevation);
-  add_levels_option(command, view.levels);
-  command.flag("--net", view.net, "Contours: draw the net of all cells, too");
-  command.flag("--silhouette", view.silhouette, "Draw where the surface turns away from the eye");
+  command.option("--levels", view.levels, "How many contour levels, at equal distances").range(1, 255).default_value("round heights, at most 12");
+  command.option("--contour-step", arguments.contour_step, "Contours at the multiples of this height").range(1e-300, 1e300).value("H");
+  command.flag("--labels", arguments.figure.contour_labels, "Write their heights into contours");
+  command.flag("--floor", arguments.figure.floor, "Contours also on a floor below the surface");
+  command.flag("--net", view.net, "Contours and surfaces: draw the net of all cells, too");
+  const Option silhouette = command.flag("--silhouette", arguments.silhouette, "Draw where the surface turns away from the eye, as contours always do");
+  command.flag("--no-silhouette", arguments.no_silhouette, "Contours without it").excludes(silhouette);
+  command.option("--colours", arguments.colours, "Colours of a surface or of contours by height, or of a surface by its slope").one_of({"slope", "heights"}).default_value("slope");
+  command.flag("--no-legend", arguments.no_legend, "Leave out the legend of --colours heights");
   command.flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
   command.flag("--no-visibility", arguments.no_visibility, "Draw hidden lines, too");
   command.option("--columns", view.columns, "Columns of the horizon masks; more columns find hidden parts more finely")
       .default_value()
       .range(algorithms::skala::fewest_columns, algorithms::skala::most_columns);
+}
+
+void add_figure_options(const Command& command, DrawHeightsArguments& arguments) {
+  command.flag("--axes", arguments.figure.axes, "A box of axes with ticks and labels around the surface").group("Figure");
+  command.option("--axis-names", arguments.axis_names, "Names of the three axes").separated_by(',').default_value("those of the file or x,y").value("X,Y,HEIGHT").group("Figure");
+  command.option("--title", arguments.figure.title, "A title above the drawing").value("WORDS").group("Figure");
+  command.option("--text", arguments.figure.text, "Height of a capital in mm; in an image four pixels are one").default_value().range(0.5, 50.0).value("MM").group("Figure");
+  command
+      .option("--aspect", arguments.aspect,
+              "Proportions of the box: free (1:1:0.6, whatever the units), equal-xy (x and y in the same units), equal (heights, too), or sides of your own")
+      .default_value()
+      .value("X:Y:HEIGHT")
+      .group("Figure");
+  command.flag("--stretch", arguments.figure.stretch, "Stretch the drawing to the paper in both directions").group("Figure");
 }
 
 }  // namespace
@@ -110,6 +268,7 @@ void add_draw_heights(const Command& command, const registry::HeightMethod& meth
   command.option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
+  add_figure_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &method] { return run_draw_heights(method, *arguments); });

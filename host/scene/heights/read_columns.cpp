@@ -69,7 +69,7 @@ class Places {
   std::vector<double> places_;
 };
 
-// In [-1, 1]; nothing if two of them come to the same.
+// In [-1, 1]; nullopt if two of them come to the same.
 std::optional<std::vector<double>> positions_of(const std::vector<double>& ascending) {
   const Interval domain{ascending.front(), ascending.back()};
   if (!(domain.high / 2 - domain.low / 2 >= std::numeric_limits<double>::min())) return std::nullopt;

@@ -1,4 +1,12 @@
 // `sightline draw`: files of every kind, and what a user gets wrong.
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+#include <vector>
+
 #include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
 
@@ -13,6 +21,27 @@ class DrawCommand : public sightline::test::CommandLine {
     EXPECT_EQ(ran.exit_code, 2) << what;
     EXPECT_TRUE(has(ran.err, what)) << ran.err;
     EXPECT_TRUE(files().empty());
+  }
+  // Beside files that exist.
+  void expect_usage_error_beside(const sightline::test::Arguments& arguments, std::string_view what) {
+    const auto before = files();
+    const auto ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << what;
+    EXPECT_TRUE(has(ran.err, what)) << ran.err;
+    EXPECT_EQ(files(), before);
+  }
+  // Left, top, right and bottom of all lines of an SVG of absolute positions, in mm.
+  static std::array<double, 4> box_of(const std::string& svg) {
+    std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
+    for (std::size_t at = svg.find("points=\""); at != std::string::npos; at = svg.find("points=\"", at + 1)) {
+      std::istringstream points(svg.substr(at + 8, svg.find('"', at + 8) - at - 8));
+      double x = 0;
+      double y = 0;
+      for (char comma = 0; points >> x >> comma >> y;) {
+        box = {std::min(box[0], x), std::min(box[1], y), std::max(box[2], x), std::max(box[3], y)};
+      }
+    }
+    return box;
   }
 };
 
@@ -59,6 +88,56 @@ TEST_F(DrawCommand, AGridFileWithAHole) {
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "bad.csv:2")) << ran.err;
   EXPECT_FALSE(exists("bad.svg"));
+}
+
+// Proportions are those of the box unless it is stretched; both are said.
+TEST_F(DrawCommand, ProportionsOfASurface) {
+  const auto drawn = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"draw", "skala", "--function", "x+y", "--x-range", "0:4", "--y-range", "0:1", "--elevate", "90", "--rotate", "0",
+                                       "--points", "5", "--slices", "5", "--size", "120x60", "--json", "-o", "s.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    return std::pair{json["aspect"], box_of(read("s.svg"))};
+  };
+  // From above, on 100 by 40 mm of paper: the box is a square, four times as long as deep, or what the paper is.
+  const auto [free, square] = drawn({});
+  EXPECT_EQ(free["name"], "free");
+  EXPECT_EQ(free["stretched"], false);
+  EXPECT_NEAR(square[2] - square[0], 40, 0.01);
+  EXPECT_NEAR(square[3] - square[1], 40, 0.01);
+  const auto [equal, flat] = drawn({"--aspect", "equal-xy"});
+  EXPECT_EQ(equal["box"][1], 0.25);
+  EXPECT_NEAR(flat[2] - flat[0], 100, 0.01);
+  EXPECT_NEAR(flat[3] - flat[1], 25, 0.01);
+  const auto [sides, own] = drawn({"--aspect", "1:2:1"});
+  EXPECT_NEAR(own[2] - own[0], 20, 0.01);
+  EXPECT_NEAR(own[3] - own[1], 40, 0.01);
+  const auto [stretched, page] = drawn({"--stretch"});
+  EXPECT_EQ(stretched["stretched"], true);
+  EXPECT_NEAR(page[2] - page[0], 100, 0.01);
+  EXPECT_NEAR(page[3] - page[1], 40, 0.01);
+  expect_usage_error_beside({"draw", "skala", "sinc", "-o", "t.svg", "--aspect", "wide"}, "free, equal-xy, equal, or three sides");
+  expect_usage_error_beside({"draw", "skala", "sinc", "-o", "t.svg", "--aspect", "1:2"}, "--aspect");
+}
+
+// Round heights by default; layers by kind, with names that say what they are.
+TEST_F(DrawCommand, AFigureInLayers) {
+  const auto ran = sightline({"draw", "skala", "peaks", "--picture", "contours", "--labels", "--floor", "--axes", "--title", "Three hills", "--colours",
+                              "heights", "--size", "A4", "--json", "-o", "f.svg"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["levels"], (std::vector<double>{-6, -4, -2, 0, 2, 4, 6, 8}));
+  const std::string svg = read("f.svg");
+  for (const char* layer : {" rims\"", " silhouette\"", " contour -6\"", " contour 8\"", " floor 0\"", " axes\"", " text\""}) EXPECT_TRUE(has(svg, layer)) << layer;
+  const auto by_step = sightline({"draw", "skala", "peaks", "--picture", "contours", "--contour-step", "2.5", "--json", "-o", "g.plt"});
+  EXPECT_EQ(nlohmann::json::parse(by_step.out)["levels"], (std::vector<double>{-5, -2.5, 0, 2.5, 5, 7.5}));
+  expect_usage_error_beside({"draw", "skala", "peaks", "--picture", "contours", "--contour-step", "0.01", "-o", "t.svg"}, "more than 255");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--labels", "-o", "t.svg"}, "--picture contours or --floor");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--axes", "--axis-names", "a,b", "-o", "t.svg"}, "expected three");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--x-range", "3:1", "-o", "t.svg"}, "--x-range");
+  expect_usage_error_beside({"draw", "skala", "spike", "--x-range", "1:3", "-o", "t.svg"}, "--x-range");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--xyz", "a,b,c", "-o", "t.svg"}, "without a grid file");
 }
 
 TEST_F(DrawCommand, ASceneByEveryAlgorithm) {
@@ -166,7 +245,7 @@ TEST_F(DrawCommand, OptionsOfOtherPictures) {
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--margin", "5"}, "--margin: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--pen", "1"}, "--pen: found without");
   expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--levels", "5"}, "--picture contours");
-  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--net", "--picture", "surface"},
+  expect_usage_error({"draw", "skala", "sinc", "-o", "s.svg", "--net", "--picture", "lines"},
                      "--net: found");
 }
 
