@@ -1,6 +1,7 @@
 // See pdf.hpp.
 #include "host/picture/pdf.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -54,13 +55,17 @@ class PdfPage {
   // In millimetres, of which the page's unit is 1/72 inch.
   std::string content(const Paper& paper) {
     base::append(text_, "{:.6f} 0 0 {:.6f} 0 0 cm\n1 J 1 j {:.3f} w\n", 72 / 25.4, 72 / 25.4, paper.pen);
-    for (const DrawingFacet& facet : drawing_.facets) {
-      colour(facet.colour, "rg");
-      colour(facet.colour, "RG");
-      for (std::uint32_t i = 0; i < facet.count; ++i) point(facet.first + i, i == 0 ? 'm' : 'l');
-      // A line of its own colour around it, or the paper would shine through where two meet.
-      text_ += "0.05 w b\n";
-    }
+    // Facets only meet: a line of their own colour is around each, or the paper would shine through.
+    const bool with_line = drawing_.areas.empty();
+    text_ += "0.05 w\n";
+    const auto area = [this, with_line](const auto& each) {
+      colour(each.colour, "rg");
+      if (with_line) colour(each.colour, "RG");
+      for (std::uint32_t i = 0; i < each.count; ++i) point(each.first + i, i == 0 ? 'm' : 'l');
+      text_ += with_line ? "b\n" : "f\n";
+    };
+    std::for_each(drawing_.areas.begin(), drawing_.areas.end(), area);
+    if (drawing_.areas.empty()) std::for_each(drawing_.facets.begin(), drawing_.facets.end(), area);
     base::append(text_, "{:.3f} w\n", paper.pen);
     for (std::uint32_t layer = 0; layer < drawing_.layers.size(); ++layer) {
       base::append(text_, "/OC /L{} BDC\n", layer);

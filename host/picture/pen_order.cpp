@@ -552,6 +552,10 @@ VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, con
     result.facets.push_back({static_cast<std::uint32_t>(result.points.size()), facet.count, facet.colour});
     for (std::uint32_t i = 0; i < facet.count; ++i) result.points.push_back(drawing.points[facet.first + i]);
   }
+  for (const DrawingArea& area : drawing.areas) {
+    result.areas.push_back({static_cast<std::uint32_t>(result.points.size()), area.count, area.colour});
+    for (std::uint32_t i = 0; i < area.count; ++i) result.points.push_back(drawing.points[area.first + i]);
+  }
   return result;
 }
 

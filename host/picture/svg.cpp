@@ -69,7 +69,43 @@ void SvgWriter::begin_path(Colour colour) {
                colour.green, colour.blue);
 }
 
+void SvgWriter::begin_area(Colour colour, bool with_line) {
+  begin("    <path");
+  begin_distances();
+  base::append(text_, " fill=\"#{:02x}{:02x}{:02x}\"", colour.red, colour.green, colour.blue);
+  if (with_line) base::append(text_, " stroke=\"#{:02x}{:02x}{:02x}\"", colour.red, colour.green, colour.blue);
+  text_ += " d=\"";
+}
+
+void SvgWriter::append_distance(std::int64_t distance, bool first) {
+  if (distance >= 0 && !first) text_ += ' ';
+  const std::size_t begin = text_.size();
+  append(distance);
+  if (distance == 0) return;
+  const std::size_t zero = begin + (distance < 0 ? 1 : 0);
+  if (text_[zero] == '0') text_.erase(zero, 1);
+}
+
 void SvgWriter::point(std::int64_t across, std::int64_t down) {
+  if (distances_ && command_ != 'M') {
+    if (command_ == 'l') text_ += 'l';
+    append_distance(across - last_across_, command_ == 'l');
+    append_distance(down - last_down_, false);
+    last_across_ = across;
+    last_down_ = down;
+    command_ = ' ';
+    return;
+  }
+  if (distances_) {
+    text_ += 'M';
+    append(across);
+    text_ += ' ';
+    append(down);
+    last_across_ = across;
+    last_down_ = down;
+    command_ = 'l';
+    return;
+  }
   if (command_ != 0) text_ += command_;
   append(across);
   text_ += ',';

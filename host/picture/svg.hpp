@@ -43,6 +43,18 @@ class SvgWriter {
 
   void begin_polyline() { begin("    <polyline points=\""); }
   void begin_polygon(Colour colour);
+  // Lines and areas from point to point, in distances: half as long as positions. Each is the difference of two rounded positions, so
+  // that roundings do not add up. An area of one loop; what lies within it counts, whichever way it runs around.
+  void begin_line() {
+    begin("    <path d=\"");
+    begin_distances();
+  }
+  // Another line in the same path.
+  void begin_distances() {
+    distances_ = true;
+    command_ = 'M';
+  }
+  void begin_area(Colour colour, bool with_line);
   // Any number of loops, each begun by begin_loop and ended by end_loop.
   void begin_path(Colour colour);
   void begin_loop() { command_ = 'M'; }
@@ -50,6 +62,7 @@ class SvgWriter {
   void point(std::int64_t across, std::int64_t down);
   // A dot as a dash of 0.02 mm: many programs do not draw a line of no length.
   void dot(std::int64_t across, std::int64_t down);
+  void end_area() { text_ += "z\"/>\n"; }
   void end_shape() { text_ += "\"/>\n"; }
 
   [[nodiscard]] std::string finish() && {
@@ -62,12 +75,18 @@ class SvgWriter {
   void begin(std::string_view element) {
     text_ += element;
     command_ = 0;
+    distances_ = false;
   }
   void append(std::int64_t position);
+  // Without the zero before its point; a blank before it unless it has a sign or is the first.
+  void append_distance(std::int64_t distance, bool first);
 
   SvgPositions positions_;
   std::string text_;
   char command_ = 0;  // before the next point: of a path, or a blank
+  bool distances_ = false;
+  std::int64_t last_across_ = 0;
+  std::int64_t last_down_ = 0;
 };
 
 }  // namespace sightline::picture

@@ -50,6 +50,17 @@ struct DrawingFacet {
   friend bool operator==(const DrawingFacet&, const DrawingFacet&) = default;
 };
 
+// The same as facets, joined to larger polygons for files of vectors. A program that smooths edges lets the paper shine through where
+// two polygons only meet; so each also reaches under those that are nearer and next to it, which are painted over it.
+// What lies within the line counts, whichever way and however often it runs around.
+struct DrawingArea {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  Colour colour = {};
+
+  friend bool operator==(const DrawingArea&, const DrawingArea&) = default;
+};
+
 struct VectorDrawing {
   double width = 0;
   double height = 0;
@@ -57,6 +68,7 @@ struct VectorDrawing {
   std::vector<DrawingPoint> points;
   std::vector<DrawingLine> lines;
   std::vector<DrawingFacet> facets;  // far to near
+  std::vector<DrawingArea> areas = {};  // far to near; empty: the facets
 };
 
 // The paper: the drawing is stretched to its inside.

@@ -77,7 +77,9 @@ class Shading {
     double part = 0;
     for (const auto& [p, s] : {std::pair{point, slice}, std::pair{point + 1, slice}, std::pair{point, slice + 1}, std::pair{point + 1, slice + 1}})
       part += ((grid_.height(p, s) / 2 - grid_.range.low / 2) * scale_) / 4;
-    return picture::height_colour(part);
+    // More colours than an eye distinguishes side by side; neighbouring cells often have the same.
+    constexpr double steps = 128;
+    return picture::height_colour(std::floor(part * steps + 0.5) / steps);
   }
   [[nodiscard]] std::uint8_t grey(std::size_t point, std::size_t slice) const {
     const double a = grid_.height(point, slice) * scale_;
@@ -125,11 +127,109 @@ class Facets {
   Sheet& sheet_;
 };
 
+// Facets joined to areas (picture::DrawingArea): cells of a row that follow each other in one colour and show the same side. What an
+// area reaches under is the far half of each nearer cell beside it that shows the same side; where that shows the other side, the
+// surface is folded, and the nearer cell lies over the area anyway.
+class Areas {
+ public:
+  Areas(const Surface& surface, Sheet& sheet) : surface_(surface), sheet_(sheet) {
+    for (std::size_t row = 0; row + 1 < surface.rows(); ++row)
+      for (std::size_t column = 0; column + 1 < surface.columns(); ++column)
+        sides_.push_back({side_of(surface, row, column, Half::near), side_of(surface, row, column, Half::far)});
+  }
+
+  // In the order of painting: rows and columns descend.
+  void add(std::size_t row, std::size_t column, picture::Colour colour) {
+    const Side side = sides(row, column).whole();
+    const bool continues = row > 0 && sides(row - 1, column).whole() == side;
+    const bool follows = last_ > first_ && row == row_ && column + 1 == first_ && colour == colour_ && side == side_ && side != Side::none &&
+                         continues == continues_;
+    if (!follows) {
+      finish();
+      row_ = row;
+      last_ = column + 1;
+      colour_ = colour;
+      side_ = side;
+      continues_ = continues;
+    }
+    first_ = column;
+  }
+
+  void finish() {
+    if (last_ > first_) side_ == Side::none ? put_folded() : put();
+    first_ = last_ = 0;
+  }
+
+ private:
+  struct Sides {
+    Side near = Side::none;
+    Side far = Side::none;
+    // Of both halves; none if they differ.
+    [[nodiscard]] Side whole() const { return near == far ? near : Side::none; }
+  };
+  [[nodiscard]] const Sides& sides(std::size_t row, std::size_t column) const { return sides_[row * (surface_.columns() - 1) + column]; }
+  [[nodiscard]] bool far_half_shows(std::size_t row, std::size_t column, Side side) const {
+    return side != Side::none && sides(row, column).far == side;
+  }
+
+  void put() {
+    const bool next_continues = first_ > 0 && sides(row_, first_ - 1).whole() == side_ && (!continues_ || sides(row_ - 1, first_ - 1).whole() == side_);
+    const std::size_t from = next_continues ? first_ - 1 : first_;
+    corners_.clear();
+    for (std::size_t column = last_ + 1; column-- > from;) corners_.push_back(surface_.at(row_ + 1, column));
+    if (!next_continues && first_ > 0 && far_half_shows(row_, first_ - 1, side_)) corners_.push_back(surface_.at(row_ + 1, first_ - 1));
+    corners_.push_back(surface_.at(row_, from));
+    if (continues_) {
+      for (std::size_t column = from; column <= last_; ++column) corners_.push_back(surface_.at(row_ - 1, column));
+      corners_.push_back(surface_.at(row_, last_));
+    } else {
+      for (std::size_t column = from; column < last_; ++column) under(column, side_);
+    }
+    put_corners();
+  }
+  // From (row, column) to the next, under the cell before them.
+  void under(std::size_t column, Side side) {
+    if (row_ > 0 && far_half_shows(row_ - 1, column, side)) corners_.push_back(surface_.at(row_ - 1, column + 1));
+    corners_.push_back(surface_.at(row_, column + 1));
+  }
+  // A cell that is folded along its diagonal.
+  void put_folded() {
+    const Vertex& beside = surface_.at(row_, first_ + 1);
+    const Vertex& behind = surface_.at(row_ + 1, first_);
+    corners_ = {beside, surface_.at(row_ + 1, first_ + 1), behind};
+    put_corners();
+    const Side side = sides(row_, first_).near;
+    corners_ = {behind};
+    if (first_ > 0 && far_half_shows(row_, first_ - 1, side)) corners_.push_back(surface_.at(row_ + 1, first_ - 1));
+    corners_.push_back(surface_.at(row_, first_));
+    under(first_, side);
+    put_corners();
+  }
+  void put_corners() {
+    picture::VectorDrawing& drawing = sheet_.drawing();
+    drawing.areas.push_back({static_cast<std::uint32_t>(drawing.points.size()), static_cast<std::uint32_t>(corners_.size()), colour_});
+    for (const Vertex corner : corners_) drawing.points.push_back(sheet_.place(corner));
+  }
+
+  const Surface& surface_;
+  Sheet& sheet_;
+  std::vector<Sides> sides_;
+  std::vector<Vertex> corners_;
+  // The area at hand: cells of a row, and none if last is not above first.
+  std::size_t row_ = 0;
+  std::size_t first_ = 0;
+  std::size_t last_ = 0;
+  picture::Colour colour_;
+  Side side_ = Side::none;
+  bool continues_ = false;  // in the row before it
+};
+
 void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Walked& walked, const View& view,
                 picture::VectorDrawing& drawing) {
   if (surface.rows() < 2 || surface.columns() < 2) return;
   Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
   Facets facets(surface, sheet);
+  Areas areas(surface, sheet);
   const Shading shading(grid, view.colouring);
   const std::size_t columns = surface.columns() - 1;
   for (std::size_t row = surface.rows() - 1; row-- > 0;)
@@ -137,10 +237,12 @@ void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Wal
       if (!walked.seen[row * columns + column] || !cell_defined(surface, row, column)) continue;
       const std::size_t a = surface.height_index(row, column);
       const std::size_t b = surface.height_index(row + 1, column + 1);
-      facets.add(row, column,
-                 shading.colour(std::min(a % grid.points(), b % grid.points()),
-                              std::min(a / grid.points(), b / grid.points())));
+      const picture::Colour colour = shading.colour(std::min(a % grid.points(), b % grid.points()),
+                                                    std::min(a / grid.points(), b / grid.points()));
+      facets.add(row, column, colour);
+      areas.add(row, column, colour);
     }
+  areas.finish();
 }
 
 template <class Walking>

@@ -373,11 +373,18 @@ class FigureMaker {
     for (std::uint32_t i = 0; i < legend_steps; ++i) {
       const double from = bottom + (top - bottom) * i / legend_steps;
       const double to = bottom + (top - bottom) * (i + 1) / legend_steps;
-      drawing.facets.push_back({static_cast<std::uint32_t>(drawing.points.size()), 4, picture::height_colour((i + 0.5) / legend_steps)});
-      corner(left, from);
-      corner(right, from);
-      corner(right, to);
-      corner(left, to);
+      const picture::Colour colour = picture::height_colour((i + 0.5) / legend_steps);
+      const auto rectangle = [&](double upper) {
+        corner(left, from);
+        corner(right, from);
+        corner(right, upper);
+        corner(left, upper);
+      };
+      drawing.facets.push_back({static_cast<std::uint32_t>(drawing.points.size()), 4, colour});
+      rectangle(to);
+      // Those above are painted over it.
+      drawing.areas.push_back({static_cast<std::uint32_t>(drawing.points.size()), 4, colour});
+      rectangle(top);
     }
     const auto first = static_cast<std::uint32_t>(drawing.points.size());
     for (const auto& [x, y] : {std::pair{left, bottom}, std::pair{right, bottom}, std::pair{right, top}, std::pair{left, top}, std::pair{left, bottom}}) corner(x, y);

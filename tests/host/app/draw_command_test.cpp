@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
+#include <cstdlib>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,15 +31,20 @@ class DrawCommand : public sightline::test::CommandLine {
     EXPECT_TRUE(has(ran.err, what)) << ran.err;
     EXPECT_EQ(files(), before);
   }
-  // Left, top, right and bottom of all lines of an SVG of absolute positions, in mm.
+  // Left, top, right and bottom of all lines of an SVG, in mm: "M x y", then distances, of which one with a sign needs no blank.
   static std::array<double, 4> box_of(const std::string& svg) {
     std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
-    for (std::size_t at = svg.find("points=\""); at != std::string::npos; at = svg.find("points=\"", at + 1)) {
-      std::istringstream points(svg.substr(at + 8, svg.find('"', at + 8) - at - 8));
+    for (std::size_t at = svg.find(" d=\"M"); at != std::string::npos; at = svg.find(" d=\"M", at + 1)) {
+      const std::string text = svg.substr(at + 5, svg.find('"', at + 5) - at - 5);
+      const char* next = text.c_str();
       double x = 0;
       double y = 0;
-      for (char comma = 0; points >> x >> comma >> y;) {
+      while (*next != 0) {
+        char* end = nullptr;
+        x += std::strtod(next, &end);
+        y += std::strtod(end, &end);
         box = {std::min(box[0], x), std::min(box[1], y), std::max(box[2], x), std::max(box[3], y)};
+        next = *end == 'l' ? end + 1 : end;
       }
     }
     return box;
