@@ -24,7 +24,7 @@ LinePart positive_part(double at_0, double at_1) {
 
 }  // namespace
 
-Coverage::Coverage(const Surface& surface, int columns) : columns_(static_cast<std::size_t>(columns)) {
+void Coverage::add(const Surface& surface) {
   for (std::size_t row = 0; row + 1 < surface.rows(); ++row)
     for (std::size_t column = 0; column + 1 < surface.columns(); ++column) {
       if (!cell_defined(surface, row, column)) continue;

@@ -1,8 +1,8 @@
-// Where on the screen the whole surface is: what it hides of lines that lie behind all of it, such as the far edges of the box
-// around it and contours on the floor of that box.
+// Where on the screen the surface is: what it hides of lines that lie behind it.
 //
-// By column as in horizon.hpp, but as a set of intervals: through a hole one sees what is behind. The surface is two flat
-// triangles a cell (facing.hpp).
+// By column as in horizon.hpp, but as a set of intervals: through a hole one sees what is behind, and between two surfaces, too. The surface
+// is two flat triangles a cell (facing.hpp). Of whole surfaces it hides what lies behind all of them: the far edges of the box around
+// them, contours on the floor of that box. Filled triangle by triangle from near to far, it hides what comes next.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,15 @@ struct LinePart {
 
 class Coverage {
  public:
-  Coverage(const Surface& surface, int columns);
+  explicit Coverage(int columns) : columns_(static_cast<std::size_t>(columns)) {}
+  Coverage(const Surface& surface, int columns) : Coverage(columns) { add(surface); }
+
+  void add(const Surface& surface);
+  void add_triangle(Vertex a, Vertex b, Vertex c);
+  // The extremes of a column; beyond 10^29 there is nothing.
+  [[nodiscard]] float top(std::size_t column) const { return columns_[column].empty() ? -1e30F : columns_[column].back().high; }
+  [[nodiscard]] float bottom(std::size_t column) const { return columns_[column].empty() ? 1e30F : columns_[column].front().low; }
+  [[nodiscard]] std::size_t columns() const { return columns_.size(); }
 
   // What the surface does not hide, in order. Lines that touch its outline from within 1/64 of a unit are seen.
   [[nodiscard]] std::vector<LinePart> visible(Vertex from, Vertex to) const;
@@ -32,7 +40,6 @@ class Coverage {
   };
   using Column = std::vector<Interval>;  // ascending, disjoint
 
-  void add_triangle(Vertex a, Vertex b, Vertex c);
   void add(std::size_t column, Interval interval);
   [[nodiscard]] const Column& column(double x) const;
   void hide(Vertex from, Vertex to, double begin, double end, std::vector<LinePart>& hidden) const;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "host/algorithms/skala/facing.hpp"
+#include "host/algorithms/skala/gapped_horizon.hpp"
 
 namespace sightline::algorithms::skala {
 namespace {
@@ -21,44 +24,80 @@ struct Corner {
 // The listener of a walk that nobody watches; a watched one is compiled apart.
 struct Unwatched {
   void line(std::span<const Vertex>, const std::vector<Piece>&) {}
-  void row_ended(const Horizon&) {}
+  template <class Screen>
+  void row_ended(const Screen&) {}
 };
 
 class Watched {
  public:
   explicit Watched(Trace& trace) : trace_(&trace) {}
   void line(std::span<const Vertex> line, const std::vector<Piece>& seen) { trace_->line(line, seen); }
-  void row_ended(const Horizon& horizon) { trace_->row_ended(horizon.top(), horizon.bottom()); }
+  template <class Screen>
+  void row_ended(const Screen& screen) {
+    trace_->row_ended(screen.top(), screen.bottom());
+  }
 
  private:
   Trace* trace_;
 };
 
-template <class Listener>
+int columns_of(const View& view) {
+  return std::clamp(view.columns, fewest_columns, most_columns);
+}
+
+// The screen is a Horizon or a GappedHorizon.
+template <class Listener, class Screen>
 class Walker {
  public:
-  Walker(const Walk& order, picture::VectorDrawing& drawing, Listener listener)
+  Walker(const Walk& order, picture::VectorDrawing& drawing, Listener listener, Screen& screen)
       : listener_(listener),
         order_(order),
         surface_(*order.surface),
         view_(*order.view),
-        sheet_(drawing, std::clamp(view_.columns, fewest_columns, most_columns)),
-        horizon_(std::clamp(view_.columns, fewest_columns, most_columns)),
+        sheet_(drawing, columns_of(view_)),
+        horizon_(screen),
         lines_(view_.subject == Subject::lines),
         net_(lines_ ? view_.family == Family::both : view_.net),
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),
-        slices_only_(lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
+        slices_only_(!gapped && lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
         dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
   Walked go() {
+    begin();
+    for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) slices_only_ ? strip_of_slices(row) : strip(row);
+    return end();
+  }
+
+  // The same in parts: those of all surfaces take turns.
+  void begin() {
     const std::size_t rows = surface_.rows();
     const std::size_t columns = surface_.columns();
     if (view_.subject == Subject::surface) walked_.seen.resize((rows - 1) * (columns - 1));
     column_pens_.resize(columns);
     if (rows > 0) first_row();
-    for (std::size_t row = 0; row + 1 < rows; ++row) slices_only_ ? strip_of_slices(row) : strip(row);
+  }
+  void begin_strip(std::size_t row) { column_edge(row, 0); }
+  void cell(std::size_t row, std::size_t column) {
+    dot(row + 1, column);
+    if (column + 1 == surface_.columns()) return;
+    const bool defined = gapped && view_.visibility && cell_defined(surface_, row, column);
+    if (diagonals_ && cell_defined(surface_, row, column)) {
+      inside(row, column);
+    } else if (defined) {
+      cover(row, column, Half::near);
+    }
+    if (all_edges_ || column + 2 == surface_.columns() || !whole_strip(row, column)) column_edge(row, column + 1);
+    row_edge(row + 1, column);
+    if (defined) cover(row, column, Half::far);
+  }
+  void end_row() {
+    row_pen_.lift(sheet_);
+    wake_ = {};
+    listener_.row_ended(horizon_);
+  }
+  Walked end() {
     for (Pen& pen : column_pens_) pen.lift(sheet_);
     stitcher_.finish(sheet_);
     return std::move(walked_);
@@ -75,15 +114,8 @@ class Walker {
 
   // Between a row and the next farther one, with that.
   void strip(std::size_t row) {
-    const std::size_t columns = surface_.columns();
-    column_edge(row, 0);
-    for (std::size_t column = 0; column < columns; ++column) {
-      dot(row + 1, column);
-      if (column + 1 == columns) break;
-      if (diagonals_ && cell_defined(surface_, row, column)) inside(row, column);
-      if (all_edges_ || column + 2 == columns || !whole_strip(row, column)) column_edge(row, column + 1);
-      row_edge(row + 1, column);
-    }
+    begin_strip(row);
+    for (std::size_t column = 0; column < surface_.columns(); ++column) cell(row, column);
     end_row();
   }
 
@@ -91,10 +123,12 @@ class Walker {
   void strip_of_slices(std::size_t row) {
     const std::size_t last = surface_.columns() - 1;
     column_edge(row, 0);
-    const auto chain = surface_.row(row + 1).first(last);
-    const bool seen = horizon_.draw_chain(chain, wake_);
-    listener_.line(chain, horizon_.pieces());
-    if (seen) row_pen_.draw(sheet_, along_rows, horizon_.pieces());
+    if constexpr (!gapped) {
+      const auto chain = surface_.row(row + 1).first(last);
+      const bool seen = horizon_.draw_chain(chain, wake_);
+      listener_.line(chain, horizon_.pieces());
+      if (seen) row_pen_.draw(sheet_, layer(along_rows), horizon_.pieces());
+    }
     column_edge(row, last);
     row_edge(row + 1, last - 1);
     end_row();
@@ -133,9 +167,9 @@ class Walker {
     mark(row, column);
     if (row > 0) mark(row - 1, column);
     if (lines_ || net_) {
-      row_pen_.draw(sheet_, along_rows, pieces());
+      row_pen_.draw(sheet_, layer(along_rows), pieces());
     } else if (rims_ && edge_of_surface_along(row, column)) {
-      row_pen_.draw(sheet_, rims, pieces());
+      row_pen_.draw(sheet_, layer(rims), pieces());
     }
     if (!view_.silhouette || row == 0) return;
     if (folds(side_of(surface_, row - 1, column, Half::far), side_of(surface_, row, column, Half::near)))
@@ -154,9 +188,9 @@ class Walker {
     mark(row, column);
     if (column > 0) mark(row, column - 1);
     if (net_) {
-      column_pens_[column].draw(sheet_, along_columns, pieces());
+      column_pens_[column].draw(sheet_, layer(along_columns), pieces());
     } else if (rims_ && rim) {
-      column_pens_[column].draw(sheet_, rims, pieces());
+      column_pens_[column].draw(sheet_, layer(rims), pieces());
     }
     if (!view_.silhouette || column == 0) return;
     if (folds(side_of(surface_, row, column - 1, Half::far), side_of(surface_, row, column, Half::near)))
@@ -177,7 +211,17 @@ class Walker {
           folds(side_of(surface_, row, column, Half::near), side_of(surface_, row, column, Half::far)))
         silhouette(behind, beside);
     }
+    cover(row, column, Half::near);
     contours({Corner{row + 1, column + 1}, behind, beside});
+  }
+
+  // What half a cell hides from now on.
+  void cover(std::size_t row, std::size_t column, Half half) {
+    if constexpr (gapped) {
+      if (!view_.visibility) return;
+      const Vertex corner = half == Half::near ? surface_.at(row, column) : surface_.at(row + 1, column + 1);
+      horizon_.cover(corner, surface_.at(row, column + 1), surface_.at(row + 1, column));
+    }
   }
 
   void contours(const std::array<Corner, 3>& triangle) {
@@ -207,7 +251,7 @@ class Walker {
     } else if (!horizon_.test(ends[0], ends[1], contour_slack)) {
       return;
     }
-    stitcher_.add(first_contour + level, ends[0], ends[1], pieces(), joints[0], joints[1]);
+    stitcher_.add(layer(first_contour) + level, ends[0], ends[1], pieces(), joints[0], joints[1]);
   }
 
   // The same from both sides of the edge.
@@ -235,7 +279,7 @@ class Walker {
   }
 
   void silhouette(Corner from, Corner to) {
-    stitcher_.add(silhouettes, vertex(from), vertex(to), pieces(), 1 + Joint{id(from)}, 1 + Joint{id(to)});
+    stitcher_.add(layer(silhouettes), vertex(from), vertex(to), pieces(), 1 + Joint{id(from)}, 1 + Joint{id(to)});
   }
 
   // A point that no line ends in.
@@ -252,13 +296,7 @@ class Walker {
     } else if (!horizon_.test(here, here, Horizon::usual_slack)) {
       return;
     }
-    row_pen_.draw(sheet_, along_rows, pieces());
-  }
-
-  void end_row() {
-    row_pen_.lift(sheet_);
-    wake_ = {};
-    listener_.row_ended(horizon_);
+    row_pen_.draw(sheet_, layer(along_rows), pieces());
   }
 
   void mark(std::size_t row, std::size_t column) {
@@ -273,17 +311,20 @@ class Walker {
     return (row > 0 && cell_defined(surface_, row - 1, column)) != cell_defined(surface_, row, column);
   }
 
+  [[nodiscard]] std::uint32_t layer(Layer which) const { return order_.first_layer + which; }
   [[nodiscard]] std::size_t id(Corner corner) const {
     return corner.row * surface_.columns() + corner.column;
   }
   [[nodiscard]] Vertex vertex(Corner corner) const { return surface_.at(corner.row, corner.column); }
+
+  static constexpr bool gapped = std::is_same_v<Screen, GappedHorizon>;
 
   [[no_unique_address]] Listener listener_;
   const Walk& order_;
   const Surface& surface_;
   const View& view_;
   Sheet sheet_;
-  Horizon horizon_;
+  Screen& horizon_;
   bool lines_;
   bool net_;
   bool all_edges_;
@@ -299,13 +340,57 @@ class Walker {
   Walked walked_;
 };
 
+template <class Listener>
+Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener listener) {
+  if (order.surface->whole()) {
+    Horizon screen(columns_of(*order.view));
+    return Walker<Listener, Horizon>(order, drawing, listener, screen).go();
+  }
+  GappedHorizon screen(columns_of(*order.view));
+  return Walker<Listener, GappedHorizon>(order, drawing, listener, screen).go();
+}
+
+// The mean height of a cell's corners on the screen; it orders cells over the same place.
+double middle_of(const Surface& surface, std::size_t row, std::size_t column) {
+  return double{surface.at(row, column).y} + double{surface.at(row, column + 1).y} + double{surface.at(row + 1, column).y} +
+         double{surface.at(row + 1, column + 1).y};
+}
+
 }  // namespace
 
 Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
-  return Walker<Unwatched>(order, drawing, {}).go();
+  return walk_for(order, drawing, Unwatched());
 }
 Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
-  return Walker<Watched>(order, drawing, Watched(trace)).go();
+  return walk_for(order, drawing, Watched(trace));
+}
+
+std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing) {
+  std::vector<Walked> result;
+  if (orders.empty()) return result;
+  GappedHorizon screen(columns_of(*orders[0].view));
+  std::vector<Walker<Unwatched, GappedHorizon>> walkers;
+  walkers.reserve(orders.size());
+  for (const Walk& order : orders) walkers.emplace_back(order, drawing, Unwatched(), screen);
+  for (auto& walker : walkers) walker.begin();
+  const Surface& any = *orders[0].surface;
+  const bool from_above = any.to_eye()[2] >= 0;
+  std::vector<std::pair<double, std::size_t>> turns(orders.size());
+  for (std::size_t row = 0; row + 1 < any.rows(); ++row) {
+    for (auto& walker : walkers) walker.begin_strip(row);
+    for (std::size_t column = 0; column < any.columns(); ++column) {
+      for (std::size_t i = 0; i < orders.size(); ++i) {
+        const double middle = column + 1 < any.columns() ? middle_of(*orders[i].surface, row, column) : 0;
+        // A cell that is not there hides nothing.
+        turns[i] = {middle == middle ? (from_above ? -middle : middle) : 0, i};
+      }
+      std::sort(turns.begin(), turns.end());
+      for (const auto& [middle, i] : turns) walkers[i].cell(row, column);
+    }
+    for (auto& walker : walkers) walker.end_row();
+  }
+  for (auto& walker : walkers) result.push_back(walker.end());
+  return result;
 }
 
 }  // namespace sightline::algorithms::skala

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/skala/draw.hpp"
@@ -28,15 +29,20 @@ struct Walk {
   std::vector<std::uint8_t> bands;  // contours: how many levels are at or below every vertex
   std::vector<double> heights;      // contours: of every vertex
   std::vector<double> levels;
+  std::uint32_t first_layer = 0;  // of the drawing: those of Layer count from it
 };
 
 struct Walked {
   std::vector<bool> seen;  // surfaces: of every cell, by row * (columns - 1) + column; empty otherwise
 };
 
-// The drawing's layers must be there; lines are added to it.
+// The drawing's layers must be there; lines are added to it. A surface with holes takes a GappedHorizon.
 Walked walk(const Walk& order, picture::VectorDrawing& drawing);
 // The same, told to somebody.
 Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
+
+// Several surfaces over the same places at once, cell by cell; of two in a cell the one that is nearer to the eye's side in its middle
+// comes first. So where surfaces pass through each other, what is hidden is right but for the cells they do it in.
+std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing);
 
 }  // namespace sightline::algorithms::skala
