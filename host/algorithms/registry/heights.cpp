@@ -109,8 +109,8 @@ HeightPicture draw_native(const HeightGrid& grid, const HeightView& view) {
   return picture;
 }
 
-native::Figure native_figure(const HeightGrid& grid, const HeightView& view, const native::FigureOptions& options) {
-  return native::figure(grid, view, options);
+native::Figure native_figure(std::span<const HeightGrid> grids, const HeightView& view, const native::FigureOptions& options) {
+  return native::figure(grids, view, options);
 }
 
 // --- the oracle

@@ -45,7 +45,7 @@ struct HeightMethod {
   // empty.
   std::string_view algorithm = {};
   // Of the same: the drawing as a figure for a page.
-  algorithms::skala::Figure (*figure)(const scene::HeightGrid& grid, const HeightView& view, const algorithms::skala::FigureOptions& options) = nullptr;
+  algorithms::skala::Figure (*figure)(std::span<const scene::HeightGrid> grids, const HeightView& view, const algorithms::skala::FigureOptions& options) = nullptr;
 };
 
 // The same view in the terms of the program on the 8080, and back.

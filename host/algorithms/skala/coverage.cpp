@@ -24,28 +24,35 @@ LinePart positive_part(double at_0, double at_1) {
 
 }  // namespace
 
-void Coverage::add(const Surface& surface) {
+void Coverage::add(const Surface& surface, bool triangles) {
   for (std::size_t row = 0; row + 1 < surface.rows(); ++row)
     for (std::size_t column = 0; column + 1 < surface.columns(); ++column) {
       if (!cell_defined(surface, row, column)) continue;
+      const Vertex& near = surface.at(row, column);
+      const Vertex& far = surface.at(row + 1, column + 1);
       const Vertex& beside = surface.at(row, column + 1);
       const Vertex& behind = surface.at(row + 1, column);
-      add_triangle(surface.at(row, column), beside, behind);
-      add_triangle(surface.at(row + 1, column + 1), beside, behind);
+      if (triangles) {
+        add(std::array{near, beside, behind});
+        add(std::array{far, beside, behind});
+      } else {
+        add(std::array{near, beside, far, behind});
+      }
     }
 }
 
-void Coverage::add_triangle(Vertex a, Vertex b, Vertex c) {
-  std::array<Vertex, 3> corners{a, b, c};
-  std::sort(corners.begin(), corners.end(), [](Vertex p, Vertex q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
-  const int last = std::min(static_cast<int>(std::floor(corners[2].x)), static_cast<int>(columns_.size()) - 1);
-  for (int column = std::max(static_cast<int>(std::ceil(corners[0].x)), 0); column <= last; ++column) {
+void Coverage::add(std::span<const Vertex> outline) {
+  const auto [left, right] = std::minmax_element(outline.begin(), outline.end(), [](Vertex a, Vertex b) { return a.x < b.x; });
+  const int last = std::min(static_cast<int>(std::floor(right->x)), static_cast<int>(columns_.size()) - 1);
+  for (int column = std::max(static_cast<int>(std::ceil(left->x)), 0); column <= last; ++column) {
     const auto x = static_cast<float>(column);
     Interval covered{1e30F, -1e30F};
     const auto take = [&](float y) { covered = {std::min(covered.low, y), std::max(covered.high, y)}; };
-    for (const auto& [from, to] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 2}}) {
-      const Vertex p = corners[static_cast<std::size_t>(from)];
-      const Vertex q = corners[static_cast<std::size_t>(to)];
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      Vertex p = outline[i];
+      Vertex q = outline[i + 1 < outline.size() ? i + 1 : 0];
+      // The same from both sides of the line.
+      if (q.x < p.x || (q.x == p.x && q.y < p.y)) std::swap(p, q);
       if (p.x > x || q.x < x) continue;
       if (p.x == q.x) {
         take(p.y);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/skala/surface.hpp"
@@ -21,10 +22,11 @@ struct LinePart {
 class Coverage {
  public:
   explicit Coverage(int columns) : columns_(static_cast<std::size_t>(columns)) {}
-  Coverage(const Surface& surface, int columns) : Coverage(columns) { add(surface); }
 
-  void add(const Surface& surface);
-  void add_triangle(Vertex a, Vertex b, Vertex c);
+  // Every cell, as triangles or by its edges.
+  void add(const Surface& surface, bool triangles = true);
+  // What lines between these, one after the other and back, enclose in every column.
+  void add(std::span<const Vertex> outline);
   // The extremes of a column; beyond 10^29 there is nothing.
   [[nodiscard]] float top(std::size_t column) const { return columns_[column].empty() ? -1e30F : columns_[column].back().high; }
   [[nodiscard]] float bottom(std::size_t column) const { return columns_[column].empty() ? 1e30F : columns_[column].front().low; }

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "host/algorithms/skala/facing.hpp"
 #include "host/algorithms/skala/surface.hpp"
@@ -32,15 +35,19 @@ std::vector<double> contour_levels(scene::Interval range, const View& view) {
   return levels;
 }
 
-void name_layers(picture::VectorDrawing& drawing, const std::vector<double>& levels, bool row_is_slice) {
-  constexpr picture::Colour black{0, 0, 0};
-  drawing.layers = {{row_is_slice ? "lines along x" : "lines along z", black},
-                    {row_is_slice ? "lines along z" : "lines along x", black},
-                    {"rims", {96, 96, 96}},
-                    {"silhouette", {150, 0, 110}}};
+// Lines of the second surface, the third and so on.
+constexpr std::array<picture::Colour, 4> surface_colours{{{0, 0, 0}, {190, 60, 20}, {31, 95, 191}, {46, 139, 87}}};
+
+void name_layers(picture::VectorDrawing& drawing, const std::vector<double>& levels, bool row_is_slice, std::size_t surface) {
+  const picture::Colour colour = surface_colours[surface % surface_colours.size()];
+  const std::string of = surface == 0 ? "" : fmt::format(", surface {}", surface + 1);
+  drawing.layers.push_back({(row_is_slice ? "lines along x" : "lines along z") + of, colour});
+  drawing.layers.push_back({(row_is_slice ? "lines along z" : "lines along x") + of, colour});
+  drawing.layers.push_back({"rims" + of, {96, 96, 96}});
+  drawing.layers.push_back({"silhouette" + of, {150, 0, 110}});
   for (std::size_t k = 0; k < levels.size(); ++k)
     drawing.layers.push_back(
-        {fmt::format("contour {:.6g}", levels[k]), contour_colours[k % contour_colours.size()]});
+        {fmt::format("contour {:.6g}", levels[k]) + of, contour_colours[k % contour_colours.size()]});
 }
 
 void measure_heights(Walk& order, const scene::HeightGrid& grid) {
@@ -259,7 +266,7 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
     order.levels = contour_levels(grid.range, view);
     measure_heights(order, grid);
   }
-  name_layers(drawing, order.levels, rows != Family::along_z);
+  name_layers(drawing, order.levels, rows != Family::along_z, 0);
   if (grid.heights.empty()) return drawing;
   // About as many as there are in a picture of slices; memory that is not touched costs nothing.
   drawing.points.reserve(grid.heights.size());
@@ -268,7 +275,63 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   return drawing;
 }
 
+// Cells of all surfaces far to near; over the same place, the one on the eye's side last.
+void add_facets(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walked>& walked, const View& view,
+                picture::VectorDrawing& drawing) {
+  const Surface& any = surfaces.front();
+  if (any.rows() < 2 || any.columns() < 2) return;
+  Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
+  std::vector<Facets> facets;
+  std::vector<Shading> shadings;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    facets.emplace_back(surfaces[i], sheet);
+    shadings.emplace_back(grids[i], view.colouring);
+  }
+  const bool from_above = any.to_eye()[2] >= 0;
+  const std::size_t columns = any.columns() - 1;
+  std::vector<std::pair<double, std::size_t>> turns;
+  for (std::size_t row = any.rows() - 1; row-- > 0;)
+    for (std::size_t column = columns; column-- > 0;) {
+      turns.clear();
+      for (std::size_t i = 0; i < grids.size(); ++i) {
+        if (!walked[i].seen[row * columns + column] || !cell_defined(surfaces[i], row, column)) continue;
+        const double middle = middle_of(surfaces[i], row, column);
+        turns.push_back({from_above ? middle : -middle, i});
+      }
+      std::sort(turns.begin(), turns.end());
+      const std::size_t a = any.height_index(row, column);
+      const std::size_t b = any.height_index(row + 1, column + 1);
+      const std::size_t points = grids[0].points();
+      for (const auto& [middle, i] : turns)
+        facets[i].add(row, column, shadings[i].colour(std::min(a % points, b % points), std::min(a / points, b / points)));
+    }
+}
+
 }  // namespace
+
+picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View& asked) {
+  if (grids.size() == 1) return draw(grids[0], asked);
+  View view = asked;
+  view.family = resolved_family(asked);
+  const Family rows = view.subject == Subject::lines ? view.family : Family::along_x;
+  picture::VectorDrawing drawing;
+  drawing.width = drawing.height = picture_extent;
+  std::vector<Surface> surfaces;
+  for (const scene::HeightGrid& grid : grids) surfaces.emplace_back(grid, view, rows, grids);
+  std::vector<Walk> orders;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    Walk& order = orders.emplace_back(Walk{&surfaces[i], &view, {}, {}, {}});
+    if (view.subject == Subject::contours) {
+      order.levels = contour_levels(grids[i].range, view);
+      measure_heights(order, grids[i]);
+    }
+    order.first_layer = static_cast<std::uint32_t>(drawing.layers.size());
+    name_layers(drawing, order.levels, rows != Family::along_z, i);
+  }
+  const std::vector<Walked> walked = walk(orders, drawing);
+  if (view.subject == Subject::surface) add_facets(grids, surfaces, walked, view, drawing);
+  return drawing;
+}
 
 picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view) {
   return draw_by(grid, view, [](const Walk& order, picture::VectorDrawing& drawing) { return walk(order, drawing); });

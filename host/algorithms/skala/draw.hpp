@@ -4,8 +4,7 @@
 // drawn so far in every column. What differs: the masks are finer than a dot and lines end where they meet
 // the horizon; both families of slices go cell by cell; the surface's own edges are in the masks; first
 // points are drawn. The printed programs' mistakes are corrected.
-// Left out: surfaces seen through a hole of a nearer part (undefined heights), which count as hidden: the
-// method keeps one interval a column.
+// A surface with holes, and several surfaces in one picture, take a set of intervals a column in place of one (gapped_horizon.hpp).
 // Memory and time are linear in the grid. The same grid gives the same drawing with every compiler.
 #pragma once
 
@@ -24,6 +23,9 @@ namespace sightline::algorithms::skala {
 // Surfaces are facets: of every cell that is seen at least in part, far to near, in greys by the slope
 // across the picture's x of the data, as in the paper's shading; cells hidden wholly are left out.
 [[nodiscard]] picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view);
+// Surfaces over the same places, with the same range (precondition; one or more), which hide each other. The layers of each follow those
+// of the one before; from the second on their names end in ", surface N".
+[[nodiscard]] picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View& view);
 
 // What a drawing tells of its work. One that nobody watches is compiled apart and pays nothing.
 class Trace {

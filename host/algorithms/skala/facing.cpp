@@ -31,4 +31,9 @@ Side side_of(const Surface& surface, std::size_t row, std::size_t column, Half h
   return area > 0 ? Side::anticlockwise : Side::clockwise;
 }
 
+double middle_of(const Surface& surface, std::size_t row, std::size_t column) {
+  return double{surface.at(row, column).y} + double{surface.at(row, column + 1).y} + double{surface.at(row + 1, column).y} +
+         double{surface.at(row + 1, column + 1).y};
+}
+
 }  // namespace sightline::algorithms::skala

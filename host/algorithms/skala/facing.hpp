@@ -16,6 +16,9 @@ enum class Half { near, far };  // of the cell with its nearest corner at (row, 
 [[nodiscard]] bool cell_defined(const Surface& surface, std::size_t row, std::size_t column);
 [[nodiscard]] Side side_of(const Surface& surface, std::size_t row, std::size_t column, Half half);
 
+// Four times the mean height of a cell's corners on the screen; it orders cells of several surfaces over the same place.
+[[nodiscard]] double middle_of(const Surface& surface, std::size_t row, std::size_t column);
+
 // Of an edge between two triangles: does the surface turn away from the eye there?
 [[nodiscard]] inline bool folds(Side a, Side b) {
   return a != Side::none && b != Side::none && a != b;

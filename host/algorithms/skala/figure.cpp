@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "host/algorithms/skala/contour_labels.hpp"
@@ -76,8 +77,8 @@ struct PagePlace {
 // Before anything is placed: what the page shows of the surface.
 class FigureMaker {
  public:
-  FigureMaker(const scene::HeightGrid& grid, const View& view, const FigureOptions& options)
-      : grid_(grid), view_(view), options_(options), text_(options.text) {
+  FigureMaker(std::span<const scene::HeightGrid> grids, const View& view, const FigureOptions& options)
+      : grids_(grids), grid_(grids.front()), view_(view), options_(options), text_(options.text) {
     view_.family = resolved_family(view_);
     rows_ = view_.subject == Subject::lines ? view_.family : Family::along_x;
   }
@@ -86,15 +87,19 @@ class FigureMaker {
     Figure result;
     result.sides = view_.sides;
     VectorDrawing& drawing = result.drawing;
-    drawing = draw(grid_, view_);
-    const Surface surface(grid_, view_, rows_);
+    drawing = draw(grids_, view_);
+    const Surface surface(grid_, view_, rows_, grids_);
     surface_ = &surface;
     measure_box();
     const int columns = std::clamp(view_.columns, fewest_columns, most_columns);
     // A surface without extent has no place in the columns, and hides nothing.
     const bool hides = view_.visibility && surface.extents()[0] > 0 && surface.extents()[1] > 0;
     std::optional<Coverage> coverage;
-    if (hides && (options_.axes || options_.floor)) coverage.emplace(surface, columns);
+    if (hides && (options_.axes || options_.floor)) {
+      coverage.emplace(columns);
+      const bool triangles = view_.subject != Subject::lines || view_.silhouette;
+      for (const scene::HeightGrid& grid : grids_) coverage->add(Surface(grid, view_, rows_, grids_), triangles);
+    }
     std::vector<LabelledLayer> labelled;
     const auto levels = level_layers(drawing, labelled);
     if (options_.floor) add_floor(drawing, labelled, levels, coverage ? &*coverage : nullptr, columns);
@@ -117,9 +122,11 @@ class FigureMaker {
  private:
   // The box has all heights, also those beyond the range that is drawn at -1 to 1.
   void measure_box() {
-    const scene::Interval all = scene::finite_range(grid_.heights);
-    box_.low = std::min(-1.0, surface_->normalised_height(all.low));
-    box_.high = std::max(1.0, surface_->normalised_height(all.high));
+    for (const scene::HeightGrid& grid : grids_) {
+      const scene::Interval all = scene::finite_range(grid.heights);
+      box_.low = std::min(box_.low, surface_->normalised_height(all.low));
+      box_.high = std::max(box_.high, surface_->normalised_height(all.high));
+    }
     heights_ = box_;
     if (options_.floor) box_.low -= (box_.high - box_.low) / 2;
   }
@@ -136,8 +143,9 @@ class FigureMaker {
   [[nodiscard]] std::vector<double> level_layers(VectorDrawing& drawing, std::vector<LabelledLayer>& labelled) const {
     std::vector<double> levels = view_.level_heights.empty() ? even_levels() : view_.level_heights;
     if (view_.subject != Subject::contours) return levels;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      const auto layer = static_cast<std::uint32_t>(first_contour + k);
+    for (std::size_t i = 0; i < grids_.size() * levels.size(); ++i) {
+      const std::size_t k = i % levels.size();
+      const auto layer = static_cast<std::uint32_t>(i / levels.size() * (first_contour + levels.size()) + first_contour + k);
       labelled.push_back({layer, level_text(levels[k])});
       if (view_.colouring == Colouring::heights) drawing.layers[layer].colour = picture::height_line_colour(part_of(levels[k]));
     }
@@ -396,7 +404,8 @@ class FigureMaker {
     }
   }
 
-  const scene::HeightGrid& grid_;
+  std::span<const scene::HeightGrid> grids_;
+  const scene::HeightGrid& grid_;  // the first: all have the same places and range
   View view_;
   const FigureOptions& options_;
   double text_;
@@ -408,8 +417,8 @@ class FigureMaker {
 
 }  // namespace
 
-Figure figure(const scene::HeightGrid& grid, const View& view, const FigureOptions& options) {
-  return FigureMaker(grid, view, options).make();
+Figure figure(std::span<const scene::HeightGrid> grids, const View& view, const FigureOptions& options) {
+  return FigureMaker(grids, view, options).make();
 }
 
 }  // namespace sightline::algorithms::skala

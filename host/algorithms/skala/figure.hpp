@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Figure {
 };
 
 // The layers of draw(), then those of the floor's contours, a level each, then axes and labels, as far as there are any.
-[[nodiscard]] Figure figure(const scene::HeightGrid& grid, const View& view, const FigureOptions& options);
+// Of several surfaces (draw.hpp) the floor has the contours of the first.
+[[nodiscard]] Figure figure(std::span<const scene::HeightGrid> grids, const View& view, const FigureOptions& options);
 
 }  // namespace sightline::algorithms::skala

@@ -1,5 +1,5 @@
 // The masks of horizon.hpp for surfaces with holes, and for several surfaces: what hides is not one interval of a column but a set of
-// them. Lines are tested and raise nothing; what hides is each triangle when all of its far edges have been drawn.
+// them. Lines are tested and raise nothing; what hides is each triangle, or each cell, when all of its far edges have been drawn.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class GappedHorizon {
     }
     return !pieces_.empty();
   }
-  void cover(Vertex a, Vertex b, Vertex c) { coverage_.add_triangle(a, b, c); }
+  void cover(std::span<const Vertex> outline) { coverage_.add(outline); }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
 
   [[nodiscard]] std::span<const float> top() const { return hull(top_, [this](std::size_t i) { return coverage_.top(i); }); }

@@ -119,7 +119,7 @@ Family resolved_family(const View& view) {
   return std::abs(cosine) >= std::abs(sine) ? Family::along_x : Family::along_z;
 }
 
-Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
+Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family, std::span<const scene::HeightGrid> sharing)
     : row_is_slice_(family != Family::along_z), vertices_(grid.points() * grid.slices()), range_(grid.range) {
   const Turn rotation = turn_of(view.rotation);
   const Turn elevation = turn_of(view.elevation);
@@ -139,7 +139,7 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
   const std::vector<Term>& column_terms = row_is_slice_ ? x_terms : z_terms;
   const Upwards upwards(grid.range, sides.height * elevation.cosine);
   // Of every vertex, row by row: its number, and where it lies before it is fitted.
-  const auto for_each = [&](const auto& visit) {
+  const auto for_each = [&](const scene::HeightGrid& of, const auto& visit) {
     std::size_t vertex = 0;
     for (std::size_t row = 0; row < rows_; ++row) {
       const Term in_row = row_terms[row];
@@ -149,17 +149,19 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
       for (std::size_t column = 0; column < columns_; ++column, index += step) {
         const Term in_column = column_terms[column];
         const double depth = in_row.depth + in_column.depth;
-        visit(vertex++, in_row.x + in_column.x, upwards(grid.heights[index]) + depth * elevation.sine);
+        visit(vertex++, in_row.x + in_column.x, upwards(of.heights[index]) + depth * elevation.sine);
       }
     }
   };
   Extremes extremes_x;
   Extremes extremes_y;
-  for_each([&](std::size_t, double x, double y) {
+  const auto take = [&](std::size_t, double x, double y) {
     if (!(std::abs(y) < farthest)) return;
     extremes_y.take(y);
     extremes_x.take(x);
-  });
+  };
+  if (sharing.empty()) for_each(grid, take);
+  for (const scene::HeightGrid& each : sharing) for_each(each, take);
   const double width = std::clamp(view.columns, fewest_columns, most_columns);
   const Fit fit_x(extremes_x, width, lattice_x);
   const Fit fit_y(extremes_y, picture_extent, lattice_y);
@@ -171,7 +173,7 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family)
   if (extremes_x.high >= extremes_x.low) origin_ = {extremes_x.low, extremes_y.low};
   extents_ = {std::max(extremes_x.high - extremes_x.low, 0.0), std::max(extremes_y.high - extremes_y.low, 0.0)};
   to_eye_ = {rotation.sine * elevation.cosine, -rotation.cosine * elevation.cosine, elevation.sine};
-  for_each([&](std::size_t vertex, double x, double y) {
+  for_each(grid, [&](std::size_t vertex, double x, double y) {
     if (std::abs(y) < farthest) {
       vertices_[vertex] = {static_cast<float>(fit_x.place(x) - 0.5), static_cast<float>(fit_y.place(y))};
     } else {

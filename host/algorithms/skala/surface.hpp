@@ -31,8 +31,9 @@ struct Vertex {
 
 class Surface {
  public:
-  // `family` along_x and along_z: the slices are the rows; else the rows are those along x.
-  Surface(const scene::HeightGrid& grid, const View& view, Family family);
+  // `family` along_x and along_z: the slices are the rows; else the rows are those along x. The picture is fitted to all grids that share it,
+  // which have the same places and range; none: to this grid.
+  Surface(const scene::HeightGrid& grid, const View& view, Family family, std::span<const scene::HeightGrid> sharing = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }

@@ -82,15 +82,12 @@ class Walker {
   void cell(std::size_t row, std::size_t column) {
     dot(row + 1, column);
     if (column + 1 == surface_.columns()) return;
-    const bool defined = gapped && view_.visibility && cell_defined(surface_, row, column);
-    if (diagonals_ && cell_defined(surface_, row, column)) {
-      inside(row, column);
-    } else if (defined) {
-      cover(row, column, Half::near);
-    }
+    const bool defined = gapped && !strips_ && view_.visibility && cell_defined(surface_, row, column);
+    if (diagonals_ && cell_defined(surface_, row, column)) inside(row, column);
     if (all_edges_ || column + 2 == surface_.columns() || !whole_strip(row, column)) column_edge(row, column + 1);
     row_edge(row + 1, column);
-    if (defined) cover(row, column, Half::far);
+    if (!defined) return;
+    diagonals_ ? cover(row, column, Half::far) : cover(row, column);
   }
   void end_row() {
     row_pen_.lift(sheet_);
@@ -115,8 +112,26 @@ class Walker {
   // Between a row and the next farther one, with that.
   void strip(std::size_t row) {
     begin_strip(row);
+    strips_ = gapped && !all_edges_ && view_.visibility;
     for (std::size_t column = 0; column < surface_.columns(); ++column) cell(row, column);
+    if (strips_) cover_strip(row);
     end_row();
+  }
+
+  // Slices alone: between two of them the surface is ruled, as if nothing stood between the ends of a strip.
+  void cover_strip(std::size_t row) {
+    std::vector<Vertex> outline;
+    const std::size_t cells = surface_.columns() - 1;
+    for (std::size_t first = 0; first < cells; ++first) {
+      std::size_t last = first;
+      while (last < cells && cell_defined(surface_, row, last)) ++last;
+      if (last == first) continue;
+      outline.clear();
+      for (std::size_t column = first; column <= last; ++column) outline.push_back(surface_.at(row, column));
+      for (std::size_t column = last + 1; column-- > first;) outline.push_back(surface_.at(row + 1, column));
+      if constexpr (gapped) horizon_.cover(outline);
+      first = last;
+    }
   }
 
   // The same where only rims lie between slices.
@@ -220,8 +235,13 @@ class Walker {
     if constexpr (gapped) {
       if (!view_.visibility) return;
       const Vertex corner = half == Half::near ? surface_.at(row, column) : surface_.at(row + 1, column + 1);
-      horizon_.cover(corner, surface_.at(row, column + 1), surface_.at(row + 1, column));
+      horizon_.cover(std::array{corner, surface_.at(row, column + 1), surface_.at(row + 1, column)});
     }
+  }
+  // A cell of whose diagonal nothing is drawn.
+  void cover(std::size_t row, std::size_t column) {
+    if constexpr (gapped)
+      horizon_.cover(std::array{surface_.at(row, column), surface_.at(row, column + 1), surface_.at(row + 1, column + 1), surface_.at(row + 1, column)});
   }
 
   void contours(const std::array<Corner, 3>& triangle) {
@@ -332,6 +352,7 @@ class Walker {
   bool rims_;
   bool slices_only_;  // and nothing interrupts a slice but its last rim
   bool dots_;
+  bool strips_ = false;  // hide as a whole, not cell by cell
   Wake wake_;
   Pen row_pen_;
   std::vector<Pen> column_pens_;
@@ -348,12 +369,6 @@ Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener lis
   }
   GappedHorizon screen(columns_of(*order.view));
   return Walker<Listener, GappedHorizon>(order, drawing, listener, screen).go();
-}
-
-// The mean height of a cell's corners on the screen; it orders cells over the same place.
-double middle_of(const Surface& surface, std::size_t row, std::size_t column) {
-  return double{surface.at(row, column).y} + double{surface.at(row, column + 1).y} + double{surface.at(row + 1, column).y} +
-         double{surface.at(row + 1, column + 1).y};
 }
 
 }  // namespace

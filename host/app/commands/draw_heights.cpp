@@ -27,7 +27,8 @@ using algorithms::skala::Family;
 using algorithms::skala::Subject;
 
 struct DrawHeightsArguments {
-  SkalaSource source;
+  std::vector<std::string> grids;
+  SkalaSource source;  // of each of them
   registry::HeightView view;
   std::string picture;
   std::string along;
@@ -204,12 +205,46 @@ void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, D
   for (std::size_t i = 0; i < arguments.axis_names.size(); ++i) figure.names[i] = arguments.axis_names[i];
 }
 
+// The surfaces, all with the range of all; the result is the first one, with the names of all.
+SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene::HeightGrid>& grids) {
+  constexpr scene::GridSize usual{65, 65};
+  std::vector<std::string> names = arguments.grids;
+  // One of --function, or nothing, which is said there.
+  if (names.empty() || !arguments.source.expression.empty()) names.emplace_back();
+  SkalaFunction all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    SkalaSource source = arguments.source;
+    source.name_or_file = names[i];
+    if (!names[i].empty()) source.expression.clear();
+    if (!names[i].empty() && !source.domain.empty() && !arguments.source.expression.empty()) source.domain.clear();
+    SkalaFunction each = load_skala_function(source, usual);
+    if (i == 0) {
+      all = each;
+    } else {
+      if (each.grid.x != grids[0].x || each.grid.z != grids[0].z || each.grid.domain_x != grids[0].domain_x || each.grid.domain_z != grids[0].domain_z) {
+        throw Failure(ExitCode::bad_input,
+                      fmt::format("{}: found {} slices of {} points over other places than those of {}, expected surfaces over the same places in one drawing", each.name,
+                                  each.grid.slices(), each.grid.points(), all.name));
+      }
+      all.name += ", " + each.name;
+    }
+    grids.push_back(std::move(each.grid));
+  }
+  scene::Interval range = grids[0].range;
+  for (const scene::HeightGrid& grid : grids) range = {std::min(range.low, grid.range.low), std::max(range.high, grid.range.high)};
+  for (scene::HeightGrid& grid : grids) grid.range = range;
+  all.grid = grids[0];
+  return all;
+}
+
 ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
   registry::HeightView& view = arguments.view;
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && arguments.json) throw Failure(ExitCode::usage, "--output: found - with --json, expected a file");
   read_view(arguments, format);
-  const SkalaFunction function = load_skala_function(arguments.source, {65, 65});
+  std::vector<scene::HeightGrid> grids;
+  const SkalaFunction function = load_all(arguments, grids);
+  if (grids.size() > 1 && arguments.along.empty()) view.family = Family::both;
   view.sides = sides_of(arguments.aspect, function.grid);
   if (view.subject == Subject::contours || arguments.figure.floor) view.level_heights = levels_of(arguments, function.grid);
   read_page(arguments, function, format);
@@ -217,7 +252,7 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   if (const auto reason = method.why_not(function.grid, view))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
-  const algorithms::skala::Figure figure = method.figure(function.grid, view, arguments.figure);
+  const algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
   if (arguments.json) print_drawing(method, arguments, function, figure, plot);
   return ExitCode::ok;
@@ -228,7 +263,7 @@ void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
   add_picture_option(command, arguments.picture, "What is drawn");
   command.option("--along", arguments.along, "Slices along x, along z or both")
       .one_of({"x", "z", "both"})
-      .default_value("the less end-on");
+      .default_value("the less end-on, of several surfaces both");
   add_angle_options(command, view.rotation, view.elevation);
   command.option("--levels", view.levels, "How many contour levels, at equal distances").range(1, 255).default_value("round heights, at most 12");
   command.option("--contour-step", arguments.contour_step, "Contours at the multiples of this height").range(1e-300, 1e300).value("H");
@@ -265,7 +300,7 @@ void add_figure_options(const Command& command, DrawHeightsArguments& arguments)
 void add_draw_heights(const Command& command, const registry::HeightMethod& method) {
   const auto arguments = std::make_shared<DrawHeightsArguments>();
   arguments->view.rotation = 30;
-  command.option("GRID", arguments->source.name_or_file, "A function by name, or a file of heights");
+  command.option("GRID", arguments->grids, "Functions by name, files of heights, - for standard input; several are surfaces over the same places");
   add_function_options(command, arguments->source, "65", "65");
   add_view_options(command, *arguments);
   add_figure_options(command, *arguments);

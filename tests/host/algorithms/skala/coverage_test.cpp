@@ -132,7 +132,9 @@ class Covering : public testing::TestWithParam<const char*> {
         const Surface surface(grid, view, resolved_family(view));
         const scene::Interval all = scene::finite_range(grid.heights);
         const Box box{std::min(-1.0, surface.normalised_height(all.low)) - 0.6, std::max(1.0, surface.normalised_height(all.high))};
-        check(Rays(grid, view), surface, box, Coverage(surface, view.columns));
+        Coverage coverage(view.columns);
+        coverage.add(surface);
+        check(Rays(grid, view), surface, box, coverage);
         if (HasFailure()) return;
       }
   }
