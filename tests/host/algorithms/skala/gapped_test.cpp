@@ -1,0 +1,229 @@
+// Lines on surfaces with holes and on several surfaces, compared with rays from places on them to the eye. Nothing is shared with the
+// program but the formulas of the projection, written again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/algorithms/skala/draw.hpp"
+#include "host/scene/heights/function.hpp"
+#include "tests/host/algorithms/skala/rays.hpp"
+#include "tests/support/effort.hpp"
+
+namespace sightline::algorithms::skala {
+namespace {
+
+using test::between;
+using test::dot;
+using test::meets;
+using test::Point;
+
+struct Triangle {
+  std::array<Point, 3> corners;
+  std::size_t surface, point, slice;  // of its cell
+};
+
+class SurfacesByRays {
+ public:
+  SurfacesByRays(const std::vector<scene::HeightGrid>& grids, const View& view) : grids_(grids) {
+    const double a = view.rotation * std::numbers::pi / 180;
+    const double e = view.elevation * std::numbers::pi / 180;
+    eye_ = {std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e)};
+    right_ = {std::cos(a), std::sin(a), 0};
+    up_ = {-std::sin(a) * std::sin(e), std::cos(a) * std::sin(e), std::cos(e)};
+    // The diagonal is that between the side corners: the nearest corner has the others' x and z on the far side.
+    const bool near_is_along = (eye_[0] > 0) == (eye_[1] > 0);
+    for (std::size_t s = 0; s < grids.size(); ++s)
+      for (std::size_t j = 0; j + 1 < grids[s].slices(); ++j)
+        for (std::size_t i = 0; i + 1 < grids[s].points(); ++i) {
+          const Point p = at(s, i, j), q = at(s, i + 1, j), r = at(s, i + 1, j + 1), t = at(s, i, j + 1);
+          if (!std::isfinite(p[2] + q[2] + r[2] + t[2])) continue;
+          for (const auto& corners : near_is_along ? std::array{std::array{p, q, t}, std::array{q, r, t}} : std::array{std::array{p, q, r}, std::array{p, r, t}})
+            triangles_.push_back({corners, s, i, j});
+        }
+    for (std::size_t s = 0; s < grids.size(); ++s)
+      for (std::size_t j = 0; j < grids[s].slices(); ++j)
+        for (std::size_t i = 0; i < grids[s].points(); ++i) {
+          const Point p = at(s, i, j);
+          if (!std::isfinite(p[2])) continue;
+          low_ = {std::min(low_[0], dot(p, right_)), std::min(low_[1], dot(p, up_))};
+          high_ = {std::max(high_[0], dot(p, right_)), std::max(high_[1], dot(p, up_))};
+        }
+  }
+
+  [[nodiscard]] Point at(std::size_t surface, std::size_t i, std::size_t j) const {
+    const scene::HeightGrid& grid = grids_[surface];
+    const double half = (grid.range.high - grid.range.low) / 2;
+    return {grid.x[i], grid.z[j], 0.6 * (grid.height(i, j) - (grid.range.low + grid.range.high) / 2) / half};
+  }
+  // On the drawing, 255 by 255.
+  [[nodiscard]] std::array<double, 2> on_drawing(const Point& p) const {
+    return {(dot(p, right_) - low_[0]) / (high_[0] - low_[0]) * 255, (dot(p, up_) - low_[1]) / (high_[1] - low_[1]) * 255};
+  }
+  // How many triangles a ray meets, counting those of cells at (i, j) and about it, and others.
+  struct Hits {
+    int own = 0;
+    int others = 0;
+  };
+  [[nodiscard]] Hits hits(const Point& from, std::size_t surface, std::size_t i, std::size_t j) const {
+    Hits found;
+    for (const Triangle& triangle : triangles_) {
+      if (!meets(from, eye_, triangle.corners, 1e-7)) continue;
+      const bool own = triangle.surface == surface && triangle.point + 1 >= i && triangle.point <= i + 1 && triangle.slice + 1 >= j && triangle.slice <= j + 1;
+      ++(own ? found.own : found.others);
+    }
+    return found;
+  }
+
+  // Shifted on the screen.
+  [[nodiscard]] Point shifted(const Point& p, double across, double up) const {
+    return {p[0] + across * right_[0] + up * up_[0], p[1] + across * right_[1] + up * up_[1], p[2] + up * up_[2]};
+  }
+
+ private:
+  const std::vector<scene::HeightGrid>& grids_;
+  Point eye_{}, right_{}, up_{};
+  std::array<double, 2> low_{1e9, 1e9}, high_{-1e9, -1e9};
+  std::vector<Triangle> triangles_;
+};
+
+// The distance to the nearest line of the drawing that runs as the one from a to b does.
+double nearest_line(const picture::VectorDrawing& drawing, std::array<double, 2> p, std::array<double, 2> a, std::array<double, 2> b) {
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  double least = 1e9;
+  for (const picture::DrawingLine& line : drawing.lines)
+    for (std::uint32_t k = 0; k + 1 < line.count; ++k) {
+      const picture::DrawingPoint& from = drawing.points[line.first + k];
+      const picture::DrawingPoint& to = drawing.points[line.first + k + 1];
+      const double ux = double{to.x} - from.x, uy = double{to.y} - from.y;
+      const double square = ux * ux + uy * uy;
+      if (std::abs(ux * (b[1] - a[1]) - uy * (b[0] - a[0])) > 0.05 * std::sqrt(square) * length) continue;
+      const double t = square > 0 ? std::clamp(((p[0] - from.x) * ux + (p[1] - from.y) * uy) / square, 0.0, 1.0) : 0;
+      least = std::min(least, std::hypot(p[0] - from.x - t * ux, p[1] - from.y - t * uy));
+    }
+  return least;
+}
+
+struct LineCounts {
+  int visible = 0;
+  int hidden = 0;
+};
+
+void compare_lines(const std::vector<scene::HeightGrid>& grids, const View& view, unsigned seed, LineCounts& counts) {
+  const SurfacesByRays scene(grids, view);
+  const picture::VectorDrawing drawing = draw(grids, view);
+  std::mt19937 dice(seed);
+  for (int n = 0; n < tests::effort(250, 40); ++n) {
+    const std::size_t s = dice() % grids.size();
+    const bool along_x = dice() % 2 == 0;
+    const std::size_t i = dice() % (grids[s].points() - 1);
+    const std::size_t j = dice() % (grids[s].slices() - 1);
+    const double t = 0.1 + static_cast<double>(dice() % 1000) / 1250;
+    const Point a = scene.at(s, i, j);
+    const Point b = along_x ? scene.at(s, i + 1, j) : scene.at(s, i, j + 1);
+    if (!std::isfinite(a[2] + b[2])) continue;
+    // Surely hidden: by others, around the place. Surely visible: by nothing, along the line.
+    constexpr double way = 0.006;
+    bool hidden = true;
+    bool visible = true;
+    for (const auto& [across, up] : {std::pair{0.0, 0.0}, {way, 0.0}, {-way, 0.0}, {0.0, way}, {0.0, -way}}) {
+      const auto hits = scene.hits(scene.shifted(between(a, b, t), across, up), s, i, j);
+      hidden = hidden && hits.others > 0;
+      visible = visible && hits.others == 0;
+    }
+    for (const double place : {t - 0.05, t, t + 0.05}) visible = visible && scene.hits(between(a, b, place), s, i, j).own == 0;
+    if (!hidden && !visible) continue;
+    const auto p = scene.on_drawing(between(a, b, t));
+    const double distance = nearest_line(drawing, p, scene.on_drawing(a), scene.on_drawing(b));
+    if (visible) {
+      EXPECT_LT(distance, 0.02) << "missing at " << p[0] << ", " << p[1] << " on surface " << s;
+    } else {
+      EXPECT_GT(distance, 0.003) << "not hidden at " << p[0] << ", " << p[1] << " on surface " << s;
+    }
+    ++(visible ? counts.visible : counts.hidden);
+  }
+}
+
+View net_view(double rotation, double elevation) {
+  View view;
+  view.rotation = rotation;
+  view.elevation = elevation;
+  view.family = Family::both;
+  // Then a cell is its two triangles, as in this test.
+  view.silhouette = true;
+  return view;
+}
+
+constexpr std::array views{std::pair{35.0, 30.0}, std::pair{130.0, 12.0}, std::pair{215.0, 55.0}, std::pair{300.0, -25.0}};
+
+class GappedSurface : public testing::TestWithParam<const char*> {};
+
+TEST_P(GappedSurface, IsSeenThroughItsHoles) {
+  LineCounts counts;
+  unsigned seed = 1;
+  for (const auto& [rotation, elevation] : views) {
+    scene::HeightGrid grid = sample(*scene::height_function(GetParam()), {17, 15});
+    std::mt19937 dice(seed);
+    for (double& height : grid.heights)
+      if (dice() % 12 == 0) height = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t j = 3; j < 7; ++j)
+      for (std::size_t i = 5; i < 10; ++i) grid.heights[j * grid.points() + i] = std::numeric_limits<double>::quiet_NaN();
+    SCOPED_TRACE("rotation " + std::to_string(rotation));
+    compare_lines({grid}, net_view(rotation, elevation), seed++, counts);
+    if (HasFailure()) return;
+  }
+  if (!tests::optimised) return;
+  EXPECT_GT(counts.visible, 200);
+  EXPECT_GT(counts.hidden, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Skala, GappedSurface, testing::Values("sinc", "peaks", "franke", "terrain"), [](const auto& chosen) { return std::string(chosen.param); });
+
+// Two that do not meet, of which one has holes.
+TEST(SeveralSurfaces, HideEachOther) {
+  LineCounts counts;
+  unsigned seed = 1;
+  for (const auto& [rotation, elevation] : views) {
+    scene::HeightGrid low = sample(*scene::height_function("peaks"), {17, 15});
+    scene::HeightGrid high = low;
+    for (std::size_t j = 0; j < high.slices(); ++j)
+      for (std::size_t i = 0; i < high.points(); ++i) high.heights[j * high.points() + i] = 9.5 + std::cos(2 * high.x[i]) + (i > 5 && i < 9 && j > 4 && j < 9 ? std::nan("") : 0);
+    low.range = high.range = {-7, 11};
+    SCOPED_TRACE("rotation " + std::to_string(rotation));
+    compare_lines({low, high}, net_view(rotation, elevation), seed++, counts);
+    if (HasFailure()) return;
+  }
+  if (!tests::optimised) return;
+  EXPECT_GT(counts.visible, 200);
+  EXPECT_GT(counts.hidden, 100);
+}
+
+// In whatever order they are given.
+TEST(SeveralSurfaces, OrderMeansNothing) {
+  const scene::HeightGrid a = sample(*scene::height_function("saddle"), {9, 9});
+  scene::HeightGrid b = a;
+  for (double& height : b.heights) height = 0.1 - height / 3;
+  const View view = net_view(35, 30);
+  const auto length = [](const picture::VectorDrawing& drawing) {
+    double sum = 0;
+    for (const picture::DrawingLine& line : drawing.lines)
+      for (std::uint32_t k = 0; k + 1 < line.count; ++k)
+        sum += std::hypot(double{drawing.points[line.first + k].x} - drawing.points[line.first + k + 1].x,
+                          double{drawing.points[line.first + k].y} - drawing.points[line.first + k + 1].y);
+    return sum;
+  };
+  const std::vector<scene::HeightGrid> one{a, b};
+  const std::vector<scene::HeightGrid> other{b, a};
+  EXPECT_NEAR(length(draw(one, view)), length(draw(other, view)), 1e-3);
+  EXPECT_EQ(draw(one, view).layers.size(), 8U);
+}
+
+}  // namespace
+}  // namespace sightline::algorithms::skala
