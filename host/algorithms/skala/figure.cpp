@@ -223,7 +223,7 @@ class FigureMaker {
     page = {edge, edge, page.right - edge, page.top - edge};
     Rectangle inside = page;
     PagePlace place = fitted(inside);
-    constexpr int rounds = 6;
+    constexpr int rounds = 16;
     for (int i = 0; i < rounds; ++i) {
       const Rectangle box = bounds();
       const DrawingPoint low = place.at({box.left, box.bottom});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -26,8 +27,31 @@ VectorDrawing three_lines() {
   drawing.layers = {{"silhouette", {0, 0, 0}}, {"crease (30)", {200, 0, 0}}};
   drawing.points = {{0, 0}, {50, 0}, {50, 70}, {10, 10}, {20, 30}, {25, 35}, {1, 1}, {2, 1}, {2, 2}};
   drawing.lines = {{0, 0, 3}, {1, 3, 2}, {1, 5, 1}};
-  drawing.facets = {{6, 3, 128}};
+  drawing.facets = {{6, 3, {128, 128, 128}}};
   return drawing;
+}
+
+// Lines of an SVG of paths: "M x y", then distances, of which one with a sign needs no blank before it. In mm, from the bottom left.
+DrawnLines lines_of_paths(const std::string& svg, double height) {
+  DrawnLines lines;
+  for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at + 1)) {
+    const std::string text = svg.substr(at + 4, svg.find('"', at + 4) - at - 4);
+    double x = 0;
+    double y = 0;
+    for (const char* next = text.c_str(); *next != 0 && *next != 'z';) {
+      const bool begins = *next == 'M';
+      if (begins) {
+        lines.emplace_back();
+        x = y = 0;
+      }
+      char* end = nullptr;
+      x += std::strtod(begins || *next == 'l' ? next + 1 : next, &end);
+      y += std::strtod(end, &end);
+      lines.back().push_back({x, height - y});
+      next = end;
+    }
+  }
+  return lines;
 }
 
 const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
@@ -102,6 +126,59 @@ TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
   }
   EXPECT_EQ(layers, (std::map<std::string, int>{{"1-SILHOUETTE", 7}, {"2-CREASE__30_", 1}}));
   EXPECT_EQ(lines, expected_lines);
+}
+
+// Distances do not add up their roundings: after thousands of them a line is where it should be.
+TEST(Svg, LinesAreWhereThePaperHasThem) {
+  VectorDrawing drawing;
+  drawing.width = 50;
+  drawing.height = 70;
+  drawing.layers = {{"one", {}}};
+  DrawnLines expected;
+  std::mt19937 dice(5);
+  for (int n = 0; n < 40; ++n) {
+    const auto first = static_cast<std::uint32_t>(drawing.points.size());
+    expected.emplace_back();
+    for (int k = 0; k < 300; ++k) {
+      drawing.points.push_back({static_cast<float>(dice() % 50001) / 1000, static_cast<float>(dice() % 70001) / 1000});
+      expected.back().push_back({10 + 2 * double{drawing.points.back().x}, 10 + double{drawing.points.back().y}});
+    }
+    drawing.lines.push_back({0, first, 300});
+  }
+  const std::string svg = svg_of(drawing, a_sheet, "lines");
+  const DrawnLines read = lines_of_paths(svg, a_sheet.height);
+  ASSERT_EQ(read.size(), expected.size());
+  for (std::size_t n = 0; n < read.size(); ++n) {
+    ASSERT_EQ(read[n].size(), expected[n].size());
+    for (std::size_t k = 0; k < read[n].size(); ++k) {
+      EXPECT_NEAR(read[n][k].first, expected[n][k].first, 0.00051);
+      EXPECT_NEAR(read[n][k].second, expected[n][k].second, 0.00051);
+    }
+  }
+}
+
+// Very many lines share paths, and are the same lines.
+TEST(Svg, VeryManyLinesShareAPath) {
+  VectorDrawing drawing;
+  drawing.width = 50;
+  drawing.height = 70;
+  drawing.layers = {{"one", {}}};
+  constexpr std::uint32_t count = 100'050;
+  for (std::uint32_t n = 0; n < count; ++n) {
+    drawing.points.push_back({static_cast<float>(n % 50), static_cast<float>(n / 50 % 70)});
+    drawing.points.push_back({static_cast<float>(n % 50), static_cast<float>(n / 50 % 70) + 0.5F});
+    drawing.lines.push_back({0, 2 * n, n % 3 == 0 ? 1U : 2U});
+  }
+  const std::string svg = svg_of(drawing, a_sheet, "lines");
+  std::size_t paths = 0;
+  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++paths;
+  EXPECT_EQ(paths, (count + 63) / 64);
+  const DrawnLines read = lines_of_paths(svg, a_sheet.height);
+  ASSERT_EQ(read.size(), count);
+  for (const std::uint32_t n : {1U, 63U, 64U, 65U, 77'777U, count - 1}) {
+    EXPECT_NEAR(read[n][0].first, 10 + 2 * (n % 50) - (n % 3 == 0 ? 0.01 : 0), 1e-6) << n;
+    EXPECT_NEAR(read[n][0].second, 10 + n / 50 % 70, 1e-6) << n;
+  }
 }
 
 }  // namespace

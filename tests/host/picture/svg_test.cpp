@@ -78,6 +78,33 @@ TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
           "  </g>\n</svg>\n");
 }
 
+TEST(SvgWriter, DistancesHaveNoZeroBeforeThePointAndNoNeedlessBlank) {
+  SvgWriter svg(20, 10.5, "a <b> & \"c\" \t", {.needless_zeros = false});
+  svg.open_areas("surface", "0 surface", "");
+  svg.begin_area({1, 2, 3}, false);
+  svg.point(1500, 2000);
+  svg.point(1600, 1999);
+  svg.point(1600, 3999);
+  svg.end_area();
+  svg.begin_area({1, 2, 3}, true);
+  svg.point(0, 0);
+  svg.end_area();
+  svg.begin_line();
+  svg.point(1, -1);
+  svg.point(-1, -1);
+  svg.begin_distances();
+  svg.point(5, 5);
+  svg.end_shape();
+  svg.close_layer();
+  EXPECT_EQ(std::move(svg).finish(),
+            head +
+                "  <g id=\"surface\" inkscape:groupmode=\"layer\" inkscape:label=\"0 surface\" >\n"
+                "    <path fill=\"#010203\" d=\"M1.5 2l.1-.001 0 2z\"/>\n"
+                "    <path fill=\"#010203\" stroke=\"#010203\" d=\"M0 0z\"/>\n"
+                "    <path d=\"M0.001 -0.001l-.002 0M0.005 0.005\"/>\n"
+                "  </g>\n</svg>\n");
+}
+
 TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
   EXPECT_EQ(points({}, 0, -1), "0.000,-0.001");
   EXPECT_EQ(points({.decimals = 4}, 2381250, 5), "238.1250,0.0005");
