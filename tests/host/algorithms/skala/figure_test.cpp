@@ -44,7 +44,7 @@ TEST(SkalaFigure, EverythingIsOnThePage) {
   options.axes = options.floor = options.contour_labels = options.legend = true;
   options.title = "A title that says what it is";
   options.names = {"the first axis", "the second", "height above sea level"};
-  for (const auto& [width, height] : {std::pair{190.0, 277.0}, {277.0, 190.0}, {80.0, 80.0}}) {
+  for (const auto& [width, height] : {std::pair{190.0, 277.0}, {277.0, 190.0}, {120.0, 110.0}}) {
     options.width = width;
     options.height = height;
     for (const std::string_view name : {"peaks", "flat", "step"})
