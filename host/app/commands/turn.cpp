@@ -68,9 +68,8 @@ std::vector<std::string> write_pictures(const TurnArguments& arguments, const st
   const std::string base = (std::filesystem::path(arguments.directory) / (file_stem(name) + "-turn")).string();
   const std::string title = fmt::format("{} turning on the PDP-7 {} EAE, after Plantinga, Seales and Dyer 1990", name,
                                         arguments.no_eae ? "without" : "with");
-  std::vector<std::string> paths{base + ".apng", base + "-wire.apng", base + "-phosphor.png", base + ".strokes"};
+  std::vector<std::string> paths{base + ".apng", base + "-phosphor.png", base + ".strokes"};
   write_animation(paths[0], title, measure.hidden);
-  write_animation(paths[1], title + ": the wire frame", measure.wire);
   const auto& shown = measure.hidden.shown;
   const auto& last = shown[shown.size() / 8].strokes;
   // One picture, refreshed for a fifth of a second.
@@ -81,13 +80,13 @@ std::vector<std::string> write_pictures(const TurnArguments& arguments, const st
       stroke.time += core::Duration(static_cast<std::int64_t>(n * period * 1e9));
       photograph.stroke(stroke);
     }
-  Output screen(paths[2]);
+  Output screen(paths[1]);
   write_png(screen, photograph.develop(),
             {{"Title", title}, {"Description", "one picture on the P7 screen, shutter open for 0.2 s"}, {"Software", "sightline"}});
   screen.commit();
   std::string log;
   for (const core::Stroke& stroke : last) picture::append_stroke_line(log, stroke);
-  Output strokes(paths[3]);
+  Output strokes(paths[2]);
   strokes.write(log);
   strokes.commit();
   return paths;
