@@ -72,8 +72,8 @@ sum1,   tad i 10
         sza
         jmp bad1
         lac (model
-        dac bp
-        lac i bp
+        dac slotp
+        lac i slotp
         sad (kind
         skp
         jmp bad3
@@ -82,6 +82,7 @@ sum1,   tad i 10
         dzm frames
         dzm file
         dzm shown
+        dzm bpep
         lac (model      / copy the header
         dac 10
         lac (header-1
@@ -178,8 +179,8 @@ single, lac oldsw
         lac ep
         sad evend
         lac evbeg
-        dac bp
-        lac i bp
+        dac slotp
+        lac i slotp
         dac angle
         jmp pictur
 singl1, jms prevev
@@ -255,6 +256,9 @@ turned, lac angle
 
 prevev, 0               / bp = the angle of the event before ep
         lac ep
+        sad bpep        / looked for before
+        jmp i prevev
+        dac bpep
         sad evbeg
         lac evend
         dac bp
@@ -309,8 +313,8 @@ newfil, 0
         cla
         dac fx
         tad (files
-        dac bp
-        lac i bp
+        dac slotp
+        lac i slotp
         dac dfs
         tad (777777
         dac 14
@@ -396,7 +400,8 @@ step,   0
 angle,  0               / of this picture, 2^18 a turn
 at,     0               / of the structure
 rem,    0
-bp,     0
+bp,     0               / the event before that at bpep
+bpep,   0
 word,   0
 slotp,  0
 frames, 0

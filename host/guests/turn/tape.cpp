@@ -358,9 +358,9 @@ std::optional<base::Error> Encoder::divide_core() {
     const Layout& l = tape_.layout;
     return base::Error{
         .found = fmt::format("{} words too many for {} of core beside the program: {} for vertices, {} for edges, {} for "
-                             "T-junctions, {} for {} events, {} for display files",
+                             "T-junctions, {} for {} events{}",
                              over, small ? "8K" : "32K", l.vertices, l.edges, l.junctions, l.events, tape_.events,
-                             l.display_files),
+                             small ? fmt::format(", {} for display files", l.display_files) : std::string()),
         .expected = fmt::format("at most {} in all", limit - model_base(tape_.memory)),
         .remedy = small ? "give --memory 32k, or a model with fewer edges" : "take a model with fewer edges"};
   }
