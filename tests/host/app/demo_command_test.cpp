@@ -24,10 +24,10 @@ TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
     for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "})
       rows += line.starts_with(scene);
   }
-  EXPECT_EQ(rows, 10 + 5) << "computed with and without the EAE, and compared\n" << ran.out;
+  EXPECT_EQ(rows, 10 + 2 + 5) << "computed with and without the EAE, turned, and compared\n" << ran.out;
   EXPECT_FALSE(has(ran.out, "DIFFERS")) << ran.out;
   for (const char* text : {"Jones 1971 on the PDP-7", "a few seconds", "Skala 1985 on the 8080", "about 2 s",
-                           "about 15 %", "CalComp 565"})
+                           "about 15 %", "CalComp 565", "A solid turning on the PDP-7"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
   // of the point.
@@ -74,6 +74,8 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
     EXPECT_EQ(view.at("status"), "complete");
     EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
   }
+  ASSERT_EQ(document.at("turns").size(), 4U);
+  for (const json& turn : document.at("turns")) EXPECT_GT(turn.at("frames_per_second_worst").get<double>(), 15);
   ASSERT_EQ(document.at("skala").size(), 8U);
   for (const json& row : document.at("skala"))
     EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);

@@ -1,0 +1,56 @@
+// `sightline turn`: its files, its table and its JSON; models that do not fit; the tape of `spin --tape`.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "nlohmann/json.hpp"
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class TurnCommand : public sightline::test::CommandLine {};
+
+const std::string models = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/turn/";
+
+TEST_F(TurnCommand, WritesItsPicturesAndItsTable) {
+  const Ran ran = sightline({"turn", models + "cube.off", "--frames", "6", "-o", "p"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* text : {"edges            12, 8 vertices", "words of core", "hidden lines", "wire frame", "cost against the wire frame 0."})
+    EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
+  for (const char* file : {"p/cube-turn.apng", "p/cube-turn-phosphor.png", "p/cube-turn.strokes"}) EXPECT_TRUE(exists(file)) << file;
+}
+
+TEST_F(TurnCommand, SaysItInJson) {
+  const Ran ran = sightline({"turn", models + "block.off", "--no-eae", "--frames", "6", "--json", "-o", "p"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const json document = json::parse(ran.out);
+  for (const char* field :
+       {"edges", "events", "core_words", "frames_per_second_mean", "frames_per_second_worst", "wire_frames_per_second_mean",
+        "cost_against_wire_frame", "t_junctions_mean", "waiting_fraction", "refreshes_per_second"})
+    EXPECT_TRUE(document.at(field).is_number()) << field;
+  EXPECT_EQ(document.at("edges"), 24);
+  EXPECT_EQ(document.at("eae"), false);
+  EXPECT_LE(document.at("core_words").get<int>(), 8192);
+}
+
+TEST_F(TurnCommand, SaysByHowManyWordsAModelDoesNotFit) {
+  const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_TRUE(has(ran.err, "words too many for 8K of core beside the program")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "--memory 32k")) << ran.err;
+}
+
+TEST_F(TurnCommand, SpinPunchesTheTape) {
+  const Ran ran = sightline({"spin", models + "cube.off", "--step", "90", "--tape", "cube.tape", "-o", "cube.apng"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(exists("cube.tape"));
+  const Ran large = sightline({"spin", models + "cube.off", "--step", "90", "--tape", "t", "--memory", "12k", "-o", "c.apng"});
+  EXPECT_NE(large.exit_code, 0);
+}
+
+}  // namespace
