@@ -40,7 +40,7 @@ TEST_F(TurnCommand, SaysItInJson) {
 
 TEST_F(TurnCommand, SaysByHowManyWordsAModelDoesNotFit) {
   const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
-  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "words too many for 8K of core beside the program")) << ran.err;
   EXPECT_TRUE(has(ran.err, "--memory 32k")) << ran.err;
 }

@@ -6,13 +6,16 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "emulators/type340/words.hpp"
+#include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
+#include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/guests/turn/session.hpp"
 #include "tests/host/guests/turn/turned_model.hpp"
 #include "tests/support/effort.hpp"
@@ -77,6 +80,52 @@ TEST(TurnStructure, IsThatOfTheMachinesOwnAngle) {
       }
       EXPECT_GT(compared, tests::effort(40, 10)) << name;
     }
+  }
+}
+
+// Another algorithm, of this computer: which parts of every edge are seen.
+TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
+  for (const std::string& name : {block, crossed, lshape, star}) {
+    const TurnedModel& of = turned(name);
+    Twin twin(of.tape.words, model_base(of.tape.memory));
+    plantinga::FrameMaker frames(of.model);
+    Picture picture;
+    int compared = 0;
+    for (std::uint32_t k = 0; k < tests::effort(60U, 6U); ++k) {
+      ASSERT_TRUE(twin.next(4391, picture));
+      const double angle = radians(picture.angle);
+      // Cameras are below 2^15: within 2^-15 of the angle.
+      const bool near_event = std::any_of(of.list.events.begin(), of.list.events.end(), [angle](const auto& event) {
+        return std::abs(std::remainder(event.direction.angle - angle, 2 * std::numbers::pi)) < 1e-4;
+      });
+      if (near_event) continue;
+      ++compared;
+      const plantinga::Sight sight{std::lround(std::sin(angle) * 32767), std::lround(std::cos(angle) * 32767)};
+      frames.place(std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z)));
+      const auto exact = algorithms::exact::visible_edges(of.scene, plantinga::camera_of(sight));
+      std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::array<double, 2>>> seen;
+      for (const auto& piece : exact.pieces)
+        seen[{piece.edge.from, piece.edge.to}].push_back({piece.low.to_double(), piece.high.to_double()});
+      std::size_t pieces = 0;
+      for (std::uint32_t s = 0; s < of.tape.slots; ++s) {
+        const std::uint32_t state = twin.state(s);
+        if (state == 0) continue;
+        ++pieces;
+        const Tape::Slot& slot = of.tape.slot_of[s];
+        const auto& edge = of.model.edges()[slot.edge];
+        const auto& expected = seen[{edge.from, edge.to}];
+        ASSERT_LT(slot.piece, expected.size()) << name << " angle " << picture.angle << " edge " << slot.edge;
+        for (unsigned e = 0; e < 2; ++e) {
+          const std::uint32_t code = (state >> (e == 0 ? 12U : 6U)) & 077U;
+          const bool second = (e == 0) == slot.reversed;
+          double at = second ? 1 : 0;
+          if (code != 1) at = frames.parameter_of(slot.edge, {of.tape.partners[slot.edge][code - 2]});
+          EXPECT_NEAR(at, expected[slot.piece][second ? 1 : 0], 1e-6) << name << " angle " << picture.angle;
+        }
+      }
+      EXPECT_EQ(pieces, exact.pieces.size()) << name << " angle " << picture.angle;
+    }
+    EXPECT_GT(compared, tests::effort(40, 3)) << name;
   }
 }
 
