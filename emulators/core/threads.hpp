@@ -29,6 +29,13 @@
 
 #include "dispatch.hpp"
 
+// A function that stays one, with its arguments where the rules of calls put them.
+#if defined(__clang__)
+#define SIGHTLINE_OUT_OF_LINE [[gnu::noinline]]
+#else
+#define SIGHTLINE_OUT_OF_LINE [[gnu::noinline, gnu::noipa]]
+#endif
+
 #if defined(SIGHTLINE_PLAIN_LOOP) || defined(__SANITIZE_ADDRESS__) || defined(__wasm__)
 #define SIGHTLINE_THREADS 0
 #elif defined(__clang__)
@@ -113,7 +120,7 @@ class Threads {
     SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
   }
 
-  [[gnu::noinline]] static void any(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
+  SIGHTLINE_OUT_OF_LINE static void any(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
     Thread thread = Thread::resume(frame, {a, b, c, d, e});
     thread.execute_any();
     const bool leaves = thread.leaves();
@@ -123,7 +130,7 @@ class Threads {
     SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
   }
 
-  [[gnu::noinline, gnu::cold]] static void leave(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
+  SIGHTLINE_OUT_OF_LINE static void leave(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
     Thread::resume(frame, {a, b, c, d, e}).leave();
   }
 

@@ -7,11 +7,14 @@
 // Sources: Intel MCS-80 User's Manual, chapters 2 and 4; the gate-level model of the KR580VM80A where that is silent.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <type_traits>
 
+#include "../core/branch.hpp"
+#include "../core/dispatch.hpp"
 #include "alu.hpp"
 #include "bus.hpp"
-#include "dispatch.hpp"
 #include "isa.hpp"
 #include "state.hpp"
 
@@ -19,44 +22,76 @@ namespace sightline::i8080 {
 
 enum class Outcome : std::uint8_t { completed, halted };
 
-// The processor is a value that holds its registers and its bus by value, a light handle on the machine behind it.
-// That lets the loop that owns it keep registers and time in host registers; what is rare runs on a copy out of line,
-// because a call that took the address of the registers would keep them in memory. Control, which hardly any
-// instruction touches, stays with the owner for the same reason.
-template <Bus B>
-class Cpu {
+// The processor at work: a value that holds its bus, A, HL and PC, so that a compiler keeps them in host registers. The other
+// registers are in a Registers, in which save() puts these, too; Control, which hardly any instruction touches, is elsewhere
+// again. `B` may be a reference to a bus.
+template <class B>
+  requires Bus<std::remove_reference_t<B>>
+class Execution {
  public:
-  // `control` must outlive the processor.
-  constexpr Cpu(const B& bus, const Registers& registers, Control& control)
-      : bus_(bus), control_(&control), registers_(registers) {
-    registers_.f = as_flags(registers.f);
+  static constexpr unsigned codes = 256;
+
+  // The registers and `control` must outlive it.
+  [[gnu::always_inline]] constexpr Execution(B bus, Registers& registers, Control& control)
+      : Execution(bus, registers, control, registers.a, registers.hl, registers.pc) {}
+  [[gnu::always_inline]] constexpr Execution(B bus, Registers& registers, Control& control, std::uint32_t a,
+                                             std::uint32_t hl, std::uint32_t pc)
+      : bus_(bus), control_(&control), registers_(&registers), a_(a), hl_(hl), pc_(pc) {}
+
+  [[gnu::always_inline]] constexpr void save() {
+    registers_->a = static_cast<Byte>(a_);
+    registers_->hl = static_cast<Address>(hl_);
+    registers_->pc = static_cast<Address>(pc_);
+    if constexpr (requires { bus_.save(); }) bus_.save();
   }
 
-  [[nodiscard]] constexpr const Registers& registers() const { return registers_; }
-  [[nodiscard]] constexpr State state() const { return {registers_, *control_}; }
-  [[nodiscard]] constexpr Address pc() const { return registers_.pc; }
-  [[nodiscard]] constexpr const B& bus() const { return bus_; }
-  [[nodiscard]] constexpr B& bus() { return bus_; }
+  [[nodiscard]] constexpr const auto& bus() const { return bus_; }
+  [[nodiscard]] constexpr auto& bus() { return bus_; }
+  [[nodiscard]] constexpr std::uint32_t a() const { return a_; }
+  [[nodiscard]] constexpr std::uint32_t hl() const { return hl_; }
+  // Only 16 bits of it count.
+  [[nodiscard]] constexpr std::uint32_t pc() const { return pc_; }
 
   // One instruction from memory.
-  [[gnu::always_inline]] constexpr Outcome step() {
-    const Byte opcode = bus_.fetch(status::fetch_cycle, registers_.pc);
-    ++registers_.pc;
-    return dispatch(opcode, Executor<false>{this});
+  constexpr Outcome step() {
+    const Byte opcode = bus_.fetch(status::fetch_cycle, static_cast<Address>(pc_));
+    step_pc();
+    return core::dispatch<codes>(opcode, Executor<false>{this});
+  }
+
+  // The same, compiled for one opcode, of an instruction that a bus with fetch_peeked() has shown.
+  template <unsigned opcode>
+  [[gnu::always_inline]] constexpr Outcome step_as() {
+    bus_.fetch_peeked(status::fetch_cycle, static_cast<Address>(pc_), static_cast<Byte>(opcode));
+    step_pc();
+    return execute<static_cast<Byte>(opcode), false>();
+  }
+  // Those that leave the processor and its memory.
+  template <unsigned opcode>
+  static constexpr bool is_rare = lookup(static_cast<Byte>(opcode)).operation == Operation::in ||
+                                  lookup(static_cast<Byte>(opcode)).operation == Operation::out ||
+                                  lookup(static_cast<Byte>(opcode)).operation == Operation::hlt;
+  static constexpr Byte opcode_of_in = 0xDB;
+  static constexpr Byte opcode_of_out = 0xD3;
+  constexpr Outcome step_rare(Byte opcode) {
+    static_assert(is_rare<opcode_of_in> && is_rare<opcode_of_out> && is_rare<0x76>);
+    if (opcode == opcode_of_in) return step_as<opcode_of_in>();
+    if (opcode == opcode_of_out) return step_as<opcode_of_out>();
+    return step_as<0x76>();
   }
 
   // The interrupt: one instruction from the device that answers the acknowledge. PC does not change while it is read, so
   // a CALL or RST pushes the address of the instruction that was to come next.
   constexpr Outcome acknowledge() {
-    Cpu copy = *this;
-    const Outcome outcome = copy.acknowledge_out_of_line();
-    *this = copy;
-    return outcome;
+    control_->interrupts_on = control_->halted = false;
+    bus_.interrupt_enable(false);
+    const Byte opcode = bus_.fetch(status::acknowledge_cycle, static_cast<Address>(pc_));
+    return core::dispatch<codes>(opcode, Executor<true>{this});
   }
 
   // The RESET pin: A, F, B to L and SP stay. The next fetch is at 0000.
   constexpr void reset() {
-    registers_.pc = 0;
+    pc_ = 0;
     *control_ = {};
     bus_.end_acknowledge();
     bus_.interrupt_enable(false);
@@ -66,19 +101,12 @@ class Cpu {
   // Jammed: the instruction came from an acknowledge cycle.
   template <bool Jammed>
   struct Executor {
-    Cpu* cpu;
-    template <Byte Opcode>
+    Execution* execution;
+    template <unsigned opcode>
     [[gnu::always_inline]] constexpr Outcome execute() const {
-      return cpu->template execute<Opcode, Jammed>();
+      return execution->template execute<static_cast<Byte>(opcode), Jammed>();
     }
   };
-
-  [[gnu::noinline]] constexpr Outcome acknowledge_out_of_line() {
-    control_->interrupts_on = control_->halted = false;
-    bus_.interrupt_enable(false);
-    const Byte opcode = bus_.fetch(status::acknowledge_cycle, registers_.pc);
-    return dispatch(opcode, Executor<true>{this});
-  }
 
   template <Byte Opcode, bool Jammed>
   [[gnu::always_inline]] constexpr Outcome execute() {
@@ -89,7 +117,7 @@ class Cpu {
     }
     if constexpr (row.cycles[0].t_states == 5) bus_.extend(1);
     if constexpr (row.operation == Operation::hlt) {
-      bus_.halt(cycle<Jammed>(status::halt_cycle), static_cast<Address>(registers_.pc - (Jammed ? 0 : 1)));
+      bus_.halt(cycle<Jammed>(status::halt_cycle), static_cast<Address>(pc_ - (Jammed ? 0 : 1)));
       control_->halted = true;
       bus_.attention();
       return Outcome::halted;
@@ -114,22 +142,22 @@ class Cpu {
     constexpr unsigned to = Opcode >> 3 & 7;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
     if constexpr (operation == Operation::lxi) {
-      pair<pair_code>() = next_word<Jammed>();
+      set_pair<pair_code>(next_word<Jammed>());
     } else if constexpr (operation == Operation::stax) {
-      store<Jammed>(pair<pair_code>(), registers_.a);
+      store<Jammed>(pair<pair_code>(), static_cast<Byte>(a_));
     } else if constexpr (operation == Operation::ldax) {
-      registers_.a = load<Jammed>(pair<pair_code>());
+      a_ = load<Jammed>(pair<pair_code>());
     } else if constexpr (operation == Operation::inx) {
-      ++pair<pair_code>();
+      set_pair<pair_code>(static_cast<Address>(pair<pair_code>() + 1));
     } else if constexpr (operation == Operation::dcx) {
-      --pair<pair_code>();
+      set_pair<pair_code>(static_cast<Address>(pair<pair_code>() - 1));
     } else if constexpr (operation == Operation::inr) {
-      const Result result = increment(get<to, Jammed>(), registers_.f);
-      registers_.f = result.flags;
+      const Result result = increment(get<to, Jammed>(), registers_->f);
+      registers_->f = result.flags;
       set<to, Jammed>(result.value);
     } else if constexpr (operation == Operation::dcr) {
-      const Result result = decrement(get<to, Jammed>(), registers_.f);
-      registers_.f = result.flags;
+      const Result result = decrement(get<to, Jammed>(), registers_->f);
+      registers_->f = result.flags;
       set<to, Jammed>(result.value);
     } else if constexpr (operation == Operation::mvi) {
       set<to, Jammed>(next_byte<Jammed>());
@@ -148,15 +176,15 @@ class Cpu {
     if constexpr (operation != Operation::nop) {
       const Address address = next_word<Jammed>();
       if constexpr (operation == Operation::shld) {
-        store<Jammed>(address, low(registers_.hl));
-        store<Jammed>(static_cast<Address>(address + 1), high(registers_.hl));
+        store<Jammed>(address, low(pair<2>()));
+        store<Jammed>(static_cast<Address>(address + 1), high(pair<2>()));
       } else if constexpr (operation == Operation::lhld) {
         const Byte low_byte = load<Jammed>(address);
-        registers_.hl = joined(load<Jammed>(static_cast<Address>(address + 1)), low_byte);
+        hl_ = joined(load<Jammed>(static_cast<Address>(address + 1)), low_byte);
       } else if constexpr (operation == Operation::sta) {
-        store<Jammed>(address, registers_.a);
+        store<Jammed>(address, static_cast<Byte>(a_));
       } else {
-        registers_.a = load<Jammed>(address);
+        a_ = load<Jammed>(address);
       }
     }
   }
@@ -166,18 +194,18 @@ class Cpu {
   [[gnu::always_inline]] constexpr void calculate() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (row.operation == Operation::cma) {
-      registers_.a = static_cast<Byte>(~registers_.a);
+      a_ ^= 0xFFU;
     } else if constexpr (row.operation == Operation::stc) {
-      registers_.f |= flag::carry;
+      registers_->f |= flag::carry;
     } else if constexpr (row.operation == Operation::cmc) {
-      registers_.f ^= flag::carry;
+      registers_->f ^= flag::carry;
     } else {
       Byte operand = 0;
       if constexpr (row.operands[0] == Operand::data8) operand = next_byte<Jammed>();
       else if constexpr (row.operation >= Operation::add) operand = get<Opcode & 7, Jammed>();
-      const Result result = operate<row.operation>(registers_.a, operand, registers_.f);
-      registers_.f = result.flags;
-      if constexpr (row.operation != Operation::cmp) registers_.a = result.value;
+      const Result result = operate<row.operation>(static_cast<Byte>(a_), operand, registers_->f);
+      registers_->f = result.flags;
+      if constexpr (row.operation != Operation::cmp) a_ = result.value;
     }
   }
 
@@ -187,21 +215,25 @@ class Cpu {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned field = Opcode >> 3 & 7;  // condition, or the number of a restart
     if constexpr (operation == Operation::ret) {
-      registers_.pc = pop<Jammed>();
+      pc_ = pop<Jammed>();
     } else if constexpr (operation == Operation::jmp) {
-      registers_.pc = next_word<Jammed>();
+      pc_ = next_word<Jammed>();
     } else if constexpr (operation == Operation::rst) {
-      push<Jammed>(registers_.pc);
-      registers_.pc = static_cast<Address>(field * 8);
+      push<Jammed>(static_cast<Address>(pc_));
+      pc_ = field * 8;
     } else if constexpr (operation == Operation::conditional_return) {
-      if (holds(field, registers_.f)) registers_.pc = pop<Jammed>();
+      if (holds(field, registers_->f)) pc_ = pop<Jammed>();
     } else {
       const Address target = next_word<Jammed>();
-      if constexpr (operation != Operation::call) {
-        if (!holds(field, registers_.f)) return;
+      if constexpr (operation == Operation::conditional_jump) {
+        core::set_by_branch(holds(field, registers_->f), pc_, std::uint32_t{target});
+        return;
       }
-      if constexpr (operation != Operation::conditional_jump) push<Jammed>(registers_.pc);
-      registers_.pc = target;
+      if constexpr (operation != Operation::call) {
+        if (!holds(field, registers_->f)) return;
+      }
+      push<Jammed>(static_cast<Address>(pc_));
+      pc_ = target;
     }
   }
 
@@ -211,32 +243,32 @@ class Cpu {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
     if constexpr (operation == Operation::push) {
-      if constexpr (pair_code == 3) push<Jammed>(joined(registers_.a, registers_.f));
+      if constexpr (pair_code == 3) push<Jammed>(joined(static_cast<Byte>(a_), registers_->f));
       else push<Jammed>(pair<pair_code>());
     } else if constexpr (operation == Operation::pop) {
       const Address word = pop<Jammed>();
       if constexpr (pair_code == 3) {
-        registers_.a = high(word);
-        registers_.f = as_flags(low(word));
+        a_ = high(word);
+        registers_->f = as_flags(low(word));
       } else {
-        pair<pair_code>() = word;
+        set_pair<pair_code>(word);
       }
     } else if constexpr (operation == Operation::xthl) {
       exchange_with_stack<Jammed>();
     } else if constexpr (operation == Operation::sphl) {
-      registers_.sp = registers_.hl;
+      registers_->sp = pair<2>();
     } else if constexpr (operation == Operation::pchl) {
-      registers_.pc = registers_.hl;
+      pc_ = hl_;
     } else if constexpr (operation == Operation::xchg) {
-      const Address hl = registers_.hl;
-      registers_.hl = registers_.de;
-      registers_.de = hl;
+      const Address hl = pair<2>();
+      hl_ = registers_->de;
+      registers_->de = hl;
     } else if constexpr (operation == Operation::in) {
       const Byte port = next_byte<Jammed>();
-      registers_.a = bus_.in(cycle<Jammed>(status::input_cycle), port);
+      a_ = bus_.in(cycle<Jammed>(status::input_cycle), port);
     } else if constexpr (operation == Operation::out) {
       const Byte port = next_byte<Jammed>();
-      bus_.out(cycle<Jammed>(status::output_cycle), port, registers_.a);
+      bus_.out(cycle<Jammed>(status::output_cycle), port, static_cast<Byte>(a_));
     } else {
       enable_interrupts(operation == Operation::ei);
     }
@@ -251,33 +283,33 @@ class Cpu {
 
   // The data pins show the pair's byte and then that of HL: low in the first cycle, high in the second (measured).
   [[gnu::always_inline]] constexpr void add_to_hl(Address addend) {
-    bus_.internal(low(addend), low(registers_.hl));
-    bus_.internal(high(addend), high(registers_.hl));
-    const unsigned sum = static_cast<unsigned>(addend) + registers_.hl;
-    registers_.hl = static_cast<Address>(sum);
-    registers_.f = with_carry(registers_.f, sum >> 16);
+    bus_.internal(low(addend), low(pair<2>()));
+    bus_.internal(high(addend), high(pair<2>()));
+    const unsigned sum = addend + hl_;
+    hl_ = sum & 0xFFFFU;
+    registers_->f = with_carry(registers_->f, sum >> 16);
   }
 
   template <bool Jammed>
   [[gnu::always_inline]] constexpr void exchange_with_stack() {
-    const Address above = static_cast<Address>(registers_.sp + 1);
-    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp);
+    const Address above = static_cast<Address>(registers_->sp + 1);
+    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp);
     const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), above);
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), above, high(registers_.hl));
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), registers_.sp, low(registers_.hl));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), above, high(pair<2>()));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), registers_->sp, low(pair<2>()));
     bus_.extend(2);
-    registers_.hl = joined(high_byte, low_byte);
+    hl_ = joined(high_byte, low_byte);
   }
 
   template <bool Jammed>
   [[gnu::always_inline]] constexpr void push(Address word) {
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, high(word));
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, low(word));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_->sp, high(word));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_->sp, low(word));
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Address pop() {
-    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++);
-    return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++), low_byte);
+    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp++);
+    return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp++), low_byte);
   }
 
   template <bool Jammed>
@@ -290,8 +322,8 @@ class Cpu {
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Byte next_byte() {
-    const Byte byte = bus_.operand(cycle<Jammed>(status::read_cycle), registers_.pc);
-    if constexpr (!Jammed) ++registers_.pc;
+    const Byte byte = bus_.operand(cycle<Jammed>(status::read_cycle), static_cast<Address>(pc_));
+    if constexpr (!Jammed) step_pc();
     return byte;
   }
   template <bool Jammed>
@@ -308,30 +340,90 @@ class Cpu {
                                     (bus_.acknowledging() ? status::acknowledge : 0));
   }
 
+  [[gnu::always_inline]] constexpr void step_pc() { ++pc_; }
+
+  // Pair codes: BC DE HL SP.
   template <unsigned Code>
-  [[gnu::always_inline]] constexpr Address& pair() {
-    if constexpr (Code == 0) return registers_.bc;
-    else if constexpr (Code == 1) return registers_.de;
-    else if constexpr (Code == 2) return registers_.hl;
-    else return registers_.sp;
+  [[nodiscard]] [[gnu::always_inline]] constexpr Address pair() const {
+    if constexpr (Code == 0) return registers_->bc;
+    else if constexpr (Code == 1) return registers_->de;
+    else if constexpr (Code == 2) return static_cast<Address>(hl_);
+    else return registers_->sp;
+  }
+  template <unsigned Code>
+  [[gnu::always_inline]] constexpr void set_pair(Address word) {
+    if constexpr (Code == 0) registers_->bc = word;
+    else if constexpr (Code == 1) registers_->de = word;
+    else if constexpr (Code == 2) hl_ = word;
+    else registers_->sp = word;
   }
 
   // Register codes: B C D E H L M A.
   template <unsigned Code, bool Jammed>
   [[gnu::always_inline]] constexpr Byte get() {
-    if constexpr (Code == 7) return registers_.a;
-    else if constexpr (Code == 6) return load<Jammed>(registers_.hl);
-    else if constexpr (Code % 2 == 0) return high(pair<Code / 2>());
-    else return low(pair<Code / 2>());
+    if constexpr (Code == 7) return static_cast<Byte>(a_);
+    else if constexpr (Code == 6) return load<Jammed>(pair<2>());
+    else if constexpr (Code / 2 == 2) return Code % 2 == 0 ? high(pair<2>()) : low(pair<2>());
+    else return half<Code>();
   }
   template <unsigned Code, bool Jammed>
   [[gnu::always_inline]] constexpr void set(Byte byte) {
-    if constexpr (Code == 7) registers_.a = byte;
-    else if constexpr (Code == 6) store<Jammed>(registers_.hl, byte);
-    else if constexpr (Code % 2 == 0) pair<Code / 2>() = joined(byte, low(pair<Code / 2>()));
-    else pair<Code / 2>() = joined(high(pair<Code / 2>()), byte);
+    if constexpr (Code == 7) a_ = byte;
+    else if constexpr (Code == 6) store<Jammed>(pair<2>(), byte);
+    else if constexpr (Code / 2 == 2) hl_ = Code % 2 == 0 ? joined(byte, low(pair<2>())) : joined(high(pair<2>()), byte);
+    else half<Code>() = byte;
+  }
+  // B, C, D or E in its pair.
+  template <unsigned Code>
+  [[gnu::always_inline]] Byte& half() {
+    static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
+    constexpr bool first = (Code % 2 == 0) == (std::endian::native == std::endian::big);
+    Address& pair = Code / 2 == 0 ? registers_->bc : registers_->de;
+    return reinterpret_cast<Byte*>(&pair)[first ? 0 : 1];
   }
 
+  B bus_;
+  Control* control_;
+  Registers* registers_;  // but A, HL and PC
+  std::uint32_t a_;       // 8 bits
+  std::uint32_t hl_;      // 16 bits
+  std::uint32_t pc_;      // 16 bits; those above mean nothing, so that no instruction waits for their removal
+};
+
+// A processor with a bus of its own, instruction by instruction.
+template <Bus B>
+class Cpu {
+ public:
+  // `control` must outlive the processor.
+  constexpr Cpu(const B& bus, const Registers& registers, Control& control)
+      : bus_(bus), control_(&control), registers_(registers) {
+    registers_.f = as_flags(registers.f);
+  }
+
+  [[nodiscard]] constexpr const Registers& registers() const { return registers_; }
+  [[nodiscard]] constexpr State state() const { return {registers_, *control_}; }
+  [[nodiscard]] constexpr const B& bus() const { return bus_; }
+  [[nodiscard]] constexpr B& bus() { return bus_; }
+
+  constexpr Outcome step() {
+    Execution<B&> execution(bus_, registers_, *control_);
+    const Outcome outcome = execution.step();
+    execution.save();
+    return outcome;
+  }
+  constexpr Outcome acknowledge() {
+    Execution<B&> execution(bus_, registers_, *control_);
+    const Outcome outcome = execution.acknowledge();
+    execution.save();
+    return outcome;
+  }
+  constexpr void reset() {
+    Execution<B&> execution(bus_, registers_, *control_);
+    execution.reset();
+    execution.save();
+  }
+
+ private:
   B bus_;
   Control* control_;
   Registers registers_;

@@ -1,31 +1,81 @@
 // The processor's side of the 8080's bus while a program runs: 64K of RAM that never makes it wait, time, and the way
 // to the ports.
 //
-// It lives in the locals of one run and touches the machine only on the slow paths, by value, so that a compiler can
-// keep time and the deadline in registers; every verb is inlined into the run for the same reason.
+// What changes with every cycle, the allowance of time, is a value in the hands of the processor; the rest is in the frame of
+// the run. The machine is touched only on the slow paths, by value, so that a compiler can keep the allowance in a
+// register; every verb is inlined into the instruction for the same reason.
 #pragma once
 
+#include <cstdint>
+
+#include "../core/allowance.hpp"
 #include "../core/reporter.hpp"
+#include "../core/threads.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/bus.hpp"
+#include "../i8080/cpu.hpp"
 #include "../i8080/isa.hpp"
 #include "../i8080/state.hpp"
 #include "i8080_observer.hpp"
 
 namespace sightline::machines {
 
+// One run of a machine.
+template <class Machine, class Observer>
+struct I8080Frame {
+  using Allowance = core::Allowance<core::TState>;
+
+  I8080Frame(Machine& of, Observer& observer)
+      : machine(&of),
+        report(observer),
+        arrives(observer),
+        memory(of.memory_.data()),
+        registers(of.state_),
+        control(&of.state_) {
+    registers.f = i8080::as_flags(registers.f);
+    look_around_after(of.now_, of.now_ - core::TStates(1), 1);
+  }
+
+  [[nodiscard]] core::TStateInstant now() const { return horizon - allowance.left(); }
+  [[nodiscard]] i8080::State state() const { return {registers, *control}; }
+  // A boundary is due when the deadline lies in the instruction that ended there, its last T-state included.
+  [[nodiscard]] bool due() const { return allowance.over(); }
+  void look_around_after(core::TStateInstant now, core::TStateInstant deadline, std::int64_t instructions) {
+    horizon = deadline;
+    allowance = Allowance(deadline - now, instructions);
+  }
+
+  Machine* machine;
+  [[no_unique_address]] core::Reporter<Observer> report;
+  [[no_unique_address]] core::Arrivals<Observer> arrives;
+  i8080::Byte* memory;
+  i8080::Registers registers;
+  i8080::Control* control;
+  core::TStateInstant horizon;  // the last instant that is not due
+  Allowance allowance{core::TStates(0), 0};
+};
+
 template <class Machine, class Ports, class Observer>
 class I8080Bus {
  public:
-  I8080Bus(Machine& machine, Observer& observer)
-      : machine_(&machine), report_(observer), memory_(machine.memory_.data()), now_(machine.now_) {}
-  I8080Bus(const I8080Bus&) = default;
-  // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never changes in a
-  // run and does not fetch it again for every instruction.
-  [[gnu::always_inline]] I8080Bus& operator=(const I8080Bus& other) {
-    now_ = other.now_;
-    deadline_ = other.deadline_;
-    return *this;
+  using Frame = I8080Frame<Machine, Observer>;
+  using Allowance = typename Frame::Allowance;
+
+  [[gnu::always_inline]] explicit I8080Bus(Frame& frame) : I8080Bus(frame, frame.memory, frame.allowance) {}
+  [[gnu::always_inline]] I8080Bus(Frame& frame, i8080::Byte* memory, Allowance allowance)
+      : frame_(&frame), memory_(memory), allowance_(allowance) {}
+
+  [[nodiscard]] i8080::Byte* memory() const { return memory_; }
+  [[nodiscard]] Allowance allowance() const { return allowance_; }
+  void count_instruction() { allowance_.count_instruction(); }
+  void save() { frame_->allowance = allowance_; }
+
+  // The opcode of the next instruction, before its cycle, and the cycle that takes it.
+  [[nodiscard]] [[gnu::always_inline]] i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
+  [[gnu::always_inline]] void fetch_peeked(i8080::Status cycle, i8080::Address address, i8080::Byte opcode) {
+    const core::TStateInstant begun = begin(i8080::CycleKind::fetch, address);
+    report_at(begun, cycle, address, opcode);
+    allowance_.pass(core::TStates(4));
   }
 
   [[gnu::always_inline]] i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
@@ -42,45 +92,42 @@ class I8080Bus {
     report(cycle, address, byte);
     wait(kind_of(cycle, i8080::CycleKind::write, i8080::CycleKind::stack_write), address);
     memory_[address] = byte;
-    now_ += core::TStates(3);
+    allowance_.pass(core::TStates(3));
   }
-  [[gnu::always_inline]] i8080::Byte in(i8080::Status cycle, i8080::Byte port) {
-    const core::TStateInstant begun = now_;
-    wait(i8080::CycleKind::input, i8080::joined(port, port));
-    const i8080::Byte byte = machine_->input(port, now_ + third_t_state);
+  i8080::Byte in(i8080::Status cycle, i8080::Byte port) {
+    const core::TStateInstant begun = begin(i8080::CycleKind::input, i8080::joined(port, port));
+    const i8080::Byte byte = frame_->machine->input(port, now() + third_t_state);
     report_at(begun, cycle, i8080::joined(port, port), byte);
-    now_ += core::TStates(3);
+    allowance_.pass(core::TStates(3));
     attention();
     return byte;
   }
-  [[gnu::always_inline]] void out(i8080::Status cycle, i8080::Byte port, i8080::Byte byte) {
+  void out(i8080::Status cycle, i8080::Byte port, i8080::Byte byte) {
     report(cycle, i8080::joined(port, port), byte);
     wait(i8080::CycleKind::output, i8080::joined(port, port));
-    machine_->output(port, byte, now_ + third_t_state);
-    now_ += core::TStates(3);
+    frame_->machine->output(port, byte, now() + third_t_state);
+    allowance_.pass(core::TStates(3));
     attention();
   }
-  [[gnu::always_inline]] void internal(i8080::Byte, i8080::Byte) { now_ += core::TStates(3); }
-  [[gnu::always_inline]] void extend(int t_states) { now_ += core::TStates(t_states); }
+  [[gnu::always_inline]] void internal(i8080::Byte, i8080::Byte) { allowance_.pass(core::TStates(3)); }
+  [[gnu::always_inline]] void extend(int t_states) { allowance_.pass(core::TStates(t_states)); }
   void halt(i8080::Status cycle, i8080::Address address) {
     report(cycle, address, 0);
-    machine_->begin_halt(now_ + core::TStates(1));
-    now_ += core::TStates(3);
+    frame_->machine->begin_halt(now() + core::TStates(1));
+    allowance_.pass(core::TStates(3));
   }
 
   void interrupt_enable(bool) {}
-  void end_acknowledge() { machine_->acknowledging_ = false; }
+  void end_acknowledge() { frame_->machine->acknowledging_ = false; }
   // Asked at the beginning of a cycle: INT in the T-state before it.
-  bool acknowledging() { return machine_->still_acknowledging(now_); }
-  [[gnu::always_inline]] void attention() { deadline_ = core::TStateInstant::min(); }
-
-  // A boundary is due when the deadline lies in the instruction that ended there, its last T-state included.
-  [[nodiscard]] [[gnu::always_inline]] bool due() const {
-    return now_ > deadline_;
+  bool acknowledging() { return frame_->machine->still_acknowledging(now()); }
+  [[gnu::always_inline]] void attention() {
+    frame_->horizon = now() - core::TStates(1);
+    allowance_.end();
   }
-  [[nodiscard]] core::TStateInstant now() const { return now_; }
-  void set_now(core::TStateInstant now) { now_ = now; }
-  void set_deadline(core::TStateInstant deadline) { deadline_ = deadline; }
+
+  [[nodiscard]] [[gnu::always_inline]] bool due() const { return allowance_.over(); }
+  [[nodiscard]] [[gnu::always_inline]] core::TStateInstant now() const { return frame_->horizon - allowance_.left(); }
 
  private:
   static constexpr core::TStates third_t_state{2};
@@ -88,14 +135,20 @@ class I8080Bus {
   // Without MEMR the byte comes from the device whose interrupt is being acknowledged.
   [[gnu::always_inline]] i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
                                           core::TStates length, bool operand) {
-    const core::TStateInstant begun = now_;
-    wait(kind, address);
+    const core::TStateInstant begun = begin(kind, address);
     const i8080::Byte byte = (cycle & i8080::status::memory_read) != 0
                                  ? memory_[address]
-                                 : machine_->acknowledge(now_ + third_t_state);
+                                 : frame_->machine->acknowledge(now() + third_t_state);
     report_at(begun, cycle, address, byte, operand);
-    now_ += length;
+    allowance_.pass(length);
     return byte;
+  }
+  // When a cycle begins; its wait states are over.
+  [[gnu::always_inline]] core::TStateInstant begin(i8080::CycleKind kind, i8080::Address address) {
+    core::TStateInstant begun{};
+    if constexpr (Observer::cycles) begun = now();
+    wait(kind, address);
+    return begun;
   }
 
   static constexpr i8080::CycleKind kind_of(i8080::Status cycle, i8080::CycleKind plain, i8080::CycleKind stack) {
@@ -104,28 +157,96 @@ class I8080Bus {
 
   [[gnu::always_inline]] void wait(i8080::CycleKind kind, i8080::Address address) {
     if constexpr (Ports::waits) {
-      now_ += core::TStates(machine_->ports_.wait_states(kind, address, now_ + core::TStates(1)));
+      allowance_.pass(
+          core::TStates(frame_->machine->ports_.wait_states(kind, address, now() + core::TStates(1))));
     }
   }
   [[gnu::always_inline]] void report(i8080::Status cycle, i8080::Address address, i8080::Byte data) {
-    report_at(now_, cycle, address, data);
+    if constexpr (Observer::cycles) report_at(now(), cycle, address, data);
   }
   [[gnu::always_inline]] void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
                                         i8080::Byte data, bool operand = false) {
     // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
     if constexpr (Observer::cycles && Observer::instructions) {
-      if (machine_->report_out_of_line({begun, cycle, address, data, operand}, report_)) attention();
+      if (frame_->machine->report_out_of_line({begun, cycle, address, data, operand}, frame_->report)) attention();
     } else if constexpr (Observer::cycles) {
-      if (machine_->template report_at_once<wants_ends_of_halts<Observer>>({begun, cycle, address, data, operand}, report_))
+      constexpr bool ends_of_halts = wants_ends_of_halts<Observer>;
+      if (frame_->machine->template report_at_once<ends_of_halts>({begun, cycle, address, data, operand}, frame_->report))
         attention();
     }
   }
 
-  Machine* machine_;
-  [[no_unique_address]] core::Reporter<Observer> report_;
+  Frame* frame_;
   i8080::Byte* memory_;
-  core::TStateInstant now_;
-  core::TStateInstant deadline_ = core::TStateInstant::min();  // the first boundary of a run is always looked at
+  Allowance allowance_;
+};
+
+// The processor on it, as threads.hpp runs it.
+template <class Machine, class Ports, class Observer>
+class I8080Thread {
+ public:
+  using Bus = I8080Bus<Machine, Ports, Observer>;
+  using Frame = typename Bus::Frame;
+  using Execution = i8080::Execution<Bus>;
+  static constexpr unsigned codes = Execution::codes;
+
+  [[gnu::always_inline]] explicit I8080Thread(Frame& frame)
+      : frame_(&frame), execution_(Bus(frame), frame.registers, *frame.control) {}
+
+  [[gnu::always_inline]] static I8080Thread resume(Frame& frame, const core::HostWords& words) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
+    auto* const memory = reinterpret_cast<i8080::Byte*>(static_cast<std::uintptr_t>(words.a));
+    const Bus bus(frame, memory, typename Bus::Allowance(words.b));
+    return I8080Thread(frame, Execution(bus, frame.registers, *frame.control, words.c, words.d, words.e));
+  }
+  [[nodiscard]] [[gnu::always_inline]] core::HostWords host_words() const {
+    return {reinterpret_cast<std::uintptr_t>(execution_.bus().memory()), execution_.bus().allowance().host_word(),
+            execution_.a(), execution_.hl(), execution_.pc()};
+  }
+
+  [[nodiscard]] [[gnu::always_inline]] unsigned code() const {
+    return execution_.bus().peek(static_cast<i8080::Address>(execution_.pc()));
+  }
+  template <unsigned code>
+  [[nodiscard]] [[gnu::always_inline]] static constexpr bool is_rare() {
+    return Execution::template is_rare<code>;
+  }
+  template <unsigned code>
+  [[gnu::always_inline]] void execute() {
+    execution_.bus().count_instruction();
+    if constexpr (!is_rare<code>()) execution_.template step_as<code>();
+  }
+  void execute_any() {
+    execution_.bus().count_instruction();
+    execution_.step_rare(static_cast<i8080::Byte>(code()));
+  }
+  [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
+    if constexpr (Observer::stops) {
+      if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
+    }
+    return execution_.bus().due();
+  }
+  [[gnu::always_inline]] void leave() { execution_.save(); }
+
+  // One instruction, whatever its opcode.
+  void step() {
+    execution_.bus().count_instruction();
+    execution_.step();
+    leave();
+  }
+  // The one that a device supplies; it counts nothing.
+  [[gnu::noinline]] void acknowledge() {
+    execution_.acknowledge();
+    execution_.bus().attention();
+    leave();
+  }
+
+ private:
+  [[gnu::always_inline]] I8080Thread(Frame& frame, const Execution& execution)
+      : frame_(&frame), execution_(execution) {}
+
+  Frame* frame_;
+  Execution execution_;
 };
 
 }  // namespace sightline::machines

@@ -65,94 +65,104 @@ class I8080Machine {
 
   // The RESET pin; memory stays, and so do all registers but PC and INTE.
   void reset() {
-    using Bus = I8080Bus<I8080Machine, Ports, Observer>;
-    i8080::Cpu<Bus> cpu(Bus(*this, observer_), state_, state_);
-    cpu.reset();
-    static_cast<i8080::Registers&>(state_) = cpu.registers();
+    state_.pc = 0;
+    static_cast<i8080::Control&>(state_) = {};
+    acknowledging_ = false;
     halt_ended_ = core::never_t;
   }
 
   // Runs from the state as it is until something stops it; what is due at the boundary where it stops is left to the
-  // next run, so that a run in pieces is the same as a run in one. Registers, time and the processor's side of the bus
-  // are locals of this function: that, and nothing else, is what makes it fast.
+  // next run, so that a run in pieces is the same as a run in one.
   I8080StopReason run(const I8080Limits& limits) { return run(limits, observer_); }
 
   // The same, watched by another than the machine's own observer.
   template <class Watcher>
   [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
-    using Bus = I8080Bus<I8080Machine, Ports, Watcher>;
-    i8080::Cpu<Bus> cpu(Bus(*this, watcher), state_, state_);
-    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
+    I8080Frame<I8080Machine, Watcher> frame(*this, watcher);
     std::uint64_t count = 0;
-    I8080StopReason reason = I8080StopReason::observer;
-    while (true) {
-      if constexpr (Watcher::stops) {
-        if (arrives(cpu.pc())) [[unlikely]] {
-          if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
-        }
-      }
-      if (cpu.bus().due()) [[unlikely]] {
-        if constexpr (core::Filtered<Watcher>) {
-          if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
-        }
-        const Attention found = attend(cpu.bus().now(), limits, count);
-        cpu.bus().set_now(found.now);
-        cpu.bus().set_deadline(found.deadline);
-        if (found.stop) {
-          reason = found.reason;
-          break;
-        }
-        if (found.again) continue;
-        if (found.interrupt) {
-          ++count;
-          acknowledge_one(cpu, watcher);
-          continue;
-        }
-      }
-      ++count;
-      step(cpu, watcher);
-    }
+    const I8080StopReason reason = run_frame(frame, watcher, limits, count);
     instructions_ += count;
-    static_cast<i8080::Registers&>(state_) = cpu.registers();
-    now_ = cpu.bus().now();
+    static_cast<i8080::Registers&>(state_) = frame.registers;
+    now_ = frame.now();
     still_acknowledging(now_);  // first: the next run cannot follow INT through what has passed
     bring_ports_to(now_);
     return reason;
   }
 
  private:
+  template <class, class>
+  friend struct I8080Frame;
   template <class, class, class>
   friend class I8080Bus;
 
-  template <class Cpu, class Watcher>
-  [[gnu::always_inline]] void step(Cpu& cpu, Watcher& watcher) {
+  template <class Watcher>
+  I8080StopReason run_frame(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, const I8080Limits& limits,
+                            std::uint64_t& count) {
+    while (true) {
+      if constexpr (Watcher::stops) {
+        if (frame.arrives(frame.registers.pc)) {
+          if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
+        }
+      }
+      if (frame.due()) {
+        if constexpr (core::Filtered<Watcher>) {
+          if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
+        }
+        const std::int64_t most = instructions_of(limits, count);
+        const Attention found = attend(frame.now(), limits, count, most);
+        frame.look_around_after(found.now, found.deadline, most);
+        if (found.stop) return found.reason;
+        if (found.again) continue;
+        if (found.interrupt) {
+          ++count;
+          acknowledge_one(frame, watcher);
+          continue;
+        }
+      }
+      const std::int64_t before = frame.allowance.instructions();
+      go_on(frame, watcher);
+      count += static_cast<std::uint64_t>(before - frame.allowance.instructions());
+    }
+  }
+
+  // Instructions of one allowance.
+  static constexpr std::int64_t instructions_of(const I8080Limits& limits, std::uint64_t count) {
+    const std::uint64_t left = count < limits.instructions ? limits.instructions - count : 1;
+    return static_cast<std::int64_t>(
+        std::min(left, static_cast<std::uint64_t>(core::Allowance<core::TState>::most)));
+  }
+
+  // Instructions up to the next boundary at which something is due, one at least; one, if each has to be told.
+  template <class Watcher>
+  void go_on(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher) {
+    using Thread = I8080Thread<I8080Machine, Ports, Watcher>;
     if constexpr (Watcher::instructions) {
-      const core::TStateInstant begun = cpu.bus().now();
-      const i8080::State before = cpu.state();
+      const core::TStateInstant begun = frame.now();
+      const i8080::State before = frame.state();
       const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(before.pc + i)]; };
       const std::array<i8080::Byte, 3> bytes{at(0), at(1), at(2)};
-      cpu.step();
-      watcher.instruction({begun, cpu.bus().now(), before.pc, bytes, false, before, cpu.state()});
+      Thread(frame).step();
+      watcher.instruction({begun, frame.now(), before.pc, bytes, false, before, frame.state()});
     } else {
-      cpu.step();
+      core::Runner<Thread, Watcher>::run(frame);
     }
   }
 
   // The instruction a device supplies.
-  template <class Cpu, class Watcher>
-  [[gnu::always_inline]] void acknowledge_one(Cpu& cpu, Watcher& watcher) {
+  template <class Watcher>
+  void acknowledge_one(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher) {
+    using Thread = I8080Thread<I8080Machine, Ports, Watcher>;
     acknowledging_ = true;
     supplied_ = {};
     supplied_count_ = 0;
     if constexpr (Watcher::instructions) {
-      const core::TStateInstant begun = cpu.bus().now();
-      const i8080::State before = cpu.state();
-      cpu.acknowledge();
-      watcher.instruction({begun, cpu.bus().now(), before.pc, supplied_, true, before, cpu.state()});
+      const core::TStateInstant begun = frame.now();
+      const i8080::State before = frame.state();
+      Thread(frame).acknowledge();
+      watcher.instruction({begun, frame.now(), before.pc, supplied_, true, before, frame.state()});
     } else {
-      cpu.acknowledge();
+      Thread(frame).acknowledge();
     }
-    cpu.bus().attention();
   }
 
   struct Attention {
@@ -165,38 +175,36 @@ class I8080Machine {
   };
 
   // A boundary at which something may be due. In and out by value: see run().
-  [[gnu::noinline]] Attention attend(core::TStateInstant now, const I8080Limits& limits, std::uint64_t count) {
+  [[gnu::noinline]] Attention attend(core::TStateInstant now, const I8080Limits& limits, std::uint64_t count,
+                                     std::int64_t most) {
     if (ports_.stopped()) return stopping(now, I8080StopReason::ports);
     if (count >= limits.instructions) return stopping(now, I8080StopReason::instruction_limit);
     if (now >= limits.until) return stopping(now, I8080StopReason::time_limit);
     if (state_.halted) return wait_in_halt(now, limits.until);
-    Attention found{now, core::TStateInstant::min()};
+    Attention found{now, at_once(now)};
     found.interrupt = still_acknowledging(now);  // first: it follows INT through what has passed
     bring_ports_to(now);
     // INT is not looked at after EI, nor before the first instruction, where no T-state could have seen it.
     const bool looks = !state_.deferred && now > core::at_t_state(0);
     if (looks && state_.interrupts_on && ports_.interrupt()) found.interrupt = true;
-    if (looks) found.deadline = next_deadline(now, limits, limits.instructions - count);
+    if (looks) found.deadline = next_deadline(now, limits.until, most);
     state_.deferred = false;
     return found;
   }
 
   static Attention stopping(core::TStateInstant now, I8080StopReason reason) {
-    return {now, core::TStateInstant::min(), reason, true, false, false};
+    return {now, at_once(now), reason, true, false, false};
   }
+  // The deadline that makes the next boundary due.
+  static constexpr core::TStateInstant at_once(core::TStateInstant now) { return now - core::TStates(1); }
 
-  // The last instant that must be over before the next look. An instruction lasts at least 4 T-states, so `left` more
-  // of them cannot end earlier than 4 * left from now: that bounds their number without a count to compare.
-  [[nodiscard]] core::TStateInstant next_deadline(core::TStateInstant now, const I8080Limits& limits,
-                                                  std::uint64_t left) const {
-    constexpr std::uint64_t uncounted = std::uint64_t{1} << 60;
+  // The last instant that must be over before the next look. An instruction lasts at least 4 T-states, so `most` of them
+  // cannot end earlier than 4 * most from now: that bounds their number without a count to compare.
+  [[nodiscard]] core::TStateInstant next_deadline(core::TStateInstant now, core::TStateInstant until,
+                                                  std::int64_t most) const {
     constexpr core::TStates last{1};
-    core::TStateInstant deadline = ports_.deadline();
-    if (limits.until != core::never_t) deadline = std::min(deadline, limits.until - last);
-    if (left < uncounted) {
-      deadline = std::min(deadline, now + core::TStates(4) * static_cast<std::int64_t>(left) - last);
-    }
-    return deadline;
+    const core::TStateInstant deadline = std::min(ports_.deadline(), now + core::TStates(4) * most - last);
+    return until != core::never_t ? std::min(deadline, until - last) : deadline;
   }
 
   // HLT waits from T2 of its halt cycle on. The T-state t that finds INT high is followed by two more; T1 of the next
@@ -208,7 +216,7 @@ class I8080Machine {
       if (ports_.interrupt()) {
         state_.halted = false;
         halt_ended_ = std::max(now, t + core::TStates(3));
-        return {halt_ended_, core::TStateInstant::min(), {}, false, false, true};
+        return {halt_ended_, at_once(halt_ended_), {}, false, false, true};
       }
       halt_sampled_ = t + core::TStates(1);
       if (ports_.stopped()) return stopping(std::max(now, halt_sampled_), I8080StopReason::ports);

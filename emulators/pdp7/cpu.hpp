@@ -9,8 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
+#include "../core/branch.hpp"
 #include "../core/dispatch.hpp"
 #include "../core/word.hpp"
 #include "absent_devices.hpp"
@@ -449,13 +449,7 @@ class Execution {
     return {processor_->registers.bank, place_ & in_bank_mask};
   }
   [[gnu::always_inline]] constexpr void skip() { ++place_; }
-  // A branch, and no sum: what follows must not wait for the condition, which the host guesses. The empty statement keeps
-  // compilers from making a sum of it.
-  [[gnu::always_inline]] constexpr void skip_if(bool condition) {
-    if (!condition) return;
-    ++place_;
-    if (!std::is_constant_evaluated()) asm("" : "+r"(place_));
-  }
+  [[gnu::always_inline]] constexpr void skip_if(bool condition) { core::set_by_branch(condition, place_, place_ + 1); }
   // Of the instruction that has just been fetched.
   [[nodiscard]] constexpr Address instruction_address() const {
     return processor_->registers.bank | ((place_ - 1) & in_bank_mask);

@@ -1,0 +1,179 @@
+// The 8080 beside the machine of an earlier version (../reference), on random programs that modify themselves, with random
+// INT and READY, ports, halts and jammed instructions: the same bus cycles, registers, times and memory, in the same pieces.
+// Three ways through the machine take part: with every cycle told, with nothing told, and by the portable loop.
+//
+// SIGHTLINE_LOCKSTEP=N in the environment makes it N instructions of each.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <random>
+
+#include "emulators/machines/i8080_machine.hpp"
+#include "tests/emulators/machines/lockstep.hpp"
+#include "tests/emulators/reference/i8080/i8080_machine.hpp"
+
+namespace sightline {
+namespace {
+
+using tests::CycleSum;
+
+// INT that changes at instants drawn beforehand, and READY that is low for some memory and port cycles.
+template <bool may_wait>
+struct RandomPorts {
+  static constexpr bool waits = may_wait;
+  std::uint64_t seed = 0;
+  std::int64_t period = 100;
+  std::array<std::uint8_t, 3> supplied{0xFF, 0, 0};
+  std::size_t given = 0;
+  std::int64_t now = 0;
+  CycleSum accesses;
+
+  [[nodiscard]] std::uint64_t hash(std::int64_t n) const {
+    std::uint64_t z = seed + static_cast<std::uint64_t>(n) * 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    return z ^ (z >> 27);
+  }
+  // INT is one of random levels in each period, and in some of them a pulse of one T-state.
+  [[nodiscard]] bool level(std::int64_t t) const {
+    const std::uint64_t h = hash(t / period);
+    if ((h & 7U) == 0) return t % period == static_cast<std::int64_t>(h >> 8) % period;
+    return (h & 7U) < 3;
+  }
+  std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+    advance(at);
+    accesses.add(port, now, 1);
+    return static_cast<std::uint8_t>(hash(now) >> 7);
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    advance(at);
+    accesses.add(port, now, value);
+  }
+  std::uint8_t acknowledge(core::TStateInstant at) {
+    advance(at);
+    return supplied[given++ % supplied.size()];
+  }
+  void advance(core::TStateInstant at) { now = core::t_states_of(at); }
+  [[nodiscard]] core::TStateInstant deadline() const {
+    std::int64_t t = now + 1;
+    while (level(t) == level(now)) ++t;
+    return core::at_t_state(t);
+  }
+  [[nodiscard]] bool interrupt() const { return level(now); }
+  [[nodiscard]] bool stopped() const { return false; }
+  [[nodiscard]] int wait_states(i8080::CycleKind, i8080::Address address, core::TStateInstant at) const {
+    const std::uint64_t h = hash(core::t_states_of(at) ^ address);
+    return (h & 15U) == 0 ? static_cast<int>(h >> 5 & 3U) : 0;
+  }
+};
+
+struct SumCycles {
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = false;
+  CycleSum all;
+  void cycle(const machines::I8080Cycle& c) {
+    all.add(core::t_states_of(c.time), c.status, c.address, c.data, c.operand);
+  }
+};
+struct SumCyclesInALoop : SumCycles {
+  static constexpr bool plain_loop = true;
+};
+
+std::uint8_t random_byte(std::mt19937_64& random) {
+  const std::uint64_t r = random();
+  switch (r & 31U) {
+    case 0: return 0xFB;                                                      // EI
+    case 1: return (r >> 5 & 7U) == 0 ? 0x76 : 0x00;                          // HLT
+    case 2: return (r >> 5 & 1U) == 0 ? 0xDB : 0xD3;                          // IN, OUT
+    case 3: return static_cast<std::uint8_t>(0xC2U | (r >> 5 & 7U) << 3);     // conditional jumps
+    case 4: return static_cast<std::uint8_t>(0x80U | (r >> 5 & 0x3FU));       // arithmetic
+    default: return static_cast<std::uint8_t>(r >> 8);
+  }
+}
+
+template <bool may_wait>
+bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t& interrupts) {
+  using Ports = RandomPorts<may_wait>;
+  std::array<Ports, 4> ports;
+  ports[0].seed = random();
+  ports[0].period = static_cast<std::int64_t>(5 + random() % 300);
+  for (auto& byte : ports[0].supplied) byte = random() % 3 == 0 ? random_byte(random) : std::uint8_t{0xE7};
+  for (std::size_t i = 1; i < ports.size(); ++i) ports[i] = ports[0];
+  SumCycles of_reference;
+  SumCycles cycles;
+  SumCyclesInALoop cycles_in_a_loop;
+  machines::NoI8080Observer no_observer;
+  const auto reference =
+      std::make_unique<reference_8080::I8080Machine<Ports, SumCycles>>(ports[0], of_reference);
+  const auto told = std::make_unique<machines::I8080Machine<Ports, SumCycles>>(ports[1], cycles);
+  const auto looped = std::make_unique<machines::I8080Machine<Ports, SumCyclesInALoop>>(ports[2], cycles_in_a_loop);
+  const auto untold = std::make_unique<machines::I8080Machine<Ports>>(ports[3], no_observer);
+  for (auto& byte : reference->memory()) byte = random_byte(random);
+  i8080::State state;
+  state.pc = static_cast<i8080::Address>(random());
+  state.sp = static_cast<i8080::Address>(random());
+  state.hl = static_cast<i8080::Address>(random());
+  state.a = static_cast<i8080::Byte>(random());
+  state.interrupts_on = random() % 2 == 0;
+  const auto each = [&](auto what) {
+    what(*reference);
+    what(*told);
+    what(*looped);
+    what(*untold);
+  };
+  each([&](auto& machine) {
+    machine.registers() = state;
+    std::copy(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
+  });
+  for (int piece = 0; piece < 30; ++piece) {
+    machines::I8080Limits limits{random() % 2 == 0 ? random() % 30 + 1 : random() % 6000, core::never_t};
+    if (random() % 3 == 0) limits.until = told->now() + core::TStates(static_cast<std::int64_t>(random() % 3000));
+    const auto reason = reference->run(limits);
+    const bool same = told->run(limits) == reason && looped->run(limits) == reason && untold->run(limits) == reason;
+    const auto alike = [&](const auto& machine) {
+      return machine.registers() == reference->registers() && machine.now() == reference->now() &&
+             machine.instructions() == reference->instructions();
+    };
+    if (!same || !alike(*told) || !alike(*looped) || !alike(*untold)) {
+      ADD_FAILURE() << "piece " << piece << ": " << same << alike(*told) << alike(*looped) << alike(*untold);
+      return false;
+    }
+    if (random() % 4 == 0) {
+      const auto pc = static_cast<i8080::Address>(random());
+      each([&](auto& machine) { machine.registers().pc = pc; });
+    }
+  }
+  const bool same_cycles = of_reference.all == cycles.all && of_reference.all == cycles_in_a_loop.all;
+  const bool same_ports = ports[0].accesses == ports[1].accesses && ports[0].accesses == ports[2].accesses &&
+                          ports[0].accesses == ports[3].accesses;
+  bool same_memory = true;
+  each([&](auto& machine) {
+    same_memory = same_memory && std::equal(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
+  });
+  EXPECT_TRUE(same_cycles && same_ports && same_memory) << same_cycles << same_ports << same_memory;
+  instructions += reference->instructions();
+  interrupts += ports[0].given;
+  return same_cycles && same_ports && same_memory;
+}
+
+TEST(I8080Reference, RandomProgramsRunAsOnTheReference) {
+  const std::uint64_t wanted = tests::lockstep_instructions(1'000'000);
+  std::uint64_t instructions = 0;
+  std::uint64_t interrupts = 0;
+  for (std::uint64_t seed = 1; instructions < wanted; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const bool good = seed % 2 == 0 ? run_one<true>(random, instructions, interrupts)
+                                    : run_one<false>(random, instructions, interrupts);
+    if (!good) return;
+  }
+  EXPECT_GT(interrupts, wanted / 1000);
+  std::printf("%llu instructions on each machine, %llu bytes given in acknowledge cycles\n",
+              static_cast<unsigned long long>(instructions), static_cast<unsigned long long>(interrupts));
+}
+
+}  // namespace
+}  // namespace sightline
