@@ -32,9 +32,12 @@ Debugger::Debugger(const guests::run::MachineDescription& description, Machine& 
              [this](std::int64_t at) -> std::optional<std::int64_t> {
                if (at < 0 || at >= machine_.words()) return std::nullopt;
                return machine_.word(static_cast<std::uint32_t>(at));
-             }},
+             },
+             [this](std::string_view name) { return reader_of(name); }},
       holds_([this](const std::string& condition) {
-        const auto value = live::evaluate(condition, names_);
+        const Expression* const expression = condition_of(condition);
+        if (expression == nullptr) return true;
+        const auto value = expression->value();
         return !value || *value != 0;
       }) {
   for (std::size_t n = 0; n < description.registers.size(); ++n)
@@ -45,6 +48,7 @@ Debugger::Debugger(const guests::run::MachineDescription& description, Machine& 
 
 void Debugger::set_radix(int radix) {
   names_.radix = radix;
+  conditions_.clear();
 }
 
 std::string Debugger::number_text(std::uint32_t value, unsigned bits) const {
@@ -131,6 +135,37 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   }
   if (const auto value = symbols_.value(name)) return *value;
   return std::nullopt;
+}
+
+// Of symbols there is none: their values stay.
+std::function<std::int64_t()> Debugger::reader_of(std::string_view name) const {
+  if (const auto n = register_named(name)) return [this, n = *n] { return std::int64_t{machine_.get(n)}; };
+  const bool changes = is_state(name) || (name.size() == 2 && description_.radix == 16 && !symbols_.value(name) && value_of(name));
+  if (!changes) return nullptr;
+  return [this, text = std::string(name)] { return value_of(text).value_or(0); };
+}
+
+const Expression* Debugger::condition_of(const std::string& text) {
+  auto known = conditions_.find(text);
+  if (known == conditions_.end()) {
+    auto expression = Expression::read(text, names_);
+    known = conditions_.emplace(text, expression ? std::optional<Expression>(std::move(*expression)) : std::nullopt).first;
+  }
+  return known->second ? &*known->second : nullptr;
+}
+
+std::optional<std::vector<std::uint32_t>> Debugger::places_of_conditions(const std::string& goal) {
+  std::vector<std::uint32_t> places;
+  const auto add = [&](const std::string& condition) {
+    const Expression* const expression = condition_of(condition);
+    if (expression == nullptr || !expression->places() || holds_(condition)) return false;
+    for (const std::int64_t at : *expression->places()) places.push_back(static_cast<std::uint32_t>(at));
+    return true;
+  };
+  if (!goal.empty() && !add(goal)) return std::nullopt;
+  for (const Breakpoint& each : breakpoints_.all())
+    if (each.kind == Breakpoint::Kind::condition && !add(each.condition)) return std::nullopt;
+  return places;
 }
 
 bool Debugger::is_state(std::string_view name) const {
@@ -275,9 +310,14 @@ Halted Debugger::run(const Goal& goal) {
   if (goal.instructions < limits.instructions - std::min(begun, limits.instructions))
     limits.instructions = begun + goal.instructions;
   limits.until = std::min(limits.until, goal.until);
-  const bool by_instructions = !goal.condition.empty() || breakpoints_.has_conditions();
+  const bool conditions = !goal.condition.empty() || breakpoints_.has_conditions();
+  // What only words of memory decide need not be looked at until one of them is written.
+  const auto places = conditions ? places_of_conditions(goal.condition) : std::nullopt;
+  const bool by_instructions = conditions && !places;
   Probe& probe = *machine_.probe();
   breakpoints_.mark(probe);
+  if (places)
+    for (const std::uint32_t at : *places) probe.mark(at, Probe::is_written);
   probe.resume();
   std::optional<Reason> reason;
   Stop stop{guests::run::stopped_by_probe, {}};
@@ -299,6 +339,10 @@ Halted Debugger::run(const Goal& goal) {
     if (!by_instructions) {
       if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
       probe.resume();
+      if (conditions) {
+        if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
+        if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
+      }
     }
   }
   show_printed();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,7 +68,10 @@ class Debugger {
   [[nodiscard]] guests::run::Machine& machine() { return machine_; }
   [[nodiscard]] const guests::run::Machine& machine() const { return machine_; }
   [[nodiscard]] const Symbols& symbols() const { return symbols_; }
-  void set_symbols(Symbols symbols) { symbols_ = std::move(symbols); }
+  void set_symbols(Symbols symbols) {
+    symbols_ = std::move(symbols);
+    conditions_.clear();
+  }
   [[nodiscard]] Breakpoints& breakpoints() { return breakpoints_; }
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
 
@@ -158,6 +162,11 @@ class Debugger {
   };
   [[nodiscard]] std::string number_text(std::uint32_t value, unsigned bits) const;
   [[nodiscard]] std::optional<std::int64_t> value_of(std::string_view name) const;
+  [[nodiscard]] std::function<std::int64_t()> reader_of(std::string_view name) const;
+  // Null: it cannot be read.
+  [[nodiscard]] const Expression* condition_of(const std::string& text);
+  // Where the words are that the conditions look at; nothing: they look at something else, too, or one holds already.
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> places_of_conditions(const std::string& goal);
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
   [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,
                                                       std::optional<Reason>& reason);
@@ -179,6 +188,7 @@ class Debugger {
   std::string keys_;
   KeyCodes key_codes_;
   Names names_;
+  std::map<std::string, std::optional<Expression>, std::less<>> conditions_;  // by their texts
   Breakpoints::Condition holds_;
 };
 

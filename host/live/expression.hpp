@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "host/base/result.hpp"
 
@@ -19,9 +20,37 @@ struct Names {
   std::function<std::optional<std::int64_t>(std::string_view name)> value;
   // nullopt: there is no such address.
   std::function<std::optional<std::int64_t>(std::int64_t address)> memory;
+  // How to read a name whose value changes, for expressions that are looked at often; empty: its value is always what it is now.
+  std::function<std::function<std::int64_t()>(std::string_view name)> reader = {};
 };
 
-// Arithmetic is that of 64 bits, without overflow (it wraps around). An error has the place in the text.
+// An expression that has been read once, to be looked at again and again.
+class Expression {
+ public:
+  // An error has the place in the text. The names outlive the expression.
+  [[nodiscard]] static base::Result<Expression> read(std::string_view text, const Names& names);
+
+  // Arithmetic is that of 64 bits, without overflow (it wraps around).
+  [[nodiscard]] base::Result<std::int64_t> value() const;
+  // If it has nothing in it that changes but words of memory at fixed addresses: these.
+  [[nodiscard]] const std::optional<std::vector<std::int64_t>>& places() const { return places_; }
+
+ private:
+  friend class ExpressionReader;
+  enum class Kind : std::uint8_t { number, name, word, negative, complement, no, binary };
+  struct Step {
+    Kind kind;
+    std::uint8_t sign = 0;    // of a binary operator, by its number
+    std::int64_t number = 0;  // or which reader
+  };
+
+  const Names* names_ = nullptr;
+  std::vector<Step> steps_;  // operands before their operator
+  std::vector<std::function<std::int64_t()>> readers_;
+  std::optional<std::vector<std::int64_t>> places_;
+};
+
+// Of an expression that is looked at once.
 [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view text, const Names& names);
 
 // A number as an expression may begin with one, all of `text`.

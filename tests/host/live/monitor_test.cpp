@@ -684,6 +684,30 @@ TEST(MonitorStack, OutOfARecursionIsOneLevel) {
   EXPECT_EQ(s("ev sp").substr(0, 3), "400");
 }
 
+// What only words of memory decide is looked at when they are written, everything else after each instruction: the stops are the same.
+TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
+  std::mt19937 random(1965);
+  for (int round = 0; round < 20; ++round) {
+    const std::string wanted = std::to_string(random() % 8);
+    const std::string condition = "[place]==" + wanted + " || [200+1]==" + std::to_string(random() % 8);
+    std::string ends[2];
+    for (const bool by_places : {false, true}) {
+      auto m = pdp7_session(
+          "begin,  isz place\n jms sub\n isz 201\n isz 201\n jmp begin\nsub, 0\n lac place\n and (3\n dac place\n jmp i sub\n"
+          "place, 0\n start begin\n");
+      (*m)("break when " + condition + (by_places ? "" : " && time>=0"));
+      for (int n = 0; n < 4; ++n) ends[by_places ? 1 : 0] += (*m)("run for 200 instructions") + "\n";
+      std::string& text = ends[by_places ? 1 : 0];
+      std::string stops;
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);)
+        if (line.find("breakpoint") == std::string::npos) stops += line + "\n";
+      text = stops;
+    }
+    EXPECT_EQ(ends[0], ends[1]) << condition;
+  }
+}
+
 // --- All verbs ---
 
 // One expectation for each verb: in a session of pdp7_program() with a console, after the lines of `before`, the line has exactly this

@@ -59,7 +59,7 @@ void I8080Pass::directive(Directive directive, const Head& head) {
     case Directive::dephase: return phase(head);
     case Directive::comment: return comment(head);
     case Directive::common: return common();
-    case Directive::segment: return leave_common();
+    case Directive::segment: return enter_segment(head.operation);
     case Directive::title:
     case Directive::ignored: return;
     default: return conditional(directive, head);
@@ -147,6 +147,16 @@ void I8080Pass::origin() {
   if (!address || !expect_end()) return;
   if (phase_ != 0) return error(0, "ORG", ".DEPHASE before it");
   leave_common();
+  // Other segments may go on where this one was.
+  const std::size_t counter = counter_of_[segment_];
+  counters_[counter] = location_;
+  const bool shared = std::any_of(counter_of_.begin(), counter_of_.end(), [&](const auto& each) {
+    return each.first != segment_ && each.second == counter;
+  });
+  if (shared) {
+    counter_of_[segment_] = counters_.size();
+    counters_.push_back(*address);
+  }
   location_ = *address;
   said_overflow_ = false;
   shown_value_ = *address;
@@ -262,6 +272,15 @@ void I8080Pass::common() {
   if (first) return;
   behind_block_ = location_;
   location_ = block->second.begins;
+}
+
+void I8080Pass::enter_segment(const std::string& name) {
+  leave_common();
+  if (phase_ != 0) return error(0, quoted(name), ".DEPHASE before it");
+  const std::size_t before = counter_of_[segment_];
+  counters_[before] = location_;
+  location_ = counters_[counter_of_.try_emplace(name, before).first->second];
+  segment_ = name;
 }
 
 void I8080Pass::leave_common() {

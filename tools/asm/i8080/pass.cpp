@@ -44,6 +44,7 @@ void I8080Pass::run(std::size_t sources) {
     }
     leave_common();
     phase_ = 0;
+    enter_segment("cseg");
   }
 }
 

@@ -137,6 +137,7 @@ class I8080Pass {
   void comment(const Head& head);
   void common();
   void leave_common();
+  void enter_segment(const std::string& name);
 
   // Blocks (blocks.cpp)
   void conditional(Directive directive, const Head& head);
@@ -206,6 +207,10 @@ class I8080Pass {
   unsigned radix_ = 10;
   std::optional<char> comment_end_;  // of .COMMENT, whose end is to come
   Position comment_begun_;
+  // Each segment has a location of its own from its first ORG on; until then it shares that of the segment before which it was entered.
+  std::string segment_ = "cseg";
+  std::map<std::string, std::size_t> counter_of_{{"cseg", 0}};
+  std::vector<std::uint32_t> counters_{0};  // of those that are not current: where they go on
   // COMMON blocks: where each begins and how long the longest is; the one that is open, and where the program goes on behind it.
   struct Block {
     std::uint32_t begins = 0;

@@ -168,6 +168,24 @@ TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
   EXPECT_FALSE(assembled(m80, " COMMON C\n").ok());
 }
 
+// Utility Software Manual, 2.6.1, 2.6.3, 2.6.7, 2.6.15: a segment goes on where it was left, and ORG is of the segment it is in.
+TEST(I8080Dialect, SegmentsGoOnWhereTheyWereLeft) {
+  const auto assembly = assembled(m80,
+                                  " ORG 100H\n DB 1\n DSEG\n ORG 200H\nV: DB 2\n CSEG\n DB 3\n DSEG\nW: DB 4\n ASEG\n ORG 8\n DB 5\n CSEG\n"
+                                  "X: DW V,W,X\n ASEG\n DB 6\n END\n");
+  ASSERT_TRUE(assembly.ok()) << messages(assembly)[0];
+  const std::vector<std::pair<unsigned, unsigned>> expected{{8, 5}, {9, 6}, {0x100, 1}, {0x101, 3}, {0x102, 0}, {0x103, 2},
+                                                            {0x104, 1}, {0x105, 2}, {0x106, 2}, {0x107, 1}, {0x200, 2}, {0x201, 4}};
+  std::vector<std::pair<unsigned, unsigned>> made;
+  for (unsigned at = 0; at < 0x10000; ++at)
+    if (assembly.image.used(static_cast<std::uint16_t>(at)))
+      made.emplace_back(at, assembly.image[static_cast<std::uint16_t>(at)]);
+  EXPECT_EQ(made, expected);
+  // Without an ORG of its own a segment is laid behind what was before it, and no byte falls on another.
+  EXPECT_EQ(bytes(m80, " ORG 100H\n DB 1\n DSEG\nV: DB 2\n CSEG\n DB 3\n DSEG\n DB LOW V\n CSEG\n ORG 110H\n DSEG\nW: DB LOW W\n"),
+            (Bytes{1, 2, 3, 1, 4}));
+}
+
 TEST(I8080Dialect, NumbersWrapWithAWarning) {
   EXPECT_EQ(bytes(common, " DW 65536,10001H\n"), (Bytes{0, 0, 1, 0}));
   EXPECT_EQ(messages(assembled(common, " DW 65536,10001H\n")).size(), 2U);
