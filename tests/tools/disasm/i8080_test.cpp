@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <random>
+#include <string>
 
 #include "tools/asm/i8080.hpp"
 
@@ -48,6 +53,31 @@ TEST(DisassembleI8080, ScatteredBytesComeBack) {
   for (int i = 0; i < 20000; ++i)
     image.put(static_cast<std::uint16_t>(random()), static_cast<std::uint8_t>(random()));
   EXPECT_EQ(again(image), image);
+}
+
+// Skala's monitor with all its files, read again in each dialect; the generated programs are in tests/tools/asm/i8080/dialect_test.cpp.
+TEST(DisassembleI8080, FirmwareComesBackInEachDialect) {
+  const std::filesystem::path folder = std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "firmware/i8080/skala";
+  const auto text_of = [&folder](const std::string& name) -> std::optional<std::string> {
+    std::ifstream file(folder / name);
+    if (!file) return std::nullopt;
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  assembler::I8080Options options;
+  options.include = text_of;
+  const std::vector<assembler::SourceFile> sources{{"skala.asm", *text_of("skala.asm")}};
+  const auto firmware = assembler::assemble_i8080(sources, options);
+  ASSERT_TRUE(firmware.ok()) << to_string(firmware.diagnostics.front());
+  ASSERT_GT(firmware.image.count(), 1000U);
+  const std::vector<assembler::SourceFile> disassembly{{"again", disassemble_i8080(firmware.image)}};
+  for (const auto dialect : {assembler::I8080Dialect::common, assembler::I8080Dialect::mac, assembler::I8080Dialect::m80,
+                             assembler::I8080Dialect::intel}) {
+    assembler::I8080Options again;
+    again.dialect = dialect;
+    const auto assembly = assembler::assemble_i8080(disassembly, again);
+    EXPECT_TRUE(assembly.diagnostics.empty()) << to_string(assembly.diagnostics.front());
+    EXPECT_EQ(assembly.image, firmware.image);
+  }
 }
 
 TEST(DisassembleI8080, Text) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -143,7 +144,34 @@ TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
       const auto again = assemble_bell(*source);
       EXPECT_TRUE(again.diagnostics.empty()) << name;
       EXPECT_EQ(again.image.words, assembled.image.words) << name;
+      const std::vector<assembler::SourceFile> dec{{"again", disassemble_pdp7(assembled.image)}};
+      const auto in_dec = assembler::assemble_pdp7(dec, {});
+      EXPECT_TRUE(in_dec.diagnostics.empty()) << name;
+      EXPECT_EQ(in_dec.image.words, assembled.image.words) << name;
     }
+  }
+}
+
+// Programs as they lie in core: runs of words here and there, a start address or none.
+TEST(DisassemblePdp7, GeneratedProgramsComeBackInBothDialects) {
+  std::mt19937 random(1970);
+  const auto below = [&random](std::uint32_t limit) { return static_cast<std::uint32_t>(random() % limit); };
+  for (int program = 0; program < tests::effort(1000, 200); ++program) {
+    image::CoreImage image;
+    for (std::uint32_t run = 1 + below(4); run > 0; --run) {
+      std::uint32_t at = below(017700);
+      for (std::uint32_t n = 1 + below(30); n > 0; --n) image.words[at++] = Word18(below(01000000));
+    }
+    if (below(2) == 0) image.start = below(020000);
+    const std::vector<assembler::SourceFile> dec{{"again", disassemble_pdp7(image)}};
+    const auto in_dec = assembler::assemble_pdp7(dec, {});
+    ASSERT_TRUE(in_dec.diagnostics.empty()) << assembler::to_string(in_dec.diagnostics.front());
+    ASSERT_EQ(in_dec.image, image) << program;
+    const auto source = disassemble_pdp7_bell(image);
+    ASSERT_TRUE(source) << source.error().message();
+    const auto in_bell = assemble_bell(*source);
+    ASSERT_TRUE(in_bell.diagnostics.empty()) << assembler::to_string(in_bell.diagnostics.front());
+    ASSERT_EQ(in_bell.image.words, image.words) << program;
   }
 }
 
