@@ -92,7 +92,7 @@ full,   lac (2          / the picture ends here
         dac status
         jmp i pieces
 
-/ Lines begin anew at the place behind 11.
+/ Lines begin again at the place behind 11.
 first,  0
         jms escape
         lac (20000      / next mode point

@@ -146,7 +146,7 @@ std::uint32_t Encoder::code_of(EdgeIndex edge, const End& end) {
   return static_cast<std::uint32_t>(partners.size()) + 1;
 }
 
-// Edges in trails, so that one begins where the one before it ends: the beam need not be set anew. Trails begin at
+// Edges in trails, so that one begins where the one before it ends: the beam need not be set again. Trails begin at
 // vertices with an odd number of edges left, while there are any.
 void Encoder::order_edges() {
   const auto& edges = model_.edges();

@@ -1,7 +1,7 @@
 // A turning model as words for the PDP-7: the tape that the program of firmware/pdp7/turn reads.
 //
 // Vertices, edges, the edge structure at angle 0 and the events of a full turn (Plantinga, Seales and Dyer 1990,
-// sections 3 and 4), found exactly by host/algorithms/plantinga on the scene as it stands on the axis, and laid out
+// sections 3 and 4), found exactly by host/algorithms/plantinga on the scene where it stands on the axis, and laid out
 // as firmware/pdp7/turn/SPECIFICATION.md says. Left out: the program itself (program.hpp).
 #pragma once
 

@@ -43,7 +43,7 @@ class Twin {
   // `words`: of a tape, from address `base`.
   Twin(std::span<const core::Word18> words, std::uint32_t base);
 
-  // The picture that the program makes next, or nothing if it makes none with these switches. The first one is at the
+  // The picture that the program makes next, or false if these switches make none. The first one is at the
   // tape's own angle whatever the switches say of speed.
   [[nodiscard]] bool next(std::uint32_t switches, Picture& picture);
 

@@ -15,7 +15,7 @@
 namespace sightline::guests::turn {
 
 struct TurnedModel {
-  scene::PolyScene scene;  // as it stands
+  scene::PolyScene scene;  // on the axis
   algorithms::plantinga::RotationModel model;
   algorithms::plantinga::EventList list;
   Tape tape;
