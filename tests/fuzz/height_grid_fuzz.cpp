@@ -1,9 +1,12 @@
-// Any bytes as a grid file: read, by its content and as points, and whatever is a grid becomes every kind of picture.
+// Any bytes as a grid file: read, by its content and as points, and whatever is a grid becomes every kind of picture and figure.
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "host/algorithms/skala/figure.hpp"
 #include "host/guests/skala/stream.hpp"
+#include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/read_grid.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -20,6 +23,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                              guests::skala::PictureKind::contours}) {
     view.picture = picture;
     static_cast<void>(guests::skala::stream_of(*result, view));
+  }
+  constexpr std::size_t many = 400;
+  if (result->heights.size() > many) return 0;
+  algorithms::skala::View figure_view;
+  figure_view.rotation = view.rotation;
+  figure_view.elevation = static_cast<double>(size % 37) * 5 - 90;
+  figure_view.columns = 64;
+  figure_view.net = size % 2 == 0;
+  for (const auto subject : {algorithms::skala::Subject::lines, algorithms::skala::Subject::surface, algorithms::skala::Subject::contours}) {
+    figure_view.subject = subject;
+    algorithms::skala::FigureOptions options;
+    options.axes = options.floor = options.contour_labels = options.legend = true;
+    const scene::HeightGrid grids[2] = {*result, *result};
+    const auto figure = algorithms::skala::figure(std::span(grids, 1 + size % 2), figure_view, options);
+    static_cast<void>(picture::svg_of(figure.drawing, {}, "fuzz"));
   }
   return 0;
 }

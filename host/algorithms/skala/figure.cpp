@@ -110,8 +110,10 @@ class FigureMaker {
     result.scale = place.scale;
     const auto box_layer = static_cast<std::uint32_t>(drawing.layers.size());
     const std::uint32_t text_layer = box_layer + 1;
-    drawing.layers.push_back({"axes", box_ink});
-    drawing.layers.push_back({"text", ink});
+    if (options_.axes || options_.legend || options_.contour_labels || !options_.title.empty()) {
+      drawing.layers.push_back({"axes", box_ink});
+      drawing.layers.push_back({"text", ink});
+    }
     if (options_.contour_labels) add_contour_labels(drawing, labelled, text_layer, 0.8 * text_);
     if (options_.axes) add_axes(drawing, place, box_layer, text_layer, coverage ? &*coverage : nullptr);
     if (!options_.title.empty()) add_title(drawing, text_layer);

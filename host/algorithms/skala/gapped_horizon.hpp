@@ -1,5 +1,5 @@
-// The masks of horizon.hpp for surfaces with holes, and for several surfaces: what hides is not one interval of a column but a set of
-// them. Lines are tested and raise nothing; what hides is each triangle, or each cell, when all of its far edges have been drawn.
+// The masks of horizon.hpp for surfaces with holes, and for several surfaces: in a column occluders are not one interval but a set of
+// them. Lines are tested and raise nothing; a triangle, or a cell, becomes an occluder when all of its far edges have been drawn.
 #pragma once
 
 #include <array>

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/app/commands/draw.hpp"
@@ -167,7 +169,7 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
   // Without it a contour would end in the middle of nowhere where the surface turns away.
   view.silhouette = arguments.silhouette || (view.subject == Subject::contours && !arguments.no_silhouette);
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
-  const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf;
+  const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf || format == DrawingFormat::steps;
   if (with_pens && view.subject == Subject::surface)
     throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
   const DrawOutput& output = arguments.output;
@@ -203,6 +205,22 @@ void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, D
   if (figure.names[0].empty()) figure.names[0] = "x";
   if (figure.names[1].empty()) figure.names[1] = "y";
   for (std::size_t i = 0; i < arguments.axis_names.size(); ++i) figure.names[i] = arguments.axis_names[i];
+}
+
+// Where there are more layers than pens, the contours of all levels are one, and so are those of the floor.
+void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
+  const std::size_t pens = output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens) : picture::most_hpgl_pens;
+  if (drawing.layers.size() <= pens) return;
+  std::vector<picture::DrawingLayer> layers;
+  std::vector<std::uint32_t> moved;
+  for (const picture::DrawingLayer& layer : drawing.layers) {
+    const std::string_view label = layer.label;
+    const std::string kind(label.starts_with("contour ") ? "contours" : label.starts_with("floor ") ? "floor" : label);
+    if (layers.empty() || layers.back().label != kind) layers.push_back({kind, layer.colour});
+    moved.push_back(static_cast<std::uint32_t>(layers.size()) - 1);
+  }
+  for (picture::DrawingLine& line : drawing.lines) line.layer = moved[line.layer];
+  drawing.layers = std::move(layers);
 }
 
 // The surfaces, all with the range of all; the result is the first one, with the names of all.
@@ -252,7 +270,8 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   if (const auto reason = method.why_not(function.grid, view))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
-  const algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
+  algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
+  if (format == DrawingFormat::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
   if (arguments.json) print_drawing(method, arguments, function, figure, plot);
   return ExitCode::ok;

@@ -146,6 +146,35 @@ TEST_F(DrawCommand, AFigureInLayers) {
   expect_usage_error_beside({"draw", "skala", "peaks", "--xyz", "a,b,c", "-o", "t.svg"}, "without a grid file");
 }
 
+// Eight layers at most for eight pens: silhouette, rims, contours, floor, axes and text have their own.
+TEST_F(DrawCommand, AFigureForAPlotter) {
+  ASSERT_EQ(sightline({"draw", "skala", "peaks", "--picture", "contours", "--labels", "--floor", "--axes", "--size", "A4", "--device", "hp7550a", "-o", "f.plt"}).exit_code, 0);
+  const std::string text = read("f.plt");
+  for (const char* pen : {"SP3;", "SP4;", "SP5;", "SP6;", "SP7;", "SP8;"}) {
+    const std::size_t at = text.find(pen);
+    ASSERT_NE(at, std::string::npos) << pen;
+    EXPECT_EQ(text.find(pen, at + 1), std::string::npos) << pen;
+  }
+  ASSERT_EQ(sightline({"draw", "skala", "peaks", "--axes", "--title", "Peaks", "--size", "A4", "-o", "f.dxf"}).exit_code, 0);
+  EXPECT_TRUE(has(read("f.dxf"), "-AXES\n"));
+  EXPECT_TRUE(has(read("f.dxf"), "-TEXT\n"));
+}
+
+// What hides each other is over the same places, and has one scale of heights.
+TEST_F(DrawCommand, SeveralSurfaces) {
+  write("low.csv", "x,y,height\n0,0,1\n0,1,1\n1,0,1\n1,1,1\n");
+  write("high.csv", "place,0,1\n0,2,2\n1,2,\n");
+  const auto ran = sightline({"draw", "skala", "low.csv", "high.csv", "--json", "--axes", "-o", "two.svg"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["height_range"], (std::vector<double>{1, 2}));
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["scene"], "low.csv, high.csv");
+  EXPECT_TRUE(has(read("two.svg"), "lines along x, surface 2"));
+  write("wide.csv", "1,2,3\n4,5,6\n");
+  const auto other = sightline({"draw", "skala", "low.csv", "wide.csv", "-o", "t.svg"});
+  EXPECT_EQ(other.exit_code, 4);
+  EXPECT_TRUE(has(other.err, "wide.csv: found 2 slices of 3 points over other places than those of low.csv")) << other.err;
+}
+
 TEST_F(DrawCommand, ASceneByEveryAlgorithm) {
   for (const char* algorithm : {"exact", "oracle"}) {
     const std::string file = std::string(algorithm) + ".svg";
