@@ -272,6 +272,8 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   drawing.points.reserve(grid.heights.size());
   const Walked walked = walking(order, drawing);
   if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
+  // On a net it is one of its lines.
+  if (view.subject == Subject::surface) drawing.layers[silhouettes].colour = drawing.layers[along_rows].colour;
   return drawing;
 }
 

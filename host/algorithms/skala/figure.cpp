@@ -274,16 +274,25 @@ class FigureMaker {
     return result;
   }
 
-  // Which way ticks lead from an edge on the page.
-  [[nodiscard]] static picture::TextDirection outward(const PagePlace& place, const Surface& surface, const TickEdge& edge, std::size_t axis) {
+  // Which way ticks lead from an edge on the page: as the box does, or across the edge where that would be along it.
+  [[nodiscard]] picture::TextDirection outward(const PagePlace& place, const TickEdge& edge, std::size_t axis) const {
     if (axis == 2) return {-1, 0};
-    const auto from = surface.project(0, 0, 0);
-    const auto to = surface.project(edge.outward[0], edge.outward[1], edge.outward[2]);
-    const double dx = (to[0] - from[0]) * place.scale[0];
-    const double dy = (to[1] - from[1]) * place.scale[1];
-    const double length = std::sqrt(dx * dx + dy * dy);
-    if (!(length > 1e-6)) return {0, -1};
-    return {dx / length, dy / length};
+    const auto direction = [&](const BoxPoint& from, const BoxPoint& to) {
+      const DrawingPoint a = on_page(place, from);
+      const DrawingPoint b = on_page(place, to);
+      const double dx = double{b.x} - double{a.x};
+      const double dy = double{b.y} - double{a.y};
+      const double length = std::sqrt(dx * dx + dy * dy);
+      return length > 1e-3 ? picture::TextDirection{dx / length, dy / length} : picture::TextDirection{0, 0};
+    };
+    const picture::TextDirection along = direction(edge.edge.from, edge.edge.to);
+    const picture::TextDirection away = direction({0, 0, 0}, edge.outward);
+    const double across = along.x * away.y - along.y * away.x;
+    constexpr double flattest = 0.35;
+    if (std::abs(across) > flattest) return away;
+    // Down, or to the right of an upright edge, unless the box leads elsewhere.
+    const double side = across != 0 ? (across > 0 ? 1 : -1) : (along.x != 0 ? (along.x > 0 ? -1 : 1) : (along.y > 0 ? -1 : 1));
+    return {-side * along.y, side * along.x};
   }
 
   void add_axis(Annotations& result, const PagePlace& place, const TickEdge& edge, const AxisLook& look, std::size_t axis) const {
@@ -292,7 +301,7 @@ class FigureMaker {
     const double length = std::sqrt((double{b.x} - double{a.x}) * (double{b.x} - double{a.x}) + (double{b.y} - double{a.y}) * (double{b.y} - double{a.y}));
     // An axis that is seen end-on says nothing.
     if (length < 4 * text_) return;
-    const picture::TextDirection away = outward(place, *surface_, edge, axis);
+    const picture::TextDirection away = outward(place, edge, axis);
     const int most = std::clamp(static_cast<int>(length / (4 * text_)), 2, 8);
     std::vector<scene::RoundValue> values = scene::round_values(look.values, most);
     if (values.empty()) values.push_back({look.values.low, scene::shortest_text(look.values.low)});

@@ -166,8 +166,9 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
-  // Without it a contour would end in the middle of nowhere where the surface turns away.
-  view.silhouette = arguments.silhouette || (view.subject == Subject::contours && !arguments.no_silhouette);
+  // Without it a contour would end in the middle of nowhere where the surface turns away, and a net where a cell is folded.
+  const bool needs_silhouette = view.subject == Subject::contours || (view.subject == Subject::surface && view.net);
+  view.silhouette = arguments.silhouette || (needs_silhouette && !arguments.no_silhouette);
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
   const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf || format == DrawingFormat::steps;
   if (with_pens && view.subject == Subject::surface)
@@ -289,8 +290,8 @@ void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
   command.flag("--labels", arguments.figure.contour_labels, "Write their heights into contours");
   command.flag("--floor", arguments.figure.floor, "Contours also on a floor below the surface");
   command.flag("--net", view.net, "Contours and surfaces: draw the net of all cells, too");
-  const Option silhouette = command.flag("--silhouette", arguments.silhouette, "Draw where the surface turns away from the eye, as contours always do");
-  command.flag("--no-silhouette", arguments.no_silhouette, "Contours without it").excludes(silhouette);
+  const Option silhouette = command.flag("--silhouette", arguments.silhouette, "Draw where the surface turns away from the eye, as contours and --net of a surface do anyway");
+  command.flag("--no-silhouette", arguments.no_silhouette, "Leave it out of contours and of --net").excludes(silhouette);
   command.option("--colours", arguments.colours, "Colours of a surface or of contours by height, or of a surface by its slope").one_of({"slope", "heights"}).default_value("slope");
   command.flag("--no-legend", arguments.no_legend, "Leave out the legend of --colours heights");
   command.flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
