@@ -12,8 +12,10 @@
 // been read, but not sooner than the line allows: it is a terminal that is asked to wait, so that nothing typed is lost. What is sent
 // is on the terminal when its transmission begins.
 // Left out: parity and framing errors, overrun, modem lines, word lengths (the terminal takes what comes), and the board's jumpers for
-// other speeds while it runs. Sources: MITS 88-SIO and 88-2SIO manuals (1975, 1977), from their register tables as programs use them;
-// Motorola MC6850 data sheet (1978).
+// other speeds while it runs. Bits of the 88-SIO that revision 1 does not use (6, 5 and 1: those of the receiver and transmitter moved to 0
+// and 7) are 0 here; no manual says what an open input of the board reads.
+// Sources: MITS 88-SIO manual (1975), "Theory of Operation", table "Bit Definition", with the errata sheet that makes it revision 1; MITS
+// 88-2SIO manual (1977), register tables; Motorola MC6850 data sheet (1978).
 #pragma once
 
 #include <algorithm>

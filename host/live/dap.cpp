@@ -292,7 +292,7 @@ class Adapter {
     afterwards_.push_back([this] { set_off(); });
     return {};
   }
-  // The machine anew, its sources read again. Breakpoints stay: the client does not send them again.
+  // A new machine, its sources read again. Breakpoints stay: the client does not send them again.
   Json restart(const Json& arguments) {
     const Json& changed = member(arguments, "arguments");
     const Json wanted = changed.is_object() ? changed : launch_arguments_;

@@ -919,7 +919,7 @@ class I8080Run final : public Machine {
     if (cpm_) visit.section("cpm", *cpm_);
   }
 
-  // What CP/M changes in a watched place is an access like the program's own; writing what is there already is none.
+  // What CP/M changes in a watched place is an access like the program's own; writing the same byte again is none.
   template <class Work>
   std::invoke_result_t<Work> watching_host(Work work) {
     if (!probe_ || probe_->written_places().empty()) return work();

@@ -241,7 +241,7 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"dephase", "the end of that"},
       {"comment", "`.COMMENT *text*`, over any number of lines; any sign will do"},
       {"common", "`COMMON /NAME/`: what follows lies where the first block of the name does, to the next segment"},
-      {"segment", "the end of a COMMON block; all segments have one location"},
+      {"segment", "the segment, which goes on where it was left; ORG is of this segment alone"},
       {"ignored", "nothing: controls of listings, PUBLIC, NAME"},
   };
   const std::string_view begin = "constexpr std::array directives{";

@@ -46,7 +46,7 @@ constexpr std::array rows{
                       const std::string sign = std::string("`") + rules.literal + "`";
                       return is_common(rules) ? sign + "; a warning at `!`" : sign;
                     },
-                    "MAC; MACRO-80, 2.7.9; Intel"},
+                    "MAC; MACRO-80, 2.7.9; Intel, chapter 5, \"Special Macro Operators\""},
     I8080DialectRow{"`$` in a name",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.dollar_in_names ? "a character like others, also the first" : "passed over; not the first";
@@ -67,7 +67,7 @@ constexpr std::array rows{
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "ASM, section 3.2; MACRO-80, 2.3.2; Intel"},
+                    "ASM, section 3.2; MACRO-80, 2.3.2; Intel, chapter 2, on labels"},
 };
 
 }  // namespace
