@@ -51,6 +51,35 @@ TEST_P(JonesGuest, EveryViewIsTheTwins) {
   }
 }
 
+// Without a display another watch counts. What a display adds is its interrupts.
+TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
+  for (const bool immediate : {false, true}) {
+    GuestOptions options;
+    options.eae = eae();
+    options.immediate = immediate;
+    options.clock = false;
+    options.views = 1;
+    const GuestRun with = run_guest(program, options);
+    options.display = false;
+    const GuestRun without = run_guest(program, options);
+    ASSERT_EQ(with.views.size(), 1U);
+    ASSERT_EQ(without.views.size(), 1U);
+    const GuestView& a = with.views[0];
+    const GuestView& b = without.views[0];
+    EXPECT_GT(a.instructions, 1000U);
+    EXPECT_LE(b.instructions, a.instructions);
+    EXPECT_GT(b.instructions, a.instructions / 10 * 9);
+    EXPECT_LE(b.time, a.time);
+    EXPECT_GT(b.time, a.time / 10 * 9);
+    EXPECT_EQ(a.visits, b.visits);
+    EXPECT_EQ(a.openings_tested, b.openings_tested);
+    EXPECT_EQ(a.lines_clipped, b.lines_clipped);
+    EXPECT_EQ(a.pieces, b.pieces);
+    EXPECT_EQ(a.distinct_cells, b.distinct_cells);
+    EXPECT_TRUE(same_words(a.display_file, b.display_file));
+  }
+}
+
 // "A few seconds", and less with good code: view 2, the picture before it on the screen.
 TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   ASSERT_EQ(run.views.size(), 2U);
