@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -105,6 +106,23 @@ scene::CellScene load_cells(const std::string& argument) {
   if (reading.loaded.kind != scene::SceneKind::cells)
     throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", name, cells_expected));
   return *value_of(scene::scene_or_error(std::move(reading)), name).cells;
+}
+
+void add_go_on_option(const Command& command, bool& go_on) {
+  command.flag("--go-on", go_on, "Draw also what takes this method more than a minute").group("Mesh");
+}
+
+void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on) {
+  constexpr double longest = 60;
+  const std::size_t faces = scene::face_count(mesh.scene);
+  const double seconds = time.seconds_for(faces);
+  if (go_on || mesh.scene.surfaces.empty() || seconds < longest) return;
+  const std::string growth = time.power == 2 ? "quadratic here: its time grows with the square"
+                                             : fmt::format("slow here: its time grows with power {} to 2", time.power);
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: {} is {} of the number of faces, and for {} it takes about {:.0f} minutes or more; "
+                            "`sightline draw exact` takes seconds; --go-on draws it all the same",
+                            mesh.name, method, growth, faces, std::ceil(seconds / 60)));
 }
 
 void add_eae_options(const Command& command, bool& no_eae) {

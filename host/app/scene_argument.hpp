@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "host/algorithms/registry/mesh_time.hpp"
 #include "host/app/command_line.hpp"
 #include "host/geometry/box.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -47,6 +49,11 @@ void add_mesh_options(const Command& command, MeshArguments& arguments);
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {});
 // The same; anything but a scene of cells is a Failure usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
+
+// --go-on: of a command that draws by one method.
+void add_go_on_option(const Command& command, bool& go_on);
+// Failure usage: the method would take more than a minute for so many faces of a mesh, and --go-on is not given.
+void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
 
 // --eae and --no-eae, of commands that run Jones's program: whether the PDP-7 has the Type 177 extended
 // arithmetic element. The first is the default.

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace sightline::base {
 
@@ -71,6 +72,30 @@ void ProgressLine::show(std::string_view text) {
   shown_ = true;
   fmt::print(stderr, "\r\033[K{} (Ctrl-C stops)", text);
   static_cast<void>(std::fflush(stderr));
+}
+
+ProgressClock::ProgressClock(std::string text) : text_(std::move(text)) {
+  if (is_terminal()) thread_ = std::thread([this] { run(); });
+}
+
+ProgressClock::~ProgressClock() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
+}
+
+void ProgressClock::run() {
+  ProgressLine line;
+  const auto begin = std::chrono::steady_clock::now();
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ended_.wait_for(lock, std::chrono::milliseconds(250), [this] { return end_; })) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - begin).count();
+    line.show(fmt::format("{}, {} s", text_, seconds));
+  }
 }
 
 }  // namespace sightline::base

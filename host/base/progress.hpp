@@ -2,8 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <thread>
 
 namespace sightline::base {
 
@@ -37,6 +41,24 @@ class ProgressLine {
   std::chrono::steady_clock::time_point next_;
   bool terminal_ = false;
   bool shown_ = false;
+};
+
+// Shows a text and the seconds since it began, while work goes on that does not show anything itself.
+class ProgressClock {
+ public:
+  explicit ProgressClock(std::string text);
+  ~ProgressClock();
+  ProgressClock(const ProgressClock&) = delete;
+  ProgressClock& operator=(const ProgressClock&) = delete;
+
+ private:
+  void run();
+
+  std::string text_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false;
+  std::thread thread_;  // none unless standard error is a terminal
 };
 
 }  // namespace sightline::base

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/registry/mesh_time.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -85,6 +86,7 @@ struct FaceAlgorithm {
   // What all views of a scene share. The scene is a checked one (precondition), and outlives what is
   // prepared.
   base::Result<PreparedFaces> (*prepare)(const scene::PolyScene& scene, const FaceOptions& options);
+  MeshTime mesh_time = {};
 };
 
 [[nodiscard]] std::span<const FaceAlgorithm> face_algorithms();

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/registry/mesh_time.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
@@ -69,6 +70,7 @@ struct LineAlgorithm {
   bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings is drawn, too
   // `prepare` of views each of which uses so many threads, for the same picture; null if a view uses one.
   base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs) = nullptr;
+  MeshTime mesh_time = {};
 
   [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) const {

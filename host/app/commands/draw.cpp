@@ -143,6 +143,7 @@ struct DrawLinesArguments {
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
   int turntable = 1;
+  bool go_on = false;
   bool json = false;
   DrawOutput output;
   FillArguments filled;
@@ -241,6 +242,8 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     arguments.view.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  const std::size_t faces = scene::face_count(source.scene);
+  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments.field, aimed.camera);
   if (arguments.filled.fill) {
@@ -266,8 +269,11 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     DrawOutput output = arguments.output;
     output.file = numbered(arguments.output.file, i + 1, arguments.turntable);
     Output file(output.file);
+    std::optional<base::ProgressClock> clock;
+    if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
     if (!views) views.emplace(algorithm, source, arguments.view, cameras);
     const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
+    clock.reset();
     const auto plot = write_drawing(drawn.drawing, output, format, source.name, file);
     if (!arguments.json) continue;
     Json document = summary_of(algorithm, output.file, source, camera, drawn);
@@ -310,6 +316,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
         .group("Hatching");
   }
   add_mesh_options(command, arguments->mesh);
+  if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
     if (algorithm.draws_crossings) command.added("--fill").excludes(command.added("--hatch"));

@@ -13,6 +13,7 @@
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
+#include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/apng.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct DrawFacesArguments {
   std::string scene;
   MeshArguments mesh;
+  bool go_on = false;
   CameraArguments camera;
   std::optional<double> field;
   registry::FaceOptions options;
@@ -152,6 +154,8 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
+  const std::size_t faces = scene::face_count(source.scene);
+  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   check_field(arguments.field, camera);
   if (flight && !camera.perspective)
@@ -160,7 +164,10 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   Output file(arguments.output);
   registry::FaceOptions options = arguments.options;
   options.vertical = frame_of(arguments.camera, source.scene).vertical;
+  std::optional<base::ProgressClock> clock;
+  clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
   const auto prepared = value_of(algorithm.prepare(source.scene, options), source.name);
+  clock.reset();
   name_not_solved(prepared);
   constexpr double usual_field = 60;
   const auto extent = flight && !arguments.field ? std::optional(usual_field) : arguments.field;
@@ -190,6 +197,7 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
   add_camera_options(command, arguments->camera);
   add_field_option(command, arguments->field, "everything, or 60 degrees of a flight");
   add_mesh_options(command, arguments->mesh);
+  if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   command
       .option("--pixels", arguments->pixels,
               "Size of the image; 512x512 is made by the priority display itself")

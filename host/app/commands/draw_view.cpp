@@ -36,7 +36,7 @@ std::vector<LineLayer> layers_by_kind(const LinePicture& drawn, const picture::C
   return layers;
 }
 
-// Pens that can be told apart on white paper.
+// Pens that are easily distinguished on white paper.
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 

@@ -148,6 +148,27 @@ TEST_F(DrawMesh, LimitsOfTheCalComp) {
   expect_ok({"draw", "skala", "sinc", "--device", "calcomp", "--format", "steps", "-o", "y.bin"});
 }
 
+// A sheet of 168,200 triangles: a minute and more, for which one has to ask.
+TEST_F(DrawMesh, WhatTakesMinutesIsRefused) {
+  std::string bytes(80, ' ');
+  const auto put = [&bytes](const auto& number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
+  constexpr int side = 290;
+  put(static_cast<unsigned>(2 * side * side));
+  for (int i = 0; i < 2 * side * side; ++i) {
+    const auto x = static_cast<float>(i / 2 % side);
+    const auto y = static_cast<float>(i / 2 / side);
+    const bool upper = i % 2 != 0;
+    for (const float c : {0.0F, 0.0F, 1.0F, x, y, 0.0F, x + 1, upper ? y + 1 : y, 0.0F, upper ? x : x + 1, y + 1, 0.0F}) put(c);
+    bytes += std::string(2, '\0');
+  }
+  write("sheet.stl", bytes);
+  const auto ran = sightline({"draw", "jones", "sheet.stl", "-o", "x.svg"});
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(has(ran.err, "for 168200 it takes about 2 minutes or more")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "--go-on draws it all the same")) << ran.err;
+  EXPECT_FALSE(exists("x.svg"));
+}
+
 TEST_F(DrawMesh, TheUnitOfAFile) {
   write("a.off", "OFF\n4 4 0\n0 0 0\n1.25 0 0\n0 1.25 0\n0 0 1.25\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   EXPECT_FALSE(has(sightline({"scene", "info", "a.off"}).out, "unit"));
