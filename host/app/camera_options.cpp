@@ -204,7 +204,9 @@ class Aiming {
     const scene::PolyPoint a = scene::direction_of(up);
     const scene::PolyPoint b = scene::direction_of(direction);
     if (geometry::is_zero(geometry::cross(geometry::vector_of(a), geometry::vector_of(b))))
-      throw Failure(ExitCode::usage, fmt::format("--up: found {}, along the line of sight; expected another direction", arguments_.up));
+      throw Failure(
+          ExitCode::usage,
+          fmt::format("--up: found {}, along the line of sight; expected another direction", arguments_.up));
     const scene::PolyCamera camera = turned_camera(frame_, eye, direction, up, perspective);
     return {camera, angle_to(camera, direction)};
   }
@@ -225,7 +227,10 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
   add("--orthographic", arguments.orthographic, "No perspective: look in this direction");
   std::vector<std::string> names;
   for (const Preset& each : presets) names.emplace_back(each.name);
-  command.option("--view", arguments.view, "A view as drawings have it, without perspective: from the front, isometric, from the north-east ...")
+  command
+      .option("--view", arguments.view,
+              "A view as drawings have it, without perspective: from the front, isometric, from the "
+              "north-east ...")
       .one_of(names)
       .value("NAME")
       .group("View");

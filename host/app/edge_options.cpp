@@ -9,7 +9,8 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
   const Option kinds =
       command
           .option("--edges", arguments.kinds,
-                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of materials and lines in which bodies pass through each other), or "
+                  "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of "
+                  "materials and lines in which bodies pass through each other), or "
                   "some of these kinds with commas between them")
           .default_value("feature")
           .value("KINDS")

@@ -24,8 +24,8 @@ void add_edge_options(const Command& command, EdgeArguments& arguments);
 // Failure usage: no such kind, or no angle.
 void check_edges(const EdgeArguments& arguments);
 
-// Of arguments that were checked; empty: all edges, and there are no crossings. Creases of a mesh begin at 30 degrees, those of all other
-// scenes at 0, unless --crease says otherwise.
+// Of arguments that were checked; empty: all edges, and there are no crossings. Creases of a mesh begin at 30
+// degrees, those of all other scenes at 0, unless --crease says otherwise.
 [[nodiscard]] std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments,
                                                                const scene::PolyScene& scene);
 

@@ -134,7 +134,8 @@ void add_eae_options(const Command& command, bool& no_eae) {
 void warn_of_changes(const scene::PolyImportReport& report) {
   const std::string unit = report.unit.empty() ? "" : " " + report.unit;
   if (report.quantised && report.largest_shift > 0) {
-    warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit, report.largest_shift, unit));
+    warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit,
+                     report.largest_shift, unit));
   } else if (report.quantised) {
     warn(fmt::format("coordinates are counted in steps of {}{}", report.step, unit));
   }

@@ -15,9 +15,9 @@ struct ApartLimits {
   std::size_t memory = std::size_t{4} << 30;  // bytes of addresses; not limited under AddressSanitizer, which maps terabytes
 };
 
-// What `work` returns, done in a copy of this process; what it changes or prints is lost. It may throw. Errors have neither file nor
-// place: what the work threw, that it crashed or met a limit, or that there can be no process. This process has one thread
-// (precondition).
+// What `work` returns, done in a copy of this process; what it changes or prints is lost. It may throw.
+// Errors have neither file nor place: what the work threw, that it crashed or met a limit, or that there can
+// be no process. This process has one thread (precondition).
 [[nodiscard]] Result<std::string> run_apart(const std::function<Result<std::string>()>& work, const ApartLimits& limits = {});
 
 }  // namespace sightline::base

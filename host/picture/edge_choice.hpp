@@ -3,7 +3,8 @@
 // Two faces at an edge are in one plane if they are of one surface (PolyScene::surfaces), or, in a scene
 // without surfaces, if they are coplanar; an edge between them is never chosen unless all are. What faces the
 // eye is decided for a surface as a whole, by the sum of its faces' areas and a corner of its largest one;
-// edge-on counts as turned away; where faces cross, one that is turned away hides the line. Angles are those between the surfaces' planes in the coordinates of the file.
+// edge-on counts as turned away; where faces cross, one that is turned away hides the line. Angles are those
+// between the surfaces' planes in the coordinates of the file.
 #pragma once
 
 #include <array>

@@ -40,8 +40,11 @@ struct HatchFamily {
 
 class Hatcher {
  public:
-  Hatcher(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window, double units, const HatchOptions& options)
-      : camera_(camera), axes_{unit_of(real(camera.right)), unit_of(real(camera.up)), unit_of(real(camera.forward))}, light_(unit_of(options.light)) {
+  Hatcher(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window,
+          double units, const HatchOptions& options)
+      : camera_(camera),
+        axes_{unit_of(real(camera.right)), unit_of(real(camera.up)), unit_of(real(camera.forward))},
+        light_(unit_of(options.light)) {
     result_.scene = scene;
     families_[0] = family(options.angle, options.spacing / units, window);
     families_[1] = family(options.angle + 90, options.spacing / units, window);
@@ -104,7 +107,8 @@ class Hatcher {
       for (std::size_t a = 0; a < 3; ++a) area[a] += part[a];
     }
     if (geometry::wide_dot(normal, area) < 0) normal = geometry::negated(normal);
-    const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(ring[0]), camera_.eye) : geometry::vector_of(camera_.forward);
+    const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(ring[0]), camera_.eye)
+                                                        : geometry::vector_of(camera_.forward);
     const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
     if (facing == 0 || (facing < 0 && !sheet)) return;
     Vector3d direction{static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])};
@@ -137,8 +141,8 @@ class Hatcher {
             std::min(family.last, static_cast<std::int64_t>(std::ceil(std::min(high, static_cast<double>(family.last)))))};
   }
 
-  void lines(const scene::PolyFace& face, const Vector3d& normal, const HatchFamily& family, std::int64_t every, std::uint32_t number,
-             bool across) {
+  void lines(const scene::PolyFace& face, const Vector3d& normal, const HatchFamily& family,
+             std::int64_t every, std::uint32_t number, bool across) {
     auto [first, last] = range(face, family);
     const std::int64_t over = ((first % every) + every) % every;
     if (over != 0) first += every - over;
@@ -227,8 +231,8 @@ Tone tone_of(double facing) {
   return facing >= all ? Tone::full : Tone::crossed;
 }
 
-base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window, double units,
-                               const HatchOptions& options) {
+base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                               const ImageWindow& window, double units, const HatchOptions& options) {
   return Hatcher(scene, camera, window, units, options).run();
 }
 

@@ -41,7 +41,8 @@ inline constexpr std::size_t most_hatch_lines = 2'000'000;
 // Of faces that are turned to the eye, and of sheets; for a drawing with this window, of `units` to one of the image.
 // The scene has surfaces or numbered planes (precondition); the finer its grid, the nearer ends are to outlines. An error
 // if there were more than most_hatch_lines.
-[[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window,
-                                             double units, const HatchOptions& options);
+[[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                             const ImageWindow& window, double units,
+                                             const HatchOptions& options);
 
 }  // namespace sightline::picture

@@ -405,7 +405,8 @@ class Tour {
   [[nodiscard]] bool is_near(std::int64_t a, std::int64_t b) const { return std::abs(a - b) <= reach_; }
 
   void touch(std::int64_t position) {
-    for (std::int64_t i = std::max<std::int64_t>(position - 1, 0); i <= std::min<std::int64_t>(position + 1, std::int64_t{count_} - 1); ++i)
+    for (std::int64_t i = std::max<std::int64_t>(position - 1, 0);
+         i <= std::min<std::int64_t>(position + 1, std::int64_t{count_} - 1); ++i)
       touched_.push_back(order_[static_cast<std::size_t>(i)] / 2);
   }
 
@@ -425,12 +426,14 @@ class Tour {
       const bool f_leaves = order_[static_cast<std::size_t>(j)] != f;
       if (leaves && f_leaves && j > i) {
         // i+1 .. j the other way round.
-        const double gain = old + to_next(ends_[f], j + 1) - link - to_next(ends_[entry(static_cast<std::uint32_t>(i + 1))], j + 1);
+        const double gain = old + to_next(ends_[f], j + 1) - link -
+                            to_next(ends_[entry(static_cast<std::uint32_t>(i + 1))], j + 1);
         if (gain > least_gain) return turn(i + 1, j);
       }
       if (!leaves && !f_leaves && j < i) {
         // j .. i-1 the other way round.
-        const double gain = old + length_between(left_at(j - 1), ends_[f]) - link - length_between(left_at(j - 1), left_at(i - 1));
+        const double gain = old + length_between(left_at(j - 1), ends_[f]) - link -
+                            length_between(left_at(j - 1), left_at(i - 1));
         if (gain > least_gain) return turn(j, i - 1);
       }
       for (std::int64_t more = 0; more < 3; ++more) {
@@ -441,7 +444,9 @@ class Tour {
         if (first < 0 || last >= count_ || (after >= first - 1 && after <= last)) continue;
         const bool turned = leaves == f_leaves;
         const PenPlace& far = f_leaves ? ends_[entry(static_cast<std::uint32_t>(first))] : left_at(last);
-        const double before = length_between(left_at(first - 1), ends_[entry(static_cast<std::uint32_t>(first))]) + to_next(left_at(last), last + 1);
+        const double before =
+            length_between(left_at(first - 1), ends_[entry(static_cast<std::uint32_t>(first))]) +
+            to_next(left_at(last), last + 1);
         const double closed = to_next(left_at(first - 1), last + 1);
         const double other = leaves ? to_next(far, i + 1) : length_between(left_at(i - 1), far);
         if (old + before - closed - link - other <= least_gain) continue;

@@ -21,10 +21,28 @@ constexpr std::array<PlotterPaperLimits, 4> desktop_papers{
     PlotterPaperLimits{"A4", 297, 210, 11040, 7721}, PlotterPaperLimits{"A3", 420, 297, 16158, 11040},
     PlotterPaperLimits{"Letter", 279.4, 215.9, 10365, 7962}, PlotterPaperLimits{"Tabloid", 431.8, 279.4, 16640, 10365}};
 constexpr std::array plotter_rows{
-    Plotter{"hp7475a", "Hewlett-Packard 7475A, six pens, A4 to A3", 6, {381, 508, 19'600, 0.1, 5}, desktop_papers, 0, 0},
-    Plotter{"hp7550a", "Hewlett-Packard 7550A, eight pens, A4 to A3", 8, {800, 800, 58'800, 0.03, 3}, desktop_papers, 0, 0},
+    Plotter{"hp7475a",
+            "Hewlett-Packard 7475A, six pens, A4 to A3",
+            6,
+            {381, 508, 19'600, 0.1, 5},
+            desktop_papers,
+            0,
+            0},
+    Plotter{"hp7550a",
+            "Hewlett-Packard 7550A, eight pens, A4 to A3",
+            8,
+            {800, 800, 58'800, 0.03, 3},
+            desktop_papers,
+            0,
+            0},
     // 300 steps a second, at once.
-    Plotter{"calcomp", "CalComp 565, one pen, a drum of 11 inches", 1, {76.2, 76.2, 1e9, 0.1, 0}, {}, 1100 * calcomp_step, 65'535 * calcomp_step},
+    Plotter{"calcomp",
+            "CalComp 565, one pen, a drum of 11 inches",
+            1,
+            {76.2, 76.2, 1e9, 0.1, 0},
+            {},
+            1100 * calcomp_step,
+            65'535 * calcomp_step},
 };
 
 const PlotterPaperLimits* limits_for(const Plotter& plotter, const Paper& paper) {
@@ -79,21 +97,26 @@ std::span<const Plotter> plotters() {
 }
 
 const Plotter* find_plotter(std::string_view name) {
-  const auto found = std::find_if(plotter_rows.begin(), plotter_rows.end(), [name](const Plotter& row) { return row.name == name; });
+  const auto found = std::find_if(plotter_rows.begin(), plotter_rows.end(),
+                                  [name](const Plotter& row) { return row.name == name; });
   return found == plotter_rows.end() ? nullptr : &*found;
 }
 
 base::Result<double> least_margin(const Plotter& plotter, const Paper& paper) {
   if (plotter.carriage > 0) {
     if (paper.width > plotter.length)
-      return base::Error{.file = "--size", .found = fmt::format("found a width of {:g} mm", paper.width), .expected = fmt::format("at most {:g} for {}", plotter.length, plotter.name)};
+      return base::Error{.file = "--size",
+                         .found = fmt::format("found a width of {:g} mm", paper.width),
+                         .expected = fmt::format("at most {:g} for {}", plotter.length, plotter.name)};
     return std::max(0.0, (paper.height - plotter.carriage) / 2);
   }
   const PlotterPaperLimits* limits = limits_for(plotter, paper);
   if (limits == nullptr) {
     std::string names;
     for (const PlotterPaperLimits& row : plotter.papers) names += (names.empty() ? "" : ", ") + std::string(row.paper);
-    return base::Error{.file = "--size", .found = fmt::format("found {:g}x{:g} mm", paper.width, paper.height), .expected = names + " for " + std::string(plotter.name)};
+    return base::Error{.file = "--size",
+                       .found = fmt::format("found {:g}x{:g} mm", paper.width, paper.height),
+                       .expected = names + " for " + std::string(plotter.name)};
   }
   const double across = (std::max(paper.width, paper.height) - limits->x / units_a_millimetre) / 2;
   const double up = (std::min(paper.width, paper.height) - limits->y / units_a_millimetre) / 2;

@@ -20,7 +20,9 @@ class StepPen {
     const std::int64_t across = x - x_;
     const std::int64_t up = y - y_;
     const std::int64_t count = std::max(std::abs(across), std::abs(up));
-    for (std::int64_t i = 1; i <= count; ++i) step(rounded(across * i, count) - rounded(across * (i - 1), count), rounded(up * i, count) - rounded(up * (i - 1), count));
+    for (std::int64_t i = 1; i <= count; ++i)
+      step(rounded(across * i, count) - rounded(across * (i - 1), count),
+           rounded(up * i, count) - rounded(up * (i - 1), count));
     x_ = x;
     y_ = y;
   }
@@ -62,7 +64,8 @@ std::string step_file_of(const VectorDrawing& drawing, const Paper& paper) {
   StepPen pen;
   const auto go = [&](const DrawingPoint& p) {
     const std::int64_t y = steps(paper.margin + double{p.y} * up + shift);
-    pen.go_to(std::max<std::int64_t>(steps(paper.margin + double{p.x} * across), 0), std::clamp<std::int64_t>(y, 0, calcomp::carriage_steps));
+    pen.go_to(std::max<std::int64_t>(steps(paper.margin + double{p.x} * across), 0),
+              std::clamp<std::int64_t>(y, 0, calcomp::carriage_steps));
   };
   for (std::uint32_t layer = 0; layer < drawing.layers.size(); ++layer) {
     for (const DrawingLine& line : drawing.lines) {

@@ -3,7 +3,8 @@
 //
 // Coordinates run from (0, 0) at the bottom left to (width, height). Facets are painted first, each over
 // those before it; then the lines, which the facets do not cover: the caller has removed
-// what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG) or not at all (image: coverage by the distance of a pixel's middle from the line).
+// what is hidden. Deterministic: positions are rounded once, to a micrometre (SVG) or not at all (image:
+// coverage by the distance of a pixel's middle from the line).
 #pragma once
 
 #include <cstddef>

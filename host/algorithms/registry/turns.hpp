@@ -34,8 +34,8 @@ struct TurnLine {
   double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
 };
 
-// Angles are radians; what is seen of an edge is decided to 1/32767^2 of one, as cameras are whole numbers. `lines` is overwritten. One view at a
-// time.
+// Angles are radians; what is seen of an edge is decided to 1/32767^2 of one, as cameras are whole numbers.
+// `lines` is overwritten. One view at a time.
 struct PreparedTurn {
   std::function<void(double angle, std::vector<TurnLine>& lines)> visible;
   std::function<void(double angle, std::vector<TurnLine>& lines)> whole;  // every edge, hidden or not

@@ -165,7 +165,8 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
 }
 
 // Numbers with commas between them, as many as `count`. Failure usage.
-std::vector<double> numbers_argument(std::string_view option, const std::string& text, std::size_t count, std::string_view expected) {
+std::vector<double> numbers_argument(std::string_view option, const std::string& text, std::size_t count,
+                                     std::string_view expected) {
   std::vector<double> numbers;
   std::string_view rest = text;
   while (numbers.size() < count) {
@@ -185,8 +186,10 @@ void read_hatching(DrawLinesArguments& arguments) {
   const auto numbers = numbers_argument("--hatch", arguments.hatch, 2, "ANGLE,SPACING in degrees and mm, such as 45,1.5");
   constexpr double least_spacing = 0.05;
   if (std::abs(numbers[0]) > 360 || numbers[1] < least_spacing || numbers[1] > 1000)
-    throw Failure(ExitCode::usage, fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
-                                               arguments.hatch, least_spacing));
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
+                    arguments.hatch, least_spacing));
   LineViewOptions::Hatch hatch{numbers[0], numbers[1]};
   if (!arguments.light.empty()) {
     const auto light = numbers_argument("--light", arguments.light, 3, "X,Y,Z, the direction towards the light");
@@ -235,7 +238,8 @@ std::string numbered(const std::string& file, int number, int count) {
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
-    throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file", arguments.json ? "--json" : "--turntable"));
+    throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file",
+                                               arguments.json ? "--json" : "--turntable"));
   check_edges(arguments.view.edges);
   read_hatching(arguments);
   if (arguments.view.layers.empty())
@@ -306,7 +310,9 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .group("Edges");
   if (algorithm.draws_crossings) {
     const Option hatch =
-        command.option("--hatch", arguments->hatch, "Shade faces by lines at this angle on the paper, that far apart where they are dense")
+        command
+            .option("--hatch", arguments->hatch,
+                    "Shade faces by lines at this angle on the paper, that far apart where they are dense")
             .value("DEGREES,MM")
             .group("Hatching");
     command.option("--light", arguments->light, "The direction towards the light")

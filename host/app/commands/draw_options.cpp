@@ -70,7 +70,8 @@ void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
   if (format != DrawingFormat::hpgl)
     for (const char* option : {"--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
   if (format != DrawingFormat::hpgl && format != DrawingFormat::steps) refuse_option(output, "--device", of_plotters);
-  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps || format == DrawingFormat::dxf || (format == DrawingFormat::png && !output.is_sheet()))
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps || format == DrawingFormat::dxf ||
+      (format == DrawingFormat::png && !output.is_sheet()))
     refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
@@ -112,10 +113,15 @@ void read_paper(DrawOutput& output) {
   }
   const std::size_t cross = text.find('x');
   const auto width = base::fixed_number(text.substr(0, cross), 1, widest_paper);
-  const auto height = cross == std::string_view::npos ? std::nullopt : base::fixed_number(text.substr(cross + 1), 1, widest_paper);
+  const auto height = cross == std::string_view::npos
+                          ? std::nullopt
+                          : base::fixed_number(text.substr(cross + 1), 1, widest_paper);
   if (!width || !height) {
-    throw Failure(ExitCode::usage, fmt::format("--size: found \"{}\", expected {}or WIDTHxHEIGHT in mm, both 1 to {}; 8x10in is in inches",
-                                               output.size, names, widest_paper));
+    throw Failure(
+        ExitCode::usage,
+        fmt::format(
+            "--size: found \"{}\", expected {}or WIDTHxHEIGHT in mm, both 1 to {}; 8x10in is in inches",
+            output.size, names, widest_paper));
   }
   paper.width = *width * unit;
   paper.height = *height * unit;
@@ -136,11 +142,18 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
   output.command = command;
   command
       .option("-o,--output", output.file,
-              fmt::format("The drawing; the ending says what it is: {}; - is standard output, SVG unless --format says otherwise", format_endings))
+              fmt::format("The drawing; the ending says what it is: {}; - is standard output, SVG unless "
+                          "--format says otherwise",
+                          format_endings))
       .required()
       .value("FILE");
-  command.option("--format", output.format, "What it is, whatever its name").one_of({"svg", "png", "plt", "pdf", "dxf", "steps"}).default_value("as the name says");
-  command.option("--size", output.size, "Size of the paper: A0 to A6, Letter, Legal, Tabloid, or WIDTHxHEIGHT in mm, or in inches as 8x10in")
+  command.option("--format", output.format, "What it is, whatever its name")
+      .one_of({"svg", "png", "plt", "pdf", "dxf", "steps"})
+      .default_value("as the name says");
+  command
+      .option("--size", output.size,
+              "Size of the paper: A0 to A6, Letter, Legal, Tabloid, or WIDTHxHEIGHT in mm, or in inches as "
+              "8x10in")
       .default_value()
       .value("SIZE")
       .group("Paper");
@@ -155,21 +168,33 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .range(0.01, 10.0)
       .value("MM")
       .group("Pen");
-  command.option("--min-gap", output.min_gap, "Draw over gaps between lines that are shorter than this, in mm, so that the pen stays down")
+  command
+      .option("--min-gap", output.min_gap,
+              "Draw over gaps between lines that are shorter than this, in mm, so that the pen stays down")
       .default_value()
       .range(0.0, 10.0)
       .value("MM")
       .group("Pen");
-  command.flag("--as-found", output.as_found, "Lines in the order they were found in, not in that of a pen, which travels little in the air").group("Pen");
+  command
+      .flag("--as-found", output.as_found,
+            "Lines in the order they were found in, not in that of a pen, which travels little in the air")
+      .group("Pen");
   std::vector<std::string> devices;
   for (const picture::Plotter& plotter : picture::plotters()) devices.emplace_back(plotter.name);
-  command.option("--device", output.device, "A plotter whose limits and number of pens are kept").one_of(devices).default_value("any").group("Pen");
+  command.option("--device", output.device, "A plotter whose limits and number of pens are kept")
+      .one_of(devices)
+      .default_value("any")
+      .group("Pen");
   command.option("--pens", output.pens, "The pens of the layers in their order")
       .default_value("1,2,3 and so on")
       .separated_by(',')
       .value("N,...")
       .group("Pen");
-  command.option("--speed", output.speed, "Of the lowered pen in cm/s, for .plt").default_value("the plotter's own").range(0.1, 110.0).value("SPEED").group("Pen");
+  command.option("--speed", output.speed, "Of the lowered pen in cm/s, for .plt")
+      .default_value("the plotter's own")
+      .range(0.1, 110.0)
+      .value("SPEED")
+      .group("Pen");
   command.flag("--relative", output.relative, "HP-GL with distances from point to point").group("Pen");
   command.flag("--plot-report", output.report, "Say how far the pen travels and how long that takes").group("Pen");
   command.option("--pixels", output.pixels, "Size of the image, for .png").default_value().value("WxH");
@@ -187,9 +212,12 @@ DrawingFormat read_draw_output(DrawOutput& output) {
     throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in {}, or --format", output.file, format_endings));
   if (*format == DrawingFormat::steps && output.device.empty()) output.device = calcomp;
   if ((output.device == calcomp) != (*format == DrawingFormat::steps)) {
-    throw Failure(ExitCode::usage, output.device == calcomp
-                                       ? fmt::format("{}: expected a name that ends in .steps for the CalComp, or --format steps", output.file)
-                                       : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
+    throw Failure(
+        ExitCode::usage,
+        output.device == calcomp
+            ? fmt::format("{}: expected a name that ends in .steps for the CalComp, or --format steps",
+                          output.file)
+            : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
   }
   refuse_options_of_others(output, *format);
   read_paper(output);
@@ -203,7 +231,9 @@ DrawingFormat read_draw_output(DrawOutput& output) {
     if (!least) throw Failure(ExitCode::usage, least.error().message());
     if (!output.command->is_given("--margin")) paper.margin = std::max(paper.margin, *least);
     if (paper.margin < *least)
-      throw Failure(ExitCode::usage, fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw", paper.margin, *least, plotter->name));
+      throw Failure(ExitCode::usage,
+                    fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw",
+                                paper.margin, *least, plotter->name));
   }
   const int most_pens = output.plotter() != nullptr ? output.plotter()->pens : picture::most_hpgl_pens;
   for (const int pen : output.pens) {
@@ -223,8 +253,10 @@ DrawingFormat read_draw_output(DrawOutput& output) {
     const auto pixels = [&](double length) { return static_cast<int>(std::lround(length / inch * output.dpi)); };
     output.image = {pixels(paper.width), pixels(paper.height), paper.pen / inch * output.dpi};
     if (std::max(output.image.width, output.image.height) > picture::png_size_limit)
-      throw Failure(ExitCode::usage, fmt::format("--dpi: found {}, which makes {} x {} pixels, expected at most {} a side", output.dpi,
-                                                 output.image.width, output.image.height, picture::png_size_limit));
+      throw Failure(
+          ExitCode::usage,
+          fmt::format("--dpi: found {}, which makes {} x {} pixels, expected at most {} a side", output.dpi,
+                      output.image.width, output.image.height, picture::png_size_limit));
   }
   return *format;
 }
@@ -283,8 +315,10 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
   file.commit();
   base::Json plot = plot_json(drawing, output, seconds);
   if (output.report) {
-    complain(fmt::format("{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),
-                         plot["pen_up_m"].dump(), plot["lifts"].dump(), plot["seconds"].dump(), std::string(output.plotter() != nullptr ? output.device : picture::plotters().front().name)));
+    complain(fmt::format(
+        "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),
+        plot["pen_up_m"].dump(), plot["lifts"].dump(), plot["seconds"].dump(),
+        std::string(output.plotter() != nullptr ? output.device : picture::plotters().front().name)));
   }
   return plot;
 }

@@ -116,7 +116,8 @@ class LineViews::Work {
 
   DrawnView at(const scene::PolyCamera& given, const picture::DrawingField& given_field) {
     if (const auto reason = algorithm_.why_not_seen(source_.scene, given)) {
-      throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}", source_.name, algorithm_.name, *reason));
+      throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
+                                                     source_.name, algorithm_.name, *reason));
     }
     const scene::PolyCamera camera = scene::on_finer_grid(given, factor_);
     picture::DrawingField field = given_field;
@@ -212,7 +213,8 @@ class LineViews::Work {
                     const LinePicture* edges, DrawnView& result) const {
     const picture::ImageWindow window = picture::drawing_window(layers, scene(), camera, field, edges);
     const double units = field.width / (window.high[0] - window.low[0]);
-    const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
+    const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing,
+                                       options_.hatch->light.value_or(usual_light(camera))};
     const picture::Hatching hatching = value_of(picture::hatched(scene(), camera, window, units, wanted), "--hatch");
     const registry::PreparedScene lines = prepared(hatching.scene);
     const registry::LineView seen = value_of(view_of(lines, camera, hatching.lines), source_.name);

@@ -25,7 +25,8 @@ struct LineViewOptions {
   struct Hatch {
     double angle = 45;  // degrees on the paper
     double spacing = 1;  // mm
-    std::optional<std::array<double, 3>> light = {};  // towards it, in the axes of the file; by default from above left, behind the eye
+    // Towards it, in the axes of the file; by default from above left, behind the eye.
+    std::optional<std::array<double, 3>> light = {};
   };
   std::optional<Hatch> hatch = {};
   unsigned jobs = 1;  // threads for a view, of an algorithm that can use more than one

@@ -339,7 +339,9 @@ void add_convert(const Command& parent) {
   const auto arguments = std::make_shared<ConvertArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   add_mesh_options(command, arguments->mesh);
-  command.option("-o,--output", arguments->output, fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
+  command
+      .option("-o,--output", arguments->output,
+              fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
       .default_value()
       .value("FILE");
   command.run([arguments] { return convert(*arguments); });
@@ -400,7 +402,9 @@ void add_generate(const Command& parent) {
       .check(why_no_whole_number)
       .default_value()
       .value("N");
-  command.option("-o,--output", arguments->output, fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
+  command
+      .option("-o,--output", arguments->output,
+              fmt::format("A file that ends in {}; - is JSON on standard output", scene::poly_endings))
       .default_value()
       .value("FILE");
   command.run([arguments] { return generate(*arguments); });

@@ -145,7 +145,8 @@ void spin(const SpinOptions& options) {
   const registry::TurnMethod& method = method_of(options, scene);
   if (method.name == "exact" && !scene.surfaces.empty()) scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
   if (method.name == "exact" && !options.events.empty())
     throw Failure(ExitCode::usage, "--events: found with --method exact, which finds none");
   Output output(options.out);

@@ -31,9 +31,9 @@ struct Crossing {
 [[nodiscard]] std::vector<Crossing> crossings_of(const PolyScene& scene,
                                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// The same scene with its crossings, as lines between vertices of their own at the end; their visibility is exact for
-// these rounded ends. The planes of a scene without surfaces are numbered, as faces do not hide their own lines; its grid should be
-// fine (finer_grid.hpp).
+// The same scene with its crossings, as lines between vertices of their own at the end; their visibility is
+// exact for these rounded ends. The planes of a scene without surfaces are numbered, as faces do not hide
+// their own lines; its grid should be fine (finer_grid.hpp).
 [[nodiscard]] PolyScene with_crossings(PolyScene scene);
 
 }  // namespace sightline::scene

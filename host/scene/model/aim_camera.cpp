@@ -250,7 +250,8 @@ PolyPoint direction_of(const std::array<double, 3>& direction) {
   double most = 0;
   for (const double c : direction) most = std::max(most, std::abs(c));
   constexpr double longest = (1 << 20) - 1;
-  const bool whole = most < longest && std::all_of(direction.begin(), direction.end(), [](double c) { return std::floor(c) == c; });
+  const bool whole = most < longest && std::all_of(direction.begin(), direction.end(),
+                                                   [](double c) { return std::floor(c) == c; });
   PolyPoint result{};
   for (std::size_t a = 0; a < 3; ++a)
     result[a] = static_cast<std::int32_t>(std::round(whole ? direction[a] : direction[a] / most * longest));

@@ -92,7 +92,8 @@ base::Result<std::string_view> glb_json(std::string_view bytes) {
   constexpr std::size_t header = 12;
   constexpr std::size_t json_at = header + 8;
   constexpr std::uint32_t json_type = 0x4e4f534a;
-  if (bytes.size() < json_at) return at_byte(bytes.size(), "found the end of the file", "the 20 bytes of a GLB header", export_again);
+  if (bytes.size() < json_at)
+    return at_byte(bytes.size(), "found the end of the file", "the 20 bytes of a GLB header", export_again);
   if (word_at(bytes, 4) != 2) {
     return at_byte(4, "found version " + std::to_string(word_at(bytes, 4)), "2", "convert it to glTF 2.0");
   }
@@ -101,7 +102,8 @@ base::Result<std::string_view> glb_json(std::string_view bytes) {
                    "the " + std::to_string(bytes.size()) + " bytes that the file has", export_again);
   }
   const std::uint32_t length = word_at(bytes, header);
-  if (word_at(bytes, header + 4) != json_type) return at_byte(header + 4, "found no JSON", "the chunk \"JSON\" first", export_again);
+  if (word_at(bytes, header + 4) != json_type)
+    return at_byte(header + 4, "found no JSON", "the chunk \"JSON\" first", export_again);
   if (length > bytes.size() - json_at) {
     return at_byte(header, "found a chunk of " + std::to_string(length) + " bytes",
                    "at most the " + std::to_string(bytes.size() - json_at) + " that are left", export_again);
@@ -111,7 +113,8 @@ base::Result<std::string_view> glb_json(std::string_view bytes) {
 
 // Extensions that say how a mesh looks, not where it is, and one that assimp undoes.
 bool leaves_geometry(std::string_view extension) {
-  for (const std::string_view family : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "KHR_draco_mesh_compression"})
+  for (const std::string_view family :
+       {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "KHR_draco_mesh_compression"})
     if (extension.starts_with(family)) return true;
   return extension == "KHR_xmp" || extension == "KHR_xmp_json_ld" || extension == "MSFT_texture_dds" ||
          extension == "KHR_technique_webgl";
@@ -257,7 +260,9 @@ class Warnings final : public Assimp::LogStream {
     constexpr std::size_t most = 5;
     std::string warning = printable_name(std::string(text));
     // What an archive has beside its models is not of interest.
-    if (texts_.size() < most && !warning.starts_with("Ignored file") && std::find(texts_.begin(), texts_.end(), warning) == texts_.end()) texts_.push_back(std::move(warning));
+    if (texts_.size() < most && !warning.starts_with("Ignored file") &&
+        std::find(texts_.begin(), texts_.end(), warning) == texts_.end())
+      texts_.push_back(std::move(warning));
   }
 
  private:
@@ -290,7 +295,8 @@ std::array<double, 3> moved(const Matrix& m, const std::array<double, 3>& p) {
 }
 
 bool mirrors(const Matrix& m) {
-  const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                              m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   return determinant < 0;
 }
@@ -355,7 +361,8 @@ class MeshFromAssimp {
           for (std::size_t a = 0; a < 3; ++a) {
             reach = std::max(reach, std::abs(local[a]));
             if (std::isfinite(point[a])) continue;
-            error_ = base::Error{"", place + ", vertex " + std::to_string(v), "found a coordinate that is no finite number", "a number"};
+            error_ = base::Error{"", place + ", vertex " + std::to_string(v),
+                                 "found a coordinate that is no finite number", "a number"};
             return;
           }
           number[v] = pool_.add(point);
@@ -387,7 +394,9 @@ std::string_view attribute(std::string_view model, std::string_view name) {
   for (std::size_t at = model.find(name); at != std::string_view::npos; at = model.find(name, at + 1)) {
     if (at == 0 || (model[at - 1] != ' ' && model[at - 1] != '\n' && model[at - 1] != '\t' && model[at - 1] != '\r')) continue;
     const std::size_t quote = model.find_first_of("\"'", at + name.size());
-    if (quote == std::string_view::npos || model.substr(at + name.size(), quote - at - name.size()).find_first_not_of(" =\t\r\n") != std::string_view::npos)
+    if (quote == std::string_view::npos ||
+        model.substr(at + name.size(), quote - at - name.size()).find_first_not_of(" =\t\r\n") !=
+            std::string_view::npos)
       continue;
     const std::size_t end = model.find(model[quote], quote + 1);
     return end == std::string_view::npos ? std::string_view() : model.substr(quote + 1, end - quote - 1);
@@ -446,7 +455,8 @@ base::Result<std::string> unit_of_3mf(std::string_view archive) {
   }
   if (models == 0) return at_byte(0, "found a ZIP archive without a file *.model", "3MF");
   if (unpacked > most_unpacked)
-    return at_byte(0, "found a ZIP archive of " + std::to_string(unpacked) + " bytes", "at most " + std::to_string(most_unpacked));
+    return at_byte(0, "found a ZIP archive of " + std::to_string(unpacked) + " bytes",
+                   "at most " + std::to_string(most_unpacked));
   return unit;
 }
 
@@ -561,7 +571,8 @@ base::Result<std::string> import(std::string_view bytes, AssimpFormat format, co
   return bytes_of(*mesh);
 }
 
-base::Result<PolyMesh> read_apart(std::string_view bytes, std::string_view source, AssimpFormat format, const std::string& folder) {
+base::Result<PolyMesh> read_apart(std::string_view bytes, std::string_view source, AssimpFormat format,
+                                  const std::string& folder) {
   std::vector<std::string> notes;
   std::string unit = "m";
   if (format == AssimpFormat::threemf) {

@@ -150,7 +150,8 @@ class ObjReader {
       }
       mesh_.bodies[place->second].faces.push_back(std::move(face.face));
       const std::pair<std::size_t, std::size_t> look{face.material, of_groups ? 0 : face.group};
-      materials_of[place->second].push_back(materials.try_emplace(look, static_cast<std::uint32_t>(materials.size())).first->second);
+      materials_of[place->second].push_back(
+          materials.try_emplace(look, static_cast<std::uint32_t>(materials.size())).first->second);
     }
     if (materials.size() < 2) return;
     for (const auto& of_body : materials_of) mesh_.materials.insert(mesh_.materials.end(), of_body.begin(), of_body.end());

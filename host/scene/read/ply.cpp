@@ -85,7 +85,8 @@ class PlyValues {
     last_ = at_;
     if (!is_text()) return next_binary(type);
     at_ = std::min(body_.find_first_not_of(" \t\r\n", at_), body_.size());
-    line_ += static_cast<std::size_t>(std::count(body_.begin() + static_cast<std::ptrdiff_t>(last_), body_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
+    line_ += static_cast<std::size_t>(std::count(body_.begin() + static_cast<std::ptrdiff_t>(last_),
+                                                 body_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
     const std::size_t end = std::min(body_.find_first_of(" \t\r\n", at_), body_.size());
     written_ = body_.substr(at_, end - at_);
     at_ = end;
@@ -114,7 +115,8 @@ class PlyValues {
   [[nodiscard]] base::Error no_value(PlyType type) const {
     const bool end = is_text() ? written_.empty() : body_.size() - last_ < bytes_of(type);
     const std::string found = end ? "found the end of the file"
-                                  : "found " + (is_text() ? quoted_excerpt(written_) : std::string("a value that is no finite number"));
+                                  : "found " + (is_text() ? quoted_excerpt(written_)
+                                                          : std::string("a value that is no finite number"));
     return error(found, is_float(type) ? "a number" : "a whole number");
   }
 
@@ -254,7 +256,8 @@ class PlyReader {
     property.type = *type;
     if (list) {
       property.count = type_named(fields[2]);
-      if (property.count && is_float(*property.count)) fail_at_line("found a list counted by " + std::string(fields[2]), "a whole number's type");
+      if (property.count && is_float(*property.count))
+        fail_at_line("found a list counted by " + std::string(fields[2]), "a whole number's type");
     }
     elements_.back().properties.push_back(std::move(property));
   }
@@ -276,8 +279,10 @@ class PlyReader {
       const std::uint64_t least = values.is_text() ? 2 * element.properties.size() : element.least_bytes();
       // The last number of a text needs no blank after it.
       if (element.count > 0 && (least == 0 || (values.bytes_left() + 1) / least < element.count)) {
-        error_ = base::Error{source_, "the header", "found " + std::to_string(element.count) + " of the element " + quoted_excerpt(element.name),
-                             "no more than the file has room for", "the file is cut off, or its header is damaged"};
+        error_ = base::Error{
+            source_, "the header",
+            "found " + std::to_string(element.count) + " of the element " + quoted_excerpt(element.name),
+            "no more than the file has room for", "the file is cut off, or its header is damaged"};
         return;
       }
       if (element.name == "vertex" && !vertices) {
@@ -287,7 +292,9 @@ class PlyReader {
         faces = true;
         read_faces(element, values);
       } else {
-        if (element.count > 0) mesh_.notes.push_back(std::to_string(element.count) + " of the element " + quoted_excerpt(element.name));
+        if (element.count > 0)
+          mesh_.notes.push_back(std::to_string(element.count) + " of the element " +
+                                quoted_excerpt(element.name));
         for (std::uint64_t i = 0; i < element.count && !error_; ++i)
           for (const PlyProperty& property : element.properties) pass_over(property, values);
       }
@@ -297,7 +304,8 @@ class PlyReader {
     for (const PolyFace& face : mesh_.bodies[0].faces)
       for (const VertexIndex v : face.outline)
         if (v >= mesh_.vertices.size() && !error_)
-          error_ = base::Error{source_, "", "found vertex " + std::to_string(v), "one below " + std::to_string(mesh_.vertices.size())};
+          error_ = base::Error{source_, "", "found vertex " + std::to_string(v),
+                               "one below " + std::to_string(mesh_.vertices.size())};
   }
 
   double value(PlyType type, PlyValues& values) {
@@ -322,7 +330,8 @@ class PlyReader {
   void pass_over(const PlyProperty& property, PlyValues& values) {
     const std::size_t count = property.count ? length(property, values) : 1;
     for (std::size_t i = 0; i < count && !error_; ++i)
-      if (!values.skip(property.type)) error_ = values.error("found the end of the file", "a value of " + quoted_excerpt(property.name));
+      if (!values.skip(property.type))
+        error_ = values.error("found the end of the file", "a value of " + quoted_excerpt(property.name));
   }
 
   bool read_vertices(const PlyElement& element, PlyValues& values) {
@@ -388,7 +397,9 @@ class PlyReader {
           pass_over(property, values);
         }
       }
-      if (coloured) mesh_.materials.push_back(materials.try_emplace(colour, static_cast<std::uint32_t>(materials.size())).first->second);
+      if (coloured)
+        mesh_.materials.push_back(
+            materials.try_emplace(colour, static_cast<std::uint32_t>(materials.size())).first->second);
     }
     if (materials.size() == 1) mesh_.materials.clear();
   }
@@ -396,7 +407,9 @@ class PlyReader {
   PolyFace face(const PlyProperty& property, std::uint64_t number, PlyValues& values) {
     PolyFace result;
     const std::size_t count = length(property, values);
-    if (!error_ && count < 3) error_ = values.error("found face " + std::to_string(number) + " of " + std::to_string(count) + " vertices", "3 or more");
+    if (!error_ && count < 3)
+      error_ = values.error(
+          "found face " + std::to_string(number) + " of " + std::to_string(count) + " vertices", "3 or more");
     result.outline.reserve(count);
     for (std::size_t i = 0; i < count && !error_; ++i) {
       const double v = value(property.type, values);

@@ -266,7 +266,9 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
     const std::string_view word = begins.substr(0, begins.find_first_of(" \t\r"));
     constexpr std::size_t longest_off = 8;  // STCNnOFF
     if (word.ends_with("OFF") && word.size() <= longest_off) return PolyFormat::off;
-    if (begins.starts_with("{")) return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf : PolyFormat::json;
+    if (begins.starts_with("{"))
+      return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf
+                                                                                           : PolyFormat::json;
     // A binary file may begin so, too; then its name has to say what it is.
     if (small_letters(word) == "solid" && text.find("facet") != std::string_view::npos) return PolyFormat::stl;
     for (const std::string_view obj : {"v", "o", "g", "vn", "vt", "f", "usemtl", "mtllib"})

@@ -5,8 +5,9 @@
 // yet begins one (of equal ones the first in the file); faces of the same body join it over edges that have
 // two faces, as long as all their vertices are within the tolerance of the plane of that first face and they
 // are turned the same way. As a small face says its plane badly far away, this is done again with the mean
-// plane of the group as long as that takes in more faces, all within the tolerance of that one plane. A face too thin to have a direction needs the first alone. No face joins because
-// of its neighbour: a sphere of many triangles stays round.
+// plane of the group as long as that takes in more faces, all within the tolerance of that one plane. A face
+// too thin to have a direction needs the first alone. No face joins because of its neighbour: a sphere of
+// many triangles stays round.
 #pragma once
 
 #include <array>

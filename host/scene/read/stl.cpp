@@ -58,7 +58,8 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
         const std::size_t place = at + 12 * (corner + 1) + 4 * a;
         point[a] = std::bit_cast<float>(little_endian_32(bytes, place));
         if (!std::isfinite(point[a]))
-          return error(place, "found a coordinate that is no finite number", "a number", "triangle " + std::to_string(t) + " is damaged");
+          return error(place, "found a coordinate that is no finite number", "a number",
+                       "triangle " + std::to_string(t) + " is damaged");
       }
       face.outline.push_back(pool.add(point));
     }

@@ -38,10 +38,13 @@ base::Result<std::vector<ZipEntry>> zip_entries(std::string_view archive) {
   std::vector<ZipEntry> entries;
   for (std::size_t i = 0; i < count; ++i) {
     if (at > end || end - at < zip_listing_bytes || archive.substr(at, 4) != zip_listing_mark)
-      return zip_error(std::min(at, archive.size()), "found no entry of the ZIP directory", "entry " + std::to_string(i + 1) + " of " + std::to_string(count));
+      return zip_error(std::min(at, archive.size()), "found no entry of the ZIP directory",
+                       "entry " + std::to_string(i + 1) + " of " + std::to_string(count));
     const std::size_t name = zip_number(archive, at + 28, 2);
     const std::size_t length = zip_listing_bytes + name + zip_number(archive, at + 30, 2) + zip_number(archive, at + 32, 2);
-    if (length > end - at) return zip_error(at, "found an entry that is longer than the ZIP directory", "at most " + std::to_string(end - at) + " bytes");
+    if (length > end - at)
+      return zip_error(at, "found an entry that is longer than the ZIP directory",
+                       "at most " + std::to_string(end - at) + " bytes");
     ZipEntry entry{std::string(archive.substr(at + zip_listing_bytes, name)), false, zip_number(archive, at + 20, 4),
                    zip_number(archive, at + 24, 4), 0};
     const std::uint32_t method = zip_number(archive, at + 10, 2);
@@ -54,7 +57,8 @@ base::Result<std::vector<ZipEntry>> zip_entries(std::string_view archive) {
       return zip_error(std::min(header, archive.size()), "found no file", "the one that the ZIP directory has here");
     entry.begins = header + zip_header_bytes + zip_number(archive, header + 26, 2) + zip_number(archive, header + 28, 2);
     if (entry.begins > end || entry.packed > end - entry.begins)
-      return zip_error(header, "found a file of " + std::to_string(entry.packed) + " bytes", "one that ends before the ZIP directory");
+      return zip_error(header, "found a file of " + std::to_string(entry.packed) + " bytes",
+                       "one that ends before the ZIP directory");
     entries.push_back(std::move(entry));
     at += length;
   }

@@ -271,11 +271,16 @@ TEST_F(DrawCommand, WrongUsage) {
 TEST_F(DrawCommand, OptionsOfOtherPictures) {
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--pixels", "90x70"},
                      "--pixels: found without");
-  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--size", "90x70", "--pixels", "9x9"}, "--pixels: found with --size");
+  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--size", "90x70", "--pixels", "9x9"},
+                     "--pixels: found with --size");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--device", "hp7475a"}, "--device: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a"}, "expected A4, A3, Letter, Tabloid");
-  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "A4", "--margin", "5"}, "--margin: found 5 mm");
-  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "A4", "--pens", "1,7"}, "expected 1 to 6");
+  expect_usage_error(
+      {"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "A4", "--margin", "5"},
+      "--margin: found 5 mm");
+  expect_usage_error(
+      {"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "A4", "--pens", "1,7"},
+      "expected 1 to 6");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "-", "--json"}, "--output: found - with --json");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--margin", "5"}, "--margin: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--pen", "1"}, "--pen: found without");

@@ -97,7 +97,8 @@ TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
   expect_ok({"asm", "i8080", player, "-o", "player.hex", "--format", "hex"});
   const auto drawn = sightline({"draw", "exact", "two.json", "--json", "-o", "two.steps"});
   ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
-  const auto ran = sightline({"run", "i8080", "player.hex", "--plotter", "calcomp", "--parallel", "two.steps", "--strokes", "back.txt"});
+  const auto ran = sightline({"run", "i8080", "player.hex", "--plotter", "calcomp", "--parallel", "two.steps",
+                              "--strokes", "back.txt"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_FALSE(has(ran.out, "off carriage"));
   // The same lines in HP-GL, whose units are a fortieth of a millimetre.
@@ -142,7 +143,9 @@ TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
 TEST_F(DrawMesh, LimitsOfTheCalComp) {
   EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--device", "calcomp", "-o", "x.plt"}).err, ".steps for the CalComp"));
   EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--device", "hp7475a", "-o", "x.steps"}).err, "which is for calcomp"));
-  EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--size", "A4", "--margin", "5", "-o", "x.steps"}).err, "expected 8.8 or more"));
+  EXPECT_TRUE(
+      has(sightline({"draw", "exact", "boxes-3", "--size", "A4", "--margin", "5", "-o", "x.steps"}).err,
+          "expected 8.8 or more"));
   EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--speed", "10", "-o", "x.steps"}).err, "--speed"));
   expect_ok({"draw", "exact", "boxes-3", "--size", "A4", "-o", "x.steps"});
   expect_ok({"draw", "skala", "sinc", "--device", "calcomp", "--format", "steps", "-o", "y.bin"});

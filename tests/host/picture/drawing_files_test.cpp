@@ -104,7 +104,8 @@ TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
 TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
   std::istringstream text(dxf_of(three_lines(), a_sheet));
   std::vector<std::pair<int, std::string>> groups;
-  for (std::string code, value; std::getline(text, code) && std::getline(text, value);) groups.emplace_back(std::atoi(code.c_str()), value);
+  for (std::string code, value; std::getline(text, code) && std::getline(text, value);)
+    groups.emplace_back(std::atoi(code.c_str()), value);
   ASSERT_GT(groups.size(), 20U);
   EXPECT_EQ(groups.back(), std::pair(0, std::string("EOF")));
   EXPECT_EQ(groups[3], std::pair(1, std::string("AC1009")));

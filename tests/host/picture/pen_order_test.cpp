@@ -159,7 +159,8 @@ TEST(PenOrder, CornersThatAreNoneGoAndRoundLinesStay) {
   add_line(drawing, {{0, 0}, {10, 10}, {20, 20}, {30, 30.0005F}, {40, 40}});
   std::vector<DrawingPoint> circle;
   for (int i = 0; i <= 90; ++i)
-    circle.push_back({150 + 20 * static_cast<float>(std::cos(i * 0.0698131700797732)), 150 + 20 * static_cast<float>(std::sin(i * 0.0698131700797732))});
+    circle.push_back({150 + 20 * static_cast<float>(std::cos(i * 0.0698131700797732)),
+                      150 + 20 * static_cast<float>(std::sin(i * 0.0698131700797732))});
   add_line(drawing, circle);
   const VectorDrawing ordered = in_pen_order(drawing, whole_sheet);
   EXPECT_EQ(ordered.lines[0].count, 2U);

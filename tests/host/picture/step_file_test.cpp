@@ -74,7 +74,8 @@ TEST(StepFile, ThePlotterDrawsTheDrawingWithinAStep) {
   for (const auto& p : back.points) {
     double nearest = 1e9;
     for (const DrawingLine& line : drawing.lines)
-      for (std::uint32_t i = 1; i < line.count; ++i) nearest = std::min(nearest, distance(p, corners[line.first + i - 1], corners[line.first + i]));
+      for (std::uint32_t i = 1; i < line.count; ++i)
+        nearest = std::min(nearest, distance(p, corners[line.first + i - 1], corners[line.first + i]));
     EXPECT_LE(nearest, 1);
   }
   for (const DrawingLine& line : drawing.lines) {
@@ -107,11 +108,13 @@ TEST(StepFile, EveryDirection) {
     constexpr std::array<int, 8> y{1, 1, 0, -1, -1, -1, 0, 1};
     const auto first = static_cast<std::uint32_t>(drawing.points.size());
     drawing.points.push_back({25.4F, 25.4F});
-    drawing.points.push_back({25.4F + 0.762F * static_cast<float>(x[static_cast<std::size_t>(i)]), 25.4F + 0.762F * static_cast<float>(y[static_cast<std::size_t>(i)])});
+    drawing.points.push_back({25.4F + 0.762F * static_cast<float>(x[static_cast<std::size_t>(i)]),
+                              25.4F + 0.762F * static_cast<float>(y[static_cast<std::size_t>(i)])});
     drawing.lines.push_back({0, first, 2});
   }
   const std::string file = step_file_of(drawing, paper);
-  for (char code = 0; code < 8; ++code) EXPECT_NE(file.find("\x09" + std::string(3, code) + "\x08"), std::string::npos) << int{code};
+  for (char code = 0; code < 8; ++code)
+    EXPECT_NE(file.find("\x09" + std::string(3, code) + "\x08"), std::string::npos) << int{code};
 }
 
 TEST(StepFile, LimitsOfTheDrum) {

@@ -37,7 +37,8 @@ void add_box(scene::PolyScene& scene, const PolyPoint& low, const PolyPoint& hig
   for (int i = 0; i < 8; ++i)
     scene.vertices.push_back({(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]});
   scene::PolyBody& body = scene.bodies.emplace_back();
-  for (const auto& face : std::vector<std::vector<VertexIndex>>{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+  for (const auto& face : std::vector<std::vector<VertexIndex>>{
+           {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     body.faces.emplace_back();
     for (const VertexIndex v : face) body.faces.back().outline.push_back(first + v);
   }
@@ -104,10 +105,14 @@ TEST(Hatching, IsSeenAsTheOracleSeesIt) {
   std::size_t pieces = 0;
   for (const std::string family : {"boxes", "prisms", "triangles", "town", "crossing"}) {
     for (int i = 0; i < 15; ++i) {
-      const auto generated = family == "crossing" ? crossing_boxes(dice, 4) : *scene::generate_scene(family, 7, 100U + static_cast<unsigned>(i));
+      const auto generated = family == "crossing"
+                                 ? crossing_boxes(dice, 4)
+                                 : *scene::generate_scene(family, 7, 100U + static_cast<unsigned>(i));
       const auto camera = camera_around(generated, dice, i % 3 != 0);
       if (!camera) continue;
-      const Hatched made = hatch(generated, *camera, {dice(0, 180) * 1.0, 4, {dice(-9, 9) + 0.5, dice(-9, 9) + 0.5, dice(-9, 9) + 0.5}});
+      const Hatched made =
+          hatch(generated, *camera,
+                {dice(0, 180) * 1.0, 4, {dice(-9, 9) + 0.5, dice(-9, 9) + 0.5, dice(-9, 9) + 0.5}});
       const picture::LinePicture fast = seen(made);
       EXPECT_TRUE(fast == oracle::visible_edges(made.hatching.scene, made.camera, made.hatching.lines)) << family << ' ' << i;
       lines += made.hatching.lines.edges.size();
@@ -136,7 +141,8 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
     for (std::size_t l = 0; l < made.hatching.lines.edges.size(); ++l) {
       const picture::LineEdge& edge = made.hatching.lines.edges[l];
       const picture::LineLayer layer{"", {{{edge, 0, 1}}}};
-      const picture::VectorDrawing drawing = picture::line_drawing({&layer, 1}, made.hatching.scene, made.camera, field, made.window);
+      const picture::VectorDrawing drawing =
+          picture::line_drawing({&layer, 1}, made.hatching.scene, made.camera, field, made.window);
       if (drawing.points.size() != 2) continue;  // outside of the window
       const double angle = (degrees + (made.hatching.across[l] != 0 ? 90 : 0)) * std::numbers::pi / 180;
       for (const picture::DrawingPoint& p : drawing.points) {
@@ -145,7 +151,9 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
       }
       const scene::PolyFace& face = *faces[made.hatching.scene.crossings[l].face_a];
       const auto normal = geometry::normal_of(vertices[face.outline[0]], vertices[face.outline[1]], vertices[face.outline[2]]);
-      const double length = std::sqrt(double(normal[0]) * double(normal[0]) + double(normal[1]) * double(normal[1]) + double(normal[2]) * double(normal[2]));
+      const double length =
+          std::sqrt(double(normal[0]) * double(normal[0]) + double(normal[1]) * double(normal[1]) +
+                    double(normal[2]) * double(normal[2]));
       for (const VertexIndex v : {edge.from, edge.to}) {
         const auto off = geometry::dot(normal, geometry::difference(vertices[v], vertices[face.outline[0]]));
         EXPECT_LE(std::abs(static_cast<double>(off)) / length, 0.87);  // half the diagonal of a step
@@ -169,7 +177,8 @@ TEST(Hatching, InkIsAreaBySpacing) {
       std::array<double, 3> light;
       double density;
     };
-    for (const Case& c : {Case{{0, 0, -1}, 0}, Case{{0, 1, -1}, 0.25}, Case{{0, 2, -1}, 0.5}, Case{{0, 4, -1}, 1}, Case{{0, 1, 0}, 1.5}, Case{{0, 0, 1}, 1.5}}) {
+    for (const Case& c : {Case{{0, 0, -1}, 0}, Case{{0, 1, -1}, 0.25}, Case{{0, 2, -1}, 0.5},
+                          Case{{0, 4, -1}, 1}, Case{{0, 1, 0}, 1.5}, Case{{0, 0, 1}, 1.5}}) {
       const Hatched made = hatch(scene, camera, {degrees, 1, c.light});
       double length = 0;
       for (const picture::LineEdge& edge : made.hatching.lines.edges) {
@@ -238,7 +247,8 @@ TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
     EXPECT_TRUE(fast == oracle::visible_edges(scene, finer, chosen)) << i;
     // What is seen of the edges is the same as without the lines, and on the grid given.
     picture::LinePicture edges;
-    const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size()) : scene.crossings.front().from;
+    const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size())
+                                                      : scene.crossings.front().from;
     std::copy_if(fast.pieces.begin(), fast.pieces.end(), std::back_inserter(edges.pieces),
                  [first](const picture::LinePiece& piece) { return piece.edge.from < first; });
     EXPECT_TRUE(edges == exact::visible_edges(given, *camera)) << i;

@@ -35,7 +35,8 @@ std::string find_mesh(const std::string& name) {
     std::istringstream list(given);
     for (std::string folder; std::getline(list, folder, ':');) folders.push_back(folder);
   }
-  for (const char* folder : {"/usr/share/assimp/models", "/usr/share/nodejs", "/usr/lib/node_modules", "/usr/local/lib/node_modules"})
+  for (const char* folder : {"/usr/share/assimp/models", "/usr/share/nodejs", "/usr/lib/node_modules",
+                             "/usr/local/lib/node_modules"})
     folders.emplace_back(folder);
   for (const std::string& folder : folders)
     if (std::filesystem::is_regular_file(folder + "/" + name)) return folder + "/" + name;
@@ -53,7 +54,8 @@ std::string obj_of_script(const std::string& script) {
       if (end == std::string::npos) break;
       std::istringstream numbers(script.substr(first, end - first));
       obj += cells ? 'f' : 'v';
-      for (std::string number; std::getline(numbers, number, ',');) obj += " " + (cells ? std::to_string(std::stol(number) + 1) : number);
+      for (std::string number; std::getline(numbers, number, ',');)
+        obj += " " + (cells ? std::to_string(std::stol(number) + 1) : number);
       obj += '\n';
       at = end;
       if (script.find_first_not_of(" \n", end + 1) == script.find(']', end + 1)) break;
@@ -67,7 +69,8 @@ std::optional<scene::PolyImport> load(const std::string& path) {
   if (!bytes) return std::nullopt;
   std::string text(bytes->begin(), bytes->end());
   if (path.ends_with(".js")) text = obj_of_script(text);
-  auto read = scene::read_poly(text, path, scene::poly_format_of(path, text), {.mend = true, .folder = std::filesystem::path(path).parent_path().string()});
+  auto read = scene::read_poly(text, path, scene::poly_format_of(path, text),
+                               {.mend = true, .folder = std::filesystem::path(path).parent_path().string()});
   if (!read && read.error().found.find("built without") != std::string::npos) return std::nullopt;
   EXPECT_TRUE(read) << read.error().message();
   if (!read) return std::nullopt;
@@ -131,9 +134,12 @@ void expect_laws(const scene::PolyScene& read, std::size_t sampled) {
   EXPECT_GT(views, 0);
 }
 
-#define NEEDS_MESH(path, name) \
+#define NEEDS_MESH(path, name)              \
   const std::string path = find_mesh(name); \
-  if (path.empty()) GTEST_SKIP() << name << " was not found: install Debian's assimp-testmodels or npm's bunny, or set SIGHTLINE_MESHES"
+  if (path.empty())                         \
+  GTEST_SKIP()                              \
+      << name                               \
+      << " was not found: install Debian's assimp-testmodels or npm's bunny, or set SIGHTLINE_MESHES"
 
 TEST(PublicMeshes, AnAnimalHasAnOutlineAndCreasesAndNoNet) {
   NEEDS_MESH(path, "bunny/index.js");
@@ -148,19 +154,20 @@ TEST(PublicMeshes, AnAnimalHasAnOutlineAndCreasesAndNoNet) {
 
 TEST(PublicMeshes, AreDrawnByTheLaws) {
   int found = 0;
-  for (const auto& [name, sampled] : std::map<std::string, std::size_t>{{"OBJ/spider.obj", 40},
-                                                                        {"OBJ/WusonOBJ.obj", 40},
-                                                                        {"OBJ/regr01.obj", 40},
-                                                                        {"OBJ/concave_polygon.obj", 40},
-                                                                        {"OFF/Cube.off", 40},
-                                                                        {"PLY/cube_binary.ply", 40},
-                                                                        {"PLY/Wuson.ply", 40},
-                                                                        {"STL/Spider_ascii.stl", 40},
-                                                                        {"STL/sphereWithHole.stl", 40},
-                                                                        {"STL/3DSMaxExport.STL", 40},
-                                                                        {"3MF/box.3mf", 40},
-                                                                        {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", 40},
-                                                                        {"glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", 3}}) {
+  for (const auto& [name, sampled] :
+       std::map<std::string, std::size_t>{{"OBJ/spider.obj", 40},
+                                          {"OBJ/WusonOBJ.obj", 40},
+                                          {"OBJ/regr01.obj", 40},
+                                          {"OBJ/concave_polygon.obj", 40},
+                                          {"OFF/Cube.off", 40},
+                                          {"PLY/cube_binary.ply", 40},
+                                          {"PLY/Wuson.ply", 40},
+                                          {"STL/Spider_ascii.stl", 40},
+                                          {"STL/sphereWithHole.stl", 40},
+                                          {"STL/3DSMaxExport.STL", 40},
+                                          {"3MF/box.3mf", 40},
+                                          {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", 40},
+                                          {"glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", 3}}) {
     const std::string path = find_mesh(name);
     if (path.empty()) continue;
     SCOPED_TRACE(path);
@@ -189,8 +196,10 @@ TEST(PublicMeshes, TextAndBinaryAreTheSame) {
 // Cubes in four formats have twelve edges and six surfaces.
 TEST(PublicMeshes, ACubeIsACubeInEveryFormat) {
   int found = 0;
-  for (const char* name : {"OFF/Cube.off", "PLY/cube.ply", "PLY/cube_binary.ply", "OBJ/box.obj", "3MF/box.3mf", "glTF2/BoxTextured-glTF/BoxTextured.gltf",
-                           "glTF2/BoxTextured-glTF-Embedded/BoxTextured.gltf", "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"}) {
+  for (const char* name :
+       {"OFF/Cube.off", "PLY/cube.ply", "PLY/cube_binary.ply", "OBJ/box.obj", "3MF/box.3mf",
+        "glTF2/BoxTextured-glTF/BoxTextured.gltf", "glTF2/BoxTextured-glTF-Embedded/BoxTextured.gltf",
+        "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"}) {
     const std::string path = find_mesh(name);
     if (path.empty()) continue;
     SCOPED_TRACE(path);

@@ -21,7 +21,8 @@ void add_box(PolyScene& scene, const PolyPoint& low, const PolyPoint& high) {
   for (int i = 0; i < 8; ++i)
     scene.vertices.push_back({(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]});
   PolyBody body;
-  for (const auto& face : std::vector<std::vector<VertexIndex>>{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+  for (const auto& face : std::vector<std::vector<VertexIndex>>{
+           {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     body.faces.emplace_back();
     for (const VertexIndex v : face) body.faces.back().outline.push_back(first + v);
   }
@@ -110,7 +111,9 @@ TEST(Crossings, ThroughCorners) {
 TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
   std::mt19937 random(4);
   using Point = std::array<double, 3>;
-  const auto minus = [](const PolyPoint& a, const PolyPoint& b) { return Point{double(a[0] - b[0]), double(a[1] - b[1]), double(a[2] - b[2])}; };
+  const auto minus = [](const PolyPoint& a, const PolyPoint& b) {
+    return Point{double(a[0] - b[0]), double(a[1] - b[1]), double(a[2] - b[2])};
+  };
   const auto cross = [](const Point& a, const Point& b) {
     return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   };

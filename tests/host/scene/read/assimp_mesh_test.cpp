@@ -279,15 +279,21 @@ TEST(AssimpMesh, DamageIsNamed) {
   EXPECT_TRUE(has(error_of("{\"asset\": {\"version\": }", AssimpFormat::gltf), "line 1"));
   EXPECT_TRUE(has(error_of(gltf(two_nodes, inside(tetrahedron_buffer()), R"(,"extensionsRequired":["KHR_mesh_quantization"])"), AssimpFormat::gltf),
                   "extensionsRequired: found \"KHR_mesh_quantization\""));
-  EXPECT_TRUE(has(error_of(gltf(two_nodes, inside(tetrahedron_buffer(std::numeric_limits<float>::quiet_NaN()))), AssimpFormat::gltf),
-                  "vertex 0: found a coordinate that is no finite number"));
+  EXPECT_TRUE(
+      has(error_of(gltf(two_nodes, inside(tetrahedron_buffer(std::numeric_limits<float>::quiet_NaN()))),
+                   AssimpFormat::gltf),
+          "vertex 0: found a coordinate that is no finite number"));
   const std::string archive = threemf(quarter_turn);
   EXPECT_TRUE(has(error_of(archive.substr(0, archive.size() - 30), AssimpFormat::threemf), "found the end of the file"));
-  EXPECT_TRUE(has(error_of(archive.substr(0, 60) + archive.substr(61), AssimpFormat::threemf), "found no entry of the ZIP directory"));
+  EXPECT_TRUE(has(error_of(archive.substr(0, 60) + archive.substr(61), AssimpFormat::threemf),
+                  "found no entry of the ZIP directory"));
   EXPECT_TRUE(has(error_of(zip({{"a.txt", "text"}}), AssimpFormat::threemf), "without a file *.model"));
-  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"inch\"", "1000000000"), AssimpFormat::threemf), "face 3: found vertex 1000000000, expected 0 to 3"));
-  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "requiredextensions=\"p\" xmlns:p=\"http://x/production/2015/06\""), AssimpFormat::threemf),
-                  "3D/3dmodel.model: found that the extension \"p\" is required"));
+  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"inch\"", "1000000000"), AssimpFormat::threemf),
+                  "face 3: found vertex 1000000000, expected 0 to 3"));
+  EXPECT_TRUE(
+      has(error_of(threemf(quarter_turn, "requiredextensions=\"p\" xmlns:p=\"http://x/production/2015/06\""),
+                   AssimpFormat::threemf),
+          "3D/3dmodel.model: found that the extension \"p\" is required"));
 }
 
 // Whatever assimp does with it, this program goes on.

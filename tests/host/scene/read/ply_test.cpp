@@ -81,13 +81,15 @@ TEST(Ply, EachKindOfDamageIsNamed) {
   EXPECT_EQ(ply_error("ply\nelement vertex -3\n").substr(0, 26), "a.ply: line 2: found \"-3\",");
   EXPECT_NE(ply_error(header("ascii", "3000000")).find("found 3000000 of the element \"vertex\""), std::string::npos);
   EXPECT_EQ(ply_error(header("ascii") + rows), "a.ply: line 15: found the end of the file, expected a whole number");
-  EXPECT_EQ(ply_error("ply\nmade by a program\n" + header("ascii").substr(5) + rows + "3 0 1 2"), "");  // a comment without its word
+  EXPECT_EQ(ply_error("ply\nmade by a program\n" + header("ascii").substr(5) + rows + "3 0 1 2"),
+            "");  // a comment without its word
   EXPECT_EQ(ply_error(header("ascii") + rows + "3 0 1 1000000000"), "a.ply: line 15: found vertex 1000000000, expected 0 to 2");
   EXPECT_EQ(ply_error(header("ascii") + rows + "3 0 1 -1"), "a.ply: line 15: found vertex -1, expected 0 to 2");
   EXPECT_EQ(ply_error(header("ascii") + rows + "-3 0 1 2").substr(0, 41), "a.ply: line 15: found a list of -3, expec");
   EXPECT_EQ(ply_error(header("ascii") + rows + "1e300 0 1 2").substr(0, 32), "a.ply: line 15: found a list of ");
   EXPECT_EQ(ply_error(header("ascii") + rows + "2 0 1"), "a.ply: line 15: found face 0 of 2 vertices, expected 3 or more");
-  EXPECT_EQ(ply_error(header("ascii") + "0 9 0 0\n3 9 inf 0\n0 9 -3 0\n3 2 1 0"), "a.ply: line 13: found \"inf\", expected a number");
+  EXPECT_EQ(ply_error(header("ascii") + "0 9 0 0\n3 9 inf 0\n0 9 -3 0\n3 2 1 0"),
+            "a.ply: line 13: found \"inf\", expected a number");
   const std::string body = binary_triangle(false);
   const std::size_t begins = header("binary_little_endian").size();
   for (std::size_t length = 0; length < body.size(); ++length) {
@@ -98,11 +100,19 @@ TEST(Ply, EachKindOfDamageIsNamed) {
   damaged.replace(0, 8, Bytes(false).put(0x7ff0000000000000U, 8).text());
   EXPECT_EQ(ply_error(header("binary_little_endian") + damaged),
             "a.ply: byte " + std::to_string(begins) + ": found a value that is no finite number, expected a number");
-  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"),
-            "a.ply: the header: found no element face, expected vertices and faces; a cloud of points has no surface: make a mesh of it first");
-  EXPECT_NE(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement face 0\nend_header\n0 0\n").find("no property z"),
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
+                      "float z\nend_header\n0 0 0\n"),
+            "a.ply: the header: found no element face, expected vertices and faces; a cloud of points has no "
+            "surface: make a mesh of it first");
+  EXPECT_NE(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement "
+                      "face 0\nend_header\n0 0\n")
+                .find("no property z"),
             std::string::npos);
-  EXPECT_NE(ply_error("ply\nformat ascii 1.0\nelement face 1\nproperty float list\nelement vertex 0\nend_header\n0\n").find("vertex_indices"), std::string::npos);
+  EXPECT_NE(
+      ply_error(
+          "ply\nformat ascii 1.0\nelement face 1\nproperty float list\nelement vertex 0\nend_header\n0\n")
+          .find("vertex_indices"),
+      std::string::npos);
 }
 
 TEST(Ply, FacesBeforeVertices) {

@@ -70,7 +70,8 @@ TEST(Stl, EachKindOfDamageIsNamed) {
   EXPECT_EQ(stl_error(whole), "");
   EXPECT_EQ(stl_error(""), "a.stl: byte 0: found the end of the file, expected \"solid\" in the first line of a text, or "
                           "the 84 bytes of a binary header");
-  EXPECT_EQ(stl_error(whole.substr(0, whole.find("endsolid"))), "a.stl: end of file: found the end of the file, expected \"endsolid\"");
+  EXPECT_EQ(stl_error(whole.substr(0, whole.find("endsolid"))),
+            "a.stl: end of file: found the end of the file, expected \"endsolid\"");
   EXPECT_EQ(stl_error("solid s\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid"),
             "a.stl: line 5: found \"nan\", expected a number");
   EXPECT_EQ(stl_error("solid s\n" + facet("0 0 0", "1 0", "0 1 0") + "endsolid"),
