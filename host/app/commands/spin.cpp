@@ -19,6 +19,7 @@
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/check/crossings.hpp"
+#include "host/scene/model/finer_grid.hpp"
 
 namespace sightline::app {
 namespace {
@@ -65,7 +66,8 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
 // Events of a mesh are too many to be found.
 const registry::TurnMethod& method_of(const SpinOptions& options, const scene::PolyScene& scene) {
   if (!options.method.empty()) return *registry::find_turn_method(options.method);
-  const bool each_view = options.events.empty() && !scene.surfaces.empty();
+  const bool each_view =
+      options.events.empty() && (!scene.surfaces.empty() || !scene::crossings_of(scene, 1).empty());
   return *registry::find_turn_method(each_view ? "exact" : "plantinga");
 }
 
@@ -143,7 +145,14 @@ void spin(const SpinOptions& options) {
   const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
   scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
   const registry::TurnMethod& method = method_of(options, scene);
-  if (method.name == "exact" && !scene.surfaces.empty()) scene = scene::with_crossings(std::move(scene));
+  if (method.name == "exact") {
+    // The lines in which bodies cross end between the points of a grid of whole numbers.
+    if (scene.surfaces.empty() && !scene::crossings_of(scene, 1).empty()) {
+      const std::int32_t factor = scene::finest_factor(scene, {});
+      scene = scene::on_finer_grid(std::move(scene), factor);
+    }
+    scene = scene::with_crossings(std::move(scene));
+  }
   if (const auto reason = method.why_not(scene))
     throw Failure(ExitCode::bad_input,
                   fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
@@ -197,7 +206,7 @@ void add_spin_command(const Command& program) {
   for (const registry::TurnMethod& method : registry::turn_methods()) methods.emplace_back(method.name);
   command.option("--method", options->method, "How the views of the turn are found")
       .one_of(methods)
-      .default_value("exact for a mesh, plantinga for all others");
+      .default_value("exact for a mesh and where bodies pass through each other, plantinga for all others");
   command.option("--vertical", options->vertical, "Which axis points up, such as z or -y")
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
       .value("AXIS")

@@ -39,6 +39,9 @@ TEST_F(DrawMesh, BodiesThatPassThroughEachOtherInJson) {
   EXPECT_EQ(read("exact.svg"), read("oracle.svg"));
   EXPECT_TRUE(has(read("exact.svg"), "inkscape:label=\"1 visible\""));
   EXPECT_TRUE(has(read("exact.svg"), "inkscape:label=\"2 intersection\""));
+  const auto turn = sightline({"spin", "two.json", "--step", "90", "-o", "t.apng"});
+  EXPECT_EQ(turn.exit_code, 0) << turn.err;
+  EXPECT_TRUE(has(turn.out, "4 frames")) << turn.out;
   const auto other = sightline({"draw", "jones", "two.json", "-o", "j.svg"});
   EXPECT_TRUE(has(other.err, "bodies pass through each other, the first at faces")) << other.err;
 }
