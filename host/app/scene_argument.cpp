@@ -112,17 +112,17 @@ void add_go_on_option(const Command& command, bool& go_on) {
   command.flag("--go-on", go_on, "Draw also what takes this method more than a minute").group("Mesh");
 }
 
-void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on) {
+void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time,
+                      bool go_on) {
+  if (go_on || mesh.scene.surfaces.empty()) return;
   constexpr double longest = 60;
-  const std::size_t faces = scene::face_count(mesh.scene);
-  const double seconds = time.seconds_for(faces);
-  if (go_on || mesh.scene.surfaces.empty() || seconds < longest) return;
-  const std::string growth = time.power == 2 ? "quadratic here: its time grows with the square"
-                                             : fmt::format("slow here: its time grows with power {} to 2", time.power);
+  const double seconds = time.seconds_for(mesh.scene);
+  if (seconds < longest) return;
   throw Failure(ExitCode::usage,
-                fmt::format("{}: {} is {} of the number of faces, and for {} it takes about {:.0f} minutes or more; "
+                fmt::format("{}: {} is {} here, and takes about {:.0f} minutes for {} faces{}; "
                             "`sightline draw exact` takes seconds; --go-on draws it all the same",
-                            mesh.name, method, growth, faces, std::ceil(seconds / 60)));
+                            mesh.name, method, time.by_planes ? "slow" : "quadratic", std::ceil(seconds / 60), scene::face_count(mesh.scene),
+                            time.by_planes ? ", which cross each other's planes" : ""));
 }
 
 void add_eae_options(const Command& command, bool& no_eae) {

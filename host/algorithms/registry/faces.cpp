@@ -83,7 +83,7 @@ constexpr std::array rows{
                   prepare_montani_re_faces},
     FaceAlgorithm{"willis",
                   "Surfaces by distance as their priority, after Willis (1977); filled, or a flight",
-                  prepare_willis, {11, 1.5}},
+                  prepare_willis, {11, true}},
 };
 
 }  // namespace

@@ -1,22 +1,22 @@
 // How long an algorithm takes for a mesh: what a user is told before minutes are spent.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::registry {
 
-// Of one view on a computer of 2020, preparation included: `seconds` with 70,000 faces, and with others by this power of
-// their number. 0: seconds for all meshes. Measured with a bumpy sphere (tests/bench/MEASURED.md); where long faces cross
-// each other's planes it takes longer.
+// How many faces the plane of a face cuts, on average over 128 of them: of the order of the root of their number for round
+// bodies, of their number itself where long faces cross each other's planes.
+[[nodiscard]] double faces_cut_by_planes(const scene::PolyScene& scene);
+
+// Of one view on a computer of 2020, preparation included, measured with a bumpy sphere of 70,000 faces
+// (tests/bench/MEASURED.md): `seconds`, and in proportion to the square of the number of faces, or, by planes, to the
+// number of faces times the root of faces_cut_by_planes. 0: seconds for all meshes.
 struct MeshTime {
   double seconds = 0;
-  double power = 1;
+  bool by_planes = false;
 
-  [[nodiscard]] double seconds_for(std::size_t faces) const {
-    constexpr double measured = 70'000;
-    return seconds * std::pow(static_cast<double>(faces) / measured, power);
-  }
+  [[nodiscard]] double seconds_for(const scene::PolyScene& scene) const;
 };
 
 }  // namespace sightline::registry

@@ -25,7 +25,7 @@ namespace sightline::scene {
 namespace {
 
 void put(std::string& bytes, std::uint64_t number, int count) {
-  for (int i = 0; i < count; ++i) bytes += static_cast<char>(number >> (8 * i));
+  for (int i = 0; i < count; ++i) bytes += i < 8 ? static_cast<char>(number >> (8 * i)) : '\0';
 }
 
 bool assimp_is_there() {
