@@ -88,6 +88,20 @@ TEST_F(AsmCommand, TheMonitorReadsBothDialects) {
   const auto ran = sightline({"monitor", "pdp7", "b.s", "--dialect", "bell", "--start", "100"}, "continue\nassert ac==5\n");
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   EXPECT_EQ(sightline({"monitor", "pdp7", "b.s"}, "quit\n").exit_code, 4);
+  // Sources side by side are one program, and what is typed is in their dialect; the keys are those of the console's mode.
+  write("one.s", "..=0\n.=0100\nbegin: jms put\n hlt\n");
+  write("two.s", "put: 0\n lac d9\n jmp put i\nd9: 9\n");
+  const auto two = sightline({"monitor", "pdp7", "one.s", "two.s", "--dialect", "bell", "--start", "100"},
+                             "break put+1\ncontinue\nshow stack\nd 200 \"lac d9+010 i\"\ne 200\ncontinue\nassert ac==11\n");
+  EXPECT_EQ(two.exit_code, 0) << two.out << two.err;
+  EXPECT_NE(two.out.find("00103 called from 00100  begin: jms 102  ; begin: jms put"), std::string::npos) << two.out;
+  EXPECT_NE(two.out.find("00200 220115"), std::string::npos) << two.out;
+  write("keys.s", "..=0\n.=0100\n1: 0700301\n jmp 1b\n 0700312\n hlt\n");
+  for (const auto& [mode, code] : {std::pair<std::string, std::string>{"unix", "212"}, {"parity", "215"}, {"ascii", "15"}}) {
+    const auto key = sightline({"monitor", "pdp7", "keys.s", "--dialect", "bell", "--start", "100", "--console", mode},
+                               "send \"\\r\"\ncontinue\nassert ac==" + code + "\n");
+    EXPECT_EQ(key.exit_code, 0) << mode << key.out << key.err;
+  }
 }
 
 TEST_F(AsmCommand, WithoutOutputOnlyChecks) {
