@@ -160,7 +160,7 @@ TEST_F(DrawCommand, AFigureForAPlotter) {
   EXPECT_TRUE(has(read("f.dxf"), "-TEXT\n"));
 }
 
-// What hides each other is over the same places, and has one scale of heights.
+// Surfaces that hide each other are over the same places, and have one scale of heights.
 TEST_F(DrawCommand, SeveralSurfaces) {
   write("low.csv", "x,y,height\n0,0,1\n0,1,1\n1,0,1\n1,1,1\n");
   write("high.csv", "place,0,1\n0,2,2\n1,2,\n");
