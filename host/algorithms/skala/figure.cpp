@@ -232,10 +232,11 @@ class FigureMaker {
       const DrawingPoint high = place.at({box.right, box.top});
       Rectangle all{low.x, low.y, high.x, high.y};
       for (const Rectangle& taken : annotations(place).taken) all.take(taken);
-      inside.left += page.left - all.left;
-      inside.bottom += page.bottom - all.bottom;
-      inside.right += page.right - all.right;
-      inside.top += page.top - all.top;
+      // Never wider again: labels come and go with the size, and it would not come to rest.
+      inside.left += std::max(page.left - all.left, 0.0);
+      inside.bottom += std::max(page.bottom - all.bottom, 0.0);
+      inside.right += std::min(page.right - all.right, 0.0);
+      inside.top += std::min(page.top - all.top, 0.0);
       place = fitted(inside);
     }
     return place;
