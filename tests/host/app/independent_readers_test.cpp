@@ -99,9 +99,15 @@ layer = ""
 for row in open("a.svg"):
     if label := re.search('inkscape:label="([^"]*)"', row):
         layer = re.sub("[^A-Z0-9]", "_", label[1].upper()).replace("_", "-", 1)
-    if points := re.search('points="([^"]*)"', row):
-        corners = [tuple(float(c) for c in p.split(",")) for p in points[1].split()]
-        expected.setdefault(layer, []).append([(x, round(160 - y, 3)) for x, y in corners])
+    if path := re.search(' d="M([^l"]*)(?:l([^"]*))?"', row):
+        numbers = lambda text: [float(n) for n in re.findall("-?[0-9]*[.]?[0-9]+", text or "")]
+        x, y = numbers(path[1])
+        corners = [(x, round(160 - y, 3))]
+        steps = numbers(path[2])
+        for dx, dy in zip(steps[::2], steps[1::2]):
+            x, y = x + dx, y + dy
+            corners.append((round(x, 3), round(160 - y, 3)))
+        expected.setdefault(layer, []).append(corners)
 assert set(lines) == set(expected), (set(lines), set(expected))
 for name in lines:
     assert len(lines[name]) == len(expected[name]), name
