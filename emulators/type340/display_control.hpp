@@ -115,12 +115,13 @@ void Display<Sink>::catch_up(core::Instant now) {
   }
 }
 
-// The pen stops the sequence at a count pulse, so pulses it may answer to are not quiet.
+// The pen stops the sequence at a count pulse, so pulses it may answer to are not quiet. So does a request: a point that IDRS cut
+// short still raises its own, and the next word may be counting by then.
 template <class Sink>
 void Display<Sink>::plan() {
   if (planned_) return;
   const bool pen_may_stop = registers_.pen_flag || registers_.pen_will_stop() || (pen_ && word_may_flash());
-  if (pen_may_stop || registers_.edge()) return;
+  if (pen_may_stop || registers_.edge() || registers_.request) return;
   const std::int64_t quiet = quiet_pulses(registers_);
   if (quiet == 0) return;
   planned_ = true;

@@ -112,8 +112,8 @@ class Spokes {
   }
 
   [[nodiscard]] bool is_drawn(const LineEdge& known) const {
-    const auto begin = edges_.begin() + first_edge_[known.from];
-    const auto end = edges_.begin() + first_edge_[known.from + 1];
+    const auto begin = edges_.begin() + static_cast<std::ptrdiff_t>(first_edge_[known.from]);
+    const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(first_edge_[known.from + 1]);
     return std::find(begin, end, known) != end;
   }
 

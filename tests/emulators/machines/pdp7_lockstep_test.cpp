@@ -220,6 +220,15 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
   return true;
 }
 
+// IDRS in the deflection of a point: its request rises while the next vector is counting, and stops it. A display without a
+// consumer of strokes went on counting.
+TEST(Pdp7Lockstep, ARequestStopsAVectorThatCounts) {
+  std::mt19937_64 random(18490);
+  std::uint64_t instructions = 0;
+  std::uint64_t stolen = 0;
+  EXPECT_TRUE(run_one(random, instructions, stolen));
+}
+
 TEST(Pdp7Lockstep, RandomProgramsRunAsOnTheReference) {
   const std::uint64_t wanted = tests::lockstep_instructions(1'500'000);
   std::uint64_t instructions = 0;
