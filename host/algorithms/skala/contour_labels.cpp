@@ -87,7 +87,7 @@ class Occupied {
 class Measured {
  public:
   Measured(const VectorDrawing& drawing, const DrawingLine& line)
-      : points_(drawing.points.begin() + line.first, drawing.points.begin() + line.first + line.count), lengths_(1, 0.0) {
+      : points_(drawing.points.data() + line.first, drawing.points.data() + line.first + line.count), lengths_(1, 0.0) {
     for (std::size_t i = 1; i < points_.size(); ++i) {
       const double dx = double{points_[i].x} - double{points_[i - 1].x};
       const double dy = double{points_[i].y} - double{points_[i - 1].y};

@@ -25,7 +25,7 @@ base::Result<base::Bytes> encode_png(const Image&, const TextEntries&) {
 #pragma clang diagnostic ignored "-Wunused-private-field"
 ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
     : time_(time), plays_(plays), text_(std::move(text)) {}
-base::Result<base::Done> ApngWriter::add(const Image&) { return base::fail("no movies are written here"); }
+base::Result<base::Done> ApngWriter::add(const Image&, FrameTime) { return base::fail("no movies are written here"); }
 base::Result<base::Bytes> ApngWriter::finish() const { return base::fail("no movies are written here"); }
 
 }  // namespace sightline::picture
