@@ -1,5 +1,5 @@
-// A function of x and z typed by a person, as muParser reads it for the command (`sightline draw skala --function`): numbers, x, z, pi,
-// + - * / ^ ( ), comparisons, && || and ?:, and functions. Never run as a program of the page.
+// A function of x and y, or of x and z, typed by a person, as muParser reads it for the command (`sightline draw skala --function`): numbers, x,
+// y or z, pi, + - * / ^ ( ), comparisons, && || and ?:, and functions. Never run as a program of the page.
 
 const FUNCTIONS = {
   sin: [1, Math.sin], cos: [1, Math.cos], tan: [1, Math.tan], asin: [1, Math.asin], acos: [1, Math.acos], atan: [1, Math.atan],
@@ -14,6 +14,7 @@ const DEEPEST = 100;
 export function expression(text) {
   let at = 0;
   let depth = 0;
+  let second = '';  // how the text names the other variable
   const blank = () => { while (at < text.length && /\s/.test(text[at])) ++at; };
   const take = token => {
     blank();
@@ -84,13 +85,17 @@ export function expression(text) {
       return () => value;
     }
     const name = /^[A-Za-z_][A-Za-z_0-9]*/.exec(text.slice(at))?.[0];
-    if (!name) fail('a number, x, z, a function or "("');
+    if (!name) fail('a number, x, y, z, a function or "("');
     at += name.length;
     if (name === 'x') return x => x;
-    if (name === 'z') return (x, z) => z;
+    if (name === 'y' || name === 'z') {
+      if (second && second !== name) { at -= name.length; throw new Error(`found "${name}" at column ${at + 1} beside ${second}, expected one name for the second variable`); }
+      second = name;
+      return (x, z) => z;
+    }
     if (name === 'pi') return () => Math.PI;
     if (name === 'e') return () => Math.E;
-    if (!Object.hasOwn(FUNCTIONS, name)) { at -= name.length; throw new Error(`found "${name}" at column ${at + 1}, expected x, z, pi or one of ${Object.keys(FUNCTIONS).join(' ')}`); }
+    if (!Object.hasOwn(FUNCTIONS, name)) { at -= name.length; throw new Error(`found "${name}" at column ${at + 1}, expected x, y, z, pi or one of ${Object.keys(FUNCTIONS).join(' ')}`); }
     const [count, act] = FUNCTIONS[name];
     if (!take('(')) fail('"("');
     const values = [deeper(choice)];

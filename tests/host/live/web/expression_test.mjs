@@ -16,7 +16,7 @@ const module = await openModule(new WebAssembly.Module(readFileSync(wasm)));
 const folder = mkdtempSync(join(tmpdir(), 'sightline-expressions-'));
 process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
 
-const texts = ['x+z', 'sin(x)*cos(z)', '2^3^2*x', '-x^2', '(-x)^2', 'x-z-1', 'x/2/4', 'exp(-x*x-z*z)', 'sqrt(abs(x))', 'x>0?z:-z', 'x<=0 && z>=0', 'min(x,z,0.5)', 'max(x,1)', 'atan2(x,z+2)',
+const texts = ['x+z', 'x*y-y', 'x+y*z', 'y?z:x', 'sin(x)*cos(z)', '2^3^2*x', '-x^2', '(-x)^2', 'x-z-1', 'x/2/4', 'exp(-x*x-z*z)', 'sqrt(abs(x))', 'x>0?z:-z', 'x<=0 && z>=0', 'min(x,z,0.5)', 'max(x,1)', 'atan2(x,z+2)',
   'ln(x+3)', 'log(x+3)', 'log10(x+3)', 'log2(x+3)', '1e-1*x', '.5*z', 'sum(x,z,1)', 'avg(x,z)', 'x==z', 'x!=z', 'x||z', 'sign(x)', 'rint(2*x)', 'sinh(x)+cosh(z)-tanh(x)', 'asin(x/2)+acos(z/2)', '+x', '- -x', '2*-x',
   'x?1:z?2:3', '1<2', '_pi*x', 'pi*x', '_e*x', 'e*x', 'x+', 'foo(x)', 'sin()', 'sin(x,z)', '(x', 'x)', 'x z', '1..2', 'y', '', 'x=1', 'sin x', '"a"', 'x^', '?x:z', '2x', '0x10*x', 'x,z', 'x>>1', '!x', 'x&z', 'x%2', '1/0', 'sqrt(-1)'];
 let failures = 0;
