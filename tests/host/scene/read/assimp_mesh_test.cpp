@@ -261,6 +261,7 @@ TEST(AssimpMesh, BuffersComeFromTheFolderAlone) {
   EXPECT_NE(error_with((folder / "out.bin").string(), in).find("outside"), std::string::npos);
   EXPECT_NE(error_with("none.bin", in).find("not in the file's folder"), std::string::npos);
   EXPECT_NE(error_with("a%20b.bin", "").find("standard input"), std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(AssimpMesh, DamageIsNamed) {
