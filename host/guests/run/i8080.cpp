@@ -358,13 +358,9 @@ class I8080Vcd {
   core::TStateInstant latest_{};
 };
 
-// An observer that writes what has a taker, in blocks.
+// Writes what has a taker, in blocks.
 class Recorder {
  public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = false;
-
   void take(std::string_view option, TextTaker taker) {
     if (option == "--vcd" && vcd) {
       vcd->take(std::move(taker));
@@ -538,15 +534,11 @@ class I8080Watcher {
 // The same, and tells each instruction.
 class I8080Listener {
  public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   explicit I8080Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
 
   void begin(core::TStateInstant now) { watcher_.begin(now); }
   bool stop(core::TStateInstant now, i8080::Address next) { return watcher_.stop(now, next); }
-  [[gnu::noinline]] void instruction(const machines::I8080InstructionRecord& record) {
+  void instruction(const machines::I8080InstructionRecord& record) {
     entry_.time = core::t_states_of(record.time);
     entry_.pc = record.pc;
     entry_.word = record.bytes[0] | static_cast<std::uint32_t>(record.bytes[1]) << 8 |
@@ -557,7 +549,7 @@ class I8080Listener {
     probe_.on_instruction(entry_);
     entry_.has_address = false;
   }
-  [[gnu::noinline]] void cycle(const machines::I8080Cycle& cycle) {
+  void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
     if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
     constexpr i8080::Status not_memory = status::first | status::halt | status::input | status::output;
@@ -571,6 +563,35 @@ class I8080Listener {
   Probe& probe_;
   I8080Watcher watcher_;
   Probe::Entry entry_;
+};
+
+// The observer of all that hear every instruction and every cycle. One for them all: a machine is compiled for each observer, which
+// takes long, and they are slow for what they write.
+class I8080Reporter {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  explicit I8080Reporter(Recorder& recorder) : recorder_(&recorder) {}
+  explicit I8080Reporter(Probe& probe) : listener_(std::in_place, probe) {}
+
+  void begin(core::TStateInstant now) {
+    if (listener_) listener_->begin(now);
+  }
+  bool stop(core::TStateInstant now, i8080::Address next) { return listener_ && listener_->stop(now, next); }
+  [[gnu::noinline]] void instruction(const machines::I8080InstructionRecord& record) {
+    if (recorder_ != nullptr) recorder_->instruction(record);
+    if (listener_) listener_->instruction(record);
+  }
+  [[gnu::noinline]] void cycle(const machines::I8080Cycle& cycle) {
+    if (recorder_ != nullptr) recorder_->cycle(cycle);
+    if (listener_) listener_->cycle(cycle);
+  }
+
+ private:
+  Recorder* recorder_ = nullptr;
+  std::optional<I8080Listener> listener_;
 };
 
 // --- Texts ---
@@ -894,8 +915,8 @@ class I8080Run final : public Machine {
 
  private:
   machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
-    if (recorder_) return processor_.run(limits, *recorder_);
-    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Listener(*probe_));
+    if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
+    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_));
     if (probe_ && probe_->watches_arrival()) return run_watched(limits, I8080Breaker(*probe_));
     if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Watcher(*probe_));
     return processor_.run(limits);
