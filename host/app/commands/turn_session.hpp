@@ -17,15 +17,7 @@ namespace sightline::app {
 // As punched. Failure as turn_tape, or io.
 void write_turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, const std::string& path);
 
-struct TurnMeasure {
-  std::uint32_t step = 0;  // from picture to picture, 2^18 a turn
-  guests::turn::TurnRun hidden;
-  guests::turn::TurnRun wire;
-  // Mean time of a picture with hidden lines removed over that of a wire frame: the paper's claim.
-  [[nodiscard]] double cost_against_wire_frame() const;
-  // Seconds a turn takes.
-  [[nodiscard]] double turn_seconds() const;
-};
+using guests::turn::TurnMeasure;
 // One turn at the step that takes nearest to 8 s, or so many pictures of it. Failure differs: a picture is not its twin's;
 // guest_failed: the machine stopped.
 [[nodiscard]] TurnMeasure measure_turn(const guests::turn::Session& session, const std::string& source,

@@ -6,11 +6,16 @@
 #include <cmath>
 #include <utility>
 
+#include "host/algorithms/plantinga/event_list.hpp"
+#include "host/algorithms/plantinga/rotation_model.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
+
 namespace sightline::guests::turn {
 
 namespace {
 
 constexpr double whole_turn = 1 << 18;
+constexpr double turn_time = 8;  // seconds
 
 double seconds_of(core::Duration time) { return static_cast<double>(time.count()) / 1e9; }
 
@@ -118,6 +123,41 @@ std::uint32_t Session::step_for(double seconds, bool wire) const {
 
 std::uint32_t Session::pictures_of_turn(std::uint32_t step) {
   return static_cast<std::uint32_t>(std::ceil(whole_turn / step)) + 1;
+}
+
+base::Result<Tape> make_tape(const scene::PolyScene& scene, Memory memory, bool tilted) {
+  namespace plantinga = algorithms::plantinga;
+  const auto standing = stand_on_axis(scene, tilted);
+  if (!standing) return standing.error();
+  const plantinga::RotationModel model(*standing);
+  if (model.edges().size() > plantinga::most_turned_edges) {
+    return base::Error{.found = fmt::format("{} edges", model.edges().size()),
+                       .expected = fmt::format("at most {}", plantinga::most_turned_edges)};
+  }
+  const auto list = plantinga::build_event_list(model);
+  if (!list) return list.error();
+  return encode(model, *list, memory);
+}
+
+double TurnMeasure::cost_against_wire_frame() const {
+  return wire.summary.frames_per_second_mean / hidden.summary.frames_per_second_mean;
+}
+
+double TurnMeasure::turn_seconds() const { return whole_turn / (step * hidden.summary.frames_per_second_mean); }
+
+TurnMeasure measure_turn(const Session& session, std::uint32_t pictures, bool keep_strokes) {
+  TurnMeasure measure;
+  measure.step = session.step_for(turn_time, false);
+  const auto run_with = [&](std::uint32_t switches) {
+    RunOptions options;
+    options.pictures = pictures != 0 ? pictures : Session::pictures_of_turn(measure.step);
+    options.keep_strokes = keep_strokes;
+    options.switches = [switches](std::uint32_t) { return switches; };
+    return session.run(options);
+  };
+  measure.hidden = run_with(measure.step);
+  measure.wire = run_with(measure.step | wire_switch);
+  return measure;
 }
 
 }  // namespace sightline::guests::turn

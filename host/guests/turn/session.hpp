@@ -9,6 +9,8 @@
 
 #include "host/base/result.hpp"
 #include "host/guests/turn/guest.hpp"
+#include "host/guests/turn/tape.hpp"
+#include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::guests::turn {
 
@@ -58,6 +60,23 @@ class Session {
   Tape tape_;
   Program program_;
 };
+
+// A scene as a tape: it stands on the axis, its events are found and laid out. Errors: those of stand_on_axis, of the events and of
+// encode; more edges than can be turned.
+[[nodiscard]] base::Result<Tape> make_tape(const scene::PolyScene& scene, Memory memory, bool tilted = true);
+
+// A turn with hidden lines removed and the same pictures as wire frames.
+struct TurnMeasure {
+  std::uint32_t step = 0;  // from picture to picture, 2^18 a turn
+  TurnRun hidden;
+  TurnRun wire;
+  // Mean time of a picture with hidden lines removed over that of a wire frame: the paper's claim.
+  [[nodiscard]] double cost_against_wire_frame() const;
+  // Seconds a turn takes.
+  [[nodiscard]] double turn_seconds() const;
+};
+// One turn at the step that takes nearest to 8 s, or so many pictures of it (0: all).
+[[nodiscard]] TurnMeasure measure_turn(const Session& session, std::uint32_t pictures = 0, bool keep_strokes = false);
 
 // The first difference between a picture and its twin, empty if there is none.
 [[nodiscard]] std::string difference_of(const GuestPicture& guest, const Picture& twin);

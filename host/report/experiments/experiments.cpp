@@ -16,6 +16,7 @@ constexpr std::array experiments{
     Experiment{"cross-check", &cross_check},
     Experiment{"jones-views", &jones_views},
     Experiment{"plantinga-accuracy", &plantinga_accuracy},
+    Experiment{"plantinga-pdp7", &plantinga_pdp7},
     Experiment{"skala-pictures", &skala_pictures},
     Experiment{"montani-re-tables", &montani_re_tables},
     Experiment{"plantinga-turns", &plantinga_turns, true},

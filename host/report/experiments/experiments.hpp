@@ -15,6 +15,7 @@ namespace sightline::report {
 [[nodiscard]] Records montani_re_stripes(const Context& context);
 [[nodiscard]] Records montani_re_tables(const Context& context);
 [[nodiscard]] Records plantinga_accuracy(const Context& context);
+[[nodiscard]] Records plantinga_pdp7(const Context& context);
 [[nodiscard]] Records plantinga_turns(const Context& context);
 [[nodiscard]] Records skala_accuracy(const Context& context);
 [[nodiscard]] Records skala_pictures(const Context& context);
