@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/host/guests/run/machine_run.hpp"
+#include "tests/support/effort.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/image/intel_hex.hpp"
@@ -234,6 +235,7 @@ TEST(ConsoleScript, WithoutTextsToExpectTypesAtOnce) {
 }
 
 TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
+  NEEDS_OPTIMISED_CODE();
   const Ended waits = session(pdp7_echo(), Typist(""), script({expect("*"), send("ab"), expect("#"), send("c")}));
   EXPECT_EQ(waits.stop.complaint,
             "--expect \"#\": the program waits for a key, and the text was not printed; printed since the last match: "

@@ -217,7 +217,7 @@ TEST(I8080Snapshots, ContinueFromAHalt) {
   LawRun whole(program);
   EXPECT_EQ(whole.go(100), "halt");
   EXPECT_EQ(whole.machine().get(9), 0x54U);
-  for (std::int64_t until = 1; until < 10'100; until += until < 200 ? 1 : 97) {
+  for (std::int64_t until = 1; until < 10'100; until += until < tests::effort(200, 60) ? 1 : tests::effort(97, 997)) {
     LawRun first(program);
     static_cast<void>(first.machine().run({100, until}, false));
     first.machine().finish();
