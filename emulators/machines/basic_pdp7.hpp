@@ -270,7 +270,7 @@ class BasicPdp7 {
     const bool interrupt = interrupts_open && (devices_request_ || (display_ && display_->interrupt_request()));
     const core::Instant event = asked ? now : earlier(display_due_, devices_due_);
     // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
-    // but their number to be looked at only with the other deadlines.
+    // but their number to be compared only with the other deadlines.
     const core::Instant shortest = now + pdp7::machine_cycle * instructions;
     return {now, earlier(event, earlier(until, shortest)), interrupt};
   }

@@ -311,7 +311,7 @@ Halted Debugger::run(const Goal& goal) {
     limits.instructions = begun + goal.instructions;
   limits.until = std::min(limits.until, goal.until);
   const bool conditions = !goal.condition.empty() || breakpoints_.has_conditions();
-  // What only words of memory decide need not be looked at until one of them is written.
+  // What only words of memory decide need not be evaluated until one of them is written.
   const auto places = conditions ? places_of_conditions(goal.condition) : std::nullopt;
   const bool by_instructions = conditions && !places;
   Probe& probe = *machine_.probe();

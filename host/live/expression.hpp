@@ -20,11 +20,11 @@ struct Names {
   std::function<std::optional<std::int64_t>(std::string_view name)> value;
   // nullopt: there is no such address.
   std::function<std::optional<std::int64_t>(std::int64_t address)> memory;
-  // How to read a name whose value changes, for expressions that are looked at often; empty: its value is always what it is now.
+  // How to read a name whose value changes, for expressions that are evaluated often; empty: its value is always what it is now.
   std::function<std::function<std::int64_t()>(std::string_view name)> reader = {};
 };
 
-// An expression that has been read once, to be looked at again and again.
+// An expression that has been read once, to be evaluated again and again.
 class Expression {
  public:
   // An error has the place in the text. The names outlive the expression.
@@ -50,7 +50,7 @@ class Expression {
   std::optional<std::vector<std::int64_t>> places_;
 };
 
-// Of an expression that is looked at once.
+// Of an expression that is evaluated once.
 [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view text, const Names& names);
 
 // A number as an expression may begin with one, all of `text`.

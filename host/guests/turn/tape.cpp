@@ -340,7 +340,7 @@ std::optional<base::Error> Encoder::divide_core() {
   }
   static_cast<void>(twin.next(wire_switch | 1U, picture));
   most = std::max(most, picture.display_file.size());
-  // Between the angles looked at a picture may have a few lines more.
+  // Between the angles examined a picture may have a few lines more.
   constexpr std::uint32_t spare = 24;
   tape_.file_words = std::min(static_cast<std::uint32_t>(most) + spare, most_file_words);
 

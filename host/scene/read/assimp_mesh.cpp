@@ -7,7 +7,7 @@
 
 namespace sightline::scene {
 
-// The keys of the outermost object are looked at; nothing is parsed.
+// The keys of the outermost object are examined; nothing is parsed.
 bool is_gltf(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

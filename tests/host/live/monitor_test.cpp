@@ -684,7 +684,7 @@ TEST(MonitorStack, OutOfARecursionIsOneLevel) {
   EXPECT_EQ(s("ev sp").substr(0, 3), "400");
 }
 
-// What only words of memory decide is looked at when they are written, everything else after each instruction: the stops are the same.
+// What only words of memory decide is evaluated when they are written, everything else after each instruction: the stops are the same.
 TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
   std::mt19937 random(1965);
   for (int round = 0; round < 20; ++round) {
