@@ -27,6 +27,8 @@ set(RULES
   "host/guests/turn/twin=emulators/core/word.hpp"
   "host/guests/skala=host/base,host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
   "host/guests/skala/twin=host/guests/skala/commands.hpp,emulators/core/raster.hpp"
+  "host/guests/stripes=host/base,host/scene,host/picture/pen_path.hpp,host/picture/pixel_metrics.hpp,host/algorithms/montani_re,emulators,tools/asm"
+  "host/guests/stripes/twin=host/guests/stripes/status.hpp,emulators/core/raster.hpp"
   "host/live=host/base,host/guests/run,emulators,tools/asm,tools/disasm,tools/image"
   "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"

@@ -1,0 +1,75 @@
+; Where everything is: memory, ports, the layout of records and tables.
+
+; ---- Memory. The program is below FS. Lists of a line are in slots of a fixed size, so that a line's list is found by a shift.
+FS      EQU     1000H           ; stripes of the face at hand: 16 bytes a line
+VS      EQU     2000H           ; what is seen of it: 32 bytes a line, pairs of toggle and mark; also stripes of a second face
+SS      EQU     4000H           ; silhouette: 32 bytes a line; before it is begun, the matrix of relations
+SCENE   EQU     6000H           ; the body as received
+SCNMAX  EQU     6800H           ; its greatest length
+UBUF    EQU     0C800H          ; a line of a union
+T1      EQU     0C840H          ; a line of a first difference
+VTOP    EQU     0C900H          ; below it a line of a difference, downwards, two bytes each, the upper one the toggle
+EXT     EQU     0C900H          ; 16 bytes a face, see below
+FACEP   EQU     0CD00H          ; address of each record
+ORDER   EQU     0CD80H          ; the priority list; no entry of a table of faces may be in another page than its first
+SORT    EQU     0CDC0H          ; faces by least X
+NMIN    EQU     0CE00H          ; how many faces each hides
+NMAX    EQU     0CE40H          ; how many hide each
+GONE    EQU     0CE80H          ; 0 left, 1 leaves to the front, 2 to the back, 3 gone
+CUTS    EQU     0CF00H          ; pairs: face, what it is cut by
+STACK   EQU     0D000H
+
+MOSTF   EQU     64
+MOSTC   EQU     63
+
+; ---- An entry of EXT: words of least and greatest X, Y, Z; line of the lowest, behind the highest; address of the shape
+ELINES  EQU     12
+
+; ---- A record: length, level, plane (a, b, c, d), rings
+RPLANE  EQU     3
+RRINGS  EQU     13
+
+; ---- Bits of MODE
+VECTOR  EQU     1
+PRIOR   EQU     2
+STRIPE  EQU     4
+
+; ---- EF9365 raster board
+GDPCMD  EQU     40H             ; command; read: status
+GDPCT1  EQU     41H
+GDPCT2  EQU     42H
+GDPDX   EQU     45H
+GDPDY   EQU     47H
+GDPXH   EQU     48H
+GDPX    EQU     49H
+GDPYH   EQU     4AH
+GDPY    EQU     4BH
+GDPCOL  EQU     50H             ; colour latch
+GDPRDY  EQU     04H             ; status: ready
+CLEAR   EQU     04H
+EAST    EQU     10H             ; a vector of DELTAX to the right
+PENON   EQU     03H             ; CTRL1: pen down, writing
+
+; ---- CalComp 565
+CALCMD  EQU     60H             ; command; read: status
+CALERR  EQU     80H
+CALUP   EQU     08H
+CALDN   EQU     09H
+
+; ---- Parallel link to the host
+PARDAT  EQU     0E4H            ; 8255, port A strobed in
+PARSTA  EQU     0E6H
+PARCTL  EQU     0E7H
+PARIBF  EQU     20H
+PARMOD  EQU     0B0H            ; group A mode 1, port A in
+
+; ---- Status at the end
+COMPLT  EQU     1
+NOTSTR  EQU     2
+SILENT  EQU     3
+BADSUM  EQU     4
+TOOBIG  EQU     5
+BADREC  EQU     6
+FULL    EQU     7
+ABSENT  EQU     8
+DEVERR  EQU     9
