@@ -13,6 +13,7 @@ void add_commands(const Command& program) {
   add_report_command(program);
   add_jones_command(program);
   add_skala_command(program);
+  add_stripes_command(program);
   add_draw_command(program);
   add_compare_command(program);
   add_explain_command(program);

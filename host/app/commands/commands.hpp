@@ -19,6 +19,7 @@ void add_explain_command(const Command& program);
 void add_scene_command(const Command& program);
 void add_skala_command(const Command& program);
 void add_spin_command(const Command& program);
+void add_stripes_command(const Command& program);
 void add_sweep_command(const Command& program);
 void add_turn_command(const Command& program);
 

@@ -1,0 +1,210 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/app/camera_options.hpp"
+#include "host/app/commands/commands.hpp"
+#include "host/app/commands/stripes_session.hpp"
+#include "host/app/outputs.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/base/json.hpp"
+#include "host/picture/pen_drawing.hpp"
+#include "host/picture/raster_image.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace stripes = guests::stripes;
+using base::Json;
+
+struct StripesArguments {
+  std::string scene;
+  MeshArguments mesh;
+  CameraArguments camera;
+  std::optional<double> field;
+  std::string device = "raster";
+  std::string made_by = "8080";
+  std::string priority = "8080";
+  std::string palette = "grey";
+  int scale = 3;
+  std::string directory = "out";
+  bool json = false;
+};
+
+stripes::Computer computer_named(const std::string& name) {
+  return name == "host" ? stripes::Computer::host : stripes::Computer::i8080;
+}
+
+stripes::StreamOptions options_of(const StripesArguments& arguments) {
+  return {arguments.device == "calcomp" ? stripes::Output::vector : stripes::Output::raster,
+          computer_named(arguments.made_by), computer_named(arguments.priority)};
+}
+
+std::vector<std::string> write_pictures(const StripesArguments& arguments, const std::string& name,
+                                        const stripes::GuestPicture& guest) {
+  make_directory(arguments.directory);
+  const bool vector = arguments.device == "calcomp";
+  const std::string base =
+      (std::filesystem::path(arguments.directory) / (file_stem(name) + (vector ? "-stripes-calcomp" : "-stripes"))).string();
+  const std::string title = fmt::format("{}, Montani and Re 1985 on the 8080, {}", name, vector ? "CalComp 565" : "EF9365 board");
+  const picture::TextEntries text{{"Title", title}, {"Software", "sightline"}};
+  std::vector<std::string> paths{base + ".png"};
+  Output png(paths[0]);
+  if (!vector) {
+    const auto palette = arguments.palette == "grey" ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+    write_png(png, picture::raster_image(guest.raster, palette, arguments.scale), text);
+    png.commit();
+    return paths;
+  }
+  const auto pen = stripes::pen_paths(guest.commands);
+  paths.push_back(base + ".svg");
+  paths.push_back(base + ".hpgl");
+  Output svg(paths[1]);
+  Output hpgl(paths[2]);
+  write_png(png, picture::pen_image(pen, picture::calcomp_paper, arguments.scale), text);
+  svg.write(picture::pen_svg(pen, picture::calcomp_paper, title));
+  hpgl.write(picture::hpgl(pen, picture::calcomp_paper));
+  png.commit();
+  svg.commit();
+  hpgl.commit();
+  return paths;
+}
+
+// The plotter's commands by kind.
+struct PenWork {
+  std::uint64_t steps_down = 0;
+  std::uint64_t steps_up = 0;
+  std::uint64_t lifts = 0;
+};
+PenWork pen_work(const std::vector<std::uint8_t>& commands) {
+  constexpr std::uint8_t pen_up = 8;
+  PenWork work;
+  bool down = false;
+  for (const std::uint8_t command : commands) {
+    if (command < pen_up) {
+      ++(down ? work.steps_down : work.steps_up);
+      continue;
+    }
+    work.lifts += command == pen_up ? 1 : 0;
+    down = command > pen_up;
+  }
+  return work;
+}
+
+std::string summary_of(const StripesArguments& arguments, const stripes::Session& session, const stripes::DrawnScene& drawn) {
+  const stripes::GuestPicture& guest = drawn.picture.guest;
+  const stripes::TwinCounts& counts = drawn.picture.twin.counts;
+  const bool vector = arguments.device == "calcomp";
+  std::string text = fmt::format("{} in stripes on the 8080 at 3 MHz, {}\n", arguments.scene, vector ? "CalComp 565" : "EF9365 board");
+  const auto row = [&text](std::string_view name, const std::string& value) { text += fmt::format("{:<17}{}\n", name, value); };
+  row("faces", fmt::format("{} turned to the eye{}", drawn.scene.faces.size(), drawn.scene.clipped ? ", clipped to the picture" : ""));
+  row("bytes", fmt::format("program {} of {}; scene {}: polygons {}, stripes {}", session.program().memory.size(),
+                           stripes::program_room, drawn.stream.bytes.size(), drawn.stream.polygon_bytes, drawn.stream.stripe_bytes));
+  row("stripes", fmt::format("made by the {}; at most {} ends in a line of a face, {} of the silhouette", arguments.made_by,
+                             counts.face_most, counts.silhouette_most));
+  if (arguments.priority == "8080") {
+    std::string tests;
+    for (std::size_t k = 1; k < counts.decided_by.size(); ++k) tests += fmt::format("{}{}", k > 1 ? ", " : "", counts.decided_by[k]);
+    row("priority", fmt::format("by the 8080: {} relations; pairs decided by tests 1 to 6: {}", counts.relations, tests));
+    row("cycles", fmt::format("{} relations without overlap deleted, {} cuts", counts.deleted, drawn.picture.twin.cuts.size()));
+  } else {
+    row("priority", fmt::format("by the host, {} cuts", drawn.scene.cuts));
+  }
+  row("receiving", fmt::format("{:.2f} s", stripes_seconds(guest.receiving)));
+  row("priority list", fmt::format("{:.2f} s, with the check of the records", stripes_seconds(guest.ranking)));
+  row("drawing", fmt::format("{:.2f} s{}", stripes_seconds(guest.drawing),
+                             vector ? fmt::format(", of which the plotter moves for {:.2f} s", stripes_seconds(guest.device)) : ""));
+  if (vector) {
+    const PenWork work = pen_work(guest.commands);
+    row("pen", fmt::format("{} steps down, {} up, {} lifts", work.steps_down, work.steps_up, work.lifts));
+  } else {
+    row("dots", std::to_string(counts.dots));
+  }
+  return text;
+}
+
+Json document_of(const StripesArguments& arguments, const stripes::Session& session, const stripes::DrawnScene& drawn,
+                 const std::vector<std::string>& pictures) {
+  const stripes::GuestPicture& guest = drawn.picture.guest;
+  const stripes::TwinCounts& counts = drawn.picture.twin.counts;
+  Json document{{"schema", "sightline/stripes/1"},
+                {"scene", arguments.scene},
+                {"device", arguments.device},
+                {"stripes_by", arguments.made_by},
+                {"priority_by", arguments.priority},
+                {"faces", drawn.scene.faces.size()},
+                {"program_bytes", session.program().memory.size()},
+                {"scene_bytes", drawn.stream.bytes.size()},
+                {"polygon_bytes", drawn.stream.polygon_bytes},
+                {"stripe_bytes", drawn.stream.stripe_bytes},
+                {"receiving_seconds", stripes_seconds(guest.receiving)},
+                {"priority_seconds", stripes_seconds(guest.ranking)},
+                {"drawing_seconds", stripes_seconds(guest.drawing)},
+                {"plotter_seconds", stripes_seconds(guest.device)},
+                {"relations", counts.relations},
+                {"relations_deleted", counts.deleted},
+                {"cuts", arguments.priority == "8080" ? drawn.picture.twin.cuts.size() : drawn.scene.cuts},
+                {"silhouette_ends_most", counts.silhouette_most},
+                {"dots", counts.dots},
+                {"links", counts.links},
+                {"pictures", pictures}};
+  document["pairs_decided_by_test"] = Json::array();
+  for (std::size_t k = 1; k < counts.decided_by.size(); ++k) document["pairs_decided_by_test"].push_back(counts.decided_by[k]);
+  return document;
+}
+
+ExitCode run_stripes(const StripesArguments& arguments) {
+  MeshArguments mesh = arguments.mesh;
+  mesh.eye = eye_of(arguments.camera);
+  const scene::LoadedScene source = load_scene(arguments.scene, mesh);
+  const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
+  check_field(arguments.field, camera);
+  const stripes::Session session;
+  const stripes::DrawnScene drawn = draw_stripes(session, source.scene, arguments.scene,
+                                                 stripes_view(source.scene, camera, arguments.field), options_of(arguments));
+  const auto pictures =
+      write_pictures(arguments, std::filesystem::path(arguments.scene).stem().string(), drawn.picture.guest);
+  if (arguments.json) {
+    print_json(document_of(arguments, session, drawn, pictures));
+  } else {
+    write_stdout(summary_of(arguments, session, drawn));
+    for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_stripes_command(const Command& program) {
+  const Command command = program.add_command("stripes", help_page("stripes", {{"camera", help_page("camera").summary}}));
+  const auto arguments = std::make_shared<StripesArguments>();
+  command.option("SCENE", arguments->scene, scene_help).required();
+  add_camera_options(command, arguments->camera);
+  add_field_option(command, arguments->field, "everything");
+  add_mesh_options(command, arguments->mesh);
+  command.option("--device", arguments->device, "Filled faces on the raster board, or lines on the plotter")
+      .default_value()
+      .one_of({"raster", "calcomp"})
+      .value("NAME");
+  command.option("--stripes", arguments->made_by, "Which computer cuts the faces into stripes")
+      .default_value()
+      .one_of({"8080", "host"})
+      .value("NAME");
+  command.option("--priority", arguments->priority, "Which computer finds the priority list")
+      .default_value()
+      .one_of({"8080", "host"})
+      .value("NAME");
+  command.option("--palette", arguments->palette, "Colours of the PNG").default_value().one_of({"grey", "colour"}).value("NAME");
+  command.option("--scale", arguments->scale, "Pixels per dot in the PNG").default_value().range(1, 32);
+  command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--json", arguments->json, "One JSON document instead of the table");
+  command.run([arguments] { return run_stripes(*arguments); });
+}
+
+}  // namespace sightline::app
