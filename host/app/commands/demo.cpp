@@ -9,6 +9,7 @@
 #include "host/app/commands/demo_comparison.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/skala_demo.hpp"
+#include "host/app/commands/stripes_demo.hpp"
 #include "host/app/commands/turn_session.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
@@ -167,11 +168,13 @@ ExitCode run_demo(const DemoArguments& arguments) {
   }
   const std::vector<TurnRow> turns = run_turns();
   const SkalaDemo skala = run_skala_demo(arguments.directory);
+  const std::vector<StripesDemoRow> stripes = run_stripes_demo(arguments.directory);
   const DemoComparison comparison = compare_for_demo();
   if (arguments.json) {
     Json document = document_of(rows, arguments.directory);
     add_turns(document, turns);
     add_skala_demo(document, skala);
+    add_stripes_demo(document, stripes);
     add_demo_comparison(document, comparison);
     // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
     print_json(document);
@@ -179,6 +182,7 @@ ExitCode run_demo(const DemoArguments& arguments) {
     write_stdout(table_of(rows));
     write_stdout("\nA solid turning on the PDP-7, after Plantinga, Seales and Dyer 1990\n" + turn_table(turns));
     write_stdout("\nSkala 1985 on the 8080 with an EF9365 raster board\n" + skala_demo_table(skala) + visibility_line(skala));
+    write_stdout("\nMontani and Re 1985 on the 8080: scenes in stripes\n" + stripes_demo_table(stripes));
     write_stdout("\nBoth compared with their oracles, and the native algorithms beside them\n" +
                  demo_comparison_table(comparison));
     write_stdout(

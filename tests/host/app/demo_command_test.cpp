@@ -24,10 +24,10 @@ TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
     for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "})
       rows += line.starts_with(scene);
   }
-  EXPECT_EQ(rows, 10 + 2 + 5) << "computed with and without the EAE, turned, and compared\n" << ran.out;
+  EXPECT_EQ(rows, 10 + 2 + 3 + 5) << "computed with and without the EAE, turned, in stripes, and compared\n" << ran.out;
   EXPECT_FALSE(has(ran.out, "DIFFERS")) << ran.out;
   for (const char* text : {"Jones 1971 on the PDP-7", "a few seconds", "Skala 1985 on the 8080", "about 2 s",
-                           "about 15 %", "CalComp 565", "A solid turning on the PDP-7"})
+                           "about 15 %", "CalComp 565", "A solid turning on the PDP-7", "scenes in stripes"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
   // of the point.
@@ -60,8 +60,8 @@ TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
     ++pictures;
     EXPECT_GT(entry.file_size(), 1000U) << entry.path();
   }
-  // Five scenes in three ways; eight functions in three ways and one plot in three.
-  EXPECT_EQ(pictures, 5 * 3 + 8 * 3 + 3);
+  // Five scenes in three ways; eight functions in three ways and one plot in three; three scenes in stripes.
+  EXPECT_EQ(pictures, 5 * 3 + 8 * 3 + 3 + 3);
 }
 
 TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
@@ -79,6 +79,8 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   ASSERT_EQ(document.at("skala").size(), 8U);
   for (const json& row : document.at("skala"))
     EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
+  ASSERT_EQ(document.at("stripes").size(), 4U);
+  for (const json& row : document.at("stripes")) EXPECT_GT(row.at("drawing_seconds").get<double>(), 0.1);
   EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
   EXPECT_EQ(document.at("compared").at("agrees"), true);
   EXPECT_EQ(document.at("compared").at("scenes").size(), 5U + 8U);

@@ -1,0 +1,24 @@
+// The part of `sightline demo` that draws scenes in stripes on the 8080: on the raster board, and one of them on the plotter.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/app/commands/stripes_session.hpp"
+#include "host/base/json.hpp"
+
+namespace sightline::app {
+
+struct StripesDemoRow {
+  std::string scene;
+  bool plotter = false;
+  guests::stripes::DrawnScene drawn;
+};
+
+// Writes SCENE-stripes.png into `directory`. Failure as draw_stripes, or io.
+[[nodiscard]] std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory);
+[[nodiscard]] std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows);
+// Adds "stripes".
+void add_stripes_demo(base::Json& document, const std::vector<StripesDemoRow>& rows);
+
+}  // namespace sightline::app
