@@ -38,9 +38,8 @@ enum class Outcome : std::uint8_t { completed, halted, xct_chain, unanswered };
 // The longest chain of XCTs taken for a program; the machine itself would follow a closed chain for ever.
 inline constexpr int longest_xct_chain = 16;
 
-// SKP7 is 703341; no document says what 703361 does. The pulse is taken to be gated by bit 12 (040) alone, as those of ION
-// and CLON are, so that 703361 skips too.
-inline constexpr std::uint32_t skp7_bits = 041;
+// SKP7 is 703341: the pulse, and bit 12. Of 703361, which has bit 13 too, Timing::skip_703361 decides.
+inline constexpr std::uint32_t skp7_bits = 041, skp7_undecided_bit = 020;
 
 namespace detail {
 
@@ -391,6 +390,7 @@ class Execution {
       case 000: return interrupt_system(word);
       case 033:  // SKP7 (this is a PDP-7); subdevice 0 is the teletype's TTS
         if ((word & skp7_bits) != skp7_bits) return 0;
+        if ((word & skp7_undecided_bit) != 0 && !processor_->timing->skip_703361) return 0;
         skip();
         return 01;
       case 077: return processor_->model->extend ? memory_extension(word) : 0;

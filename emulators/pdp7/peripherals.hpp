@@ -100,8 +100,14 @@ class Peripherals {
         punch(timing.punch_line),
         keyboard(timing.teletype_character),
         printer(timing.teletype_character),
+        device_33_each_pulse_(timing.device_33_each_pulse),
         present_(present) {
-    if (present.disk) disk.emplace(timing.disk_word, core_mask);
+    if (!present.disk) return;
+    disk.emplace(rb09::Choices{.word = timing.disk_word,
+                               .clear_stops = timing.disk_clear_stops,
+                               .late_stops = timing.disk_late_stops,
+                               .after_last = timing.disk_after_last},
+                 core_mask);
   }
 
   // The pulses of one IOT at `now`. `elsewhere` is what devices outside this class add to IORS.
@@ -248,14 +254,10 @@ class Peripherals {
     reply.answered |= word & 06U;
   }
 
-  // Codes of device 33 with several pulses, such as 703317: each pulse does what it does alone, in the order 1, 2, 4, as
-  // with every other device here (TTS, then CAF; pulse 4 is nobody's). No document says so of this device.
-  static constexpr bool device_33_obeys_each_pulse = true;
-
   // TTS 703301 (skips if there is a teletype), CAF 703302.
   void control_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
     const std::uint32_t pulses = word & 07U;
-    if (!device_33_obeys_each_pulse && (pulses & (pulses - 1)) != 0) return;
+    if (!device_33_each_pulse_ && (pulses & (pulses - 1)) != 0) return;
     if ((word & subdevice) == 0) test(word, present_.teletype, reply);
     if ((word & 02U) != 0) clear(now);
     reply.answered |= word & 02U;
@@ -267,6 +269,7 @@ class Peripherals {
            (clock.flag() ? status::clock : 0U) | (clock.on() ? status::clock_on : 0U);
   }
 
+  bool device_33_each_pulse_;  // Timing
   Devices present_;
 };
 

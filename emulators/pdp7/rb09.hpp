@@ -9,7 +9,7 @@
 // beside the image, sector by sector: the image is never changed, and a snapshot holds only what differs.
 //
 // No manual of the RB09 is at hand. Registers, codes and the status word are as an open simulator of the
-// PDP-7 has them and as a kernel of 1970 uses them; what neither tells is a named constant below.
+// PDP-7 has them and as a kernel of 1970 uses them; what neither tells is in Timing.
 #pragma once
 
 #include <algorithm>
@@ -51,13 +51,13 @@ inline constexpr std::uint32_t clear_flags = 001, skip = 021, clear_status = 041
                                load_core = 042, load_address = 004, load_count = 024, load_status = 044;
 }
 
-// DBCS stops a transfer under way: unknown (the simulator lets it go on); a program that clears the status
-// expects no more words in core.
-inline constexpr bool clearing_status_stops = true;
-// A timing error ends the transfer: unknown; what would follow is lost anyway.
-inline constexpr bool timing_error_stops = true;
-// The last word of the disk is followed by the first: unknown (the simulator's test is off by one).
-inline constexpr std::uint32_t after_the_last_word = 0;
+// What neither tells, as Timing explains.
+struct Choices {
+  core::Duration word{};         // the time of a word under the head
+  bool clear_stops = true;       // DBCS
+  bool late_stops = true;        // a timing error
+  std::uint32_t after_last = 0;  // the address behind the last word of the disk
+};
 
 struct Counters {
   std::uint64_t transfers = 0;  // begun
@@ -86,8 +86,8 @@ class Rb09 {
  public:
   using Word = core::Word18;
 
-  // `word`: the time of a word under the head. `core_mask`: where the core address wraps.
-  explicit Rb09(core::Duration word, Address core_mask = in_bank_mask) : word_(word), core_mask_(core_mask) {}
+  // `core_mask`: where the core address wraps.
+  explicit Rb09(const rb09::Choices& choices, Address core_mask = in_bank_mask) : choices_(choices), core_mask_(core_mask) {}
 
   // A disk of words_of_disk words in address order; its number tells snapshots whether it is the same. A locked track
   // cannot be written.
@@ -138,10 +138,10 @@ class Rb09 {
   // longer.
   [[nodiscard]] std::optional<Request> request(core::Instant now) {
     if (now < next_) return std::nullopt;
-    if (now > next_ + word_) {
+    if (now > next_ + choices_.word) {
       ++counters_.timing_errors;
       status_ |= rb09::status::timing;
-      if (rb09::timing_error_stops) {
+      if (choices_.late_stops) {
         stop();
         return std::nullopt;
       }
@@ -162,10 +162,10 @@ class Rb09 {
     } else {
       ++counters_.words_read;
     }
-    address_ = address_ + 1 == rb09::words_of_disk ? rb09::after_the_last_word : address_ + 1;
+    address_ = address_ + 1 == rb09::words_of_disk ? choices_.after_last : address_ + 1;
     core_ = (core_ + 1) & core_mask_;
     count_ = (count_ + 1) & count_mask;
-    next_ += word_;
+    next_ += choices_.word;
     if (count_ != 0) return;
     stop();
     status_ |= rb09::status::done;
@@ -242,7 +242,7 @@ class Rb09 {
         if ((status_ & (status::errors | status::done)) != 0) reply.skip = true;
         break;
       case rb09::operation::clear_status:
-        if (rb09::clearing_status_stops) stop();
+        if (choices_.clear_stops) stop();
         status_ = 0;
         break;
       case rb09::operation::read_address: collect(rb09::bcd_of_address(address_)); break;
@@ -279,8 +279,8 @@ class Rb09 {
       return;
     }
     // The word passes once a turn; the disk turns from instant zero.
-    const std::int64_t turn = word_.count() * rb09::words_a_track;
-    const std::int64_t place = word_.count() * (address_ % rb09::words_a_track);
+    const std::int64_t turn = choices_.word.count() * rb09::words_a_track;
+    const std::int64_t place = choices_.word.count() * (address_ % rb09::words_a_track);
     const std::int64_t since = now.time_since_epoch().count() - place;
     next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
   }
@@ -293,7 +293,7 @@ class Rb09 {
     next_ = core::never;
   }
 
-  core::Duration word_;
+  rb09::Choices choices_;
   Address core_mask_;
   std::vector<Word> image_;  // empty: no disk in the drive
   std::uint32_t number_ = 0;

@@ -1,4 +1,4 @@
-// The times of a PDP-7 that no available document specifies, each with its status.
+// The times of a PDP-7 that no available document specifies, each with its status, and what else of it none settles.
 //
 // Everything that is a whole number of core cycles follows from the bus verbs of cpu.hpp and is not here.
 // Status: confirmed (a DEC document), memory (figures remembered from the 1965 users handbook, not verified),
@@ -43,6 +43,20 @@ struct Timing {
 
   // A word of the RB09 under its head. Unknown; sheets of the time give 17 ms of average access, half a turn.
   core::Duration disk_word{6'600};
+  // DBCS stops a transfer under way: unknown (the simulator lets it go on); a program that clears the status
+  // expects no more words in core.
+  bool disk_clear_stops = true;
+  // A timing error ends the transfer: unknown; what would follow is lost anyway.
+  bool disk_late_stops = true;
+  // The word behind the last one of the disk: unknown, taken to be the first (the simulator's test is off by one).
+  std::uint32_t disk_after_last = 0;
+
+  // 703361 skips as SKP7, 703341, does: unknown; the pulse is taken to be gated by bit 12 (040) alone, as those of ION and
+  // CLON are.
+  bool skip_703361 = true;
+  // Codes of device 33 with several pulses, such as 703317: each pulse does what it does alone, in the order 1, 2, 4, as
+  // with every other device here (TTS, then CAF; pulse 4 is nobody's). Unknown; if not, such a code does nothing.
+  bool device_33_each_pulse = true;
 
   friend constexpr bool operator==(const Timing&, const Timing&) = default;
 };

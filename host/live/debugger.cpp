@@ -19,6 +19,13 @@ using guests::run::Machine;
 using guests::run::Probe;
 using guests::run::Stop;
 
+namespace {
+
+// Of emulated time: a program that has nothing to do but wait for a key has shown so by then.
+constexpr std::int64_t patience_seconds = 60;
+
+}  // namespace
+
 Debugger::Debugger(const guests::run::MachineDescription& description, Machine& machine, const Limits& limits,
                    Symbols symbols, RunHost host)
     : description_(description),
@@ -200,16 +207,19 @@ base::Result<std::uint32_t> Debugger::address_of(std::string_view expression) co
 // --- Changes ---
 
 void Debugger::put(std::uint32_t at, std::uint32_t word) {
+  inside_.reset();
   machine_.put(at, word);
   past_.changed();
 }
 
 void Debugger::set(std::size_t register_number, std::uint32_t value) {
+  inside_.reset();
   machine_.set(register_number, value);
   past_.changed();
 }
 
 void Debugger::start(std::uint32_t at) {
+  inside_.reset();
   machine_.start(at);
   past_.changed();
 }
@@ -305,6 +315,7 @@ Stop Debugger::run_by_instructions(const Limits& limits, const std::string& cond
 }
 
 Halted Debugger::run(const Goal& goal) {
+  inside_.reset();
   Limits limits = limits_;
   const std::uint64_t begun = machine_.instructions();
   if (goal.instructions < limits.instructions - std::min(begun, limits.instructions))
@@ -320,6 +331,8 @@ Halted Debugger::run(const Goal& goal) {
     for (const std::uint32_t at : *places) probe.mark(at, Probe::is_written);
   probe.resume();
   std::optional<Reason> reason;
+  const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
+  std::int64_t answered_at = machine_.ticks();  // when the program was last not asking for a key that nobody will type
   Stop stop{guests::run::stopped_by_probe, {}};
   while (!reason && stop.name == guests::run::stopped_by_probe) {
     type_next();
@@ -335,6 +348,13 @@ Halted Debugger::run(const Goal& goal) {
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
     const bool key_due = stop.name == end_of_input && !keys_.empty();
     if (part_done || key_due) stop = {guests::run::stopped_by_probe, {}};
+    const bool in_vain = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
+    if (!in_vain) answered_at = machine_.ticks();
+    if (stop.name == guests::run::stopped_by_probe && machine_.ticks() - answered_at >= patience_seconds * machine_.ticks_a_second()) {
+      stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
+                                        "`run for TIME` runs on without",
+                                        patience_seconds)};
+    }
     if (stop.name == guests::run::stopped_by_probe && host_.interrupted()) stop = {guests::run::interrupted, {}};
     if (!by_instructions) {
       if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
@@ -361,6 +381,21 @@ Halted Debugger::run(const Goal& goal) {
   std::string text = "stopped by " + name;
   if (!stop.complaint.empty()) text += "\n" + stop.complaint;
   return {Halted::Why::machine, 0, text, stop};
+}
+
+base::Result<Debugger::Cycled> Debugger::run_cycles(std::int64_t ticks) {
+  const std::int64_t from = inside_ && inside_->boundary == machine_.ticks() ? inside_->at : machine_.ticks();
+  const std::int64_t at = from + std::min(ticks, std::numeric_limits<std::int64_t>::max() - from);
+  const std::uint64_t begun = machine_.instructions();
+  Cycled cycled{run({.until = at}), machine_.ticks()};
+  const bool came = cycled.halted.why == Halted::Why::goal && cycled.halted.stop.at_until;
+  if (!came || machine_.ticks() <= at || machine_.instructions() == begun) return cycled;
+  auto cycles = past_.go_back_into_instruction();
+  if (!cycles) return cycles.error();
+  inside_ = {machine_.ticks(), at};
+  cycled.at = at;
+  cycled.cycles = std::move(*cycles);
+  return cycled;
 }
 
 std::uint32_t Debugger::behind(std::uint32_t at, std::uint32_t words) const {
@@ -410,6 +445,7 @@ base::Result<Halted> Debugger::step_out() {
 // --- The past ---
 
 base::Result<Done> Debugger::back(std::uint64_t instructions) {
+  inside_.reset();
   const std::uint64_t reach = past_.reach();
   if (instructions > reach) {
     return base::fail(fmt::format("found {} instructions, expected at most {}: the past reaches no further", instructions,
@@ -468,6 +504,7 @@ guests::run::Bytes Debugger::save() {
 
 base::Result<Done> Debugger::restore(std::span<const std::uint8_t> snapshot, const std::string& file) {
   auto done = restore_snapshot(description_.name, machine_, snapshot, file);
+  inside_.reset();
   if (done) past_.forget();
   return done;
 }

@@ -33,6 +33,8 @@ struct RunHost {
   std::function<bool()> interrupted;
   // What the program has printed, outside `run`.
   std::function<void(std::string_view)> print;
+  // Keys come from send() alone: a run without a goal ends when the program has long asked for one in vain.
+  bool nobody_types = false;
 };
 
 // Where a run is to stop, besides breakpoints and the limits of the machine.
@@ -128,6 +130,14 @@ class Debugger {
   // --- Running ---
 
   [[nodiscard]] Halted run(const Goal& goal);
+  // So many of the machine's ticks on, into the middle of an instruction if they end there. The machine is then where that instruction
+  // begins, which any other run goes on from, and the cycles of the instruction tell where it is; the next such run counts on from there.
+  struct Cycled {
+    Halted halted;
+    std::int64_t at = 0;                    // in the machine's unit: where it is
+    std::vector<Past::Cycle> cycles = {};  // of that instruction; none: at a boundary
+  };
+  [[nodiscard]] base::Result<Cycled> run_cycles(std::int64_t ticks);
   // Over one instruction; a subroutine that it calls runs to its return.
   [[nodiscard]] Halted step_over();
   // To the return from the subroutine that was called last.
@@ -187,6 +197,12 @@ class Debugger {
   std::string printed_;
   std::string keys_;
   KeyCodes key_codes_;
+  // Where run_cycles() has come to, if nothing has happened since.
+  struct Inside {
+    std::int64_t boundary;
+    std::int64_t at;
+  };
+  std::optional<Inside> inside_;
   Names names_;
   std::map<std::string, std::optional<Expression>, std::less<>> conditions_;  // by their texts
   Breakpoints::Condition holds_;

@@ -144,6 +144,11 @@ class Monitor::Inside {
   }
 
   Answer answer_of(const Halted& halted) const;
+  // So many cycles, in the machine's unit.
+  [[nodiscard]] std::int64_t cycles_of(std::string_view text) const {
+    constexpr std::uint64_t most = std::uint64_t{1} << 40;
+    return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count_of(text), most)) * description_.ticks_a_cycle;
+  }
   Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
   // Before a medium is taken out of its device.
@@ -229,7 +234,7 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
       Verb{"step", 1, "[N]", "obey N instructions (1) and show where the machine is", &Inside::step},
       Verb{"next", 1, "", "one instruction; a subroutine that it calls runs to its return", &Inside::over},
       Verb{"out", 1, "", "run on to the return from the subroutine called last", &Inside::out},
-      Verb{"cycle", 2, "[N]", "run to the first boundary N memory cycles or T-states on (1)", &Inside::cycle},
+      Verb{"cycle", 2, "[N]", "run N memory cycles or T-states (1), and show those of an instruction that is under way then", &Inside::cycle},
       Verb{"continue", 1, "", "run on from where the machine is", &Inside::resume},
       Verb{"go", 1, "[ADDRESS]", "press START at the address, or run on", &Inside::go},
       Verb{"run", 2, "[until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions]",
@@ -578,10 +583,21 @@ Answer Monitor::Inside::out(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::cycle(std::string_view arguments) {
-  const std::uint64_t n = arguments.empty() ? 1 : count_of(arguments);
-  constexpr std::uint64_t most = std::uint64_t{1} << 40;
-  return run({.until = machine_.ticks() +
-                       static_cast<std::int64_t>(std::min(n, most)) * description_.ticks_a_cycle});
+  const Debugger::Cycled cycled = take(debugger_.run_cycles(cycles_of(arguments)));
+  if (cycled.cycles.empty()) return answer_of(cycled.halted);
+  std::string text = fmt::format("at {}, inside the instruction that begins at {}:\n", debugger_.time_text(cycled.at),
+                                 debugger_.time_text(machine_.ticks()));
+  for (std::size_t n = 0; n < cycled.cycles.size(); ++n) {
+    const Past::Cycle& each = cycled.cycles[n];
+    const std::int64_t end = n + 1 < cycled.cycles.size() ? cycled.cycles[n + 1].time : std::max(cycled.at + 1, each.time + each.length);
+    const bool begun = each.time < cycled.at;
+    const std::string_view state = !begun ? "to come" : end <= cycled.at ? "done" : "under way";
+    text += fmt::format("{} {:<9}  {:<14}", debugger_.time_text(each.time), state, each.name);
+    if (each.has_address) text += fmt::format(" {} {}", address(each.address), begun ? word(each.value) : std::string());
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  return {Kind::done, text + "before it: " + debugger_.status()};
 }
 
 Answer Monitor::Inside::resume(std::string_view arguments) {
@@ -622,7 +638,7 @@ Answer Monitor::Inside::run_until(std::string_view arguments) {
   }
   std::string_view unit = rest;
   const std::string_view count = take_part(unit);
-  if (unit == "cycles" || unit == "cycle") return cycle(count);
+  if (unit == "cycles" || unit == "cycle") return run({.until = machine_.ticks() + cycles_of(count)});
   if (unit == "instructions" || unit == "instruction") return run({.instructions = count_of(count)});
   throw Wrong{fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest)};
 }

@@ -91,6 +91,14 @@ void Past::run_again(Boundary end, const std::function<void()>& at_event) {
       break;
     }
   }
+  // CP/M waits for keys at this boundary: a run stops there when it has them, and not before.
+  while (machine_.waits_for_key() && next_key_ < keys.size() && keys[next_key_].time <= machine_.ticks()) {
+    machine_.type(keys[next_key_++].code);
+    static_cast<void>(machine_.run({machine_.instructions()}, false));
+  }
+  // What the host has written behind the last instruction ends no run that is over.
+  if (!probe.events().empty() && at_event) at_event();
+  probe.resume();
   static_cast<void>(machine_.take_printed());
   probe.keys = keys;
 }
@@ -143,6 +151,26 @@ base::Result<std::optional<bool>> Past::go_back_to_event(const std::function<voi
   const auto done = go_back_to(found.value_or(places_.front().instructions));
   if (!done) return done.error();
   return std::optional<bool>(found.has_value());
+}
+
+base::Result<std::vector<Past::Cycle>> Past::go_back_into_instruction() {
+  const Boundary end = here();
+  const std::vector<Probe::Key> typed = machine_.probe()->keys;
+  if (const auto done = go_back_to(end.instructions - 1); !done) return done.error();
+  Probe& probe = *machine_.probe();
+  // Those typed at the boundary it begins at, which a run that comes to it has not typed yet.
+  for (std::size_t n = probe.keys.size(); n < typed.size() && typed[n].time <= machine_.ticks(); ++n) machine_.type(typed[n].code);
+  std::vector<Cycle> cycles;
+  const guests::run::Bytes present = save_snapshot(name_, machine_);
+  const Probe kept = std::exchange(probe, probe.empty());
+  probe.on_instruction = [](const Entry&) {};
+  probe.on_cycle = [&cycles](const Cycle& cycle) { cycles.push_back(cycle); };
+  next_key_ = kept.keys.size();
+  probe.keys = kept.keys;
+  run_again(end);
+  static_cast<void>(restore_snapshot(name_, machine_, present, "snapshot"));
+  probe = kept;
+  return cycles;
 }
 
 std::vector<Past::Entry> Past::history(std::size_t n) {

@@ -45,6 +45,10 @@ class Past {
   [[nodiscard]] base::Result<std::optional<bool>> go_back_to_event(const std::function<void(guests::run::Probe&)>& mark,
                                                                    const std::function<bool()>& interrupted);
 
+  using Cycle = guests::run::Probe::Cycle;
+  // To the boundary before the last instruction; the cycles from there to here.
+  [[nodiscard]] base::Result<std::vector<Cycle>> go_back_into_instruction();
+
   using Entry = guests::run::Probe::Entry;
   // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been
   // printed is taken before, or it is lost.

@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto words = run::read_disk_image(input);
   require(words.has_value() == good);
   if (words) {
-    pdp7::Rb09 disk{core::Duration(6600)};
+    pdp7::Rb09 disk{pdp7::rb09::Choices{.word = core::Duration(6600)}};
     disk.attach(std::move(*words), 1, 0);
     require(run::disk_image(disk) == bytes);
   } else {

@@ -248,6 +248,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
   };
+  host.running.nobody_types = !terminal;
   host.running.interrupted = [] { return base::InterruptKey::pressed(); };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
   host.speed = [&](const std::string& text) -> guests::run::Result<base::Done> {

@@ -552,6 +552,10 @@ class I8080Listener {
   void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
     if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
+    if (probe_.on_cycle) {
+      const std::int64_t least = (cycle.status & status::first) != 0 ? 4 : 3;
+      probe_.on_cycle({core::t_states_of(cycle.time), least, name_of(cycle.status), true, cycle.address, cycle.data});
+    }
     constexpr i8080::Status not_memory = status::first | status::halt | status::input | status::output;
     if ((cycle.status & not_memory) != 0 || cycle.operand) return;
     entry_.has_address = true;
@@ -560,6 +564,18 @@ class I8080Listener {
   }
 
  private:
+  static std::string_view name_of(i8080::Status cycle) {
+    namespace status = i8080::status;
+    if ((cycle & status::acknowledge) != 0) return "acknowledge";
+    if ((cycle & status::first) != 0) return "fetch";
+    if ((cycle & status::halt) != 0) return "halt";
+    if ((cycle & status::input) != 0) return "input";
+    if ((cycle & status::output) != 0) return "output";
+    const bool reads = (cycle & status::read) != 0;
+    if ((cycle & status::stack) != 0) return reads ? "stack read" : "stack write";
+    return reads ? "read" : "write";
+  }
+
   Probe& probe_;
   I8080Watcher watcher_;
   Probe::Entry entry_;

@@ -327,6 +327,7 @@ class Listener {
   }
   [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
     if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
+    if (probe_.on_cycle) tell(cycle);
     const bool uses = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify || cycle.verb == pdp7::Verb::write;
     if (!uses) return;
     entry_.has_address = true;
@@ -335,6 +336,13 @@ class Listener {
   }
 
  private:
+  void tell(const pdp7::Cycle& cycle) {
+    constexpr std::array names{"fetch", "read", "write", "read and write", "interrupt", "iot", "EAE", "break, read", "break, write", "clock tick"};
+    const bool has_address = cycle.verb != pdp7::Verb::idle && cycle.verb != pdp7::Verb::iot;
+    probe_.on_cycle({core::nanoseconds_of(cycle.time), cycle.length.count(), names[static_cast<std::size_t>(cycle.verb)], has_address,
+                     cycle.address, cycle.data.value()});
+  }
+
   Probe& probe_;
   Watcher watcher_;
   Probe::Entry entry_;

@@ -19,7 +19,7 @@ namespace sightline::guests::run {
 
 namespace {
 
-// --- Times that --timing sets ---
+// --- Times that --timing sets, and choices ---
 //
 // emulators/pdp7/timing.hpp tells the status of each. Bounds keep a run sensible, not realistic: a clock tick
 // takes less than the clock's period, and the sum of the times of any run that a host lives to see stays
@@ -46,15 +46,26 @@ constexpr TimingName time_named(std::string_view name, std::int64_t least, std::
 }
 
 template <auto Member>
-constexpr TimingName number_named(std::string_view name, std::string_view unit, std::int64_t most) {
+constexpr TimingName number_named(std::string_view name, std::string_view unit, std::int64_t least, std::int64_t most) {
   return {name,
           unit,
-          1,
+          least,
           most,
           [](const pdp7::Timing& t, std::size_t) { return static_cast<std::int64_t>(t.*Member); },
           [](pdp7::Timing& t, std::size_t, std::int64_t value) {
             t.*Member = static_cast<std::remove_reference_t<decltype(t.*Member)>>(value);
           }};
+}
+
+// A question that is answered with yes or no.
+template <bool pdp7::Timing::*Member>
+constexpr TimingName choice_named(std::string_view name) {
+  return {name,
+          "yes/no",
+          0,
+          1,
+          [](const pdp7::Timing& t, std::size_t) { return std::int64_t{t.*Member ? 1 : 0}; },
+          [](pdp7::Timing& t, std::size_t, std::int64_t value) { t.*Member = value != 0; }};
 }
 
 constexpr std::string_view stretch_prefix = "iot_stretch.";
@@ -69,13 +80,18 @@ constexpr std::array timing_names{
     time_named<&Timing::eae_normalize_step>("eae_normalize_step", 0, longest_step),
     time_named<&Timing::eae_multiply_step>("eae_multiply_step", 0, longest_step),
     time_named<&Timing::eae_divide_step>("eae_divide_step", 0, longest_step),
-    number_named<&Timing::interrupt_cycles>("interrupt_cycles", "cycles", 100),
-    number_named<&Timing::clock_tick_cycles>("clock_tick_cycles", "cycles", 100),
-    number_named<&Timing::clock_hertz>("clock_hertz", "Hz", 400),
+    number_named<&Timing::interrupt_cycles>("interrupt_cycles", "cycles", 1, 100),
+    number_named<&Timing::clock_tick_cycles>("clock_tick_cycles", "cycles", 1, 100),
+    number_named<&Timing::clock_hertz>("clock_hertz", "Hz", 1, 400),
     time_named<&Timing::reader_line>("reader_line", 1, longest_line),
     time_named<&Timing::punch_line>("punch_line", 1, longest_line),
     time_named<&Timing::teletype_character>("teletype_character", 1, longest_line),
+    choice_named<&Timing::skip_703361>("skip_703361"),
+    choice_named<&Timing::device_33_each_pulse>("device_33_each_pulse"),
     time_named<&Timing::disk_word>("disk_word", 1, longest_stretch),
+    choice_named<&Timing::disk_clear_stops>("disk_clear_stops"),
+    choice_named<&Timing::disk_late_stops>("disk_late_stops"),
+    number_named<&Timing::disk_after_last>("disk_after_last", "word", 0, pdp7::rb09::words_of_disk - 1),
     TimingName{"iot_stretch.DD", "ns", 0, longest_stretch,
                [](const Timing& t, std::size_t device) { return t.iot_stretch[device].count(); },
                [](Timing& t, std::size_t device, std::int64_t value) {
@@ -135,7 +151,7 @@ Result<Done> set_timing(const std::vector<std::string>& texts, Pdp7Setup& setup)
 }
 
 std::string timing_help() {
-  std::string text = "\nTimes that --timing sets (unit, default, bounds; DD is a device in octal):\n";
+  std::string text = "\nTimes that --timing sets, and choices (unit, default, bounds; DD is a device in octal; yes is 1, no is 0):\n";
   for (const TimingName& row : timing_names) {
     text += fmt::format("  {:<20} {:<6}  {} ({} to {})\n", row.name, row.unit, row.get(Timing{}, 0),
                         row.least, row.most);
@@ -205,7 +221,7 @@ std::vector<std::string> configuration_of(const machines::Pdp7Options& options) 
   if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
   if (machine.devices.disk) words.emplace_back("--disk");
   for (const TimingName& row : timing_names) {
-    const bool used = row.name != "disk_word" || machine.devices.disk;
+    const bool used = !row.name.starts_with("disk_") || machine.devices.disk;
     if (used && &row != &timing_names.back())
       words.push_back(fmt::format("--timing {}={}", row.name, row.get(machine.timing, 0)));
   }
@@ -375,7 +391,7 @@ std::vector<Option> run_options() {
        "Build into the display: 342 draws characters, 347 calls subroutines",
        {"342", "347"}},
       {text, "--light-pen", "SCRIPT", "A script of where the display's light pen points when"},
-      {list, "--timing", "NAME=VALUE", "Set a time of the machine that no document settles; names below"},
+      {list, "--timing", "NAME=VALUE", "Set a time or a choice of the machine that no document settles; names below"},
       {text, "--reader", "FILE", "The tape in the paper-tape reader"},
       {text, "--disk", "FILE", "The image in the RB09 disk drive; what the program writes is written back after the run"},
       {.kind = flag,

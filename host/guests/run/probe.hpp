@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace sightline::guests::run {
@@ -44,6 +45,16 @@ class Probe {
     bool supplied = false;  // by a device
   };
 
+  // A machine cycle.
+  struct Cycle {
+    std::int64_t time = 0;    // when it began, in the machine's unit
+    std::int64_t length = 0;  // at least
+    std::string_view name = {};
+    bool has_address = false;
+    std::uint32_t address = 0;
+    std::uint32_t value = 0;  // on the bus; with an address only
+  };
+
   // What was typed on the console: the boundary it came at, in the machine's unit, and its code.
   struct Key {
     std::int64_t time;
@@ -73,6 +84,7 @@ class Probe {
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
 
   std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
+  std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
 
   std::vector<Key> keys;  // all, in order
 

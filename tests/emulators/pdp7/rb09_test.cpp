@@ -62,7 +62,13 @@ class Rb09 : public testing::Test {
     return words;
   }
 
-  pdp7::Rb09 disk_{core::Duration(1000)};
+  static pdp7::Rb09 made(const pdp7::rb09::Choices& choices) {
+    pdp7::Rb09 disk{choices};
+    disk.attach(numbered(), 7, 0);
+    return disk;
+  }
+
+  pdp7::Rb09 disk_{pdp7::rb09::Choices{.word = core::Duration(1000)}};
   pdp7::IotReply last_;
 };
 
@@ -124,10 +130,28 @@ TEST_F(Rb09, GoesOnOverSectorsTracksAndTheEndOfTheDisk) {
   EXPECT_EQ(iot(0, dbrd), 1U);
 }
 
+// What no document settles, the other way.
+TEST_F(Rb09, ObeysItsChoices) {
+  disk_ = made({.word = core::Duration(1000), .clear_stops = false});
+  begin(0, 0, 0100, 3, status::busy);
+  iot(1, dbcs);
+  EXPECT_EQ(serve().size(), 3U);
+
+  disk_ = made({.word = core::Duration(1000), .late_stops = false});
+  begin(0, 0, 0100, 3, status::busy);
+  EXPECT_EQ(serve(1001).size(), 3U);
+  EXPECT_EQ(state(), status::error | status::timing | status::done);
+  EXPECT_EQ(disk_.counters().timing_errors, 3U);
+
+  disk_ = made({.word = core::Duration(1000), .after_last = 64});
+  begin(0, 0x1'99'79, 0100, 65, status::busy);
+  EXPECT_EQ(serve()[64].second, 64U);
+}
+
 TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
   begin(0, 0, 017777, 2, status::busy);
   EXPECT_EQ(serve()[1].first, 0U);
-  pdp7::Rb09 extended{core::Duration(1000), pdp7::address_mask};
+  pdp7::Rb09 extended{pdp7::rb09::Choices{.word = core::Duration(1000)}, pdp7::address_mask};
   pdp7::IotReply reply{Word18(0757777)};
   extended.iot(at_nanoseconds(0), dblm, reply);
   EXPECT_EQ(extended.core_address(), 057777U);

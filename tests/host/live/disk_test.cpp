@@ -128,5 +128,31 @@ TEST_F(Disk, ADivideCanMakeAWordLate) {
   EXPECT_NE(late.err.find("timing error"), std::string::npos) << late.err;
 }
 
+// Choices that no document settles: 703361 skips the CMA or does not, 703317 skips it (TTS) or does nothing.
+TEST_F(Disk, ChoicesAreSet) {
+  const auto ac = [this](const std::string& word, const std::vector<std::string>& more) {
+    write("choice.oct", "100:\n750000 " + word + " 740001 740040\n");
+    std::vector<std::string> line{"run", "pdp7", "choice.oct", "--start", "100", "--dump", "dump"};
+    line.insert(line.end(), more.begin(), more.end());
+    const Ran ran = sightline(line);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return read("dump").find("777777") == std::string::npos ? 0 : 1;
+  };
+  EXPECT_EQ(ac("703361", {}), 0);
+  EXPECT_EQ(ac("703361", {"--timing", "skip_703361=0"}), 1);
+  EXPECT_EQ(ac("703341", {"--timing", "skip_703361=0"}), 0);
+  EXPECT_EQ(ac("703317", {}), 0);
+  EXPECT_EQ(ac("703317", {"--timing", "device_33_each_pulse=0"}), 1);
+  EXPECT_EQ(ac("703301", {"--timing", "device_33_each_pulse=0"}), 0);
+  // A snapshot is of a machine with the same choices.
+  ASSERT_EQ(sightline({"run", "pdp7", "boot.rim", "--disk", "disk", "--max-time", "0.1", "--save", "s"}).exit_code, 0);
+  for (const char* const other : {"disk_clear_stops=0", "disk_late_stops=0", "disk_after_last=64", "skip_703361=0"}) {
+    const Ran ran = sightline({"run", "pdp7", "--restore", "s", "--disk", "disk", "--timing", other});
+    EXPECT_EQ(ran.exit_code, 4) << other;
+    EXPECT_NE(ran.err.find(std::string(other).substr(0, 9)), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(sightline({"run", "pdp7", "boot.rim", "--disk", "disk", "--timing", "disk_after_last=1024000"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace sightline::test
