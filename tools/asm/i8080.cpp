@@ -1,6 +1,7 @@
 #include "tools/asm/i8080.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "host/base/result.hpp"
@@ -29,6 +30,19 @@ void enter_defines(I8080Program& program, const I8080Options& options) {
 
 void lay_out(I8080Program& program, const I8080Options& options, std::size_t sources, int& number) {
   std::size_t unknown = 0;
+  program.modules.resize(sources);
+  const auto declares = [](const I8080Module& module) { return module.declares; };
+  if (sources > 1) {
+    I8080Pass(options, program, number, false).run(sources);
+    program.modules_known = std::any_of(program.modules.begin(), program.modules.end(), declares);
+    if (program.modules_known) {
+      program.symbols.clear();
+      program.unknown_equates = 0;
+      enter_defines(program, options);
+    } else {
+      ++number;
+    }
+  }
   do {
     unknown = program.unknown_equates;
     I8080Pass(options, program, number++, false).run(sources);
@@ -47,7 +61,9 @@ std::vector<I8080Symbol> symbols_of(const I8080Program& program) {
                        entry.defined.column});
   }
   std::sort(symbols.begin(), symbols.end(),
-            [](const I8080Symbol& a, const I8080Symbol& b) { return folded(a.name) < folded(b.name); });
+            [](const I8080Symbol& a, const I8080Symbol& b) {
+              return std::tuple(folded(a.name), a.value, a.file, a.line) < std::tuple(folded(b.name), b.value, b.file, b.line);
+            });
   return symbols;
 }
 

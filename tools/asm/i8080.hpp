@@ -28,8 +28,8 @@
 //   4142H. DC adds 80H to the last character.
 // - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
 // - A second byte for one address draws a warning and replaces the first.
-// - END ends the file it is in. Segments (ASEG CSEG DSEG) have one location, and PUBLIC changes nothing; a name that EXTRN
-//   declares is that of another source of the program: there is no linker.
+// - END ends the file it is in. Segments (ASEG CSEG DSEG) have one location. There is no linker: beside other sources, the names of
+//   one that has PUBLIC or EXTRN are its own but for those that it declares.
 // - A label with a colon may have the name of an instruction, a register or an operator between operands; in operands that are
 //   registers it is the register.
 // - An equal definition of a label or EQU, and an IF open at ENDM or END, draw a warning.

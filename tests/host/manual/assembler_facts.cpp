@@ -242,7 +242,8 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"comment", "`.COMMENT *text*`, over any number of lines; any sign will do"},
       {"common", "`COMMON /NAME/`: what follows lies where the first block of the name does, to the next segment"},
       {"segment", "the segment, which goes on where it was left; ORG is of this segment alone"},
-      {"ignored", "nothing: controls of listings, PUBLIC, NAME"},
+      {"ignored", "nothing: controls of listings, NAME"},
+      {"public_", "declares names for other sources of the command; `name::` does, too"},
   };
   const std::string_view begin = "constexpr std::array directives{";
   const auto words = quoted_words(source, begin);

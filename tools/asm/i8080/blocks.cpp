@@ -69,8 +69,12 @@ bool I8080Pass::condition(Directive directive) {
     const auto value = settled("a condition");
     if (!value || !expect_end()) return false;
     const bool odd = (*value & 1U) != 0;
-    if (rules_.if_takes_bit_zero && odd != (*value != 0)) {
-      warning(at, "value " + std::to_string(*value) + " of IF, whose bit 0 alone counts with --dialect intel", "0 or an odd value");
+    if (odd != (*value != 0) && rules_.if_takes_bit_zero) {
+      const std::string dialect(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]);
+      warning(at, "value " + std::to_string(*value) + " of IF, whose bit 0 alone counts with --dialect " + dialect, "0 or an odd value");
+    } else if (odd != (*value != 0) && rules_.dialect == I8080Dialect::common) {
+      warning(at, "value " + std::to_string(*value) + " of IF",
+              "0, an odd value or --dialect, because it is taken for true, and with mac and intel bit 0 alone counts");
     }
     return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
   }
@@ -79,7 +83,7 @@ bool I8080Pass::condition(Directive directive) {
       unexpected("a name");
       return false;
     }
-    const auto found = program_.symbols.find(token_.value);
+    const auto found = program_.symbols.find(scoped(token_.value));
     const bool defined = found != program_.symbols.end() &&
                          (found->second.external || found->second.defined_in_pass == number_ ||
                           (found->second.kind == I8080SymbolKind::define && found->second.value));

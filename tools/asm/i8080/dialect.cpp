@@ -7,7 +7,14 @@ namespace sightline::assembler {
 namespace {
 
 constexpr I8080Rules common{};
-constexpr I8080Rules mac{.dialect = I8080Dialect::mac, .bang_ends_comment = true, .location_moves = true, .significant = 16};
+constexpr I8080Rules mac{.dialect = I8080Dialect::mac,
+                         .bang_ends_comment = true,
+                         .location_moves = true,
+                         .if_takes_bit_zero = true,
+                         .high_is_loosest = true,
+                         .arguments_are_scanned = true,
+                         .empty_string_is_nul = false,
+                         .significant = 16};
 constexpr I8080Rules m80{.dialect = I8080Dialect::m80,
                          .bang_separates = false,
                          .literal = '!',
@@ -46,12 +53,12 @@ constexpr std::array rows{
                       const std::string sign = std::string("`") + rules.literal + "`";
                       return is_common(rules) ? sign + "; a warning at `!`" : sign;
                     },
-                    "MAC; MACRO-80, 2.7.9; Intel, chapter 5, \"Special Macro Operators\""},
+                    "MAC, 8.7; MACRO-80, 2.7.9; Intel, chapter 5, \"Special Macro Operators\""},
     I8080DialectRow{"`$` in a name",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.dollar_in_names ? "a character like others, also the first" : "passed over; not the first";
                     },
-                    "ASM, section 3.2; MACRO-80, 2.3.2"},
+                    "MAC, 2; MACRO-80, 2.3.2"},
     I8080DialectRow{"`$` before a digit",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.dollar_in_names ? "begins a name" : "a hexadecimal number";
@@ -59,15 +66,36 @@ constexpr std::array rows{
                     "of this assembler; MACRO-80, 2.3.2"},
     I8080DialectRow{"`IF` is true",
                     [](const I8080Rules& rules) -> std::string {
-                      return rules.if_takes_bit_zero ? "if bit 0 is 1; a warning if that is not the same as: not 0" : "if not 0";
+                      const std::string warned = "; a warning if that is not the same as: ";
+                      if (is_common(rules)) return "if not 0" + warned + "bit 0 is 1";
+                      return rules.if_takes_bit_zero ? "if bit 0 is 1" + warned + "not 0" : "if not 0";
                     },
-                    "MACRO-80, 2.6.26; Intel"},
+                    "MAC, 4.5; MACRO-80, 2.6.26; Intel"},
+    I8080DialectRow{"`HIGH` and `LOW`",
+                    [](const I8080Rules& rules) -> std::string {
+                      if (is_common(rules)) return "of the next operand; a warning if an operator follows it";
+                      return rules.high_is_loosest ? "of all that follows: `HIGH A+1` is `HIGH (A+1)`" : "of the next operand";
+                    },
+                    "MAC, 3.6; MACRO-80, 2.4.1; Intel, chapter 2, on precedence"},
+    I8080DialectRow{"parameters of a macro in the text of an argument",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.arguments_are_scanned ? "are replaced, too; `^NAME` is not" : "are not replaced";
+                    },
+                    "MAC, 8.7, figures 23 and 25; MACRO-80, 2.7.5"},
+    I8080DialectRow{"`''` in a string of an argument",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.arguments_are_scanned ? "`'` is passed" : "is passed as it is";
+                    },
+                    "MAC, 8.7, figure 25; MACRO-80, 2.7.5"},
+    I8080DialectRow{"`NUL ''`",
+                    [](const I8080Rules& rules) -> std::string { return rules.empty_string_is_nul ? "true" : "false"; },
+                    "MAC, figure 19 (the text beside it says true); of this assembler"},
     I8080DialectRow{"characters of a name that count",
                     [](const I8080Rules& rules) -> std::string {
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "ASM, section 3.2; MACRO-80, 2.3.2; Intel, chapter 2, on labels"},
+                    "MAC, 2; MACRO-80, 2.3.2; Intel, chapter 2, on labels"},
 };
 
 }  // namespace

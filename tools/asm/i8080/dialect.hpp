@@ -4,7 +4,8 @@
 // Without a dialect the common language is read: what means the same in all of them. What does not is taken as stated there, with a
 // warning where another dialect would make other bytes of it.
 //
-// Sources: Digital Research, "CP/M Operating System Manual", chapter 3 on ASM, and the language manual of MAC; Microsoft, "Utility
+// Sources: Digital Research, "CP/M Operating System Manual", chapter 3 on ASM, and "CP/M MAC Macro Assembler: Language Manual and
+// Applications Guide" (1980), whose listings are those of MAC 2.0; Microsoft, "Utility
 // Software Manual", chapter 2 on MACRO-80; Intel, "8080/8085 Assembly Language Programming Manual" (9800301). Rows that name no
 // section rest on how programs of the time were written, not on a page.
 #pragma once
@@ -29,6 +30,10 @@ struct I8080Rules {
   char literal = '^';                  // in macro arguments: the next character is taken as it is
   bool dollar_in_names = false;        // `$` is a character of a name like any other
   bool if_takes_bit_zero = false;      // of the value of IF, not whether it is 0
+  bool high_is_loosest = false;        // HIGH and LOW take all of the expression behind them, else the next operand
+  bool arguments_are_scanned = false;  // what stands for a parameter may have names of others in it, and `^NAME` is none; in a
+                                       // string of an argument two apostrophes become one
+  bool empty_string_is_nul = true;     // NUL '' is true
   std::size_t significant = 0;         // characters of a name; 0: all
 };
 

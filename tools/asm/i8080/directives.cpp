@@ -51,6 +51,7 @@ void I8080Pass::directive(Directive directive, const Head& head) {
     case Directive::include: return include(false);
     case Directive::maclib: return include(true);
     case Directive::external: return externals();
+    case Directive::public_: return publics();
     case Directive::cpu: return processor();
     case Directive::z80:
       return error(head.operation_at, quoted(head.word), "8080 source with Intel's mnemonics");
@@ -219,9 +220,20 @@ void I8080Pass::externals() {
   const auto names = names_list("a name");
   if (!names) return;
   for (const std::string& name : *names) {
+    share(name);
     I8080Entry& entry = program_.symbols[name];
     if (entry.name.empty()) entry.name = name;
     entry.external = true;  // of another source of this program, or never used
+  }
+}
+
+void I8080Pass::publics() {
+  const std::size_t at = token_.column;
+  const auto names = names_list("a name");
+  if (!names) return;
+  for (const std::string& name : *names) {
+    share(name);
+    publics_.push_back({name, place(at), source_});
   }
 }
 

@@ -182,13 +182,23 @@ std::optional<I8080Value> I8080Pass::primary() {
   if (operation == Operator::nul) {
     const I8080Token rest = I8080Lexer(lexer_).next();
     const bool nothing =
-        rest.kind == I8080TokenKind::end || (rest.kind == I8080TokenKind::string && rest.value.empty());
+        rest.kind == I8080TokenKind::end || (rules_.empty_string_is_nul && rest.kind == I8080TokenKind::string && rest.value.empty());
     lexer_ = I8080Lexer();
     advance();
     return I8080Value{nothing ? word_mask : 0U, true, false, false};
   }
   if (operation && (precedence(*operation) < 0 || precedence(*operation) == sum_level)) {
-    return prefix(*operation, *operation == Operator::not_ ? relation_level : tightest_level + 1);
+    const bool takes_byte = *operation == Operator::high || *operation == Operator::low;
+    if (takes_byte && rules_.high_is_loosest) return prefix(*operation, 0);
+    const std::size_t at = token_.column;
+    const std::string written(token_.text);
+    auto value = prefix(*operation, *operation == Operator::not_ ? relation_level : tightest_level + 1);
+    const auto behind = takes_byte && rules_.dialect == I8080Dialect::common ? operation_of_token() : std::nullopt;
+    if (value && behind && precedence(*behind) >= 0) {
+      warning(at, quoted(written) + " before an operator",
+              "parentheses, or --dialect, because it is taken to be of one operand, and in MAC it is of all that follows");
+    }
+    return value;
   }
   if (token_.kind == I8080TokenKind::name && !operation) return name_value();
   unexpected(token_.kind == I8080TokenKind::string ? "one or two characters" : "a value");
@@ -197,13 +207,14 @@ std::optional<I8080Value> I8080Pass::primary() {
 
 // A label may have the name of an instruction, a register or an operator between operands; null: there is none.
 const I8080Entry* I8080Pass::label_of(const std::string& key) const {
-  const auto found = program_.symbols.find(key);
+  const auto found = program_.symbols.find(scoped(key));
   const bool defined = found != program_.symbols.end() && found->second.defined_in_pass != 0;
   return defined ? &found->second : nullptr;
 }
 
 std::optional<I8080Value> I8080Pass::name_value() {
   const I8080Token name = token_;
+  if (name.external) share(name.value);
   const bool is_label = label_of(name.value) != nullptr;
   if (const Word* const found = word(name.value, WordKind::mnemonic); found != nullptr && !is_label) {
     const auto opcode = opcode_value(found->rows);
@@ -212,20 +223,22 @@ std::optional<I8080Value> I8080Pass::name_value() {
   advance();
   if (const Word* const found = word(name.value, WordKind::register_name); found != nullptr && !is_label)
     return I8080Value{found->value, true, false, false};
-  const auto found = program_.symbols.find(name.value);
+  const auto found = program_.symbols.find(scoped(name.value));
   const I8080Entry* const entry = found == program_.symbols.end() ? nullptr : &found->second;
   if (entry != nullptr && entry->value) {
     const bool forward = entry->kind != I8080SymbolKind::define && entry->defined_in_pass != number_;
     return I8080Value{*entry->value, true, forward || entry->forward, entry->pattern};
   }
   if (!final_) return I8080Value{0, false, true, false};
+  const std::string elsewhere = where_else(name.value);
   if (entry != nullptr && entry->external) {
-    error(name.column, "external symbol " + quoted(name.text), "one that a source of this program defines: there is no linker");
+    error(name.column, "external symbol " + quoted(name.text),
+          elsewhere.empty() ? "one that a source of this program defines: there is no linker" : elsewhere);
   } else if (entry != nullptr && entry->defined_in_pass != 0) {
     error(name.column, quoted(name.text) + ", whose own value is not known",
           "an EQU that does not rest on itself");
   } else {
-    error(name.column, "undefined symbol " + quoted(name.text), "one that is defined");
+    error(name.column, "undefined symbol " + quoted(name.text), elsewhere.empty() ? "one that is defined" : elsewhere);
   }
   return std::nullopt;
 }

@@ -97,7 +97,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
     unexpected(expected_for(operand));
     return std::nullopt;
   }
-  if (alone && is_pair(operand) && !program_.symbols.contains(first.value)) {
+  if (alone && is_pair(operand) && !program_.symbols.contains(scoped(first.value))) {
     if (const auto code = code_of_pair_name(first.value)) {
       advance();
       return code;

@@ -181,7 +181,10 @@ I8080Token I8080Lexer::name(std::size_t start) {
   }
   I8080Token token{I8080TokenKind::name, start, text, key_of(text, *rules_)};
   // NAME## is an external of MACRO-80; where it is defined is found like any other name.
-  if (text_.substr(at_).starts_with("##")) at_ += 2;
+  if (text_.substr(at_).starts_with("##")) {
+    token.external = true;
+    at_ += 2;
+  }
   return token;
 }
 

@@ -46,6 +46,7 @@ struct I8080Token {
   std::string value;       // name: folded; string: without quotes; bad: what was expected
   std::uint32_t number = 0;  // 0 to FFFF
   bool wrapped = false;      // the number was larger: FFFF and less is left of it
+  bool external = false;     // of a name: `##` stood behind it
 
   [[nodiscard]] bool is(char sign) const { return kind == I8080TokenKind::sign && text.size() == 1 && text[0] == sign; }
   [[nodiscard]] bool is_sign(std::string_view sign) const { return kind == I8080TokenKind::sign && text == sign; }

@@ -18,7 +18,7 @@ std::size_t end_of_arguments(std::string_view text, std::size_t at, char literal
 class ArgumentSplitter {
  public:
   ArgumentSplitter(std::string_view text, std::size_t at, const I8080Rules& rules)
-      : literal_(rules.literal), text_(text.substr(0, end_of_arguments(text, at, literal_))), at_(skip_blanks(text_, at)) {}
+      : literal_(rules.literal), pairs_are_one_(rules.arguments_are_scanned), text_(text.substr(0, end_of_arguments(text, at, literal_))), at_(skip_blanks(text_, at)) {}
 
   Arguments split() {
     if (at_ >= text_.size()) return {};
@@ -65,6 +65,7 @@ class ArgumentSplitter {
 
   void bracketed(std::string& text) {
     const std::size_t opened = at_++;
+    bool in_string = false;  // counts where pairs of apostrophes do
     for (std::size_t depth = 1; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == '>' && --depth == 0) {
@@ -72,6 +73,16 @@ class ArgumentSplitter {
         return;
       }
       if (c == '<') ++depth;
+      if (c == '\'' && depth == 1 && pairs_are_one_) {
+        const bool again = at_ + 1 < text_.size() && text_[at_ + 1] == '\'';
+        const bool empty = again && !in_string && (at_ + 2 >= text_.size() || text_[at_ + 2] != '\'');
+        if (empty) text += c;
+        if (empty || (again && in_string)) {
+          ++at_;
+        } else {
+          in_string = !in_string;
+        }
+      }
       // Inside inner brackets the sign stays for the macro that gets them.
       if (c == literal_ && at_ + 1 < text_.size()) {
         if (depth > 1) text += c;
@@ -87,8 +98,19 @@ class ArgumentSplitter {
   void string(std::string& text) {
     const std::size_t end = end_of_string(text_, at_);
     const std::size_t length = end == std::string_view::npos ? 1 : end - at_;
-    text += text_.substr(at_, length);
+    const std::string_view written = text_.substr(at_, length);
     at_ += length;
+    if (!pairs_are_one_ || length < 3 || written.front() != '\'') {
+      text += written;
+      return;
+    }
+    // MAC takes one of two apostrophes away at each call; the string stays one with its quotes.
+    text += '\'';
+    for (std::size_t i = 1; i + 1 < length; ++i) {
+      text += written[i];
+      if (written[i] == '\'') ++i;
+    }
+    text += '\'';
   }
 
   void note_bang() {
@@ -96,6 +118,7 @@ class ArgumentSplitter {
   }
 
   char literal_;
+  bool pairs_are_one_;
   std::string_view text_;
   std::size_t at_;
   std::size_t bang_ = std::string_view::npos;
@@ -113,6 +136,9 @@ class Replacer {
       const char c = line_[at_];
       if (quote_ == 0 && c == ';') {
         copy(line_.size());
+      } else if (rules_.arguments_are_scanned && quote_ == 0 && c == rules_.literal && at_ + 1 < line_.size() &&
+                 begins_name(line_[at_ + 1])) {
+        copy(end_of_name(line_, at_ + 1));
       } else if (begins_name(c)) {
         name();
       } else if (continues_name(c)) {
@@ -152,10 +178,20 @@ class Replacer {
     if (found == names_.end()) return copy(end);
     if (joined_before && dropped_ != at_) expansion_.text.pop_back();
     expansion_.origins.emplace_back(expansion_.text.size(), at_);
-    expansion_.text += texts_[static_cast<std::size_t>(found - names_.begin())];
+    expansion_.text += text_for(static_cast<std::size_t>(found - names_.begin()));
     at_ = joined_after ? end + 1 : end;
     if (joined_after) dropped_ = at_;
     expansion_.origins.emplace_back(expansion_.text.size(), at_);
+  }
+
+  // MAC reads what it has put for a name once more, but for the name itself.
+  [[nodiscard]] std::string text_for(std::size_t number) const {
+    if (!rules_.arguments_are_scanned) return texts_[number];
+    std::vector<std::string> others = names_;
+    others[number].clear();
+    const bool none_left = std::all_of(others.begin(), others.end(), [](const std::string& name) { return name.empty(); });
+    if (none_left || texts_[number].size() > longest_line) return texts_[number];
+    return Replacer(texts_[number], others, texts_, rules_).replace().text;
   }
 
   std::string_view line_;

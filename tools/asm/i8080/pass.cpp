@@ -32,6 +32,7 @@ void I8080Pass::run(std::size_t sources) {
   program_.unknown_equates = 0;
   program_.values_moved = false;
   for (std::size_t file = 0; file < sources && !stopped_; ++file) {
+    source_ = file;
     radix_ = 10;
     push(std::make_unique<I8080Frame>(file, program_.files[file].text, rules_));
     while (!frames_.empty() && !stopped_) {
@@ -46,6 +47,7 @@ void I8080Pass::run(std::size_t sources) {
     phase_ = 0;
     enter_segment("cseg");
   }
+  doubt_publics();
 }
 
 // Lines
@@ -101,6 +103,46 @@ void I8080Pass::end_of_frame() {
 
 // Symbols
 
+// No name has a line break.
+std::string I8080Pass::scoped(const std::string& name) const {
+  if (!program_.modules_known) return name;
+  const I8080Module& module = program_.modules[source_];
+  if (!module.declares || module.shared.contains(name)) return name;
+  const auto found = program_.symbols.find(name);
+  const bool defined = found != program_.symbols.end() && found->second.kind == I8080SymbolKind::define && found->second.value;
+  return defined ? name : name + "\n" + std::to_string(source_);
+}
+
+void I8080Pass::share(const std::string& name) {
+  I8080Module& module = program_.modules[source_];
+  module.declares = true;
+  module.shared.insert(name);
+}
+
+// What would let a name that is not known here be that of another source; empty if none has it.
+std::string I8080Pass::where_else(const std::string& name) const {
+  if (!program_.modules_known) return {};
+  const bool declares = program_.modules[source_].declares && !program_.modules[source_].shared.contains(name);
+  const auto of = [&](const I8080Entry& entry) { return program_.files[entry.defined.file].name; };
+  const auto global = program_.symbols.find(name);
+  if (global != program_.symbols.end() && global->second.defined_in_pass != 0)
+    return "EXTRN " + global->second.name + ": " + of(global->second) + " defines it";
+  for (std::size_t source = 0; source < program_.modules.size(); ++source) {
+    const auto found = program_.symbols.find(name + "\n" + std::to_string(source));
+    if (found == program_.symbols.end() || found->second.defined_in_pass == 0) continue;
+    return "PUBLIC " + found->second.name + " in " + of(found->second) + (declares ? ", and EXTRN here" : "");
+  }
+  return {};
+}
+
+void I8080Pass::doubt_publics() {
+  for (const Public& each : publics_) {
+    const auto found = program_.symbols.find(each.name);
+    if (found == program_.symbols.end() || found->second.defined_in_pass != number_)
+      say(Severity::warning, each.at, "public symbol " + quoted(each.name) + " without a definition", "one in this source");
+  }
+}
+
 void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value,
                       bool any_word) {
   const std::string key = key_of(name, rules_);
@@ -109,7 +151,7 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
   if (reserved != nullptr && reserved->kind != WordKind::directive && (!any_word || precedes)) {
     return error(at, quoted(name), "a name that is no register, operator or instruction");
   }
-  I8080Entry& entry = program_.symbols[key];
+  I8080Entry& entry = program_.symbols[scoped(key)];
   if (entry.name.empty()) entry.name = std::string(name);
   if (entry.kind == I8080SymbolKind::define && entry.value) {
     if (kind == I8080SymbolKind::label)

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,10 +37,18 @@ struct I8080Entry {
   bool external = false;
 };
 
+// A source that has PUBLIC or EXTRN (also `name::` and `name##`) beside other sources: its names are its own but for these.
+struct I8080Module {
+  bool declares = false;
+  std::set<std::string> shared;  // folded
+};
+
 // What passes hand on to each other, and at the end the outcome.
 struct I8080Program {
   Vocabulary vocabulary;
-  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name
+  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name; of a module's own names as I8080Pass::scoped()
+  std::vector<I8080Module> modules;                     // of the sources
+  bool modules_known = false;  // the first pass has found which there are; until then names are those of all sources
   std::deque<SourceFile> files;                         // sources, then what was included
   std::map<std::string, std::optional<std::size_t>>
       included;                     // path -> its place in `files`; nothing: cannot be read
@@ -78,6 +87,7 @@ class I8080Pass {
     std::string_view label;
     std::size_t label_at = 0;
     bool colon = false;
+    bool two_colons = false;
     std::string_view word;
     std::string operation;  // folded
     std::size_t operation_at = 0;
@@ -102,6 +112,11 @@ class I8080Pass {
   void begin_row();
   // `any_word`: also one that the language has, but not an operator before its operand.
   void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value, bool any_word = false);
+  // Where a name of the source that is read is among the symbols.
+  [[nodiscard]] std::string scoped(const std::string& name) const;
+  void share(const std::string& name);
+  [[nodiscard]] std::string where_else(const std::string& name) const;
+  void doubt_publics();
   void emit(std::uint8_t byte);
   void end_statement(I8080Frame& frame);
 
@@ -131,6 +146,7 @@ class I8080Pass {
   void include(bool library);
   [[nodiscard]] std::optional<std::size_t> read_included(const std::string& path);
   void externals();
+  void publics();
   void processor();
   void radix();
   void phase(const Head& head);
@@ -228,6 +244,13 @@ class I8080Pass {
   bool said_overlap_ = false;                 // in this statement
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
+  std::size_t source_ = 0;  // that is read, with what it includes
+  struct Public {
+    std::string name;  // folded
+    Position at;
+    std::size_t source;
+  };
+  std::vector<Public> publics_;
   std::size_t lines_ = 0;
   std::size_t locals_ = 0;
   int nesting_ = 0;  // of an expression

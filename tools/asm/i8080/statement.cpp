@@ -114,7 +114,8 @@ std::optional<I8080Pass::Head> I8080Pass::head() {
   };
   if (end > at && next < text.size() && text[next] == ':') {
     result.colon = true;
-    label(next + (next + 1 < text.size() && text[next + 1] == ':' ? 2 : 1));
+    result.two_colons = next + 1 < text.size() && text[next + 1] == ':';
+    label(next + (result.two_colons ? 2 : 1));
     return result;
   }
   const std::string second = key_of(text.substr(next, end_of_name(text, next) - next), rules_);
@@ -140,7 +141,8 @@ bool I8080Pass::is_operation(const std::string& name) const {
 
 // CP/M's ASM does not know the directives that change nothing here: ENTRY LXI H,0 has a label.
 bool I8080Pass::is_label_before(const Word* first, const std::string& second) const {
-  if (first == nullptr || (first->directive != Directive::ignored && first->directive != Directive::title))
+  if (first == nullptr || (first->directive != Directive::ignored && first->directive != Directive::title &&
+                           first->directive != Directive::public_))
     return false;
   if (word(second, WordKind::mnemonic) != nullptr) return true;
   const Word* const data = word(second, WordKind::directive);
@@ -155,6 +157,7 @@ void I8080Pass::execute(const Head& head) {
   const bool names_something =
       is_directive && (known->directive == Directive::equ || known->directive == Directive::set ||
                        known->directive == Directive::macro);
+  if (head.two_colons) share(key_of(head.label, rules_));
   if (!head.label.empty() && !names_something) define_label(head);
   if (macro != macros_.end()) return call(Macro(macro->second), head.operands);
   read_operands(head.operands);

@@ -43,6 +43,7 @@ enum class Directive : std::uint8_t {
   include,
   maclib,
   external,
+  public_,
   cpu,
   z80,
   title,    // TITLE and SUBTTL: what follows is text, whatever it looks like; nothing to do either
@@ -52,7 +53,7 @@ enum class Directive : std::uint8_t {
   comment,
   common,
   segment,  // ASEG CSEG DSEG: one location for all, but a COMMON block ends
-  ignored,  // listing controls, PUBLIC, NAME: nothing to do in one absolute program
+  ignored,  // listing controls, NAME: nothing to do in one absolute program
 };
 
 enum class Operator : std::uint8_t {

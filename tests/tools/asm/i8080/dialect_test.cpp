@@ -95,14 +95,106 @@ TEST(I8080Dialect, StatementsOfALine) {
   }
 }
 
-// Intel: IF looks at the low-order bit. MACRO-80, 2.6.26: true if not 0.
+// MAC, 4.5: "if the least significant bit of the expression is 1"; Intel: the low-order bit. MACRO-80, 2.6.26: true if not 0.
 TEST(I8080Dialect, BitZeroOfIf) {
   const std::string text = " IF 2\n DB 1\n ELSE\n DB 0\n ENDIF\n";
-  EXPECT_EQ(bytes(mac, text), Bytes{1});
+  EXPECT_EQ(bytes(mac, text), Bytes{0});
+  EXPECT_EQ(bytes(common, text), Bytes{1});
+  EXPECT_NE(first_message(common, text).find("warning: found value 2 of IF, expected 0, an odd value or --dialect"), std::string::npos);
+  EXPECT_NE(first_message(mac, text).find("alone counts with --dialect mac"), std::string::npos);
+  EXPECT_EQ(first_message(common, " IF 3\n ENDIF\n IF 0\n ENDIF\n"), "");
   EXPECT_EQ(bytes(m80, text), Bytes{1});
   EXPECT_EQ(bytes(intel, text), Bytes{0});
   EXPECT_NE(first_message(intel, text).find("warning: found value 2 of IF"), std::string::npos);
   EXPECT_EQ(first_message(intel, " IF 0FFFFH\n ENDIF\n IF 0\n ENDIF\n"), "");
+}
+
+// MAC, 3.6: HIGH and LOW are the last in the order of application. MACRO-80, 2.4.1, and Intel, chapter 2: the first.
+TEST(I8080Dialect, WhatHighTakes) {
+  const std::string text = "T EQU 12FFH\n DB HIGH T+1, LOW T OR 100H AND 0FFH, (HIGH T)+1, 1 OR HIGH T\n";
+  EXPECT_EQ(bytes(mac, text), (Bytes{0x13, 0xFF, 0x13, 0x13}));
+  for (const I8080Dialect other : {m80, intel, common}) EXPECT_EQ(bytes(other, text), (Bytes{0x13, 0xFF, 0x13, 0x13}));
+  const std::string apart = "T EQU 12FFH\n DW HIGH T SHL 4, LOW T+1\n";
+  EXPECT_EQ(bytes(mac, apart), (Bytes{0x2F, 0, 0, 0}));  // 12FF SHL 4 is 2FF0; 1300
+  for (const I8080Dialect other : {m80, intel, common}) EXPECT_EQ(bytes(other, apart), (Bytes{0x20, 1, 0, 1}));
+  EXPECT_EQ(messages(assembled(common, apart)).size(), 2U);
+  EXPECT_EQ(messages(assembled(m80, apart)).size(), 0U);
+  EXPECT_EQ(first_message(common, " DB HIGH 1, LOW (2+3), 1+HIGH 2\n"), "");
+}
+
+// --- The listings of MAC 2.0 in its manual ---
+
+// The bytes of DB lines as they are printed there: strings with `'` and numbers.
+Bytes operator+(Bytes bytes, const std::string& text) {
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  return bytes;
+}
+Bytes operator+(Bytes bytes, std::uint8_t byte) {
+  bytes.push_back(byte);
+  return bytes;
+}
+
+// Figure 19; the last line but one is assembled in the listing at 0086, whatever the text beside it says of NUL ''.
+TEST(I8080MacManual, TestsOfEmptyParameters) {
+  const std::string text =
+      " IF NUL\n DB 'true case'\n ELSE\n DB 'false case'\n ENDIF\n"
+      " IF NUL XXX\n DB 'xxx is nul'\n ELSE\n DB 'xxx is not nul'\n ENDIF\n"
+      "NULMAC MACRO A,B,C\n IF NOT NUL A\n DB 'a = &A is not nul'\n ENDIF\n IF NOT NUL B\n DB 'b = &B is not nul'\n ENDIF\n"
+      " IF NOT NUL B&C\n DB 'bc = &B&C is not nul'\n ENDM\n"
+      " NULMAC\n NULMAC XXX\n NULMAC ,XXX\n NULMAC XXX,,YYY\n NULMAC ,,YYY\n NULMAC ,,,\n NULMAC ,'',''\n";
+  const Bytes expected = Bytes{} + "true case" + "xxx is not nul" + "a = XXX is not nul" + "b = XXX is not nul" +
+                         "bc = XXX is not nul" + "a = XXX is not nul" + "bc = YYY is not nul" + "bc = YYY is not nul" +
+                         "b = ' is not nul" + "bc = '' is not nul";
+  ASSERT_EQ(expected.size(), 0xA8U);
+  EXPECT_EQ(bytes(mac, text), expected);
+}
+
+// Figure 23: A, the value of C, is replaced by that of A.
+TEST(I8080MacManual, EvaluationOfParameters) {
+  const std::string text =
+      "MAC1 MACRO A,B,C,D,S\n DB '&A &B &C &D'\n DB S\nA: NOP\n MVI B,1\nC&1: NOP\nL&A&D: NOP\n ENDM\n"
+      "MAC2 MACRO E,F,G,H,S\n DB '&E &F &G &H'\n DB S\n MVI M,H\n MAC1 E,F&M,A,H,S\n ENDM\n"
+      "X EQU 15\n MAC2 I ,, X+L, % X + 1, 'kwote'\n";
+  const Bytes expected = Bytes{} + "I  X+L 16" + "kwote" + 0x36 + 0x10 + "I M I 16" + "kwote" + 0x00 + 0x36 + 0x01 + 0x00 + 0x00;
+  ASSERT_EQ(expected.size(), 0x22U);
+  const auto assembly = assembled(mac, text);
+  EXPECT_EQ(bytes_of(assembly), expected);
+  EXPECT_EQ(assembly.value_of("I"), 0x1D);
+  EXPECT_EQ(assembly.value_of("I1"), 0x20);
+  EXPECT_EQ(assembly.value_of("LI16"), 0x21);
+}
+
+// Figure 24.
+TEST(I8080MacManual, BracketsAreTakenOffOneByOne) {
+  const std::string text =
+      "IRPM1 MACRO X\n IRP Y,X\nY: NOP\n ENDM\n ENDM\n IRPM1 <<ONE,TWO,THREE>>\n"
+      "IRPM2 MACRO X\n IRP Y,<X>\nY: NOP\n ENDM\n ENDM\n IRPM2 <FOUR,FIVE,SIX>\n"
+      "IRPM3 MACRO X1,X2,X3\n IRP Y,<X1,X2,X3>\nY: NOP\n ENDM\n ENDM\n IRPM3 SEVEN,EIGHT,NINE\n"
+      "IRPM4 MACRO X\n IRPM1 X\n ENDM\n IRPM4 <<<TEN,ELEVEN,TWELVE>>>\n";
+  const auto assembly = assembled(mac, text);
+  EXPECT_EQ(bytes_of(assembly), Bytes(12, 0));
+  EXPECT_EQ(assembly.value_of("TWELVE"), 11);
+}
+
+// Figure 25.
+TEST(I8080MacManual, StringsAndEscapesInArguments) {
+  const std::string text =
+      "MAC1 MACRO X,Y\n DB '&X'\n IF NUL Y\n EXITM\n ENDIF\n DB Y\n ENDM\n"
+      " MAC1 <<LEFT SIDE> MIDDLE <RIGHT SIDE>>\n"
+      " MAC1 <>,<'string of pearls',34H>\n"
+      " MAC1 <A QUOTE IS A '', RIGHT?>\n"
+      " MAC1 <>,<'right, but also '''''>\n"
+      " MAC1 ,<'is this ','''''confusing''''', 63>\n"
+      " MAC1 <HERE IS A ^> AND A ^^>\n"
+      "MAC2 MACRO APAR,BPAR\n LOCAL X\nX EQU 10\n DB APAR\n MAC1 ^APAR,BPAR\n ENDM\n"
+      " MAC2 (X+5)*4,'what''''''''s qoing on?'\n";
+  const Bytes expected = Bytes{} + "<LEFT SIDE> MIDDLE <RIGHT SIDE>" + "string of pearls" + 0x34 + "A QUOTE IS A ', RIGHT?" +
+                         "right, but also '" + "is this " + "'confusing'" + 63 + "HERE IS A > AND A ^" + 0x3C + "APAR" +
+                         "what's qoing on?";
+  ASSERT_EQ(expected.size(), 0x93U);
+  EXPECT_EQ(bytes(mac, text), expected);
+  // As before in the other dialects: an apostrophe more at each call.
+  EXPECT_EQ(bytes(m80, "Q MACRO Y\n DB Y\n ENDM\n Q 'a''b'\n"), Bytes{} + "a'b");
 }
 
 TEST(I8080Dialect, LongNamesAreWarnedOf) {
@@ -196,6 +288,45 @@ TEST(I8080Dialect, ExternalsAreFoundInOtherSourcesOfTheCommand) {
   const auto assembly = assemble_i8080(sources);
   EXPECT_TRUE(assembly.ok());
   EXPECT_EQ(bytes_of(assembly), (Bytes{0xCD, 3, 0, 0xC9}));
+}
+
+// MACRO-80, 2.6.10 and 2.6.12; RMAC and Intel, chapter 4: a name is that of its module unless PUBLIC says otherwise.
+TEST(I8080Dialect, NamesOfAModuleAreItsOwn) {
+  const std::vector<SourceFile> sources{
+      {"a.asm", " PUBLIC START,OUT\n EXTRN PUTC\nSTART: CALL PUTC\nLOOP: JMP LOOP\nN EQU 5\nOUT: DB N\n"},
+      {"b.asm", "LOOP: JMP LOOP\nN SET 6\nN SET N+1\nPUTC:: DB N\n LXI H,OUT##\n"},
+      {"c.asm", "LOOP: JMP LOOP\n CALL START\n"}};
+  for (const I8080Dialect dialect : {common, mac, m80, intel}) {
+    I8080Options options;
+    options.dialect = dialect;
+    const auto assembly = assemble_i8080(sources, options);
+    ASSERT_TRUE(assembly.ok()) << messages(assembly)[0];
+    EXPECT_EQ(bytes_of(assembly), (Bytes{0xCD, 10, 0, 0xC3, 3, 0, 5, 0xC3, 7, 0, 7, 0x21, 6, 0, 0xC3, 14, 0, 0xCD, 0, 0}));
+    EXPECT_EQ(assembly.diagnostics.size(), 0U);
+  }
+  // A name of -D is one of all of them.
+  I8080Options options;
+  options.defines.push_back({"N", 9});
+  EXPECT_EQ(bytes_of(assemble_i8080(sources, options))[6], 9);
+}
+
+TEST(I8080Dialect, NamesOfModulesThatDoNotMeet) {
+  const auto first = [](const std::string& a, const std::string& b) {
+    const auto all = messages(assemble_i8080(std::vector<SourceFile>{{"a.asm", a}, {"b.asm", b}}));
+    return all.empty() ? std::string() : all[0];
+  };
+  EXPECT_EQ(first(" EXTRN X\n CALL X\n", " PUBLIC Y\nX: RET\nY: RET\n"),
+            "a.asm:2:7: error: found external symbol 'X', expected PUBLIC X in b.asm");
+  EXPECT_EQ(first(" PUBLIC Y\nY: CALL X\n", " PUBLIC X\nX: RET\n"),
+            "a.asm:2:9: error: found undefined symbol 'X', expected EXTRN X: b.asm defines it");
+  EXPECT_EQ(first(" CALL X\n", " PUBLIC Y\nX: RET\nY: RET\n"),
+            "a.asm:1:7: error: found undefined symbol 'X', expected PUBLIC X in b.asm");
+  EXPECT_EQ(first(" PUBLIC X\nX: RET\n", " PUBLIC X\nX: RET\n"),
+            "b.asm:2:1: error: found a second definition of 'X', expected one, at a.asm:2");
+  EXPECT_EQ(first(" PUBLIC X\n", " NOP\n"), "a.asm:1:9: warning: found public symbol 'x' without a definition, expected one in this source");
+  // Without PUBLIC and EXTRN they are one program, as before.
+  EXPECT_EQ(first("X: RET\n", "X: RET\n"), "b.asm:1:1: error: found a second definition of 'X', expected one, at a.asm:1");
+  EXPECT_EQ(first("X: RET\n", " JMP X\n"), "");
 }
 
 // --- Laws ---
