@@ -139,13 +139,17 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
   if (sources.empty()) return assembly;
   const bool bell = options.dialect == Dialect::bell;
   Pdp7Program program;
-  program.symbols = table_of(options.dialect);
-  enter_permanent_symbols(program.symbols);
-  if (bell) enter_bell_symbols(program.symbols);
-  for (const Define& define : options.defines) {
-    enter(program.symbols, define.name, define.value.value(), Form::plain, SymbolKind::define);
-    program.symbols[define.name].name = define.name;
-  }
+  program.modules.resize(sources.size());
+  const auto begin = [&] {
+    program.symbols = table_of(options.dialect);
+    enter_permanent_symbols(program.symbols);
+    if (bell) enter_bell_symbols(program.symbols);
+    for (const Define& define : options.defines) {
+      enter(program.symbols, define.name, define.value.value(), Form::plain, SymbolKind::define);
+      program.symbols[define.name].name = define.name;
+    }
+  };
+  begin();
   int pass = 0;
   const auto read = [&](bool final = false) {
     if (bell) return BellPass(sources, program, pass, final).run();
@@ -153,6 +157,14 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
   };
   for (auto before = layout(program); ++pass <= most_layout_passes;) {
     read();
+    const bool declares = sources.size() > 1 && std::any_of(program.modules.begin(), program.modules.end(),
+                                                            [](const auto& module) { return module.declares; });
+    if (declares && !program.modules_known) {
+      program.modules_known = true;
+      begin();
+      program.pool_bases.clear();
+      continue;
+    }
     auto after = layout(program);
     if (after == before) break;
     before = std::move(after);

@@ -21,6 +21,17 @@ Symbol& SymbolTable::operator[](std::string_view name) {
   return symbol;
 }
 
+// No name has a line break.
+std::string SymbolTable::own_key(std::string_view name, std::size_t source) const {
+  return key(name) + "\n" + std::to_string(source);
+}
+
+Symbol& SymbolTable::own(std::string_view name, std::size_t source) {
+  Symbol& symbol = symbols_[own_key(name, source)];
+  if (symbol.name.empty()) symbol.name = std::string(name);
+  return symbol;
+}
+
 const Symbol* SymbolTable::find(std::string_view name) const {
   const auto found = symbols_.find(key(name));
   return found == symbols_.end() ? nullptr : &found->second;

@@ -40,6 +40,11 @@ class SymbolTable {
   // Makes an undefined symbol if there is none.
   Symbol& operator[](std::string_view name);
   [[nodiscard]] const Symbol* find(std::string_view name) const;
+  // The same of a name that one source has for itself, beside that of all.
+  Symbol& own(std::string_view name, std::size_t source);
+  [[nodiscard]] std::string own_key(std::string_view name, std::size_t source) const;
+  // By its key, or own key.
+  Symbol& at_key(const std::string& key) { return symbols_[key]; }
   // Cut to the significant characters; in lower case if case does not matter.
   [[nodiscard]] std::string key(std::string_view name) const;
 

@@ -124,7 +124,7 @@ std::optional<Value> Pdp7Pass::symbol() {
   Symbol& found = look_up(name);
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
-    const bool external = program_.externals.contains(program_.symbols.key(name.text));
+    const bool external = program_.externals.contains(program_.symbols.key(name.text)) && !is_own(name.text);
     if (!options_.undefined_are_variables && !external) {  // an external one is reported where it is declared
       error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
@@ -158,7 +158,7 @@ void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
           "a name of its own for a variable");
     return;
   }
-  const std::string key = program_.symbols.key(at.text);
+  const std::string key = is_own(at.text) ? program_.symbols.own_key(at.text, source_) : program_.symbols.key(at.text);
   if (!placed_variables_.contains(key)) pending_variables_.insert(key);
 }
 

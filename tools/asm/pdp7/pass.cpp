@@ -55,6 +55,7 @@ void Pdp7Pass::run() {
 }
 
 void Pdp7Pass::read_file(std::size_t index) {
+  source_ = index;
   lexer_ = Pdp7Lexer(sources_[index].text, index);
   if (options_.first_line_is_title) lexer_.skip_line();
   decimal_ = false;
@@ -250,7 +251,7 @@ void Pdp7Pass::place_literals(const Position& at) {
 
 void Pdp7Pass::place_variables(const Position& at) {
   for (const std::string& key : pending_variables_) {
-    Symbol& symbol = program_.symbols[key];
+    Symbol& symbol = program_.symbols.at_key(key);
     symbol.value = location_;
     symbol.defined_in_pass = number_;
     emit(0, at, symbol.name + ",");
@@ -269,8 +270,17 @@ std::string Pdp7Pass::found_here() const {
   return shown;
 }
 
+// Names of the machine and of -D are those of all sources.
+bool Pdp7Pass::is_own(std::string_view name) {
+  if (!program_.modules_known || !program_.modules[source_].declares) return false;
+  if (program_.modules[source_].shared.contains(program_.symbols.key(name))) return false;
+  const Symbol* const of_all = program_.symbols.find(name);
+  return of_all == nullptr ||
+         (of_all->kind != SymbolKind::permanent && of_all->kind != SymbolKind::define && !of_all->was_permanent);
+}
+
 Symbol& Pdp7Pass::look_up(const Token& name) {
-  Symbol& symbol = program_.symbols[name.text];
+  Symbol& symbol = is_own(name.text) ? program_.symbols.own(name.text, source_) : program_.symbols[name.text];
   if (final_ && (name.text.size() > 6 || symbol.name.size() > 6) &&
       lower_case(name.text) != lower_case(symbol.name) && clashes_.insert(lower_case(name.text)).second) {
     warning(name.at, describe(name) + ", the same symbol as '" + symbol.name + "'",

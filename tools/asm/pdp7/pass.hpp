@@ -40,6 +40,13 @@ struct Pdp7Program {
   std::optional<std::uint32_t> base;
   std::optional<std::uint32_t> start;
   std::set<std::string> externals;  // keys of the names that EXTERNAL declares
+  // A source that has EXTERNAL or INTERNAL beside other sources: its names are its own but for the shared ones.
+  struct Module {
+    bool declares = false;
+    std::set<std::string> shared;  // keys
+  };
+  std::vector<Module> modules;  // of the sources
+  bool modules_known = false;   // the first pass has found them; until then names are those of all
 };
 
 class Pdp7Pass {
@@ -93,6 +100,7 @@ class Pdp7Pass {
   [[nodiscard]] bool at_end_of_statement() const;
   void skip_statement();
   Symbol& look_up(const Token& name);
+  [[nodiscard]] bool is_own(std::string_view name);
   // What stands here, as a message shows it; with the dialect to which it belongs, if that is not this one.
   [[nodiscard]] std::string found_here() const;
   void error(const Position& at, std::string found, std::string expected);
@@ -108,6 +116,7 @@ class Pdp7Pass {
   Arithmetic arithmetic_;
   Pdp7Lexer lexer_{"", 0};
   Token token_;
+  std::size_t source_ = 0;  // that is read
   std::uint32_t location_ = 0;
   bool location_by_origin_ = true;
   bool decimal_ = false;

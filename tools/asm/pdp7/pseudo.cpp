@@ -133,7 +133,7 @@ void Pdp7Pass::next_tape() {
 }
 
 // EXTERNAL and INTERNAL of the FORTRAN assembly system (DIGITAL-7-3-S, appendix 3): names of other tapes, and names for
-// them. The sources are one program here, so any name can be used in all of them; what is declared must be defined.
+// them. The other names of such a source are its own; what is declared must be defined.
 void Pdp7Pass::declare(bool external) {
   if (at_end_of_statement()) error(token_.at, describe(token_), "names");
   for (; !at_end_of_statement(); advance()) {
@@ -145,6 +145,9 @@ void Pdp7Pass::declare(bool external) {
     if (look_up(token_).kind == SymbolKind::permanent)
       error(token_.at, "permanent symbol " + describe(token_), "a name of its own");
     declared_.emplace_back(token_, external);
+    Pdp7Program::Module& module = program_.modules[source_];
+    module.declares = true;
+    module.shared.insert(program_.symbols.key(token_.text));
     if (external) program_.externals.insert(program_.symbols.key(token_.text));
   }
 }

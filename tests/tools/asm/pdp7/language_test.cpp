@@ -281,6 +281,26 @@ TEST(Pdp7Language, PunchMakesNoWord) {
 }
 
 // DIGITAL-7-3-S, appendix 3. All sources are one program, so the declarations only have to be true.
+// DIGITAL-7-3-S, appendix 3: a program unit's names are its own but for those that it declares.
+TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreItsOwn) {
+  const std::vector<SourceFile> sources{{"a", "100/\nexternal sqrt\nloop, jms sqrt\njmp loop\nn=1\nlac n\nlac v#\n"},
+                                        {"b", "internal sqrt\nsqrt, 0\nloop, jmp i sqrt\njmp loop\nn=2\nlac n\nlac v#\n"}};
+  const auto assembly = assemble_pdp7(sources);
+  ASSERT_TRUE(assembly.ok()) << messages(assembly)[0];
+  const auto word = [&assembly](std::uint32_t at) { return assembly.image.words.at(at).value(); };
+  const std::vector<std::uint32_t> expected{0100104, 0600100, 0200001, 0200111, 0, 0620104, 0600105, 0200002, 0200112};
+  for (std::uint32_t n = 0; n < expected.size(); ++n) EXPECT_EQ(word(0100 + n), expected[n]) << n;
+  // Two variables, one for each source.
+  EXPECT_EQ(assembly.image.words.size(), 11U);
+  Options options;
+  options.defines.push_back({"n", core::Word18(7)});
+  const auto defined = assemble_pdp7(sources, options);
+  EXPECT_EQ(defined.image.words.at(0102).value(), 0200007U);
+  EXPECT_EQ(defined.image.words.at(0107).value(), 0200007U);
+  EXPECT_EQ(messages(assemble_pdp7(std::vector<SourceFile>{{"a", "external s\njms s\nlac x\n"}, {"b", "internal s\ns, 0\nx, 5\n"}})),
+            (Texts{"a:3:5: error: found undefined symbol 'x', expected a tag, an assignment, or #x"}));
+}
+
 TEST(Pdp7Language, ExternalAndInternalNames) {
   const std::vector<SourceFile> sources{{"a", "external sqrt, cube\njms sqrt\njms cube\n"},
                                         {"b", "internal sqrt\ninternal cube\nsqrt, 0\ncube=17\n"}};
