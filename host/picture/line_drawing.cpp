@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -172,6 +172,29 @@ bool beyond(const LinePicture& picture, const Projection& projection) {
   });
 }
 
+// Where strokes meet: their ends, 2 n where stroke n begins and 2 n + 1 where it ends, by place, ascending.
+struct Meetings {
+  std::vector<std::uint32_t> ends;
+  std::vector<std::uint32_t> starts;    // of the ends at each place
+  std::vector<std::uint32_t> place_of;  // of each end
+
+  explicit Meetings(const std::vector<Stroke>& strokes) : place_of(2 * strokes.size()) {
+    const auto at = [&strokes](std::uint32_t end) -> const Place& {
+      return end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to;
+    };
+    ends.resize(place_of.size());
+    std::iota(ends.begin(), ends.end(), std::uint32_t{0});
+    std::sort(ends.begin(), ends.end(), [&at](std::uint32_t a, std::uint32_t b) {
+      return at(a) != at(b) ? at(a) < at(b) : a < b;
+    });
+    for (std::uint32_t i = 0; i < ends.size(); ++i) {
+      if (i == 0 || at(ends[i]) != at(ends[i - 1])) starts.push_back(i);
+      place_of[ends[i]] = static_cast<std::uint32_t>(starts.size() - 1);
+    }
+    starts.push_back(static_cast<std::uint32_t>(ends.size()));
+  }
+};
+
 class Pen {
  public:
   Pen(VectorDrawing& drawing, const Window& window) : drawing_(drawing), window_(window) {}
@@ -182,32 +205,26 @@ class Pen {
       if (stroke.to < stroke.from) std::swap(stroke.from, stroke.to);
     std::sort(strokes.begin(), strokes.end());
     strokes.erase(std::unique(strokes.begin(), strokes.end()), strokes.end());
-    std::multimap<Place, std::size_t> at;
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-      at.emplace(strokes[i].from, i);
-      at.emplace(strokes[i].to, i);
-    }
+    const Meetings meetings(strokes);
+    std::vector<std::uint32_t> next(meetings.starts.begin(), meetings.starts.end() - 1);  // of each place
     std::vector<bool> drawn(strokes.size(), false);
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
+    for (std::uint32_t i = 0; i < strokes.size(); ++i) {
       if (drawn[i]) continue;
       drawn[i] = true;
       begin(layer);
       add(strokes[i].from);
-      Place end = strokes[i].to;
-      add(end);
+      add(strokes[i].to);
+      std::uint32_t place = meetings.place_of[2 * i + 1];
       for (bool found = true; found;) {
         found = false;
-        Place after = end;
-        // What is drawn leaves the map, so that nothing is passed twice.
-        for (auto next = at.find(end); next != at.end() && next->first == end && !found;
-             next = at.erase(next)) {
-          const std::size_t n = next->second;
-          if (drawn[n]) continue;
-          drawn[n] = found = true;
-          after = strokes[n].from == end ? strokes[n].to : strokes[n].from;
+        // What is drawn is passed once.
+        while (next[place] < meetings.starts[place + 1] && !found) {
+          const std::uint32_t end = meetings.ends[next[place]++];
+          if (drawn[end / 2]) continue;
+          drawn[end / 2] = found = true;
+          add(end % 2 == 0 ? strokes[end / 2].to : strokes[end / 2].from);
+          place = meetings.place_of[end ^ 1U];
         }
-        end = after;
-        if (found) add(end);
       }
     }
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 #include "host/geometry/integer.hpp"
 #include "host/geometry/predicates.hpp"
+#include "host/scene/model/vertex_pool.hpp"
 
 namespace sightline::picture {
 
@@ -67,8 +67,9 @@ struct Spoke {
 // Spokes of the edges of a picture, ascending by edge. Vertices at the same point count as the first of them.
 class Spokes {
  public:
-  Spokes(const scene::PolyScene& scene, const LinePicture& picture) : scene_(scene), first_at_(scene.vertices.size()) {
-    find_equal_points();
+  Spokes(const scene::PolyScene& scene, const LinePicture& picture)
+      : scene_(scene), first_at_(scene.vertices.size()), drawn_(scene.vertices.size()) {
+    find_equal_points(picture);
     find_edges(picture);
     for (const scene::PolyBody& body : scene.bodies) {
       for (const scene::PolyFace& face : body.faces) add(face);
@@ -86,15 +87,21 @@ class Spokes {
   }
 
  private:
-  void find_equal_points() {
-    std::vector<VertexIndex> order(first_at_.size());
-    std::iota(order.begin(), order.end(), VertexIndex{0});
-    std::sort(order.begin(), order.end(), [this](VertexIndex a, VertexIndex b) {
-      return std::pair(scene_.vertices[a], a) < std::pair(scene_.vertices[b], b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const bool again = i > 0 && scene_.vertices[order[i]] == scene_.vertices[order[i - 1]];
-      first_at_[order[i]] = again ? first_at_[order[i - 1]] : order[i];
+  // Of the vertices, those at the same point as an end of an edge of the picture. Most are at none.
+  void find_equal_points(const LinePicture& picture) {
+    std::vector<scene::PolyPoint> ends;
+    scene::VertexPool<std::int32_t> pool(ends);
+    for (const LinePiece& piece : picture.pieces)
+      for (const VertexIndex v : {piece.edge.from, piece.edge.to}) pool.add(scene_.vertices[v]);
+    constexpr VertexIndex none = ~VertexIndex{0};
+    std::vector<VertexIndex> first(ends.size(), none);
+    for (VertexIndex v = 0; v < first_at_.size(); ++v) {
+      first_at_[v] = v;
+      const auto end = pool.find(scene_.vertices[v]);
+      if (!end) continue;
+      drawn_[v] = true;
+      if (first[*end] == none) first[*end] = v;
+      first_at_[v] = first[*end];
     }
   }
 
@@ -111,7 +118,9 @@ class Spokes {
     for (std::size_t v = 1; v < first_edge_.size(); ++v) first_edge_[v] += first_edge_[v - 1];
   }
 
-  [[nodiscard]] bool is_drawn(const LineEdge& known) const {
+  [[nodiscard]] bool is_drawn(VertexIndex a, VertexIndex b) const {
+    if (!drawn_[a] || !drawn_[b]) return false;
+    const LineEdge known = known_as(a, b);
     const auto begin = edges_.begin() + static_cast<std::ptrdiff_t>(first_edge_[known.from]);
     const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(first_edge_[known.from + 1]);
     return std::find(begin, end, known) != end;
@@ -142,7 +151,7 @@ class Spokes {
 
   [[nodiscard]] bool has_drawn(const std::vector<VertexIndex>& ring) const {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      if (is_drawn(known_as(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]))) return true;
+      if (is_drawn(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
     return false;
   }
 
@@ -153,7 +162,7 @@ class Spokes {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const VertexIndex p = ring[i];
       const VertexIndex q = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if (!is_drawn(known_as(p, q))) continue;
+      if (!is_drawn(p, q)) continue;
       const Vector inward = cross(normal, step(p, q));
       for (const VertexIndex corner : corners) {
         Vector away = step(p, corner);
@@ -168,6 +177,7 @@ class Spokes {
 
   const scene::PolyScene& scene_;
   std::vector<VertexIndex> first_at_;
+  std::vector<bool> drawn_;                 // the vertex is at an end of an edge of the picture
   std::vector<LineEdge> edges_;             // ascending
   std::vector<std::uint32_t> first_edge_;  // of each vertex
   std::vector<Spoke> spokes_;

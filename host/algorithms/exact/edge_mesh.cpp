@@ -10,57 +10,60 @@ namespace {
 using scene::VertexIndex;
 
 // Corners of one ring; sides are filled in when all edges are known.
-void append_ring(const std::vector<VertexIndex>& ring, std::uint32_t first_corner, EdgeMesh& mesh) {
+void append_ring(const std::vector<VertexIndex>& ring, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i], 0, 0});
+    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i] & 0x7fffffffU, 0, 0});
   }
-  const std::size_t count = mesh.corners.size() - first;
-  for (std::size_t i = 0; i < count; ++i) {
-    mesh.corners[first + i].next =
-        static_cast<std::uint32_t>(first + (i + 1 == count ? 0 : i + 1) - first_corner);
-  }
+  if (mesh.corners.size() > first) mesh.corners.back().last_of_ring = 1;
 }
 
 // Twice the area, as a vector: cross products about the first corner, whose partial sums wrap without harm.
-Vector area_of(const EdgeMesh& mesh, std::uint32_t first_corner) {
+Vector area_of(const EdgeMesh& mesh, const Corner* corners, std::uint32_t count) {
   std::array<std::uint64_t, 3> sum{};
-  const geometry::Point3& about = mesh.vertices[mesh.corners[first_corner].vertex];
-  for (std::size_t i = first_corner; i < mesh.corners.size(); ++i) {
-    const Corner& corner = mesh.corners[i];
-    const Vector part =
-        geometry::cross(geometry::difference(mesh.vertices[corner.vertex], about),
-                        geometry::difference(mesh.vertices[mesh.corners[first_corner + corner.next].vertex], about));
+  const geometry::Point3& about = mesh.vertices[corners->vertex];
+  for_sides(corners, count, [&](std::uint32_t i, std::uint32_t next) {
+    const Vector part = geometry::cross(geometry::difference(mesh.vertices[corners[i].vertex], about),
+                                        geometry::difference(mesh.vertices[corners[next].vertex], about));
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += static_cast<std::uint64_t>(part[axis]);
-  }
+  });
   return {static_cast<std::int64_t>(sum[0]), static_cast<std::int64_t>(sum[1]),
           static_cast<std::int64_t>(sum[2])};
 }
 
-void append_face(const scene::PolyFace& given, bool sheet, std::uint32_t surface, EdgeMesh& mesh) {
+// False: it has no sides, and is left out.
+bool append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
-  append_ring(given.outline, first, mesh);
-  for (const auto& hole : given.holes) append_ring(hole, first, mesh);
+  append_ring(given.outline, mesh);
+  for (const auto& hole : given.holes) append_ring(hole, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
-  if (count == 0) return;
-  mesh.faces.push_back({area_of(mesh, first), first, count, surface, sheet});
+  if (count == 0) return false;
+  MeshFace& face = mesh.faces.emplace_back();
+  face.normal = area_of(mesh, mesh.corners.data() + first, count);
+  face.first_corner = first;
+  face.corner_count = count & 0x7fffffffU;
+  face.sheet = sheet ? 1 : 0;
+  return true;
 }
 
-picture::LineEdge side_of(const EdgeMesh& mesh, const MeshFace& face, const Corner& corner) {
-  const VertexIndex a = corner.vertex;
-  const VertexIndex b = mesh.corners[face.first_corner + corner.next].vertex;
-  return {std::min(a, b), std::max(a, b)};
+// visit(corner, edge) for every side of every face.
+template <class Visit>
+void for_all_sides(const EdgeMesh& mesh, Visit visit) {
+  for (const MeshFace& face : mesh.faces) {
+    const Corner* const corners = mesh.corners_of(face);
+    for_sides(corners, face.corner_count, [&](std::uint32_t i, std::uint32_t next) {
+      const VertexIndex a = corners[i].vertex;
+      const VertexIndex b = corners[next].vertex;
+      visit(face.first_corner + i, picture::LineEdge{std::min(a, b), std::max(a, b)});
+    });
+  }
 }
 
 // Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex. Leaves room for
 // the edges of crossings.
 void number_edges(EdgeMesh& mesh, std::size_t crossings) {
   std::vector<std::uint32_t> start(mesh.vertices.size() + 1);
-  for (const MeshFace& face : mesh.faces) {
-    for (std::uint32_t i = 0; i < face.corner_count; ++i) {
-      ++start[side_of(mesh, face, mesh.corners[face.first_corner + i]).from + 1];
-    }
-  }
+  for_all_sides(mesh, [&](std::uint32_t, const picture::LineEdge& edge) { ++start[edge.from + 1]; });
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
   struct Side {
     VertexIndex to = 0;
@@ -68,12 +71,9 @@ void number_edges(EdgeMesh& mesh, std::size_t crossings) {
   };
   std::vector<Side> sides(start.back());
   std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for (const MeshFace& face : mesh.faces) {
-    for (std::uint32_t i = face.first_corner; i < face.first_corner + face.corner_count; ++i) {
-      const picture::LineEdge edge = side_of(mesh, face, mesh.corners[i]);
-      sides[fill[edge.from]++] = {edge.to, i};
-    }
-  }
+  for_all_sides(mesh, [&](std::uint32_t corner, const picture::LineEdge& edge) {
+    sides[fill[edge.from]++] = {edge.to, corner};
+  });
   mesh.edges.reserve(sides.size() / 2 + crossings);
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
     std::sort(sides.data() + start[v], sides.data() + start[v + 1],
@@ -101,10 +101,12 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
   }
   mesh.faces.reserve(faces);
   mesh.corners.reserve(corners);
+  if (!scene.surface_of.empty()) mesh.surfaces.reserve(faces);
   std::size_t number = 0;
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
-      append_face(face, body.sheet, scene.surface_of.empty() ? 0 : scene.surface_of[number], mesh);
+      if (append_face(face, body.sheet, mesh) && !scene.surface_of.empty())
+        mesh.surfaces.push_back(scene.surface_of[number]);
       ++number;
     }
   }

@@ -16,27 +16,41 @@ namespace sightline::algorithms::exact {
 
 using Vector = geometry::Vector3;
 
-// A corner of a face and the side that leaves it.
+// A corner of a face and the side that leaves it: to the next corner, or to the first one of its ring.
 struct Corner {
-  std::uint32_t vertex = 0;
-  std::uint32_t side = 0;  // index of an edge
-  std::uint32_t next = 0;  // the other end of the side, counted from the first corner of the face
+  std::uint32_t vertex : 31;
+  std::uint32_t last_of_ring : 1;
+  std::uint32_t side;  // index of an edge
 };
 
 struct MeshFace {
   Vector normal{};  // outwards
   std::uint32_t first_corner = 0;
-  std::uint32_t corner_count = 0;
-  std::uint32_t surface = 0;  // as PolyScene::surface_of has it
-  bool sheet = false;
+  std::uint32_t corner_count : 31 = 0;
+  std::uint32_t sheet : 1 = 0;
 };
 
+// Corners and faces are most of the memory of a large scene: 8 and 32 bytes each.
 struct EdgeMesh {
   std::vector<geometry::Point3> vertices;
   std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
+  std::vector<std::uint32_t> surfaces;  // of each face, as PolyScene::surface_of has it; empty: 0 for all
+
+  [[nodiscard]] const Corner* corners_of(const MeshFace& face) const { return corners.data() + face.first_corner; }
+  [[nodiscard]] std::uint32_t surface_of(std::uint32_t face) const { return surfaces.empty() ? 0 : surfaces[face]; }
 };
+
+// Calls visit(i, next) for each side of a face: the numbers, from 0, of the corners that it leaves and reaches.
+template <class Visit>
+void for_sides(const Corner* corners, std::uint32_t count, Visit visit) {
+  std::uint32_t first = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    visit(i, corners[i].last_of_ring != 0 ? first : i + 1);
+    if (corners[i].last_of_ring != 0) first = i + 1;
+  }
+}
 
 // The scene is a checked one (precondition). Linear in its size, but for sorting the edges at a vertex.
 [[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene);

@@ -72,8 +72,8 @@ constexpr HiddenInterval beyond(std::int64_t a, std::int64_t b) {
 
 bool EdgeShadow::begin(const picture::LineEdge& edge) {
   edge_ = edge;
-  a_ = vector_of(view_.points[edge.from].at);
-  b_ = vector_of(view_.points[edge.to].at);
+  a_ = vector_of(view_.at(edge.from));
+  b_ = vector_of(view_.at(edge.to));
   split_ = false;
   left_.clear();
   if (!view_.perspective) {
@@ -89,27 +89,26 @@ bool EdgeShadow::begin(const picture::LineEdge& edge) {
   return !geometry::is_zero(plane_.normal);
 }
 
-inline EdgeShadow::Crossing EdgeShadow::crossing(const geometry::Point3& right, const geometry::Point3& left) const {
-  const Vector from = vector_of(right);
-  const Vector to = vector_of(left);
+inline EdgeShadow::Crossing EdgeShadow::crossing(const Vector& right, const Vector& left) const {
   if (view_.perspective) {
-    const Vector normal = cross(from, to);
+    const Vector normal = cross(right, left);
     return {dot(normal, a_), dot(normal, b_)};
   }
-  const Vector normal = cross(view_.forward, minus(to, from));
-  const std::int64_t offset = dot(normal, from);
+  const Vector normal = cross(view_.forward, minus(left, right));
+  const std::int64_t offset = dot(normal, right);
   return {dot(normal, a_) - offset, dot(normal, b_) - offset};
 }
 
 bool EdgeShadow::add(const Occluder& occluder) {
-  const std::int64_t a = occluder.beyond.at(a_);
-  const std::int64_t b = occluder.beyond.at(b_);
-  if (!occluder.few_corners) {
+  const Plane plane = occluder.plane_beyond();
+  const std::int64_t a = plane.at(a_);
+  const std::int64_t b = plane.at(b_);
+  if (occluder.few_corners == 0) {
     if (a <= 0 && b <= 0) return false;
     cast_corners(occluder, beyond(a, b));
   } else {
     // Four corners are compared without a branch; one that is on the plane of the edge is on neither side.
-    const auto side_of = [&](std::size_t i) { return plane_.at(vector_of(occluder.corners[i])); };
+    const auto side_of = [&](std::size_t i) { return plane_.at(occluder.corners[i].unpacked()); };
     const std::array<std::int64_t, 4> sides{side_of(0), side_of(1), side_of(2), side_of(3)};
     const unsigned left = is_negative(-sides[0]) | is_negative(-sides[1]) << 1 | is_negative(-sides[2]) << 2 |
                           is_negative(-sides[3]) << 3;
@@ -134,8 +133,8 @@ void EdgeShadow::cast_four(const Occluder& occluder, const HiddenInterval& beyon
                            bool right) {
   const CrossingSides& sides = crossing_sides[to_left];
   const auto& corners = occluder.corners;
-  const Crossing one = crossing(corners[sides.right[0]], corners[sides.left[0]]);
-  const Crossing other = crossing(corners[sides.right[1]], corners[sides.left[1]]);
+  const Crossing one = crossing(corners[sides.right[0]].unpacked(), corners[sides.left[0]].unpacked());
+  const Crossing other = crossing(corners[sides.right[1]].unpacked(), corners[sides.left[1]].unpacked());
   const bool inside = one.ahead_at_start() != other.ahead_at_start();
   const bool one_changes = one.ahead_at_start() != one.ahead_at_end();
   const bool other_changes = other.ahead_at_start() != other.ahead_at_end();
@@ -155,8 +154,9 @@ void EdgeShadow::cast_corners(const Occluder& occluder, const HiddenInterval& be
   std::int64_t low = 1;
   std::int64_t high = -1;
   bool touches = false;
+  const Corner* const corners = view_.mesh->corners_of(face);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const std::int64_t side = plane_.at(vector_of(view_.points[view_.mesh->corners[face.first_corner + i].vertex].at));
+    const std::int64_t side = plane_.at(vector_of(view_.at(corners[i].vertex)));
     sides_[i] = side;
     low = std::min(low, side);
     high = std::max(high, side);
@@ -175,20 +175,18 @@ void EdgeShadow::cast_corners(const Occluder& occluder, const HiddenInterval& be
 void EdgeShadow::cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left,
                       bool right) {
   const MeshFace& face = view_.mesh->faces[occluder.face];
-  const Corner* const corners = &view_.mesh->corners[face.first_corner];
-  const auto point = [&](std::size_t corner) -> const geometry::Point3& {
-    return view_.points[corners[corner].vertex].at;
-  };
+  const Corner* const corners = view_.mesh->corners_of(face);
   bool inside = false;
   changes_.clear();
-  for (std::size_t i = 0; i < face.corner_count; ++i) {
-    const std::size_t next = corners[i].next;
+  for_sides(corners, face.corner_count, [&](std::uint32_t i, std::uint32_t next) {
     const bool leaves = sides_[i] >= threshold;
-    if (leaves == (sides_[next] >= threshold)) continue;
-    const Crossing side = leaves ? crossing(point(next), point(i)) : crossing(point(i), point(next));
+    if (leaves == (sides_[next] >= threshold)) return;
+    const Vector from = vector_of(view_.at(corners[i].vertex));
+    const Vector to = vector_of(view_.at(corners[next].vertex));
+    const Crossing side = leaves ? crossing(to, from) : crossing(from, to);
     if (side.ahead_at_start()) inside = !inside;
     if (side.ahead_at_start() != side.ahead_at_end()) changes_.push_back(zero_between(side.at_start, side.at_end));
-  }
+  });
   std::sort(changes_.begin(), changes_.end(), less);
   hide_where(inside, changes_, beyond, left, right);
 }

@@ -43,7 +43,7 @@ class EdgeShadow {
   };
 
   // `right` and `left`: the corners of the side, by their side of the plane of the edge.
-  [[nodiscard, gnu::always_inline]] Crossing crossing(const geometry::Point3& right, const geometry::Point3& left) const;
+  [[nodiscard, gnu::always_inline]] Crossing crossing(const Vector& right, const Vector& left) const;
   void cast_corners(const Occluder& occluder, const HiddenInterval& beyond);
   void cast_four(const Occluder& occluder, const HiddenInterval& beyond, unsigned to_left, bool left, bool right);
   void cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left, bool right);

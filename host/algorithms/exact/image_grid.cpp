@@ -12,29 +12,6 @@ constexpr double cells_an_occluder = 0.25;
 constexpr double most_cells_a_side = 1024;
 constexpr std::uint32_t most_entries_an_occluder = 32;  // on average
 
-// The occluders, the nearest first; of equals the first: keys sorted by eleven bits after eleven.
-std::vector<std::uint32_t> by_depth(std::span<const std::uint32_t> depths) {
-  constexpr unsigned digit = 11;
-  struct Key {
-    std::uint32_t depth = 0;
-    std::uint32_t occluder = 0;
-  };
-  std::vector<Key> keys(depths.size());
-  std::vector<Key> sorted(depths.size());
-  for (std::uint32_t i = 0; i < depths.size(); ++i) keys[i] = {depths[i], i};
-  for (unsigned shift = 0; shift < 32; shift += digit) {
-    std::array<std::uint32_t, (1U << digit) + 1> starts{};
-    const auto digit_of = [shift](const Key& key) { return (key.depth >> shift) & ((1U << digit) - 1); };
-    for (const Key& key : keys) ++starts[digit_of(key) + 1];
-    for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-    for (const Key& key : keys) sorted[starts[digit_of(key)]++] = key;
-    keys.swap(sorted);
-  }
-  std::vector<std::uint32_t> order(depths.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keys[i].occluder;
-  return order;
-}
-
 template <class Visit>
 void for_cells(const ImageGrid::Cells& cells, std::uint32_t side, Visit visit) {
   for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row)
@@ -52,14 +29,14 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
   while (side_ > 1 && entries_needed(bounds) > most) side_ /= 2;
   for (std::uint32_t cell = 0; cell < side_; ++cell)
     first_steps_.push_back(static_cast<std::uint16_t>(((cell << 15) + side_ - 1) / side_));
-  const std::vector<std::uint32_t> order = by_depth(depths);
+  sort_by_depth(depths);
   // Each part counts for itself, so that its entries of a cell follow those of the parts before.
   const std::size_t cells = std::size_t{side_} * side_;
   std::vector<std::vector<std::uint32_t>> fill(jobs);
-  base::for_parts(jobs, order.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+  base::for_parts(jobs, order_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     fill[part].assign(cells, 0);
     for (std::size_t i = begin; i < end; ++i)
-      for_cells(cells_of(bounds[order[i]]), side_, [&](std::size_t cell) { ++fill[part][cell]; });
+      for_cells(cells_of(bounds[order_[i]]), side_, [&](std::size_t cell) { ++fill[part][cell]; });
   });
   starts_.resize(cells + 1);
   std::uint32_t next = 0;
@@ -72,16 +49,53 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
     }
   }
   starts_[cells] = next;
-  entries_.resize(next);
-  base::for_parts(jobs, order.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+  bounds_.resize(next);
+  ranks_.resize(next);
+  base::for_parts(jobs, order_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t occluder = order[i];
-      const ImageBounds& box = bounds[occluder];
-      const Entry entry{packed({box.low[0], box.low[1], last_minus(box.high[0]), last_minus(box.high[1])}),
-                        depths[occluder], occluder};
-      for_cells(cells_of(box), side_, [&](std::size_t cell) { entries_[fill[part][cell]++] = entry; });
+      const ImageBounds& box = bounds[order_[i]];
+      const std::uint64_t numbers = packed({box.low[0], box.low[1], last_minus(box.high[0]), last_minus(box.high[1])});
+      for_cells(cells_of(box), side_, [&](std::size_t cell) {
+        const std::uint32_t at = fill[part][cell]++;
+        bounds_[at] = numbers;
+        ranks_[at] = static_cast<std::uint32_t>(i);
+      });
     }
   });
+}
+
+// The nearest first; of equals the first: keys sorted by eleven bits after eleven.
+void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths) {
+  constexpr unsigned digit = 11;
+  struct Key {
+    std::uint32_t depth = 0;
+    std::uint32_t occluder = 0;
+  };
+  std::vector<Key> keys(depths.size());
+  std::vector<Key> sorted(depths.size());
+  for (std::uint32_t i = 0; i < depths.size(); ++i) keys[i] = {depths[i], i};
+  for (unsigned shift = 0; shift < 32; shift += digit) {
+    std::array<std::uint32_t, (1U << digit) + 1> starts{};
+    const auto digit_of = [shift](const Key& key) { return (key.depth >> shift) & ((1U << digit) - 1); };
+    for (const Key& key : keys) ++starts[digit_of(key) + 1];
+    for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+    for (const Key& key : keys) sorted[starts[digit_of(key)]++] = key;
+    keys.swap(sorted);
+  }
+  order_.resize(keys.size());
+  depths_.resize(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    order_[i] = keys[i].occluder;
+    depths_[i] = keys[i].depth;
+  }
+  if (depths_.empty()) return;
+  // About as many buckets as a quarter of the occluders.
+  const std::uint32_t range = depths_.back() - depths_.front();
+  while (range >> bucket_shift_ > depths_.size() / 4) ++bucket_shift_;
+  buckets_.assign((range >> bucket_shift_) + 2, static_cast<std::uint32_t>(depths_.size()));
+  for (std::size_t i = depths_.size(); i-- > 0;)
+    buckets_[(depths_[i] - depths_.front()) >> bucket_shift_] = static_cast<std::uint32_t>(i);
+  for (std::size_t b = buckets_.size() - 1; b-- > 0;) buckets_[b] = std::min(buckets_[b], buckets_[b + 1]);
 }
 
 std::uint64_t ImageGrid::entries_needed(std::span<const ImageBounds> bounds) const {

@@ -2,6 +2,7 @@
 // first.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +20,14 @@ class ImageGrid {
     std::array<std::uint32_t, 2> high{};  // included
   };
 
-  // An occluder in a cell. Its bounds are four numbers of 15 bits, those of the high ends counted from the last step, so
-  // that one subtraction of all four compares them with a rectangle.
-  struct Entry {
-    std::uint64_t bounds = 0;
-    std::uint32_t depth = 0;
-    std::uint32_t occluder = 0;
+  // The occluders of a cell, the nearest first. The bounds of one are four numbers of 15 bits, those of the high ends
+  // counted from the last step, so that one subtraction of all four compares them with a rectangle. Its rank is its place
+  // among all occluders by depth.
+  struct Entries {
+    std::span<const std::uint64_t> bounds;
+    std::span<const std::uint32_t> ranks;
+
+    [[nodiscard]] std::size_t size() const { return ranks.size(); }
   };
 
   // Which entries of a cell may matter for a rectangle.
@@ -42,8 +45,8 @@ class ImageGrid {
     }
     // It touches the rectangle, and this is the first of the cells that both are in, by rows: an occluder passes in
     // one of its cells.
-    [[nodiscard]] bool passes(const Entry& entry) const {
-      return ((around_ - entry.bounds) & ((entry.bounds | guards) - first_) & guards) == guards;
+    [[nodiscard]] bool passes(std::uint64_t entry_bounds) const {
+      return ((around_ - entry_bounds) & ((entry_bounds | guards) - first_) & guards) == guards;
     }
 
    private:
@@ -60,9 +63,20 @@ class ImageGrid {
   [[nodiscard]] Cells cells_of(const ImageBounds& bounds) const {
     return {{cell_of(bounds.low[0]), cell_of(bounds.low[1])}, {cell_of(bounds.high[0]), cell_of(bounds.high[1])}};
   }
-  [[nodiscard]] std::span<const Entry> entries_at(std::uint32_t column, std::uint32_t row) const {
+  [[nodiscard]] Entries entries_at(std::uint32_t column, std::uint32_t row) const {
     const std::size_t cell = std::size_t{row} * side_ + column;
-    return {entries_.data() + starts_[cell], entries_.data() + starts_[cell + 1]};
+    const std::size_t count = starts_[cell + 1] - starts_[cell];
+    return {{bounds_.data() + starts_[cell], count}, {ranks_.data() + starts_[cell], count}};
+  }
+
+  [[nodiscard]] std::uint32_t occluder(std::uint32_t rank) const { return order_[rank]; }
+  // How many occluders have a depth up to this one: those of lower ranks.
+  [[nodiscard]] std::uint32_t count_up_to(std::uint32_t depth) const {
+    if (depths_.empty() || depth < depths_.front()) return 0;
+    const std::size_t bucket = std::min<std::size_t>((depth - depths_.front()) >> bucket_shift_, buckets_.size() - 2);
+    const auto begin = depths_.begin() + buckets_[bucket];
+    const auto end = depths_.begin() + buckets_[bucket + 1];
+    return static_cast<std::uint32_t>(std::upper_bound(begin, end, depth) - depths_.begin());
   }
 
  private:
@@ -76,11 +90,17 @@ class ImageGrid {
   [[nodiscard]] std::uint32_t cell_of(std::uint16_t step) const { return (step * side_) >> 15; }
   [[nodiscard]] std::uint64_t first_step(std::uint32_t cell) const { return first_steps_[cell]; }
   [[nodiscard]] std::uint64_t entries_needed(std::span<const ImageBounds> bounds) const;  // with the cells as they are
+  void sort_by_depth(std::span<const std::uint32_t> depths);
 
   std::uint32_t side_ = 1;
   std::vector<std::uint16_t> first_steps_;  // of each column, and each row
   std::vector<std::uint32_t> starts_;
-  std::vector<Entry> entries_;
+  std::vector<std::uint64_t> bounds_;  // of the entries of all cells
+  std::vector<std::uint32_t> ranks_;
+  std::vector<std::uint32_t> order_;    // the occluder of each rank
+  std::vector<std::uint32_t> depths_;   // of each rank
+  std::vector<std::uint32_t> buckets_;  // where depths begin to be above the first one by a multiple of 2^bucket_shift_
+  unsigned bucket_shift_ = 0;
 };
 
 }  // namespace sightline::algorithms::exact

@@ -71,7 +71,6 @@ void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
     for (std::size_t v = begin; v < end; ++v) {
       ViewPoint& point = view.points[v];
       const Vector p = geometry::difference(vertices[v], camera.eye);
-      for (std::size_t a = 0; a < 3; ++a) point.at[a] = static_cast<std::int32_t>(p[a]);
       const std::int64_t depth = dot(view.forward, p);
       if (view.perspective && depth <= 0) continue;
       point.depth = ascending_key(depth);
@@ -91,25 +90,27 @@ struct FacePart {
 
 void add_occluder(const View& view, std::uint32_t number, const Plane& beyond, FacePart& part) {
   const MeshFace& face = view.mesh->faces[number];
-  const Corner* const corners = &view.mesh->corners[face.first_corner];
+  const Corner* const corners = view.mesh->corners_of(face);
   ImageBounds bounds;
   std::uint32_t nearest = ~0U;
   std::uint32_t farthest = 0;
   bool one_ring = true;
-  for (std::uint32_t i = 0; i < face.corner_count; ++i) {
-    const ViewPoint& point = view.points[corners[i].vertex];
-    view.extend(bounds, point, view.points[corners[corners[i].next].vertex]);
-    nearest = std::min(nearest, point.depth);
-    farthest = std::max(farthest, point.depth);
-    one_ring = one_ring && corners[i].next == (i + 1 == face.corner_count ? 0 : i + 1);
-  }
+  for_sides(corners, face.corner_count, [&](std::uint32_t i, std::uint32_t next) {
+    const std::uint32_t depth = view.points[corners[i].vertex].depth;
+    view.extend(bounds, corners[i].vertex, corners[next].vertex);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+    one_ring = one_ring && next == (i + 1 == face.corner_count ? 0 : i + 1);
+  });
   if (view.perspective && farthest == 0) return;
   Occluder occluder;
-  occluder.beyond = beyond;
-  occluder.face = number;
-  occluder.few_corners = one_ring && (face.corner_count == 3 || face.corner_count == 4);
-  for (std::uint32_t i = 0; occluder.few_corners && i < 4; ++i)
-    occluder.corners[i] = view.points[corners[std::min(i, face.corner_count - 1)].vertex].at;
+  const bool few_corners = one_ring && (face.corner_count == 3 || face.corner_count == 4);
+  occluder.beyond = PackedNormal(beyond.normal);
+  occluder.offset = beyond.offset;
+  occluder.face = number & 0x7fffffffU;
+  occluder.few_corners = few_corners ? 1 : 0;
+  for (std::uint32_t i = 0; few_corners && i < 4; ++i)
+    occluder.corners[i] = PackedPoint(view.at(corners[std::min(i, std::uint32_t{face.corner_count} - 1)].vertex));
   part.occluders.push_back(occluder);
   part.bounds.push_back(bounds);
   part.depths.push_back(nearest);
@@ -125,10 +126,10 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
   part.depths.reserve(likely);
   for (std::size_t number = begin; number < end; ++number) {
     const MeshFace& face = mesh.faces[number];
-    const Corner* const corners = &mesh.corners[face.first_corner];
-    const std::int64_t offset = dot(face.normal, vector_of(view.points[corners->vertex].at));
+    const Corner* const corners = mesh.corners_of(face);
+    const std::int64_t offset = dot(face.normal, vector_of(view.at(corners->vertex)));
     const std::int64_t away = view.perspective ? offset : dot(face.normal, view.forward);
-    if (away > 0 && !face.sheet) continue;
+    if (away > 0 && face.sheet == 0) continue;
     for (std::uint32_t i = 0; i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
     if (away == 0) continue;
     // Positive beyond the face: against the normal of one that is turned to the eye.
@@ -160,9 +161,9 @@ void place_faces(View& view, unsigned jobs) {
 }  // namespace
 
 // The segment runs out to infinity in the direction of its point beside the eye.
-void View::extend_to_infinity(ImageBounds& bounds, const ViewPoint& seen, const ViewPoint& behind) const {
-  const Vector p = vector_of(seen.at);
-  const Vector q = vector_of(behind.at);
+void View::extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const {
+  const Vector p = vector_of(at(seen));
+  const Vector q = vector_of(at(behind));
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const Int128 direction =
         Int128{dot(axes[axis], q)} * dot(forward, p) - Int128{dot(axes[axis], p)} * dot(forward, q);
@@ -176,6 +177,7 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
   View view;
   view.mesh = &mesh;
   view.perspective = camera.perspective;
+  view.eye = camera.eye;
   view.forward = vector_of(camera.forward);
   view.axes = {vector_of(camera.right), vector_of(camera.up)};
   place_points(view, camera, jobs);

@@ -32,43 +32,90 @@ struct ImageBounds {
 };
 
 struct ViewPoint {
-  geometry::Point3 at{};               // relative to the eye
   std::array<std::uint16_t, 2> seen{};  // steps, of what is before the eye
   std::uint32_t depth = 0;              // ascends with forward . at; 0: not before the eye of a perspective
 };
 
-// A face that can hide something: of a solid and turned to the eye, or of a sheet and not edge-on.
-struct Occluder {
-  Plane beyond;  // of the face; positive beyond it
+// Three numbers of 40 bits.
+class PackedNormal {
+ public:
+  PackedNormal() = default;
+  explicit PackedNormal(const Vector& normal) {
+    const auto bits = [&normal](std::size_t axis) { return static_cast<std::uint64_t>(normal[axis]) & ((std::uint64_t{1} << 40) - 1); };
+    low_ = bits(0) | bits(1) << 40;
+    high_ = bits(1) >> 24 | bits(2) << 16;
+  }
+  [[nodiscard]] Vector unpacked() const {
+    return {static_cast<std::int64_t>(low_ << 24) >> 24,
+            static_cast<std::int64_t>(high_ << 48 | (low_ >> 40) << 24) >> 24,
+            static_cast<std::int64_t>(high_ << 8) >> 24};
+  }
+
+ private:
+  std::uint64_t low_ = 0;   // the first, and 24 bits of the second
+  std::uint64_t high_ = 0;  // 16 bits of the second, and the third
+};
+
+// Three numbers of 20 bits.
+class PackedPoint {
+ public:
+  PackedPoint() = default;
+  explicit PackedPoint(const geometry::Point3& p) {
+    const auto bits = [&p](std::size_t axis) { return static_cast<std::uint64_t>(p[axis]) & ((std::uint64_t{1} << 20) - 1); };
+    bits_ = bits(0) | bits(1) << 20 | bits(2) << 40;
+  }
+  [[nodiscard]] Vector unpacked() const {
+    return {static_cast<std::int64_t>(bits_ << 44) >> 44, static_cast<std::int64_t>(bits_ << 24) >> 44,
+            static_cast<std::int64_t>(bits_ << 4) >> 44};
+  }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+// A face that can hide something: of a solid and turned to the eye, or of a sheet and not edge-on. One line of the cache.
+struct alignas(64) Occluder {
+  // The face's plane, positive beyond it: normal and offset.
+  PackedNormal beyond;
+  std::int64_t offset = 0;
   // Relative to the eye, of a face of one ring of three or four corners: three with the last one twice.
-  std::array<geometry::Point3, 4> corners{};
-  std::uint32_t face = 0;  // of the mesh
-  bool few_corners = false;
+  std::array<PackedPoint, 4> corners{};
+  std::uint32_t face : 31 = 0;  // of the mesh
+  std::uint32_t few_corners : 1 = 0;
+
+  [[nodiscard]] Plane plane_beyond() const { return {beyond.unpacked(), offset}; }
 };
 
 struct View {
   const EdgeMesh* mesh = nullptr;
   bool perspective = true;
+  geometry::Point3 eye{};
   Vector forward{};
   std::array<Vector, 2> axes{};  // right, up
-  std::vector<ViewPoint> points;
+  std::vector<ViewPoint> points;  // of the mesh's vertices
   std::vector<std::uint8_t> drawn;  // 1 for edges that are not hidden by their own solid or behind the eye
   std::vector<Occluder> occluders;
   std::vector<ImageBounds> occluder_bounds;
   std::vector<std::uint32_t> occluder_depths;  // of the nearest corner of each
 
+  // Relative to the eye.
+  [[nodiscard]] geometry::Point3 at(std::uint32_t vertex) const {
+    const geometry::Point3& p = mesh->vertices[vertex];
+    return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
+  }
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
   // Of an edge, one end of which is before the eye.
   [[nodiscard]] ImageBounds bounds_of(const picture::LineEdge& edge) const {
     ImageBounds bounds;
-    extend(bounds, points[edge.from], points[edge.to]);
+    extend(bounds, edge.from, edge.to);
     if (before_eye(points[edge.to])) extend(bounds, points[edge.to]);
     return bounds;
   }
-  // By what is before the eye of the segment from p to q, but for q itself.
-  void extend(ImageBounds& bounds, const ViewPoint& p, const ViewPoint& q) const {
-    if (before_eye(p)) extend(bounds, p);
-    if (before_eye(p) != before_eye(q)) extend_to_infinity(bounds, before_eye(p) ? p : q, before_eye(p) ? q : p);
+  // By what is before the eye of the segment from a vertex p to another one, q, but for q itself.
+  void extend(ImageBounds& bounds, std::uint32_t p, std::uint32_t q) const {
+    const bool p_before = before_eye(points[p]);
+    if (p_before) extend(bounds, points[p]);
+    if (p_before != before_eye(points[q])) extend_to_infinity(bounds, p_before ? p : q, p_before ? q : p);
   }
 
  private:
@@ -78,7 +125,7 @@ struct View {
       bounds.high[axis] = bounds.high[axis] > p.seen[axis] ? bounds.high[axis] : p.seen[axis];
     }
   }
-  void extend_to_infinity(ImageBounds& bounds, const ViewPoint& seen, const ViewPoint& behind) const;
+  void extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const;
 };
 
 // With `chosen`, an ascending choice of the mesh's edges, no others are drawn. On so many threads.

@@ -68,32 +68,33 @@ class Search {
     const std::uint32_t depth = std::max(view_.points[edge.from].depth, view_.points[edge.to].depth);
     const ImageBounds bounds = view_.bounds_of(edge);
     if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside)) return true;
+    const std::uint32_t limit = grid_.count_up_to(depth);
     ImageGrid::Query query(grid_, bounds);
     const ImageGrid::Cells cells = query.cells();
     near_count_ = 0;
     for (std::uint32_t row = cells.low[1]; row <= cells.high[1]; ++row) {
       for (std::uint32_t column = cells.low[0]; column <= cells.high[0]; ++column) {
         query.enter(column, row);
-        std::span<const ImageGrid::Entry> entries = grid_.entries_at(column, row);
-        while (!entries.empty()) {
-          const auto some = entries.first(std::min(batch, entries.size()));
-          find_near(query, some, depth);
+        const ImageGrid::Entries entries = grid_.entries_at(column, row);
+        for (std::size_t begin = 0; begin < entries.size(); begin += batch) {
+          const std::size_t end = std::min(begin + batch, entries.size());
+          find_near(query, entries, begin, end, limit);
           if (near_count_ >= enough && is_hidden_by_near(edge, beside)) return true;
-          if (some.back().depth > depth) break;
-          entries = entries.subspan(some.size());
+          if (entries.ranks[end - 1] >= limit) break;
         }
       }
     }
     return is_hidden_by_near(edge, beside);
   }
 
-  // Adds to near_ which of at most a batch of entries may hide some of the edge. Whether one does is as good as random:
+  // Adds to near_ which of at most a batch of entries may hide some of the edge: of ranks below the limit. Whether one does is as good as random:
   // no branch depends on it.
-  void find_near(const ImageGrid::Query& query, std::span<const ImageGrid::Entry> entries, std::uint32_t depth) {
+  void find_near(const ImageGrid::Query& query, const ImageGrid::Entries& entries, std::size_t begin, std::size_t end,
+                 std::uint32_t limit) {
     std::size_t count = near_count_;
-    for (const ImageGrid::Entry& entry : entries) {
-      near_[count] = entry.occluder;
-      count += static_cast<std::size_t>(query.passes(entry)) & static_cast<std::size_t>(entry.depth <= depth);
+    for (std::size_t i = begin; i < end; ++i) {
+      near_[count] = entries.ranks[i];
+      count += static_cast<std::size_t>(query.passes(entries.bounds[i])) & static_cast<std::size_t>(entries.ranks[i] < limit);
     }
     near_count_ = count;
   }
@@ -102,7 +103,7 @@ class Search {
     const std::size_t count = near_count_;
     near_count_ = 0;
     for (std::size_t i = 0; i < count; ++i)
-      if (hides_rest(edge, near_[i], beside)) return true;
+      if (hides_rest(edge, grid_.occluder(near_[i]), beside)) return true;
     return false;
   }
 
@@ -124,7 +125,7 @@ class Search {
   }
 
   [[nodiscard]] bool is_of(const Occluder& occluder, std::span<const std::uint32_t> surfaces) const {
-    const std::uint32_t own = view_.mesh->faces[occluder.face].surface;
+    const std::uint32_t own = view_.mesh->surface_of(occluder.face);
     return std::find(surfaces.begin(), surfaces.end(), own) != surfaces.end();
   }
 
@@ -133,7 +134,7 @@ class Search {
   EdgeShadow shadow_;
   static constexpr std::size_t batch = 16;
   static constexpr std::size_t enough = 4;
-  std::array<std::uint32_t, batch + enough> near_{};  // occluders
+  std::array<std::uint32_t, batch + enough> near_{};  // ranks of occluders
   std::size_t near_count_ = 0;
   static constexpr std::uint32_t nobody = ~0U;
   std::uint32_t last_ = nobody;  // the last occluder that hid what was left of an edge: it may hide the next one, too
@@ -204,21 +205,24 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
 picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                     const picture::ChosenEdges* chosen, unsigned jobs) {
   jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
-  const View view = make_view(mesh, camera, chosen, jobs);
-  const ImageGrid grid(view.occluder_bounds, view.occluder_depths, jobs);
-  const std::vector<std::uint32_t> order = in_image_order(view, grid);
+  std::vector<std::uint32_t> order;
   std::vector<SeenPart> parts(jobs);
-  base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {
-    SeenPart& part = parts[number];
-    part.counts.reserve(end - begin);
-    Unwatched nobody;
-    Search<Unwatched> search(view, grid, chosen, nobody);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t before = part.pieces.size();
-      search.append_visible(order[i], part.pieces);
-      part.counts.push_back(static_cast<std::uint32_t>(part.pieces.size() - before));
-    }
-  });
+  {
+    const View view = make_view(mesh, camera, chosen, jobs);
+    const ImageGrid grid(view.occluder_bounds, view.occluder_depths, jobs);
+    order = in_image_order(view, grid);
+    base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {
+      SeenPart& part = parts[number];
+      part.counts.reserve(end - begin);
+      Unwatched nobody;
+      Search<Unwatched> search(view, grid, chosen, nobody);
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t before = part.pieces.size();
+        search.append_visible(order[i], part.pieces);
+        part.counts.push_back(static_cast<std::uint32_t>(part.pieces.size() - before));
+      }
+    });
+  }
   return by_edge(parts, order, mesh.edges.size());
 }
 

@@ -9,6 +9,7 @@
 
 #include "host/geometry/predicates.hpp"
 #include "host/geometry/wide_integer.hpp"
+#include "host/scene/check/apart_bodies.hpp"
 #include "host/scene/model/finer_grid.hpp"
 
 namespace sightline::scene {
@@ -319,6 +320,7 @@ PolyScene with_crossings(PolyScene scene) {
 }
 
 std::vector<Crossing> crossings_of(const PolyScene& scene, std::size_t most) {
+  if (are_plainly_apart(scene)) return {};
   return CrossingSearch(scene).run(most);
 }
 

@@ -72,6 +72,7 @@ PolyScene generate_boxes(std::size_t n, std::uint64_t seed) {
   const std::size_t side = root_above(n, 3);
   const auto cells = random.shuffled(side * side * side);
   PolyBuilder builder;
+  builder.reserve(n, 8 * n);
   for (std::size_t k = 0; k < n; ++k) {
     PolyPoint low = origin_of(cells[k], side);
     PolyPoint high{};

@@ -1,19 +1,29 @@
 // Puts a PolyScene together: equal points become one vertex, boxes become bodies.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <unordered_map>
 
 #include "host/scene/model/poly_scene.hpp"
+#include "host/scene/model/vertex_pool.hpp"
 
 namespace sightline::scene {
 
 class PolyBuilder {
  public:
+  PolyBuilder() : pool_(scene_.vertices) {}
+  PolyBuilder(const PolyBuilder&) = delete;  // the pool refers to the scene's vertices
+  PolyBuilder& operator=(const PolyBuilder&) = delete;
+
+  // Room for so many bodies and vertices.
+  void reserve(std::size_t bodies, std::size_t vertices) {
+    scene_.bodies.reserve(bodies);
+    scene_.vertices.reserve(vertices);
+  }
   // The same index for the same point. Every |coordinate| below 2^20.
-  VertexIndex vertex(const PolyPoint& p);
+  VertexIndex vertex(const PolyPoint& p) { return pool_.add(p); }
   // A body with the six outward faces of low..high (low < high on every axis).
   void add_box(std::string name, const PolyPoint& low, const PolyPoint& high);
   // A sheet of one face.
@@ -25,7 +35,7 @@ class PolyBuilder {
 
  private:
   PolyScene scene_;
-  std::unordered_map<std::uint64_t, VertexIndex> indices_;
+  VertexPool<std::int32_t> pool_;
 };
 
 }  // namespace sightline::scene

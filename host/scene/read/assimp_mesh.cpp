@@ -63,9 +63,9 @@ base::Result<PolyMesh> read_by_assimp(std::string_view, std::string_view source,
 #include "host/base/apart.hpp"
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
+#include "host/scene/model/vertex_pool.hpp"
 #include "host/scene/read/poly_text.hpp"
 #include "host/scene/read/precision.hpp"
-#include "host/scene/read/vertex_pool.hpp"
 #include "host/scene/read/zip.hpp"
 
 namespace sightline::scene {
@@ -380,7 +380,7 @@ class MeshFromAssimp {
 
   const aiScene& scene_;
   PolyMesh mesh_;
-  VertexPool pool_;
+  VertexPool<double> pool_;
   double local_precision_ = 0;
   std::uint64_t corners_ = 0;
   std::size_t thin_ = 0;

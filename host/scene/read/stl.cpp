@@ -9,9 +9,9 @@
 #include <string>
 
 #include "host/base/number.hpp"
+#include "host/scene/model/vertex_pool.hpp"
 #include "host/scene/read/poly_text.hpp"
 #include "host/scene/read/precision.hpp"
-#include "host/scene/read/vertex_pool.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -47,7 +47,7 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   if (triangles == 0) return error(stl_header_bytes, "found no triangles", "a mesh");
   PolyMesh mesh;
   mesh.bodies.emplace_back().faces.reserve(static_cast<std::size_t>(triangles));
-  VertexPool pool(mesh.vertices);
+  VertexPool<double> pool(mesh.vertices);
   std::size_t at = stl_triangles_at;
   for (std::uint64_t t = 0; t < triangles; ++t, at += stl_triangle_bytes) {
     PolyFace face;
@@ -161,7 +161,7 @@ class TextStl {
 
   PolyLines lines_;
   PolyMesh mesh_;
-  VertexPool pool_;
+  VertexPool<double> pool_;
   TextPrecision precision_;
   std::optional<base::Error> error_;
 };

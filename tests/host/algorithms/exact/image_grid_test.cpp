@@ -80,11 +80,12 @@ TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
         for (std::uint32_t column = query.cells().low[0]; column <= query.cells().high[0]; ++column) {
           query.enter(column, row);
           std::uint32_t before = 0;
-          for (const ImageGrid::Entry& entry : grid.entries_at(column, row)) {
-            EXPECT_EQ(entry.depth, depths[entry.occluder]);
-            EXPECT_LE(before, entry.depth);
-            before = entry.depth;
-            if (query.passes(entry)) ++passed[entry.occluder];
+          const ImageGrid::Entries cell = grid.entries_at(column, row);
+          for (std::size_t i = 0; i < cell.size(); ++i) {
+            const std::uint32_t occluder = grid.occluder(cell.ranks[i]);
+            EXPECT_LE(before, depths[occluder]);
+            before = depths[occluder];
+            if (query.passes(cell.bounds[i])) ++passed[occluder];
           }
         }
       }
@@ -94,6 +95,25 @@ TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
           touches = touches && bounds[i].low[axis] <= rectangle.high[axis] && rectangle.low[axis] <= bounds[i].high[axis];
         ASSERT_EQ(passed[i], touches ? 1 : 0) << "round " << round << ", occluder " << i;
       }
+    }
+  }
+}
+
+// Ranks ascend with depths, and the first of them are those up to a depth.
+TEST(ImageGrid, RanksSayWhichOccludersAreUpToADepth) {
+  std::mt19937 generator(5);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<ImageBounds> bounds(generator() % 400);
+    std::vector<std::uint32_t> depths;
+    const auto any = [&] { return static_cast<std::uint32_t>(generator()) >> (generator() % 32); };
+    for (std::size_t i = 0; i < bounds.size(); ++i) depths.push_back(any());
+    const ImageGrid grid(bounds, depths);
+    for (int query = 0; query < 200; ++query) {
+      const std::uint32_t depth = query % 2 == 0 || depths.empty() ? any() : depths[generator() % depths.size()];
+      const auto nearer = std::count_if(depths.begin(), depths.end(), [depth](std::uint32_t d) { return d <= depth; });
+      const std::uint32_t count = grid.count_up_to(depth);
+      ASSERT_EQ(count, nearer) << "round " << round << ", depth " << depth;
+      for (std::uint32_t rank = 0; rank < depths.size(); ++rank) ASSERT_EQ(depths[grid.occluder(rank)] <= depth, rank < count);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/scene/check/apart_bodies.hpp"
 #include "host/scene/check/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -200,6 +201,69 @@ TEST(Crossings, OfManyBodiesAreThoseOfEveryPair) {
     pairs += expected.size();
   }
   EXPECT_GT(pairs, 20U);
+}
+
+// The cheap test is right wherever it says yes, in both parts: of the bodies' boxes and of each body alone; and it says yes
+// where nothing is against it.
+TEST(AreBodiesApart, AgainstEveryPairOfBoxes) {
+  std::mt19937 generator(11);
+  const auto below = [&generator](std::uint32_t limit) { return static_cast<std::int32_t>(generator() % limit); };
+  int apart = 0;
+  for (int round = 0; round < 400; ++round) {
+    PolyScene scene;
+    std::vector<std::pair<PolyPoint, PolyPoint>> boxes;
+    const int count = 1 + below(40);
+    for (int b = 0; b < count; ++b) {
+      PolyPoint low{};
+      PolyPoint high{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = below(1000) - 500;
+        high[k] = low[k] + 1 + below(round % 2 == 0 ? 30 : 300);
+      }
+      boxes.emplace_back(low, high);
+      add_box(scene, low, high);
+    }
+    bool meet = false;
+    for (std::size_t a = 0; a < boxes.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        bool common = true;
+        for (std::size_t k = 0; k < 3; ++k)
+          common = common && boxes[a].first[k] <= boxes[b].second[k] && boxes[b].first[k] <= boxes[a].second[k];
+        meet = meet || common;
+      }
+    }
+    ASSERT_EQ(are_plainly_apart(scene), !meet) << "round " << round;
+    if (!meet) ++apart;
+  }
+  EXPECT_GT(apart, 50);
+  EXPECT_LT(apart, 350);
+}
+
+TEST(AreBodiesApart, ABodyThatIsNotConvexIsNot) {
+  PolyScene scene;
+  // Two sheets of one body through each other.
+  add_sheet(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
+  EXPECT_TRUE(are_plainly_apart(scene));
+  add_sheet(scene, {{50, 50, -40}, {50, 50, 40}, {50, 20, 40}, {50, 20, -40}});
+  scene.bodies[0].faces.push_back(scene.bodies[1].faces[0]);
+  scene.bodies.pop_back();
+  EXPECT_FALSE(are_plainly_apart(scene));
+  EXPECT_EQ(crossings_of(scene).size(), 1U);
+}
+
+TEST(AreBodiesApart, BodiesOfVeryDifferentSizes) {
+  PolyScene scene;
+  add_box(scene, {0, 0, 0}, {100000, 100000, 10});
+  for (std::int32_t i = 0; i < 2000; ++i) {
+    const std::int32_t x = 2000 * (i % 45);
+    const std::int32_t y = 2000 * (i / 45);
+    add_box(scene, {x, y, 20}, {x + 10, y + 10, 30});
+  }
+  (void)are_plainly_apart(scene);  // either answer is right, in little time
+  EXPECT_TRUE(crossings_of(scene).empty());
+  add_box(scene, {90001, 90001, 0}, {90005, 90005, 25});
+  EXPECT_FALSE(are_plainly_apart(scene));
+  EXPECT_EQ(crossings_of(scene).size(), 4U);
 }
 
 }  // namespace

@@ -1,0 +1,153 @@
+// See apart_bodies.hpp.
+#include "host/scene/check/apart_bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/predicates.hpp"
+
+namespace sightline::scene {
+namespace {
+
+// Every plane of a face is compared with every corner of the body.
+constexpr std::size_t most_corners = 64;
+
+bool is_convex(const PolyScene& scene, const PolyBody& body) {
+  std::size_t corners = 0;
+  for (const PolyFace& face : body.faces) {
+    corners += face.outline.size();
+    if (corners > most_corners) return false;
+  }
+  for (const PolyFace& face : body.faces) {
+    const auto& ring = face.outline;
+    const auto at = [&](std::size_t i) -> const PolyPoint& { return scene.vertices[ring[i % ring.size()]]; };
+    geometry::Vector3 normal{};
+    for (std::size_t i = 0; i < ring.size() && geometry::is_zero(normal); ++i)
+      normal = geometry::normal_of(at(i), at(i + 1), at(i + 2));
+    if (geometry::is_zero(normal)) return false;
+    const std::int64_t offset = geometry::dot(normal, geometry::vector_of(at(0)));
+    bool before = false;
+    bool beyond = false;
+    for (const PolyFace& other : body.faces) {
+      for (const VertexIndex v : other.outline) {
+        const std::int64_t side = geometry::dot(normal, geometry::vector_of(scene.vertices[v])) - offset;
+        before = before || side < 0;
+        beyond = beyond || side > 0;
+      }
+    }
+    if (before && beyond) return false;
+  }
+  return true;
+}
+
+bool meet(const PolyBounds& a, const PolyBounds& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  return true;
+}
+
+std::vector<PolyBounds> boxes_of(const PolyScene& scene) {
+  std::vector<PolyBounds> boxes;
+  boxes.reserve(scene.bodies.size());
+  for (const PolyBody& body : scene.bodies) {
+    bool first = true;
+    PolyBounds box;
+    for (const PolyFace& face : body.faces) {
+      for (const VertexIndex v : face.outline) {
+        const PolyPoint& p = scene.vertices[v];
+        for (std::size_t k = 0; k < 3; ++k) {
+          box.low[k] = first ? p[k] : std::min(box.low[k], p[k]);
+          box.high[k] = first ? p[k] : std::max(box.high[k], p[k]);
+        }
+        first = false;
+      }
+    }
+    if (!first) boxes.push_back(box);
+  }
+  return boxes;
+}
+
+// Boxes in cells by their low corners. No box is longer than a cell, so what meets it begins in a cell next to its own.
+class BoxCells {
+ public:
+  explicit BoxCells(const std::vector<PolyBounds>& boxes) : boxes_(boxes) {
+    PolyBounds around = boxes[0];
+    std::array<std::int64_t, 3> longest{};
+    for (const PolyBounds& box : boxes) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        around.low[k] = std::min(around.low[k], box.low[k]);
+        around.high[k] = std::max(around.high[k], box.high[k]);
+        longest[k] = std::max(longest[k], std::int64_t{box.high[k]} - box.low[k]);
+      }
+    }
+    low_ = around.low;
+    const auto most_a_side = static_cast<std::int64_t>(std::cbrt(2 * static_cast<double>(boxes.size()))) + 1;
+    std::size_t cells = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t extent = std::int64_t{around.high[k]} - around.low[k];
+      size_[k] = std::max(longest[k], extent / most_a_side) + 1;
+      count_[k] = extent / size_[k] + 1;
+      cells *= static_cast<std::size_t>(count_[k]);
+    }
+    starts_.resize(cells + 1);
+    for (const PolyBounds& box : boxes) ++starts_[cell_of(place_of(box)) + 1];
+    for (std::size_t c = 1; c <= cells; ++c) starts_[c] += starts_[c - 1];
+    members_.resize(boxes.size());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    for (std::uint32_t b = 0; b < boxes.size(); ++b) members_[next[cell_of(place_of(boxes[b]))]++] = b;
+  }
+
+  // True: no two meet. False: two do, or more pairs than `most` would have to be compared.
+  [[nodiscard]] bool are_apart(std::uint64_t most) const {
+    for (std::uint32_t b = 0; b < boxes_.size(); ++b) {
+      const Place at = place_of(boxes_[b]);
+      for (std::int64_t x = std::max<std::int64_t>(at[0] - 1, 0); x <= at[0]; ++x) {
+        for (std::int64_t y = std::max<std::int64_t>(at[1] - 1, 0); y <= std::min(at[1] + 1, count_[1] - 1); ++y) {
+          for (std::int64_t z = std::max<std::int64_t>(at[2] - 1, 0); z <= std::min(at[2] + 1, count_[2] - 1); ++z) {
+            const std::size_t cell = cell_of({x, y, z});
+            if (const std::uint64_t count = starts_[cell + 1] - starts_[cell]; count > most) return false;
+            most -= starts_[cell + 1] - starts_[cell];
+            for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i)
+              if (members_[i] != b && meet(boxes_[b], boxes_[members_[i]])) return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  using Place = std::array<std::int64_t, 3>;
+
+  [[nodiscard]] Place place_of(const PolyBounds& box) const {
+    Place place{};
+    for (std::size_t k = 0; k < 3; ++k) place[k] = (std::int64_t{box.low[k]} - low_[k]) / size_[k];
+    return place;
+  }
+  [[nodiscard]] std::size_t cell_of(const Place& place) const {
+    return static_cast<std::size_t>((place[0] * count_[1] + place[1]) * count_[2] + place[2]);
+  }
+
+  const std::vector<PolyBounds>& boxes_;
+  PolyPoint low_{};
+  Place size_{};
+  Place count_{};
+  std::vector<std::uint32_t> starts_;
+  std::vector<std::uint32_t> members_;
+};
+
+}  // namespace
+
+bool are_plainly_apart(const PolyScene& scene) {
+  for (const PolyBody& body : scene.bodies)
+    if (!is_convex(scene, body)) return false;
+  const std::vector<PolyBounds> boxes = boxes_of(scene);
+  constexpr std::uint64_t pairs_a_box = 64;
+  return boxes.empty() || BoxCells(boxes).are_apart(pairs_a_box * boxes.size());
+}
+
+}  // namespace sightline::scene
