@@ -1,13 +1,34 @@
 #include "host/base/number.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
+
+#include "host/base/text.hpp"
 
 namespace sightline::base {
 
 namespace {
+
+// All digits of a whole number.
+std::string exact_digits(double value) {
+  int doublings = 0;
+  for (; value >= 0x1p63; value /= 2) ++doublings;
+  std::string digits = std::to_string(static_cast<std::uint64_t>(value));
+  for (; doublings > 0; --doublings) {
+    int carry = 0;
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+      const int twice = 2 * (*digit - '0') + carry;
+      *digit = static_cast<char>('0' + twice % 10);
+      carry = twice / 10;
+    }
+    if (carry != 0) digits.insert(digits.begin(), static_cast<char>('0' + carry));
+  }
+  return digits;
+}
 
 template <class Number>
 std::optional<Number> whole_text(std::string_view text, int radix) {
@@ -85,6 +106,34 @@ std::optional<double> fixed_number(std::string_view text, double least, double m
   const auto value = whole_double(text, false);
   if (!value || !(*value >= least && *value <= most)) return std::nullopt;
   return value;
+}
+
+std::string shortest_number(double value) {
+  std::string general;
+  append(general, "{}", std::abs(value));  // the digits are the shortest; the form is fmt's
+  const bool negative = std::signbit(value);
+  const auto with_sign = [negative](std::string text) { return negative ? "-" + std::move(text) : text; };
+  if (!std::isfinite(value) || value == 0) return with_sign(std::move(general));
+  const std::size_t e = general.find('e');
+  int exponent = e == std::string::npos ? 0 : std::atoi(general.c_str() + e + 1);
+  std::string digits = general.substr(0, e);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  exponent += static_cast<int>(point) - 1;
+  if (point < digits.size()) digits.erase(point, 1);
+  const std::size_t zeros = digits.find_first_not_of('0');
+  digits.erase(0, zeros);
+  exponent -= static_cast<int>(zeros);  // of the first digit
+  digits.erase(digits.find_last_not_of('0') + 1);
+
+  std::string scientific = digits;
+  if (digits.size() > 1) scientific.insert(1, ".");
+  append(scientific, "e{}{:02}", exponent < 0 ? '-' : '+', std::abs(exponent));
+  const int count = static_cast<int>(digits.size());
+  const int fixed_size = exponent < 0 ? 1 + count - exponent : std::max(count + (count > exponent + 1 ? 1 : 0), exponent + 1);
+  if (fixed_size > static_cast<int>(scientific.size())) return with_sign(std::move(scientific));
+  if (exponent < 0) return with_sign("0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits);
+  if (count > exponent + 1) return with_sign(digits.insert(static_cast<std::size_t>(exponent) + 1, "."));
+  return with_sign(exact_digits(std::abs(value)));
 }
 
 std::string octal(std::uint32_t value, unsigned digits) {

@@ -12,7 +12,8 @@ add_library(sightline_library_headers INTERFACE)
 target_include_directories(sightline_library_headers SYSTEM INTERFACE ${headers})
 
 add_library(fmt::fmt INTERFACE IMPORTED)
-target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY FMT_EXCEPTIONS=0)
+# Without its locales and long doubles, which nothing here prints and which are a twentieth of the file.
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY FMT_EXCEPTIONS=0 "FMT_STATIC_THOUSANDS_SEPARATOR=','" FMT_USE_LONG_DOUBLE=0)
 target_link_libraries(fmt::fmt INTERFACE sightline_library_headers)
 add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
 target_compile_definitions(nlohmann_json::nlohmann_json INTERFACE JSON_NOEXCEPTION JSON_NO_IO JSON_HAS_FILESYSTEM=0 JSON_HAS_EXPERIMENTAL_FILESYSTEM=0)

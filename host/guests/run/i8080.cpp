@@ -546,7 +546,7 @@ class I8080Listener {
     entry_.accumulator = record.after.a;
     entry_.link = record.after.f;
     entry_.supplied = record.acknowledged;
-    probe_.on_instruction(entry_);
+    if (probe_.on_instruction) probe_.on_instruction(entry_);
     entry_.has_address = false;
   }
   void cycle(const machines::I8080Cycle& cycle) {
@@ -933,8 +933,12 @@ class I8080Run final : public Machine {
   machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
     if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
     if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_));
-    if (probe_ && probe_->watches_arrival()) return run_watched(limits, I8080Breaker(*probe_));
-    if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Watcher(*probe_));
+    if constexpr (few_observers) {
+      if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Reporter(*probe_));
+    } else {
+      if (probe_ && probe_->watches_arrival()) return run_watched(limits, I8080Breaker(*probe_));
+      if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Watcher(*probe_));
+    }
     return processor_.run(limits);
   }
   template <class Observer>

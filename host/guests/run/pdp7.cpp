@@ -322,7 +322,7 @@ class Listener {
     entry_.word = record.word.value();
     entry_.accumulator = record.after.ac.value();
     entry_.link = record.after.link ? 1 : 0;
-    probe_.on_instruction(entry_);
+    if (probe_.on_instruction) probe_.on_instruction(entry_);
     entry_.has_address = false;
   }
   [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
@@ -769,7 +769,9 @@ class Pdp7Machine final : public Machine {
 
  private:
   machines::StopReason run_observed(const machines::Limits& limits) {
-    if constexpr (Sink::consumes) {
+    if constexpr (few_observers) {
+      if (probe_ && (probe_->watches_instructions() || probe_->watches_places())) return run_watched(limits, Listener(*probe_));
+    } else if constexpr (Sink::consumes) {
       if (vcd_) {
         Recorder recorder(tracer_ ? &*tracer_ : nullptr, *vcd_);
         return machine_.run(limits, recorder);
@@ -918,9 +920,11 @@ std::span<const VcdSignal> pdp7_signals() {
 }
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  if (setup.monitored || setup.trace || setup.vcd || setup.screen)
-    return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
-  return std::make_unique<Pdp7Machine<NoScreen>>(std::move(setup));
+  if constexpr (!few_observers) {
+    if (!setup.monitored && !setup.trace && !setup.vcd && !setup.screen)
+      return std::make_unique<Pdp7Machine<NoScreen>>(std::move(setup));
+  }
+  return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
 }
 
 }  // namespace sightline::guests::run

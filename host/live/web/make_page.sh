@@ -1,5 +1,5 @@
 #!/bin/sh
-# The page as one file: the module packed, the scripts as data: addresses of an import map, the examples as JSON.
+# The page as one file: the module, the scripts and the examples packed in one piece, the styles as they are.
 #
 #   make_page.sh MODULE.wasm VERSION PAGE.html
 #
@@ -14,27 +14,18 @@ parts=$(mktemp -d)
 trap 'rm -rf "$parts"' EXIT
 export LC_ALL=C
 
-gzip -9 -n -c "$module" | base64 -w 0 > "$parts/module"
 printf '%s' "$version" > "$parts/version"
 cp "$root"/host/live/web/page/page.css "$root"/host/explain/player/player.css "$parts/"
-
-# Modules import each other by names that the map knows: a data: address has no neighbours.
-{
-  printf '{"imports":{'
-  comma=""
-  for script in "$root"/host/live/web/page/*.js "$root"/host/explain/player/player.js; do
-    printf '%s"sightline/%s":"data:text/javascript;base64,' "$comma" "$(basename "$script")"
-    sed "s|from '\./|from 'sightline/|" "$script" | base64 -w 0
-    printf '"'
-    comma=","
-  done
-  printf '}}'
-} > "$parts/importmap"
+cp "$module" "$parts/module"
+for script in "$root"/host/live/web/page/*.js "$root"/host/explain/player/player.js; do
+  sed "s|from '\./|from 'sightline/|" "$script" > "$parts/$(basename "$script")"
+done
 
 # Texts as JSON strings; < as an escape, so that none can end the script element.
 text_as_json() {
   cat "$@" | sed 's/\\/\\\\/g; s/"/\\"/g; s/\t/\\t/g; s/\r/\\r/g; s/\f/\\f/g; s/</\\u003c/g' | awk '{ printf "%s\\n", $0 }'
 }
+# What the module has of the firmware is taken from there: of such files only the names, and they come first.
 {
   printf '['
   comma=""
@@ -42,13 +33,35 @@ text_as_json() {
     name=$(basename "${files%% *}")
     printf '%s{"name":"%s","machine":"%s","title":"%s"' "$comma" "$name" "$machine" "${title:-$name}"
     [ -z "$more" ] || printf ',%s' "$more"
+    sources=""
+    own=""
+    for file in $files; do
+      case $file in
+        firmware/*/scenes/*) own="$own $file" ;;
+        firmware/*) sources="$sources${sources:+,}\"${file#firmware/*/}\"" ;;
+        *) own="$own $file" ;;
+      esac
+    done
+    [ -z "$sources" ] || printf ',"sources":[%s]' "$sources"
     printf ',"text":"'
-    (cd "$root" && text_as_json $files)
+    [ -z "$own" ] || (cd "$root" && text_as_json $own)
     printf '"}'
     comma=","
   done
   printf ']'
 } > "$parts/examples"
+
+# One piece: a line that says what is in it, then the files.
+{
+  printf '['
+  comma=""
+  for file in examples module "$parts"/*.js; do
+    printf '%s["%s",%d]' "$comma" "$(basename "$file")" "$(wc -c < "$parts/$(basename "$file")")"
+    comma=","
+  done
+  printf ']\n'
+  cat "$parts/examples" "$parts/module" "$parts"/*.js
+} | gzip -9 -n | base64 -w 0 > "$parts/files"
 
 mkdir -p "$(dirname "$page")"
 awk -v parts="$parts" '

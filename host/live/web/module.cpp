@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/live/web/studio.hpp"
+#include "host/live/web/turning.hpp"
 #include "host/live/web/workbench.hpp"
 
 #define SIGHTLINE_EXPORT(name) extern "C" __attribute__((export_name(#name)))
@@ -47,8 +48,10 @@ SIGHTLINE_EXPORT(request) int request(int bytes) {
   if (!request) return give(sightline::live::web::refusal(request.error().message()).dump());
   const auto* const what = request->find("do");
   if (what != nullptr && what->text() != nullptr) {
-    const auto answer = sightline::live::web::studio_answer(page().workbench, *what->text(), *request);
-    if (!answer.is_null()) return give(answer.dump());
+    for (const auto answers : {sightline::live::web::studio_answer, sightline::live::web::turning_answer}) {
+      const auto answer = answers(page().workbench, *what->text(), *request);
+      if (!answer.is_null()) return give(answer.dump());
+    }
   }
   return give(page().workbench.answer(*request).dump());
 }

@@ -15,6 +15,8 @@
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/stream.hpp"
+#include "host/guests/turn/program.hpp"
+#include "host/live/web/requests.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
@@ -27,30 +29,6 @@ namespace sightline::live::web {
 namespace {
 
 namespace skala = guests::skala;
-
-std::string text_of(const Json& request, std::string_view key) {
-  const Json* const member = request.find(key);
-  const std::string* const text = member != nullptr ? member->text() : nullptr;
-  return text != nullptr ? *text : std::string();
-}
-double number_of(const Json& request, std::string_view key, double otherwise) {
-  const Json* const member = request.find(key);
-  return member != nullptr ? member->number().value_or(otherwise) : otherwise;
-}
-bool flag_of(const Json& request, std::string_view key, bool otherwise = false) {
-  const Json* const member = request.find(key);
-  return member != nullptr ? member->boolean().value_or(otherwise) : otherwise;
-}
-
-// A file of the page of that name, else a built-in or generated scene.
-base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name) {
-  if (const Bytes* const bytes = workbench.file(name))
-    return scene::load_scene({.name = name, .text = std::string(bytes->begin(), bytes->end())});
-  auto found = scene::named_scene(name);
-  if (!found) return base::fail(fmt::format("{}: no scene of that name, and no such file on the page", name));
-  if (!*found) return std::move(found->error());
-  return scene::load_scene(std::move(**found));
-}
 
 std::optional<scene::PolyPoint> point_of(const Json* json) {
   if (json == nullptr || json->size() != 3) return std::nullopt;
@@ -245,28 +223,13 @@ Json make_jones(Workbench& workbench, const Json& request) {
   if (!program) return refusal(program.error().message());
   guests::run::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
-  const auto& formats = guests::run::pdp7().formats;
-  const auto octal = std::find_if(formats.begin(), formats.end(), [](const auto& each) { return each.name == "octal"; });
-  auto written = octal->write(image, ".jones");
-  if (!written) return refusal(written.error().message);
-  workbench.put_file(".jones.oct", std::move(*written));
-  Json made = workbench.answer(Json{{"do", "make"},
-                                    {"machine", "pdp7"},
-                                    {"options", {{"--load", ".jones.oct"}, {"--display", true}, {options.eae ? "--eae" : "--no-eae", true}}}});
-  const Json* const id = made.find("id");
-  if (id == nullptr) return made;
-  Desk& desk = *workbench.desk(static_cast<int>(*id->integer()));
-  if (request.find("scale") != nullptr)
-    desk.machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
-  if (const auto number = desk.debugger().register_named("SR")) desk.debugger().set(*number, switches);
-  std::string table;
-  for (const auto& [name, value] : program->symbols) table += fmt::format("{} {:o}\n", name, value);
-  Symbols symbols(8);
-  static_cast<void>(symbols.add_table(table));
-  desk.debugger().set_symbols(std::move(symbols));
-  desk.debugger().start(program->labels.start);
+  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), options.eae, Json::object(), program->symbols}, switches);
+  Desk* const desk = desk_of(workbench, made);
+  if (desk == nullptr) return made;
+  if (request.find("scale") != nullptr)
+    desk->machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
   Json labels = Json::object();
   for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing"}) {
     const auto found = program->symbols.find(name);
@@ -361,6 +324,18 @@ Json explain(Workbench& workbench, const Json& request) {
   return *base::parse_json(text, "lesson");
 }
 
+// The sources of the programs that are built in, by folder and file: "jones/tape1-control.s".
+Json firmware() {
+  Json sources = Json::object();
+  const auto add = [&sources](std::string_view folder, auto files) {
+    for (const auto& [name, text] : files) sources[fmt::format("{}/{}", folder, name)] = text;
+  };
+  add("jones", guests::jones::firmware_tapes());
+  add("skala", skala::embedded_sources());
+  add("turn", guests::turn::firmware_tapes());
+  return Json{{"sources", std::move(sources)}};
+}
+
 Json lists() {
   Json scenes = Json::array();
   for (const auto name : scene::builtin_scene_names()) scenes.push_back(name);
@@ -378,6 +353,7 @@ Json lists() {
 
 Json studio_answer(Workbench& workbench, std::string_view what, const Json& request) {
   if (what == "lists") return lists();
+  if (what == "firmware") return firmware();
   if (what == "scene") {
     const auto loaded = scene_named(workbench, text_of(request, "scene"));
     return loaded ? scene_json(*loaded) : refusal(loaded.error().message());

@@ -6,7 +6,7 @@
 
 namespace sightline::live::web {
 
-// The answer to a request of this file's kind; null if it is none: scenes, scene, draw, explain, jones, sight, skala, cost.
+// The answer to a request of this file's kind; null if it is none: lists, firmware, scene, draw, explain, jones, sight, skala, cost.
 [[nodiscard]] Json studio_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 }  // namespace sightline::live::web

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/live/keys.hpp"
+#include "host/live/web/requests.hpp"
 
 namespace sightline::live::web {
 namespace {
@@ -24,20 +25,9 @@ const MachineDescription* description_of(std::string_view name) {
   return found == machines.end() ? nullptr : *found;
 }
 
-std::string text_of(const Json& request, std::string_view key) {
-  const Json* const member = request.find(key);
-  const std::string* const text = member != nullptr ? member->text() : nullptr;
-  return text != nullptr ? *text : std::string();
-}
-
-std::int64_t number_of(const Json& request, std::string_view key, std::int64_t otherwise = 0) {
+std::int64_t whole_of(const Json& request, std::string_view key, std::int64_t otherwise = 0) {
   const Json* const member = request.find(key);
   return member != nullptr ? member->integer().value_or(otherwise) : otherwise;
-}
-
-bool flag_of(const Json& request, std::string_view key) {
-  const Json* const member = request.find(key);
-  return member != nullptr && member->boolean().value_or(false);
 }
 
 // Options as a command line has them: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. A complaint, or empty.
@@ -242,8 +232,8 @@ Json Workbench::make(const Json& request) {
     symbols.add_listing(*listing->text());
   if (const Json* const lines = request.find("lines")) {
     for (const Json& line : lines->elements()) {
-      symbols.add_line(static_cast<std::uint32_t>(number_of(line, "at")),
-                       {text_of(line, "file"), static_cast<std::size_t>(number_of(line, "line"))});
+      symbols.add_line(static_cast<std::uint32_t>(whole_of(line, "at")),
+                       {text_of(line, "file"), static_cast<std::size_t>(whole_of(line, "line"))});
     }
   }
   Json warnings = Json::array();
@@ -309,13 +299,13 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   Machine& machine = desk.machine();
   const auto address = [&]() -> base::Result<std::uint32_t> {
     if (const Json* const at = request.find("at"); at != nullptr && at->text() != nullptr) return debugger.address_of(*at->text());
-    const auto number = number_of(request, "at", -1);
+    const auto number = whole_of(request, "at", -1);
     if (number < 0 || number >= std::int64_t{machine.words()}) return base::fail("found no address of this memory");
     return static_cast<std::uint32_t>(number);
   };
   if (what == "state") return state_json(desk);
   if (what == "step") {
-    const auto count = std::max<std::int64_t>(1, number_of(request, "count", 1));
+    const auto count = std::max<std::int64_t>(1, whole_of(request, "count", 1));
     Goal goal;
     goal.instructions = static_cast<std::uint64_t>(count);
     return halted_json(debugger.run(goal));
@@ -326,7 +316,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     return halted ? halted_json(*halted) : refusal(halted.error().message());
   }
   if (what == "back") {
-    const auto done = debugger.back(static_cast<std::uint64_t>(std::max<std::int64_t>(1, number_of(request, "count", 1))));
+    const auto done = debugger.back(static_cast<std::uint64_t>(std::max<std::int64_t>(1, whole_of(request, "count", 1))));
     return done ? Json::object() : refusal(done.error().message());
   }
   if (what == "back_to_breakpoint") {
@@ -369,20 +359,20 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   }
   if (what == "unbreak") {
     if (request.find("number") == nullptr) debugger.breakpoints().clear();
-    else debugger.breakpoints().remove(static_cast<int>(number_of(request, "number")));
+    else debugger.breakpoints().remove(static_cast<int>(whole_of(request, "number")));
     return Json::object();
   }
   if (what == "rows") {
     const auto at = address();
     if (!at) return refusal(at.error().message());
-    return Json{{"rows", rows_json(desk, *at, std::clamp<std::int64_t>(number_of(request, "before"), 0, 200),
-                                   std::clamp<std::int64_t>(number_of(request, "count", 20), 1, 400))}};
+    return Json{{"rows", rows_json(desk, *at, std::clamp<std::int64_t>(whole_of(request, "before"), 0, 200),
+                                   std::clamp<std::int64_t>(whole_of(request, "count", 20), 1, 400))}};
   }
   if (what == "memory") {
     const auto at = address();
     if (!at) return refusal(at.error().message());
     Json words = Json::array();
-    const auto count = std::clamp<std::int64_t>(number_of(request, "count", 128), 1, 4096);
+    const auto count = std::clamp<std::int64_t>(whole_of(request, "count", 128), 1, 4096);
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count) && *at + i < machine.words(); ++i)
       words.push_back(debugger.word(machine.word(*at + i)));
     return Json{{"at", *at}, {"address", debugger.address(*at)}, {"words", std::move(words)}};
@@ -394,7 +384,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
       const auto done = debugger.put_instruction(*at, instruction);
       return done ? Json::object() : refusal(done.error().message());
     }
-    const auto word = number_of(request, "word", -1);
+    const auto word = whole_of(request, "word", -1);
     if (word < 0 || (word >> desk.description().word_bits) != 0)
       return refusal(fmt::format("found no word of {} bits", desk.description().word_bits));
     debugger.put(*at, static_cast<std::uint32_t>(word));
@@ -403,7 +393,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   if (what == "set") {
     const auto number = debugger.register_named(text_of(request, "register"));
     if (!number) return refusal("there is no register of that name");
-    const auto value = number_of(request, "value", -1);
+    const auto value = whole_of(request, "value", -1);
     if (value < 0 || (value >> desk.description().registers[*number].bits) != 0) return refusal("the register is too small for that value");
     debugger.set(*number, static_cast<std::uint32_t>(value));
     return Json::object();
@@ -416,7 +406,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   }
   if (what == "history") {
     Json lines = Json::array();
-    for (const auto& entry : debugger.history(static_cast<std::size_t>(std::clamp<std::int64_t>(number_of(request, "count", 50), 1, 1000))))
+    for (const auto& entry : debugger.history(static_cast<std::size_t>(std::clamp<std::int64_t>(whole_of(request, "count", 50), 1, 1000))))
       lines.push_back(machine.history_line(entry));
     return Json{{"lines", std::move(lines)}};
   }
@@ -492,7 +482,7 @@ Json Workbench::answer(const Json& request) {
     made_ = *bytes;
     return Json{{"bytes", made_.size()}};
   }
-  const auto number = static_cast<int>(number_of(request, "id", -1));
+  const auto number = static_cast<int>(whole_of(request, "id", -1));
   if (what == "drop") {
     desks_.erase(number);
     return Json::object();

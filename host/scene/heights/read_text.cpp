@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -238,11 +237,7 @@ std::string place_of(std::size_t line, std::size_t column) {
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
-std::string shortest_text(double number) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, number);
-  return {buffer, error == std::errc{} ? end : buffer};
-}
+std::string shortest_text(double number) { return base::shortest_number(number); }
 
 base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
   if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());

@@ -1,8 +1,9 @@
 // See file_units.hpp.
 #include "host/scene/model/file_units.hpp"
 
-#include <charconv>
 #include <cmath>
+
+#include "host/base/number.hpp"
 
 namespace sightline::scene {
 
@@ -24,10 +25,8 @@ std::array<double, 3> file_point(const PolyScene& scene, const PolyPoint& p) {
 std::string file_point_text(const PolyScene& scene, const PolyPoint& p) {
   std::string text;
   for (std::size_t a = 0; a < 3; ++a) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, file_coordinate(scene, p, a));
     if (a > 0) text += ',';
-    text.append(digits, end);
+    text += base::shortest_number(file_coordinate(scene, p, a));
   }
   return text;
 }

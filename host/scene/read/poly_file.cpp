@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <set>
 #include <type_traits>
 
+#include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/model/file_units.hpp"
 #include "host/scene/read/assimp_mesh.hpp"
@@ -24,17 +24,10 @@ namespace {
 
 using Ring = std::vector<VertexIndex>;
 
-// The shortest text that reads as the same number.
-void append(std::string& text, double value) {
-  char digits[32];
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-  text.append(digits, end);
-}
-
 void append_point(std::string& text, const PolyScene& scene, const PolyPoint& p) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (a > 0) text += ' ';
-    append(text, file_coordinate(scene, p, a));
+    text += base::shortest_number(file_coordinate(scene, p, a));
   }
   text += '\n';
 }
@@ -198,7 +191,7 @@ void append_surfaces(std::string& text, const PolyScene& scene) {
       text += s > 0 ? ",\n" : "\n";
       for (std::size_t a = 0; a < 3; ++a) {
         text += a > 0 ? ',' : '[';
-        append(text, scene.surfaces[s].normal[a]);
+        text += base::shortest_number(scene.surfaces[s].normal[a]);
       }
       text += ']';
     }
@@ -210,7 +203,7 @@ void append_surfaces(std::string& text, const PolyScene& scene) {
 // One vertex or face a line, so that versions can be compared.
 std::string write_json(const PolyScene& scene) {
   std::string text = "{\"name\":" + json_string(scene.name) + ",\"step\":";
-  append(text, scene.step);
+  text += base::shortest_number(scene.step);
   text += ",\"origin\":" + json_array(scene.origin) + ",\n\"vertices\":[";
   for (std::size_t v = 0; v < scene.vertices.size(); ++v)
     text += (v > 0 ? ",\n" : "\n") + json_array(scene.vertices[v]);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -79,6 +82,30 @@ TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
   EXPECT_EQ(fixed_number("1", 0, 1), 1.0);
   for (const char* const wrong : {"", "1.5", "-0.5", "1e-3", "+1", "nan", "inf"})
     EXPECT_FALSE(fixed_number(wrong, 0, 1)) << wrong;
+}
+
+// The library of g++ writes each number in its own way.
+TEST(ShortestNumber, IsThatOfTheStandardLibrary) {
+  const auto expected = [](double value) {
+    std::array<char, 64> digits{};
+    return std::string(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  };
+  for (const double value : {0.0, -0.0, 1.0, -1.5, 0.1, 1e5, 1e-5, 123456.0, 100000.0, 1e22, 0x1p53, 0x1p63, 0x1p64, 0x1p70, 5e-324, 1.7976931348623157e308,
+                             12345678901234567890.0, 1234567890123456789012.0, 0.00012, 0.000123, 99999999999999990.0,
+                             std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(shortest_number(value), expected(value));
+  std::uint64_t seed = 1;
+  for (int n = 0; n < 300000; ++n) {
+    seed = seed * 6364136223846793005U + 1442695040888963407U;
+    const double any = std::bit_cast<double>(seed);
+    if (std::isnan(any)) continue;
+    ASSERT_EQ(shortest_number(any), expected(any)) << seed;
+    // Those that people write, and whole ones about 2^64.
+    const double common = static_cast<double>(static_cast<std::int64_t>(seed) >> (seed & 63U)) / std::pow(10.0, static_cast<double>(seed >> 6 & 15U));
+    ASSERT_EQ(shortest_number(common), expected(common)) << seed;
+    const double large = std::ldexp(static_cast<double>(seed >> 11), static_cast<int>(seed & 31U));
+    ASSERT_EQ(shortest_number(large), expected(large)) << seed;
+  }
 }
 
 TEST(Octal, HasLeadingZeros) {

@@ -9,27 +9,17 @@ import {Theatre} from './theatre.js';
 
 const ROOMS = [['jones', 'PDP-7'], ['skala', '8080'], ['bench', 'Workbench'], ['theatre', 'Theatre'], ['about', 'About']];
 
-async function unpacked(text) {
-  const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-async function begin() {
+// `wasm`: the module's bytes. `shelf`: the examples (examples.txt); one whose text is of the firmware has the names of its sources, which
+// the module has.
+export async function begin(wasm, shelf) {
   const main = document.getElementById('main');
   const nav = document.getElementById('rooms');
   const began = performance.now();
   const message = notice();
-  main.append(message);
-  let module;
-  try {
-    const bytes = await unpacked(document.getElementById('module').textContent.trim());
-    module = await openModule(await WebAssembly.compile(bytes));
-  } catch (error) {
-    message.say(`The machines cannot be started: ${error.message}. This page needs WebAssembly and DecompressionStream: Chrome or Edge 89, Firefox 113, Safari 16.4 or later.`, true);
-    return;
-  }
-  const examples = JSON.parse(document.getElementById('examples').textContent);
+  const module = await openModule(await WebAssembly.compile(wasm));
+  main.replaceChildren(message);
+  const {sources} = module.ask({do: 'firmware'});
+  const examples = shelf.map(each => ({...each, text: (each.sources ?? []).map(name => sources[name]).join('') + each.text}));
   const lists = module.ask({do: 'lists'});
   let current = null;
   const remember = () => {
@@ -77,5 +67,3 @@ async function begin() {
   // For tests and for people who like to look inside.
   globalThis.sightline = {module, get room() { return current; }};
 }
-
-begin();

@@ -1,0 +1,119 @@
+#include "host/live/web/turning.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/word.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/guests/turn/program.hpp"
+#include "host/guests/turn/screen_view.hpp"
+#include "host/guests/turn/session.hpp"
+#include "host/guests/turn/tape.hpp"
+#include "host/live/web/requests.hpp"
+
+namespace sightline::live::web {
+namespace {
+
+namespace turn = guests::turn;
+constexpr std::uint32_t angles = 1U << 18;
+
+turn::Memory memory_of(const Json& request) {
+  return text_of(request, "memory") == "32k" ? turn::Memory::words_32k : turn::Memory::words_8k;
+}
+
+// How many pictures the program makes in a second of the machine's time, from its first ones.
+double pictures_a_second(Desk& desk, const turn::Labels& labels) {
+  constexpr std::int64_t begun = 100'000'000;
+  constexpr std::int64_t ended = 800'000'000;
+  constexpr std::uint64_t most = 10'000'000;
+  static_cast<void>(desk.run(begun, most));
+  const std::uint32_t from = desk.machine().word(labels.angle);
+  static_cast<void>(desk.run(ended, most));
+  const std::uint32_t passed = (desk.machine().word(labels.angle) - from) % angles;
+  return passed / (static_cast<double>(ended - begun) / 1e9);
+}
+
+// The model in core and its tape in the reader: a start at the label `start` reads it in, as in 1965.
+Json make_turn(Workbench& workbench, const Json& request) {
+  auto loaded = scene_named(workbench, text_of(request, "scene"));
+  if (!loaded) return refusal(loaded.error().message());
+  const auto tape = turn::make_tape(loaded->scene, memory_of(request), !flag_of(request, "level"));
+  if (!tape) return refusal(tape.error().message());
+  const turn::Program program = turn::assemble_program(flag_of(request, "eae", true), tape->memory);
+  std::vector<core::Word18> words = program.core;
+  const std::uint32_t base = turn::model_base(tape->memory);
+  words.resize(std::max(words.size(), base + tape->words.size()));
+  std::copy(tape->words.begin(), tape->words.end(), words.begin() + static_cast<std::ptrdiff_t>(base));
+  words[program.labels.count] = core::Word18(static_cast<std::uint32_t>(tape->words.size()));
+  words[program.labels.checksum] = turn::checksum(tape->words);
+  CoreProgram core{{{}, program.labels.begin}, program.eae, Json::object(), program.symbols};
+  for (std::uint32_t at = 0; at < words.size(); ++at) core.image.words.emplace_back(at, words[at].value());
+  workbench.put_file(".turn.tape", turn::punch(*tape));
+  core.options = Json{{"--reader", ".turn.tape"}};
+  if (tape->memory == turn::Memory::words_32k) core.options["--memory"] = "32k";
+
+  // At one word of angle from picture to picture the angle counts the pictures.
+  const Json trial = make_pdp7(workbench, ".turn.oct", core, 1);
+  Desk* const tried = desk_of(workbench, trial);
+  if (tried == nullptr) return trial;
+  const double rate = pictures_a_second(*tried, program.labels);
+  static_cast<void>(workbench.answer(Json{{"do", "drop"}, {"id", *trial.find("id")}}));
+
+  const double seconds = std::clamp(number_of(request, "seconds", 8), 0.5, 600.0);
+  const auto step = static_cast<std::uint32_t>(std::clamp(std::round(angles / (seconds * std::max(rate, 1.0))), 1.0, 32767.0));
+  const auto switches = static_cast<std::uint32_t>(std::clamp(number_of(request, "switches", step), 0.0, 262143.0));
+  Json made = make_pdp7(workbench, ".turn.oct", core, switches);
+  made["step"] = step;
+  made["pictures_a_second"] = rate;
+  made["edges"] = tape->edges;
+  made["events"] = tape->events;
+  made["words"] = program.words + tape->layout.model() + tape->layout.display_files;
+  Json labels = Json::object();
+  for (const auto& [name, at] : {std::pair{"start", program.labels.start}, {"begin", program.labels.begin}, {"angle", program.labels.angle},
+                                 {"status", program.labels.status}, {"file", program.labels.file}})
+    labels[name] = at;
+  made["labels"] = std::move(labels);
+  return made;
+}
+
+// The exact visible lines at an angle of the machine, to a 30,000th of a radian, in points of the Type 340: [x0, y0, x1, y1].
+Json turn_sight(Workbench& workbench, const Json& request) {
+  auto loaded = scene_named(workbench, text_of(request, "scene"));
+  if (!loaded) return refusal(loaded.error().message());
+  const auto standing = turn::stand_on_axis(loaded->scene, !flag_of(request, "level"));
+  if (!standing) return refusal(standing.error().message());
+  const auto angle = static_cast<std::uint32_t>(std::clamp(number_of(request, "angle", 0), 0.0, double{angles - 1}));
+  auto prepared = registry::line_algorithms().front().prepare(*standing);
+  if (!prepared) return refusal(prepared.error().message());
+  const auto view = prepared->view(turn::ScreenView::camera(angle));
+  if (!view) return refusal(view.error().message());
+  const turn::ScreenView screen(*standing);
+  Json lines = Json::array();
+  for (const auto& piece : view->picture.pieces) {
+    const auto& from = standing->vertices[piece.edge.from];
+    const auto& to = standing->vertices[piece.edge.to];
+    Json line = Json::array();
+    for (const double t : {piece.low.to_double(), piece.high.to_double()}) {
+      std::array<double, 3> point{};
+      for (std::size_t a = 0; a < 3; ++a) point[a] = from[a] + (to[a] - from[a]) * t;
+      for (const double coordinate : screen.place(point, angle)) line.push_back(coordinate);
+    }
+    lines.push_back(std::move(line));
+  }
+  return Json{{"lines", std::move(lines)}};
+}
+
+}  // namespace
+
+Json turning_answer(Workbench& workbench, std::string_view what, const Json& request) {
+  if (what == "turn") return make_turn(workbench, request);
+  if (what == "turn_sight") return turn_sight(workbench, request);
+  return {};
+}
+
+}  // namespace sightline::live::web
