@@ -29,8 +29,8 @@ export async function begin(wasm, shelf) {
   const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open() {}};
   const rooms = {};
   const make = {
-    jones: () => new Pdp7Room(module, examples.filter(each => each.room), remember), skala: () => new I8080Room(module, lists.functions, remember),
-    bench: () => new Workbench(module, examples, remember), theatre: () => new Theatre(module, lists.lessons, remember), about: () => about,
+    jones: () => new Pdp7Room(module, examples.filter(each => each.room), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Room(module, lists.functions, remember),
+    bench: () => new Workbench(module, examples.filter(each => each.machine !== 'solid'), remember), theatre: () => new Theatre(module, lists.lessons, remember), about: () => about,
   };
   const tabs = Object.fromEntries(ROOMS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));
   nav.append(...Object.values(tabs));

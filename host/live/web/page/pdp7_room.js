@@ -1,6 +1,7 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
 import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Turning} from './turning.js';
 import {SIDE, PHOSPHOR, makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
@@ -15,8 +16,10 @@ const WALK = [
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
 
 export class Pdp7Room {
-  constructor(module, examples, remember) {
+  // `examples`: programs of the PDP-7 and, as `solids`, models that turn.
+  constructor(module, examples, solids, remember) {
     this.module = module;
+    this.turning = new Turning(module, solids, this);
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, scale: 512, speed: 1, switches: 0};
@@ -53,8 +56,8 @@ export class Pdp7Room {
     screen.addEventListener('pointerup', event => pen(event, false));
     screen.addEventListener('pointercancel', event => pen(event, false));
 
-    this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.examples.map(each => [each.name, each.title])], o.program,
-      value => { o.program = value; this.restart(); });
+    this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.turning.programs, ...this.examples.map(each => [each.name, each.title])], o.program,
+      value => { o.program = value; o.switches = 0; this.restart(); });
     const speed = choice('Speed', [[1, 'real time'], [2, '2 times'], [10, '10 times'], [0, 'as fast as possible'], [0.1, 'a tenth']], o.speed, value => { o.speed = Number(value); });
     const set = name => value => { o[name] = value; this.restart(); };
     this.running = button('Pause', () => this.toggle(), 'Run or pause');
@@ -63,16 +66,16 @@ export class Pdp7Room {
 
     return element('div', {className: 'room'},
       element('div', {className: 'stage'}, screen,
-        element('p', {className: 'under'}, this.lamp, ' a view is being computed ', this.running)),
+        element('p', {className: 'under'}, element('span', {}, this.lamp, ' a view is being computed '), this.running)),
       element('div', {className: 'desk'},
         this.message,
         group('Program', this.programs, speed,
           this.eae = check('EAE (extended arithmetic element)', o.eae, set('eae')), this.stereo = check('Stereo pair', o.stereo, set('stereo')),
           this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }),
-          check('Lines at once', o.immediate, set('immediate')),
+          this.immediate = check('Lines at once', o.immediate, set('immediate')),
           this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}),
           this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); })),
-        this.walk = group('Walk: hold a switch, or its key', this.walkPad()),
+        this.walk = group('Walk: hold a switch, or its key', this.walkPad()), this.turning.group,
         group('Panel', this.panel()),
         group('Teletype', this.teletype()),
         group('State', this.facts,
@@ -103,8 +106,10 @@ export class Pdp7Room {
     if (this.id) this.module.set(this.id, SWITCHES, this.switchWord());
     this.toggles.forEach((box, bit) => box.setAttribute('aria-checked', String(Boolean(this.switchWord() >> (17 - bit) & 1))));
     this.pads.forEach((b, bit) => b.classList.toggle('down', Boolean(word >> (17 - bit) & 1)));
+    if (this.turns) this.turning.showSwitches();
   }
-  switchWord() { return this.options.switches | (this.options.stereo ? 1 : 0) | (this.options.immediate ? 2 : 0); }
+  // What Jones's program alone takes from them is a choice of the room.
+  switchWord() { return this.turns ? this.options.switches : this.options.switches | (this.options.stereo ? 1 : 0) | (this.options.immediate ? 2 : 0); }
 
   panel() {
     const row = (name, bits) => {
@@ -162,11 +167,17 @@ export class Pdp7Room {
     this.paper.textContent = '';
     const o = this.options;
     const jones = PROGRAMS.includes(o.program);
+    this.turns = this.turning.owns(o.program);
     this.walk.hidden = !jones;
+    this.turning.group.hidden = !this.turns;
+    for (const each of [this.stereo, this.redCyan, this.immediate, this.scale, this.lamp.parentElement]) each.hidden = !jones;
     let made;
     if (jones) {
       made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
       this.labels = made.labels;
+    } else if (this.turns) {
+      made = this.turning.make();
+      if (made.labels) this.address.value = made.labels.start.toString(8).padStart(5, '0');
     } else {
       const example = this.examples.find(each => each.name === o.program) ?? this.own;
       const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
@@ -223,6 +234,7 @@ export class Pdp7Room {
   key(event, down) {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement || event.target instanceof HTMLTextAreaElement) return false;
     const bit = WALK.findIndex(([, key]) => key === event.key);
+    if (this.turns && this.id) return this.turning.key(event, down);
     if (bit < 0 || !this.labels) return false;
     if (!event.repeat) this.hold(bit, down);
     return true;
@@ -259,7 +271,8 @@ export class Pdp7Room {
     if (this.sinceState > 0.25) {
       this.sinceState = 0;
       this.showState();
-      if (this.lines) this.drawGlass();
+      if (this.turns && this.options.exact) this.sight();
+      else if (this.lines) this.drawGlass();
     }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
@@ -303,6 +316,7 @@ export class Pdp7Room {
 
   sight() {
     this.lines = null;
+    if (this.options.exact && this.turns && this.id) this.lines = this.turning.lines();
     if (this.options.exact && this.labels && this.view) {
       const answer = this.module.ask({do: 'sight', scene: this.options.program, eye: this.view.eye, scale: this.view.scale, stereo: this.options.stereo});
       if (answer.lines) this.lines = answer.lines;
@@ -316,8 +330,10 @@ export class Pdp7Room {
     this.glass.hidden = !this.lines;
     if (!this.lines) return;
     // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
-    const now = this.module.ticks(this.id) - 3e8;
-    const lit = block => this.litAt[block] > now;
+    // Of what moves, other places were lit a moment ago than are to be lit now: there the lines alone are drawn.
+    const now = this.module.ticks(this.id) - (this.turns ? 1e8 : 3e8);
+    const moves = this.turns && this.turning.moves;
+    const lit = block => moves || this.litAt[block] > now;
     const near = (x, y, test) => {
       for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) {
         const bx = (x >> 2) + dx, by = (y >> 2) + dy;
@@ -344,6 +360,7 @@ export class Pdp7Room {
         context.stroke();
       }
     }
+    if (moves) return;
     context.fillStyle = '#ff4dd2';
     for (let block = 0; block < 65536; ++block) {
       if (covered[block] || !lit(block)) continue;
@@ -365,7 +382,8 @@ export class Pdp7Room {
     const refresh = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : 'none';
     const rows = [['Emulated time', state.time], ['Instructions', state.instructions.toLocaleString('en')], ['Stolen cycles', times.stolen_cycles.toLocaleString('en')],
       ['Refresh', refresh], ['Next', state.status.split('\n')[0]]];
-    if (this.lines) rows.push(['Exact lines', `${this.missing ?? 0} places of 4 points missing (red), ${this.extra ?? 0} lit beside them (magenta)`]);
+    if (this.turns) rows.push(...this.turning.facts(now.time));
+    if (this.lines) rows.push(['Exact lines', this.turns && this.turning.moves ? 'of this angle; where they differ is shown when it stands still' : `${this.missing ?? 0} places of 4 points missing (red), ${this.extra ?? 0} lit beside them (magenta)`]);
     if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
   }
@@ -386,7 +404,7 @@ export class Pdp7Room {
   }
   open(path, query) {
     const o = this.options;
-    if (path && [...PROGRAMS, ...this.examples.map(each => each.name)].includes(path)) o.program = path;
+    if (path && ([...PROGRAMS, ...this.examples.map(each => each.name)].includes(path) || this.turning.owns(path))) o.program = path;
     o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
     o.eae = query.get('eae') !== '0';
     for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';

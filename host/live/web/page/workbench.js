@@ -123,7 +123,7 @@ export class Workbench {
     const name = this.current?.name ?? 'program.s';
     const others = (this.current?.includes ?? []).map(each => this.examples.find(e => e.name === each)).filter(Boolean);
     for (const each of others) this.module.putFile(each.name, each.text);
-    const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [...(this.current?.before ?? []).map(each => ({name: each, text: this.examples.find(e => e.name === each)?.text ?? ''})), {name, text: this.editor.value}],
+    const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: this.editor.value}],
       options: {...(this.current?.options ?? {}), '--dialect': this.dialect.select.value}});
     if (made.error) return this.message.say(made.error, true);
     this.errors.replaceChildren(...made.diagnostics.slice(0, 100).map(each => element('li', {className: each.severity},

@@ -1,0 +1,104 @@
+// A solid turning with hidden lines removed on the PDP-7 (firmware/pdp7/turn): its models, its switches by name, and what can be said of it.
+
+import {button, check, choice, element, group} from './ui.js';
+
+const BACKWARDS = 0o400000, WIRE = 0o200000, EVENT = 0o100000, SPEED = 0o77777;
+const ANGLES = 2 ** 18;
+const STATUS = ['right', 'the tape is damaged', 'the display file was full', 'no tape for this machine', 'reads the tape'];
+// Built in; the page's own solids (examples.txt) are put before them.
+const MODELS = [['roberts', 'notched block'], ['boxes-8', 'eight boxes'], ['boxes-20', 'twenty boxes, 32K']];
+const PREFIX = 'turn ';
+
+export class Turning {
+  // `solids`: files of the page. `room`: a Pdp7Room.
+  constructor(module, solids, room) {
+    this.module = module;
+    this.room = room;
+    for (const each of solids) module.putFile(each.name, each.text);
+    this.models = [...solids.map(each => [each.name, each.title]), ...MODELS];
+    this.options = {seconds: 8, level: false};
+    this.made = null;
+    this.group = this.build();
+  }
+
+  // Programs for the room's choice, by name and title.
+  get programs() { return this.models.map(([name, title]) => [PREFIX + name, `Turn: ${title}`]); }
+  owns(program) { return this.models.some(([name]) => PREFIX + name === program); }
+  scene(program) { return program.slice(PREFIX.length); }
+
+  build() {
+    const flip = (bit, label, title) => {
+      const made = button(label, () => this.flip(bit), title);
+      made.setAttribute('aria-pressed', 'false');
+      return made;
+    };
+    this.backwards = flip(BACKWARDS, 'backwards', 'AC switch 0, keys left and right');
+    this.wire = flip(WIRE, 'wire frame', 'AC switch 1, key w: every edge whole, for comparison');
+    this.stop = button('stop', () => this.standStill(), 'Speed 0: AC switches 3 to 17 down, key s');
+    this.event = element('button', {type: 'button', className: 'hold', textContent: 'next event', title: 'AC switch 2, key e: to the next angle at which something appears or vanishes'});
+    this.event.addEventListener('pointerdown', event => { this.event.setPointerCapture(event.pointerId); this.hold(true); });
+    for (const kind of ['pointerup', 'pointercancel', 'lostpointercapture']) this.event.addEventListener(kind, () => this.hold(false));
+    this.event.addEventListener('keydown', event => { if (event.key === ' ' || event.key === 'Enter') { event.preventDefault(); this.hold(true); } });
+    this.event.addEventListener('keyup', event => { if (event.key === ' ' || event.key === 'Enter') this.hold(false); });
+    this.pace = choice('A turn in', [[2, '2 s'], [4, '4 s'], [8, '8 s'], [16, '16 s'], [60, 'a minute']], this.options.seconds, value => { this.options.seconds = Number(value); this.setSpeed(); });
+    this.upright = check('Upright', false, value => { this.options.level = value; this.room.options.switches = 0; this.room.restart(); });
+    return group('Turn', element('div', {className: 'pad'}, this.backwards, this.wire, this.event, this.stop), this.pace, this.upright);
+  }
+
+  make() {
+    const {options} = this.room;
+    const large = options.program.endsWith('boxes-20');
+    const made = this.module.ask({do: 'turn', scene: this.scene(options.program), eae: options.eae, memory: large ? '32k' : '8k', level: this.options.level, ...(options.switches ? {switches: options.switches} : {})});
+    this.made = made.error ? null : made;
+    if (!this.made) return made;
+    this.before = null;
+    this.rate = 0;
+    if (!options.switches) options.switches = this.step();
+    return made;
+  }
+  // Words of angle from picture to picture at which a turn takes as long as was chosen.
+  step() { return Math.max(1, Math.min(SPEED, Math.round(ANGLES / (this.options.seconds * Math.max(1, this.made.pictures_a_second))))); }
+
+  get word() { return this.room.options.switches; }
+  put(word) { this.room.setSwitches(word); this.room.remember(); }
+  flip(bit) { this.put(this.word ^ bit); }
+  hold(down) { this.put(down ? this.word | EVENT : this.word & ~EVENT); }
+  standStill() { this.put(this.word & SPEED ? this.word & ~SPEED : this.word | this.step()); }
+  setSpeed() { if (this.made) this.put(this.word & ~SPEED | this.step()); }
+  faster(times) { this.put(this.word & ~SPEED | Math.max(1, Math.min(SPEED, Math.round((this.word & SPEED || this.step()) * times)))); }
+
+  key(event, down) {
+    if (event.key === 'e') { if (!event.repeat) this.hold(down); return true; }
+    const act = {ArrowLeft: () => this.put(this.word | BACKWARDS), ArrowRight: () => this.put(this.word & ~BACKWARDS), ArrowUp: () => this.faster(1.25), ArrowDown: () => this.faster(0.8),
+      w: () => this.flip(WIRE), s: () => this.standStill()}[event.key];
+    if (!act) return false;
+    if (down) act();
+    return true;
+  }
+  showSwitches() {
+    this.backwards.setAttribute('aria-pressed', String(Boolean(this.word & BACKWARDS)));
+    this.wire.setAttribute('aria-pressed', String(Boolean(this.word & WIRE)));
+    this.event.classList.toggle('down', Boolean(this.word & EVENT));
+    this.stop.textContent = this.word & SPEED ? 'stop' : 'go on';
+  }
+
+  get angle() { return this.module.word(this.room.id, this.made.labels.angle); }
+  // The exact visible lines at the machine's own angle.
+  lines() {
+    const answer = this.module.ask({do: 'turn_sight', scene: this.scene(this.room.options.program), level: this.options.level, angle: this.angle});
+    return this.word & WIRE ? null : answer.lines ?? null;
+  }
+  // Rows of the room's facts; `time`: seconds of the machine's time.
+  facts(time) {
+    const {module, room, made} = this;
+    const angle = this.angle;
+    const step = this.word & SPEED;
+    const moved = this.before ? Math.abs((angle - this.before.angle + 1.5 * ANGLES) % ANGLES - ANGLES / 2) : 0;
+    if (this.before && time > this.before.time && step) this.rate = moved / step / (time - this.before.time);
+    this.moves = moved > 0;
+    this.before = {angle, time};
+    const status = module.word(room.id, made.labels.status);
+    return [['Angle', `${(angle / ANGLES * 360).toFixed(1)} degrees`], ['Pictures', this.moves ? `${this.rate.toFixed(1)} a second${this.word & WIRE ? ', wire frames' : ''}` : 'stands still'],
+      ['Model', `${made.edges} edges, ${made.events} events in a turn, ${made.words.toLocaleString('en')} words of core`], ['Status', STATUS[status] ?? String(status)]];
+  }
+}
