@@ -13,6 +13,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <optional>
 
@@ -164,6 +165,7 @@ class Display {
   [[nodiscard]] bool vector_stays_inside(VectorWord w) const;
   void do_whole_word();
   void do_pulses(int count);
+  void draw_vector(VectorWord w);
   void last_pulse();
   // MOVE, after a count pulse.
   void note_motion(bool moved) { registers_.move = moved || (registers_.move && options_.flash_again); }

@@ -6,6 +6,7 @@
 // what was drawn before the shutter opened.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -30,19 +31,22 @@ class Screen {
     core::Duration window{};  // a picture of all strokes of the last so many nanoseconds; 0: of the last complete pass
   };
 
-  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
+  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) { look_at_wishes(); }
   // Takes every stroke, as host/picture/stroke_log writes it; before the first one.
-  void take_log(TextTaker taker) { log_.take(std::move(taker)); }
+  void take_log(TextTaker taker) {
+    log_.take(std::move(taker));
+    look_at_wishes();
+  }
 
   void begin_pass(core::Instant t) {
     if (wishes_.picture) passes_.begin_pass(t);
   }
-  void stroke(const core::Stroke& stroke) {
-    if (wishes_.picture) passes_.stroke(stroke);
-    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
-    if (wishes_.photograph || of_picture) newest_.stroke(stroke);
-    if (log_.wanted()) log(stroke);
-    if (live_) fresh_.push_back(stroke);
+  [[gnu::always_inline]] void stroke(const core::Stroke& stroke) {
+    if (live_) {
+      if (fresh_count_ == fresh_.size()) grow();
+      fresh_[fresh_count_++] = stroke;
+    }
+    if (wished_) keep(stroke);
   }
   void end_pass(core::Instant t) {
     if (wishes_.picture) passes_.end_pass(t);
@@ -51,16 +55,17 @@ class Screen {
   void forget_after(core::Instant t) {
     passes_.forget_after(t);
     newest_.forget_after(t);
-    fresh_.clear();
+    fresh_count_ = 0;
   }
   // From now on strokes are kept for take_strokes, and for nothing else.
   void keep_strokes(bool keep) {
     live_ = keep;
     if (keep) wishes_ = {};
+    look_at_wishes();
   }
   void take_strokes(std::vector<core::Stroke>& strokes) {
-    strokes.swap(fresh_);
-    fresh_.clear();
+    strokes.assign(fresh_.begin(), fresh_.begin() + static_cast<std::ptrdiff_t>(fresh_count_));
+    fresh_count_ = 0;
   }
   // Hands out what is left of the log.
   void finish() { log_.finish(); }
@@ -78,6 +83,15 @@ class Screen {
   [[nodiscard]] std::vector<core::Stroke> newest_strokes() const { return newest_.strokes(); }
 
  private:
+  void look_at_wishes() { wished_ = wishes_.picture || wishes_.photograph || log_.wanted(); }
+  [[gnu::noinline]] void grow() { fresh_.resize(std::max<std::size_t>(4096, 2 * fresh_.size())); }
+  // By value, as nothing may point to a stroke that is on its way: its parts then stay in the host's registers.
+  [[gnu::noinline]] void keep(core::Stroke stroke) {
+    if (wishes_.picture) passes_.stroke(stroke);
+    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
+    if (wishes_.photograph || of_picture) newest_.stroke(stroke);
+    if (log_.wanted()) log(stroke);
+  }
   void log(const core::Stroke& stroke) {
     log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
@@ -86,8 +100,10 @@ class Screen {
   picture::PassRecorder passes_;
   picture::StrokeRecorder newest_;
   TextBlocks log_;
+  bool wished_ = false;  // something, besides take_strokes
   bool live_ = false;
-  std::vector<core::Stroke> fresh_;  // since they were last taken
+  std::vector<core::Stroke> fresh_;  // room for those since they were last taken
+  std::size_t fresh_count_ = 0;
 };
 
 }  // namespace sightline::guests::run

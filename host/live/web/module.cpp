@@ -1,6 +1,7 @@
 // The C interface of the module: one buffer in, one buffer out, and numbers.
 //
 // A text or file goes into `room`; request and file_put read it from there. What an answer holds is at answer_data.
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -109,10 +110,12 @@ SIGHTLINE_EXPORT(printed) int printed(int id) {
   Desk* const desk = page().workbench.desk(id);
   return desk != nullptr ? give(desk->take_printed()) : 0;
 }
-// What has been drawn since the last call: how many flashes of 16 bytes (a double: nanoseconds; x and y of 16 bits; the intensity
-// of 32) lie at flashes_data.
+// What has been drawn since the last call: how many flashes of 16 bytes (nanoseconds in 64 bits; x and y of 16; the intensity of 8) lie at
+// flashes_data.
 namespace {
-const Desk::Flash* taken_flashes = nullptr;
+using sightline::core::Stroke;
+static_assert(sizeof(Stroke) == 16 && offsetof(Stroke, x) == 8 && offsetof(Stroke, y) == 10 && offsetof(Stroke, intensity) == 12);
+const Stroke* taken_flashes = nullptr;
 }
 SIGHTLINE_EXPORT(flashes) int flashes(int id) {
   Desk* const desk = page().workbench.desk(id);

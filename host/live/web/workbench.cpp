@@ -183,14 +183,9 @@ Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
   return debugger_.run(goal);
 }
 
-std::span<const Desk::Flash> Desk::take_flashes() {
+std::span<const core::Stroke> Desk::take_flashes() {
   machine().take_strokes(strokes_);
-  flashes_.resize(strokes_.size());
-  for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const core::Stroke& stroke = strokes_[i];
-    flashes_[i] = {static_cast<double>(core::nanoseconds_of(stroke.time)), stroke.x, stroke.y, stroke.intensity};
-  }
-  return flashes_;
+  return strokes_;
 }
 
 const Bytes* Workbench::file(const std::string& name) const {

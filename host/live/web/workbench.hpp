@@ -38,15 +38,8 @@ class Desk {
   // To that time in the machine's unit; at most so many instructions.
   [[nodiscard]] Halted run(std::int64_t until, std::uint64_t instructions);
 
-  // What has been drawn since the last call: nanoseconds of emulated time, then place and intensity, as the
-  // page reads them.
-  struct Flash {
-    double time;
-    std::uint16_t x;
-    std::uint16_t y;
-    std::uint32_t intensity;
-  };
-  [[nodiscard]] std::span<const Flash> take_flashes();
+  // What has been drawn since the last call. The page reads it as it lies in memory (module.cpp).
+  [[nodiscard]] std::span<const core::Stroke> take_flashes();
 
  private:
   const guests::run::MachineDescription& description_;
@@ -58,7 +51,6 @@ class Desk {
   std::uint64_t begun_at_ = 0;  // instructions
   Debugger debugger_;
   std::vector<core::Stroke> strokes_;
-  std::vector<Flash> flashes_;
 };
 
 class Workbench {

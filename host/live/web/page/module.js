@@ -31,6 +31,9 @@ function system(memory) {
   };
 }
 
+// Nanoseconds of the machine's time of the flash that begins at this byte of a view.
+export function flashTime(flashes, at) { return flashes.getInt32(at + 4, true) * 2 ** 32 + flashes.getUint32(at, true); }
+
 // `wasm`: a WebAssembly.Module.
 export async function openModule(wasm) {
   let exports = null;
@@ -74,8 +77,8 @@ export async function openModule(wasm) {
     type: (id, key) => exports.type(id, key),
     // Codes of eight bits, a character each.
     printed: id => { const size = exports.printed(id); return size ? String.fromCharCode(...taken(size)) : ''; },
-    // A view of the flashes since the last call, 16 bytes each: a double, two 16-bit numbers, one of 32. Valid until the next call
-    // of anything here.
+    // A view of the flashes since the last call, 16 bytes each: flashTime, x and y of 16 bits, the intensity of 8. Valid until the next
+    // call of anything here.
     flashes(id) {
       const count = exports.flashes(id);
       return new DataView(exports.memory.buffer, count ? exports.flashes_data() : 0, 16 * count);

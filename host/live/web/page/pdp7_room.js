@@ -2,6 +2,7 @@
 
 import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
+import {flashTime} from './module.js';
 import {SIDE, PHOSPHOR, makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
@@ -258,7 +259,7 @@ export class Pdp7Room {
     const flashes = this.module.flashes(this.id);
     if (this.lines) {
       for (let at = 0; at < flashes.byteLength; at += 16)
-        this.litAt[256 * (flashes.getUint16(at + 10, true) >> 2) + (flashes.getUint16(at + 8, true) >> 2)] = flashes.getFloat64(at, true);
+        this.litAt[256 * (flashes.getUint16(at + 10, true) >> 2) + (flashes.getUint16(at + 8, true) >> 2)] = flashTime(flashes, at);
     }
     this.tube.picture(flashes, this.on ? passed : seconds);
     const printed = this.module.printed(this.id);

@@ -196,7 +196,7 @@ class GlowTube {
     for (let at = 0; at < flashes.byteLength; at += 16) {
       const x = (flashes.getUint16(at + 8, true) + PHOSPHOR.margin + 0.5) * scale | 0;
       const y = (flashes.getUint16(at + 10, true) + PHOSPHOR.margin + 0.5) * scale | 0;
-      sums[y * side + x] += LEVELS[flashes.getUint32(at + 12, true) & 7] * scale * scale;
+      sums[y * side + x] += LEVELS[flashes.getUint8(at + 12) & 7] * scale * scale;
     }
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.fresh);
@@ -222,7 +222,7 @@ class GlowTube {
         const at = 16 * (from + i);
         this.room[3 * i] = flashes.getUint16(at + 8, true);
         this.room[3 * i + 1] = flashes.getUint16(at + 10, true);
-        this.room[3 * i + 2] = flashes.getUint32(at + 12, true);
+        this.room[3 * i + 2] = flashes.getUint8(at + 12);
       }
       gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.room, 0, 3 * part);
       gl.drawArrays(gl.POINTS, 0, part);

@@ -13,7 +13,7 @@ import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 const [wasm, script, sightline] = process.argv.slice(2);
-const {openModule} = await import(pathToFileURL(script));
+const {openModule, flashTime} = await import(pathToFileURL(script));
 const module = await openModule(new WebAssembly.Module(readFileSync(wasm)));
 const folder = mkdtempSync(join(tmpdir(), 'sightline-page-'));
 process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
@@ -51,7 +51,7 @@ function compareJones(scene, eae, switches) {
     module.run(made.id, until * 1e6);
     const flashes = module.flashes(made.id);
     for (let at = 0; at < flashes.byteLength; at += 16)
-      strokes += `${flashes.getFloat64(at, true)} ${flashes.getUint16(at + 8, true)} ${flashes.getUint16(at + 10, true)} ${flashes.getUint32(at + 12, true)}\n`;
+      strokes += `${flashTime(flashes, at)} ${flashes.getUint16(at + 8, true)} ${flashes.getUint16(at + 10, true)} ${flashes.getUint8(at + 12)}\n`;
   }
   writeFileSync(join(folder, 'jones.oct'), file('.jones.oct'));
   native('run', 'pdp7', 'jones.oct', '--display', eae ? '--eae' : '--no-eae', '--switches', switches.toString(8), '--start', made.labels.start.toString(8),
