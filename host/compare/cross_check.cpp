@@ -11,6 +11,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/base/text.hpp"
 #include "host/compare/cross_check_compare.hpp"
+#include "host/compare/stripes.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -30,6 +31,7 @@ std::vector<Participant> find_participants() {
     at(algorithm.name).faces = true;
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) at(method.algorithm).faces = true;
+  at(stripes_name).faces = true;
   at(oracle).faces = true;
   return found;
 }
@@ -38,6 +40,10 @@ constexpr std::array all_not_applicable{
     NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
     NotApplicable{"willis", "H", NotApplicable::Views::all,
                   "leaves facets that touch clustered: no plane on the lattice keeps them apart"},
+    NotApplicable{stripes_name, "C7", NotApplicable::Views::all,
+                  "two faces hide each other in different places, for which the paper has no order"},
+    NotApplicable{stripes_name, "C9", NotApplicable::Views::all, "65 faces are turned to the eye, the 8080 holds 64"},
+    NotApplicable{stripes_name, "H", NotApplicable::Views::all, "1,922 faces are turned to the eye, the 8080 holds 64"},
     NotApplicable{"plantinga", "C", NotApplicable::Views::perspective,
                   "events of a turn are those of parallel projection"},
 };
@@ -103,6 +109,18 @@ class Drawing {
     if (who_.name == oracle) {
       for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
         picture.faces = nearest_faces(scene_, view);
+      });
+      return;
+    }
+    if (who_.name == stripes_name) {
+      for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+        auto drawn = stripes_faces(scene_.scene, view.camera, view.window());
+        if (!drawn)
+          picture.problem = drawn.error().message();
+        else if (!drawn->difference.empty())
+          picture.problem = "the program is not its twin: " + drawn->difference;
+        else
+          picture.faces = std::move(drawn->faces);
       });
       return;
     }

@@ -28,7 +28,7 @@ struct Participant {
   bool lines = false;
   bool faces = false;
 };
-// In the order of the registries: lines, faces, heights. The oracle has faces, too: nearest_faces().
+// In the order of the registries: lines, faces, heights; then the 8080's stripes (stripes.hpp). The oracle has faces, too: nearest_faces().
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {

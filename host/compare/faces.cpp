@@ -145,10 +145,12 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   const auto& faces = *prepared;
   auto view = faces.view(camera_, window_);
   if (!view) return std::move(view.error());
-  PixelGrid& drawn = view->faces;
+  return compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
+}
+
+ComparedFaces FaceTruth::compared(std::string name, PixelGrid drawn, std::size_t not_solved) const {
   const auto metrics = picture::pixel_metrics(faces_, drawn, edges_);
-  return ComparedFaces{std::string(algorithm.name), metrics, faces_, std::move(drawn),
-                       faces.not_solved.size()};
+  return ComparedFaces{std::move(name), metrics, faces_, std::move(drawn), not_solved};
 }
 
 }  // namespace sightline::compare

@@ -40,7 +40,11 @@ class FaceTruth {
   // An error says why the algorithm does not apply.
   [[nodiscard]] base::Result<ComparedFaces> compared(const registry::FaceAlgorithm& algorithm) const;
 
+  // The same of a picture that something else has made in the window.
+  [[nodiscard]] ComparedFaces compared(std::string name, picture::PixelGrid drawn, std::size_t not_solved) const;
+
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
+  [[nodiscard]] const registry::FaceWindow& window() const { return window_; }
 
  private:
   FaceTruth(const scene::PolyScene& scene, const scene::PolyCamera& camera,

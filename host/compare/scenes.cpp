@@ -12,6 +12,7 @@
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/stripes.hpp"
 #include "host/guests/jones/session.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -110,6 +111,19 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
     else
       comparison.faces.push_back(std::move(*compared));
   }
+  const std::string name(stripes_name);
+  if (crossing || !truth) {
+    comparison.not_applicable.emplace_back(name, crossing ? bodies_intersect : truth.error().message());
+    return;
+  }
+  progress(name);
+  auto drawn = stripes_faces(scene, comparison.camera, truth->window());
+  if (!drawn) {
+    comparison.not_applicable.emplace_back(name, drawn.error().message());
+    return;
+  }
+  comparison.stripes_difference = drawn->difference;
+  comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
 }
 
 // guest and twin
@@ -195,7 +209,7 @@ bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
          std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
-         (!guest || guest->difference.empty());
+         (!guest || guest->difference.empty()) && stripes_difference.empty();
 }
 
 base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,

@@ -48,6 +48,7 @@ struct SceneComparison {
   std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
   std::optional<GuestCheck> guest;                                  // of cell scenes
+  std::string stripes_difference;  // where the 8080's stripes are not their twin's; empty: nowhere
 
   // The exact algorithms are exact, and the guest is its twin.
   [[nodiscard]] bool agrees() const;

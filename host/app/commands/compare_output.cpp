@@ -204,6 +204,8 @@ std::string compare_table(const SceneComparison& comparison) {
     add_lines(table, compared.name, compared.metrics, exactness_text(compared));
   text += "\n" + table.text() + faces_text(comparison);
   if (comparison.guest) text += guest_text(*comparison.guest);
+  if (!comparison.stripes_difference.empty())
+    text += "the 8080's stripes and their twin differ: " + comparison.stripes_difference + "\n";
   return text + reasons_text(comparison.not_applicable);
 }
 

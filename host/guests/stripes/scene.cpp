@@ -236,7 +236,8 @@ base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const 
     listed = native::listed_faces(set);
     if (listed->interpenetrating)
       return passing_through(set, listed->interpenetrating->first, listed->interpenetrating->second);
-    result.cuts = listed->counts.cuts + listed->counts.mutual_parts;
+    result.mutual_parts = listed->counts.mutual_parts;
+    result.cuts = listed->counts.cuts + result.mutual_parts;
     for (const native::PriorityClass& members : listed->list.classes()) order.insert(order.end(), members.begin(), members.end());
   } else {
     for (std::uint32_t f = 0; f < set.faces.size(); ++f) order.push_back(f);

@@ -34,7 +34,8 @@ struct SceneFace {
 
 struct ProjectedScene {
   std::vector<SceneFace> faces;  // nearest first if the host found the priority
-  std::uint64_t cuts = 0;        // of cycles, made by the host
+  std::uint64_t cuts = 0;        // of cycles, and parts cut off faces that hide each other in different places; by the host
+  std::uint64_t mutual_parts = 0;  // of these, the parts
   bool clipped = false;          // parts of faces are outside the picture
 };
 

@@ -18,6 +18,7 @@ constexpr std::array experiments{
     Experiment{"plantinga-accuracy", &plantinga_accuracy},
     Experiment{"plantinga-pdp7", &plantinga_pdp7},
     Experiment{"skala-pictures", &skala_pictures},
+    Experiment{"montani-re-8080", &montani_re_8080},
     Experiment{"montani-re-tables", &montani_re_tables},
     Experiment{"plantinga-turns", &plantinga_turns, true},
     Experiment{"jones-unseen", &jones_unseen, true},

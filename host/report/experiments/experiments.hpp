@@ -11,6 +11,7 @@ namespace sightline::report {
 [[nodiscard]] Records jones_numbers(const Context& context);
 [[nodiscard]] Records jones_unseen(const Context& context);
 [[nodiscard]] Records jones_views(const Context& context);
+[[nodiscard]] Records montani_re_8080(const Context& context);
 [[nodiscard]] Records montani_re_growth(const Context& context);
 [[nodiscard]] Records montani_re_stripes(const Context& context);
 [[nodiscard]] Records montani_re_tables(const Context& context);

@@ -1,6 +1,7 @@
 // All algorithms against each other on the common scenes of polyhedra, and that the comparison notices what
 // it is there to notice.
 #include "host/compare/cross_check.hpp"
+#include "host/compare/stripes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,13 +61,14 @@ TEST(CommonScenes, SightLinesArePixels) {
   }
 }
 
-// The names of all registries.
+// The names of all registries, and of the programs on the 8080 that draw scenes.
 std::set<std::string_view> registered() {
   std::set<std::string_view> names;
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) names.insert(algorithm.name);
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) names.insert(algorithm.name);
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) names.insert(method.algorithm);
+  names.insert(stripes_name);
   return names;
 }
 

@@ -1,0 +1,36 @@
+#include "host/compare/stripes.hpp"
+
+#include <utility>
+
+#include "host/guests/stripes/session.hpp"
+
+namespace sightline::compare {
+
+base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                         const registry::FaceWindow& window) {
+  namespace stripes = guests::stripes;
+  static const stripes::Session session;
+  constexpr int size = stripes::picture_size;
+  StripesFaces result;
+  result.faces = picture::PixelGrid(window.width, window.height);
+  const stripes::View view{camera, window.scale, window.left, window.height - window.top};
+  const auto listed = stripes::project_scene(scene, view, true);
+  if (!listed) return listed.error();
+  result.not_solved = listed->mutual_parts;
+  for (const int right : {0, window.width - size}) {
+    for (const int up : {0, window.height - size}) {
+      stripes::View moved = view;
+      moved.left -= right;
+      moved.bottom -= up;
+      const auto drawn = session.draw(scene, moved, {stripes::Output::raster, stripes::Computer::i8080, stripes::Computer::i8080});
+      if (!drawn) return drawn.error();
+      if (result.difference.empty()) result.difference = drawn->picture.difference;
+      const picture::PixelGrid faces = drawn->faces();
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) result.faces.set(x + right, y + up, faces.at(x, y));
+    }
+  }
+  return result;
+}
+
+}  // namespace sightline::compare

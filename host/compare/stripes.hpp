@@ -1,0 +1,32 @@
+// The 8080's stripes (firmware/i8080/stripes) as one more method that says which face is seen at each point.
+//
+// The machine's picture has 255 columns and lines; the 256 of comparisons are put together from four pictures, each a dot farther to
+// the right or up. Left out: scenes of more faces than the machine holds.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "host/algorithms/registry/faces.hpp"
+#include "host/base/result.hpp"
+#include "host/picture/pixel_metrics.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::compare {
+
+inline constexpr std::string_view stripes_name = "stripes-8080";
+
+struct StripesFaces {
+  picture::PixelGrid faces;  // number of the face over all bodies, from 1; 0 where there is none
+  // Parts of faces that hide each other in different places: the paper, and the program, have no order for them.
+  std::size_t not_solved = 0;
+  std::string difference;  // where the program is not its twin; empty: nowhere
+};
+
+// Stripes and priority list are made by the 8080. The window has 256 columns and lines (precondition). Error: why the machine does not
+// draw the scene.
+[[nodiscard]] base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                       const registry::FaceWindow& window);
+
+}  // namespace sightline::compare
