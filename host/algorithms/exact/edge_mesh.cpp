@@ -39,7 +39,7 @@ bool append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
   if (count == 0) return false;
   MeshFace& face = mesh.faces.emplace_back();
-  face.normal = area_of(mesh, mesh.corners.data() + first, count);
+  face.normal = PackedNormal(area_of(mesh, mesh.corners.data() + first, count));
   face.first_corner = first;
   face.corner_count = count & 0x7fffffffU;
   face.sheet = sheet ? 1 : 0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
@@ -23,16 +24,36 @@ struct Corner {
   std::uint32_t side;  // index of an edge
 };
 
+// Three numbers of 40 bits.
+class PackedNormal {
+ public:
+  PackedNormal() = default;
+  explicit PackedNormal(const Vector& normal) {
+    const auto bits = [&normal](std::size_t axis) { return static_cast<std::uint64_t>(normal[axis]) & ((std::uint64_t{1} << 40) - 1); };
+    low_ = bits(0) | bits(1) << 40;
+    high_ = bits(1) >> 24 | bits(2) << 16;
+  }
+  [[nodiscard]] Vector unpacked() const {
+    return {static_cast<std::int64_t>(low_ << 24) >> 24,
+            static_cast<std::int64_t>(high_ << 48 | (low_ >> 40) << 24) >> 24,
+            static_cast<std::int64_t>(high_ << 8) >> 24};
+  }
+
+ private:
+  std::uint64_t low_ = 0;   // the first, and 24 bits of the second
+  std::uint64_t high_ = 0;  // 16 bits of the second, and the third
+};
+
 struct MeshFace {
-  Vector normal{};  // outwards
+  PackedNormal normal;  // outwards
   std::uint32_t first_corner = 0;
   std::uint32_t corner_count : 31 = 0;
   std::uint32_t sheet : 1 = 0;
 };
 
-// Corners and faces are most of the memory of a large scene: 8 and 32 bytes each.
+// Corners and faces are most of the memory of a large scene: 8 and 24 bytes each.
 struct EdgeMesh {
-  std::vector<geometry::Point3> vertices;
+  std::span<const geometry::Point3> vertices;  // of the scene
   std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
@@ -52,7 +73,7 @@ void for_sides(const Corner* corners, std::uint32_t count, Visit visit) {
   }
 }
 
-// The scene is a checked one (precondition). Linear in its size, but for sorting the edges at a vertex.
+// The scene is a checked one (precondition) and outlives the mesh. Linear in its size, but for sorting the edges at a vertex.
 [[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene);
 
 }  // namespace sightline::algorithms::exact

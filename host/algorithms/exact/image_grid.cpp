@@ -89,9 +89,9 @@ void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths) {
     depths_[i] = keys[i].depth;
   }
   if (depths_.empty()) return;
-  // About as many buckets as a quarter of the occluders.
+  // About as many buckets as a quarter of the occluders, at most two if there are few.
   const std::uint32_t range = depths_.back() - depths_.front();
-  while (range >> bucket_shift_ > depths_.size() / 4) ++bucket_shift_;
+  while (bucket_shift_ < 31 && range >> bucket_shift_ > depths_.size() / 4) ++bucket_shift_;
   buckets_.assign((range >> bucket_shift_) + 2, static_cast<std::uint32_t>(depths_.size()));
   for (std::size_t i = depths_.size(); i-- > 0;)
     buckets_[(depths_[i] - depths_.front()) >> bucket_shift_] = static_cast<std::uint32_t>(i);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "host/base/threads.hpp"
 #include "host/geometry/integer.hpp"
@@ -27,7 +28,7 @@ class Raster {
   // a thousand widths away. A few hundred vertices show where that is.
   Raster(const View& view, const scene::PolyCamera& camera) {
     constexpr std::size_t samples = 500;
-    const std::vector<geometry::Point3>& vertices = view.mesh->vertices;
+    const std::span<const geometry::Point3> vertices = view.mesh->vertices;
     std::array<std::vector<double>, 2> seen;
     const std::size_t step = vertices.size() / samples + 1;
     for (std::size_t v = 0; v < vertices.size(); v += step) {
@@ -65,7 +66,7 @@ class Raster {
 
 void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
   const Raster raster(view, camera);
-  const std::vector<geometry::Point3>& vertices = view.mesh->vertices;
+  const std::span<const geometry::Point3> vertices = view.mesh->vertices;
   view.points.resize(vertices.size());
   base::for_parts(jobs, vertices.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
@@ -127,13 +128,14 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
   for (std::size_t number = begin; number < end; ++number) {
     const MeshFace& face = mesh.faces[number];
     const Corner* const corners = mesh.corners_of(face);
-    const std::int64_t offset = dot(face.normal, vector_of(view.at(corners->vertex)));
-    const std::int64_t away = view.perspective ? offset : dot(face.normal, view.forward);
+    const Vector normal = face.normal.unpacked();
+    const std::int64_t offset = dot(normal, vector_of(view.at(corners->vertex)));
+    const std::int64_t away = view.perspective ? offset : dot(normal, view.forward);
     if (away > 0 && face.sheet == 0) continue;
     for (std::uint32_t i = 0; i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
     if (away == 0) continue;
     // Positive beyond the face: against the normal of one that is turned to the eye.
-    const Plane beyond = away < 0 ? Plane{geometry::negated(face.normal), -offset} : Plane{face.normal, offset};
+    const Plane beyond = away < 0 ? Plane{geometry::negated(normal), -offset} : Plane{normal, offset};
     add_occluder(view, static_cast<std::uint32_t>(number), beyond, part);
   }
   return part;

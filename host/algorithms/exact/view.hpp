@@ -36,26 +36,6 @@ struct ViewPoint {
   std::uint32_t depth = 0;              // ascends with forward . at; 0: not before the eye of a perspective
 };
 
-// Three numbers of 40 bits.
-class PackedNormal {
- public:
-  PackedNormal() = default;
-  explicit PackedNormal(const Vector& normal) {
-    const auto bits = [&normal](std::size_t axis) { return static_cast<std::uint64_t>(normal[axis]) & ((std::uint64_t{1} << 40) - 1); };
-    low_ = bits(0) | bits(1) << 40;
-    high_ = bits(1) >> 24 | bits(2) << 16;
-  }
-  [[nodiscard]] Vector unpacked() const {
-    return {static_cast<std::int64_t>(low_ << 24) >> 24,
-            static_cast<std::int64_t>(high_ << 48 | (low_ >> 40) << 24) >> 24,
-            static_cast<std::int64_t>(high_ << 8) >> 24};
-  }
-
- private:
-  std::uint64_t low_ = 0;   // the first, and 24 bits of the second
-  std::uint64_t high_ = 0;  // 16 bits of the second, and the third
-};
-
 // Three numbers of 20 bits.
 class PackedPoint {
  public:

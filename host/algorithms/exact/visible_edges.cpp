@@ -159,10 +159,17 @@ std::vector<std::uint32_t> in_image_order(const View& view, const ImageGrid& gri
   return order;
 }
 
-// What one thread sees of a part of the edges.
+// What one thread sees of a part of the edges: pieces in blocks, so that growing copies nothing, those of an edge in one.
 struct SeenPart {
-  std::vector<picture::LinePiece> pieces;
+  std::vector<std::vector<picture::LinePiece>> blocks;
   std::vector<std::uint32_t> counts;  // pieces of each edge
+
+  std::vector<picture::LinePiece>& block() {
+    constexpr std::size_t pieces_a_block = 4096;
+    constexpr std::size_t usual_most = 64;  // of an edge
+    if (blocks.empty() || blocks.back().size() >= pieces_a_block) blocks.emplace_back().reserve(pieces_a_block + usual_most);
+    return blocks.back();
+  }
 };
 
 // Pieces of edges in any order, by edge.
@@ -177,10 +184,17 @@ picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const st
   picture.pieces.resize(starts.back());
   next = 0;
   for (const SeenPart& part : parts) {
-    const picture::LinePiece* piece = part.pieces.data();
+    std::size_t block = 0;
+    std::size_t used = 0;
     for (const std::uint32_t count : part.counts) {
-      std::copy(piece, piece + count, picture.pieces.data() + starts[order[next++]]);
-      piece += count;
+      const std::uint32_t edge = order[next++];
+      if (count == 0) continue;
+      if (used == part.blocks[block].size()) {
+        ++block;
+        used = 0;
+      }
+      std::copy_n(part.blocks[block].data() + used, count, picture.pieces.data() + starts[edge]);
+      used += count;
     }
   }
   return picture;
@@ -202,6 +216,15 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
   return picture;
 }
 
+constexpr std::size_t ahead = 8;  // edges: what is far from each other in memory is asked for beforehand
+
+void fetch(const View& view, std::uint32_t edge) {
+  for (const std::uint32_t v : {view.mesh->edges[edge].from, view.mesh->edges[edge].to}) {
+    __builtin_prefetch(&view.mesh->vertices[v]);
+    __builtin_prefetch(&view.points[v]);
+  }
+}
+
 picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                     const picture::ChosenEdges* chosen, unsigned jobs) {
   jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
@@ -217,9 +240,12 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
       Unwatched nobody;
       Search<Unwatched> search(view, grid, chosen, nobody);
       for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t before = part.pieces.size();
-        search.append_visible(order[i], part.pieces);
-        part.counts.push_back(static_cast<std::uint32_t>(part.pieces.size() - before));
+        if (i + ahead < end) fetch(view, order[i + ahead]);
+        if (i + 2 * ahead < end) __builtin_prefetch(&mesh.edges[order[i + 2 * ahead]]);
+        std::vector<picture::LinePiece>& pieces = part.block();
+        const std::size_t before = pieces.size();
+        search.append_visible(order[i], pieces);
+        part.counts.push_back(static_cast<std::uint32_t>(pieces.size() - before));
       }
     });
   }
