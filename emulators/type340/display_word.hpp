@@ -103,40 +103,32 @@ void Display<Sink>::do_pulses(int count) {
   }
 }
 
-// The pulses of a vector that stays inside, seen by no pen: pulse n turns on the stage that lies as far behind the idle ones as n has
-// zeros at its end, and that stage passes its bit of dx and dy (vector_generator.hpp).
+// The pulses of a vector that stays inside, seen by no pen: each turns on one stage, and that passes its bit of dx and dy
+// (vector_generator.hpp).
 template <class Sink>
 void Display<Sink>::draw_vector(VectorWord w) {
   const auto d = static_cast<std::uint8_t>(w.dx | w.dy);
   const int count = pulses_of_vector(w.dx, w.dy);
-  // By stage behind the idle ones, the lowest first: the units in the last.
-  const auto steps_of = [idle = idle_stages(d)](unsigned magnitude) {
-    unsigned bits = 0;
-    for (unsigned k = 0; k + idle < 7; ++k) bits |= (magnitude >> (6 - idle - k) & 1U) << k;
-    return bits;
-  };
-  const unsigned steps_x = steps_of(w.dx);
-  const unsigned steps_y = steps_of(w.dy);
+  const unsigned steps_x = steps_by_stage(w.dx, d);
+  const unsigned steps_y = steps_by_stage(w.dy, d);
   const auto step = static_cast<unsigned>(registers_.step());
   const unsigned right = w.left ? 0U - step : step;
   const unsigned up = w.down ? 0U - step : step;
-  core::Stroke stroke{.time = whole_until_ - count * timing::pulse + timing::settle,
-                      .x = registers_.x,
-                      .y = registers_.y,
-                      .intensity = registers_.intensity,
-                      .address = word_address_};
+  std::uint16_t x = registers_.x;
+  std::uint16_t y = registers_.y;
   bool moves = registers_.move;
-  for (unsigned n = 1; n <= static_cast<unsigned>(count); ++n, stroke.time += timing::pulse) {
+  core::Instant t = whole_until_ - count * timing::pulse + timing::settle;
+  for (unsigned n = 1; n <= static_cast<unsigned>(count); ++n, t += timing::pulse) {
     const auto stage = static_cast<unsigned>(std::countr_zero(n));
-    const unsigned x = steps_x >> stage & 1U;
-    const unsigned y = steps_y >> stage & 1U;
-    stroke.x = static_cast<std::uint16_t>(stroke.x + (right & (0U - x)));
-    stroke.y = static_cast<std::uint16_t>(stroke.y + (up & (0U - y)));
-    moves = (x | y) != 0 || (moves && options_.flash_again);
-    if (moves) sink_->stroke(stroke);
+    const unsigned move_x = steps_x >> stage & 1U;
+    const unsigned move_y = steps_y >> stage & 1U;
+    x = static_cast<std::uint16_t>(x + (right & (0U - move_x)));
+    y = static_cast<std::uint16_t>(y + (up & (0U - move_y)));
+    moves = (move_x | move_y) != 0 || (moves && options_.flash_again);
+    if (moves) sink_->stroke({.time = t, .x = x, .y = y, .intensity = registers_.intensity, .address = word_address_});
   }
-  registers_.x = stroke.x;
-  registers_.y = stroke.y;
+  registers_.x = x;
+  registers_.y = y;
   registers_.move = moves;
   registers_.rate.brm = brm_after(d, count);
 }

@@ -23,8 +23,7 @@ namespace sightline::type340 {
 
 // The seven flip-flops. Bit k of brm is stage k.
 struct RateMultiplier {
- private:
-  // Stage k passes the bit of weight 2^(6-k).
+  // Stage k passes the bit of weight 2^(6-k): by stages, the weights; and the other way round.
   static constexpr std::array<std::uint8_t, 128> weights = [] {
     std::array<std::uint8_t, 128> table{};
     for (unsigned stages = 0; stages < 128; ++stages) {
@@ -34,8 +33,6 @@ struct RateMultiplier {
     }
     return table;
   }();
-
- public:
   static constexpr std::uint8_t full = 0177;
 
   struct Step {
@@ -76,6 +73,12 @@ struct RateMultiplier {
   const auto turn = static_cast<unsigned>(count & (pulses_per_turn(d) - 1));
   const unsigned leading = (turn & 1U) != 0 ? (1U << idle) - 1 : 0;
   return static_cast<std::uint8_t>(turn << idle | leading);
+}
+
+// Which stages pass a bit of a magnitude, the first that is not idle lowest. Pulse n from BRM = 0 turns on the one that has as many of those
+// before it as n has zeros at its end.
+[[nodiscard]] constexpr unsigned steps_by_stage(std::uint8_t magnitude, std::uint8_t d) {
+  return unsigned{RateMultiplier::weights[magnitude]} >> idle_stages(d);
 }
 
 // Pulses since BRM = 0 within the turn, or -1 for a pattern no run from 0 passes through.

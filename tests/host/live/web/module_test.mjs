@@ -10,7 +10,7 @@ import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const [wasm, script, sightline] = process.argv.slice(2);
 const {openModule, flashTime} = await import(pathToFileURL(script));
@@ -40,11 +40,9 @@ const same = (a, b) => a.length === b.length && Buffer.compare(Buffer.from(a), B
 let seed = 12345;
 const dice = n => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return Math.floor(seed / 2 ** 32 * n); };
 
-// --- Jones's program: from the same core to the same time, on both sides.
+// --- Programs of the PDP-7: from the same core to the same time, on both sides.
 let allStrokes = 0;
-function compareJones(scene, eae, switches) {
-  const made = ask({do: 'jones', scene, eae, switches});
-  const milliseconds = 1100 + dice(400);
+function comparePdp7(what, made, core, start, milliseconds, options) {
   let strokes = '';
   for (let t = 1; t <= milliseconds; t += 50) {
     const until = Math.min(t + 49, milliseconds);
@@ -53,20 +51,40 @@ function compareJones(scene, eae, switches) {
     for (let at = 0; at < flashes.byteLength; at += 16)
       strokes += `${flashTime(flashes, at)} ${flashes.getUint16(at + 8, true)} ${flashes.getUint16(at + 10, true)} ${flashes.getUint8(at + 12)}\n`;
   }
-  writeFileSync(join(folder, 'jones.oct'), file('.jones.oct'));
-  native('run', 'pdp7', 'jones.oct', '--display', eae ? '--eae' : '--no-eae', '--switches', switches.toString(8), '--start', made.labels.start.toString(8),
+  writeFileSync(join(folder, 'core.oct'), file(core));
+  native('run', 'pdp7', 'core.oct', '--display', ...options, '--start', start.toString(8),
     '--max-time', String(milliseconds / 1000), '--strokes', 'strokes', '--save', 'native.snap', '--json');
   const expected = readFileSync(join(folder, 'strokes'), 'latin1').split('\n').filter(line => line && line[0] !== '#')
     .map(line => line.split(/[\s,]+/).filter(Boolean).slice(0, 4).join(' ')).join('\n');
-  // A view that is not complete by then shows nothing.
+  // A view of Jones's that is not complete by then shows nothing.
   allStrokes += expected.length;
-  check(expected === strokes.trimEnd(), `${scene}, switches ${switches.toString(8)}: the strokes and their times`);
+  check(expected === strokes.trimEnd(), `${what}: the strokes and their times`);
   ask({do: 'save', id: made.id});
-  check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${scene}, switches ${switches.toString(8)}: the snapshot after ${milliseconds} ms`);
+  check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${what}: the snapshot after ${milliseconds} ms`);
   ask({do: 'drop', id: made.id});
+}
+function compareJones(scene, eae, switches) {
+  const made = ask({do: 'jones', scene, eae, switches});
+  comparePdp7(`${scene}, switches ${switches.toString(8)}`, made, '.jones.oct', made.labels.start, 1100 + dice(400), [eae ? '--eae' : '--no-eae', '--switches', switches.toString(8)]);
 }
 for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) {
   for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
+}
+
+// --- Solids that turn: at speeds in both directions, as wire frames, and from event to event.
+const solids = fileURLToPath(new URL('../../../../host/examples/turn/', import.meta.url));
+const onPage = ['cube.off', 'block.off', 'lshape.json', 'crossed.off', 'star.off'];
+for (const name of onPage) module.putFile(name, readFileSync(join(solids, name)));
+for (const [n, scene] of [...onPage, 'roberts', 'boxes-8', 'boxes-20'].entries()) {
+  for (let view = 0; view < Math.max(1, views - 2); ++view) {
+    const eae = (n + view) % 2 === 0;
+    const switches = [0, 0o400000, 0o200000, 0o600000, 0o100000][(n + view) % 5] | dice(0o10000);
+    const made = ask({do: 'turn', scene, eae, switches, memory: scene === 'boxes-20' ? '32k' : '8k', level: scene === 'boxes-20'});
+    writeFileSync(join(folder, 'tape.rim'), file('.turn.tape'));
+    comparePdp7(`${scene} turning, switches ${switches.toString(8)}`, made, '.turn.oct', made.labels.begin, 300 + dice(300),
+      [eae ? '--eae' : '--no-eae', '--switches', switches.toString(8), '--reader', 'tape.rim', ...(scene === 'boxes-20' ? ['--memory', '32k'] : [])]);
+    check(made.edges > 0 && made.step > 0, `${scene}: what the room says of it`);
+  }
 }
 
 check(allStrokes > 100000, 'strokes were compared');
