@@ -221,12 +221,16 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
 }
 
 // IDRS in the deflection of a point: its request rises while the next vector is counting, and stops it. A display without a
-// consumer of strokes went on counting.
+// consumer of strokes went on counting; with one, a dark vector did in the display of the reference, before that lost its
+// shortcuts.
 TEST(Pdp7Lockstep, ARequestStopsAVectorThatCounts) {
-  std::mt19937_64 random(18490);
-  std::uint64_t instructions = 0;
-  std::uint64_t stolen = 0;
-  EXPECT_TRUE(run_one(random, instructions, stolen));
+  for (const unsigned seed : {18490U, 12446U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uint64_t instructions = 0;
+    std::uint64_t stolen = 0;
+    EXPECT_TRUE(run_one(random, instructions, stolen));
+  }
 }
 
 TEST(Pdp7Lockstep, RandomProgramsRunAsOnTheReference) {

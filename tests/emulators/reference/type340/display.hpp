@@ -4,9 +4,7 @@
 // 342, 7 without the Type 347, and always 2 (the Type 343 is not built; its words decode in words.hpp). An IDLA while a
 // word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the sink models.
 //
-// Two shortcuts, both invisible. A word that nothing can disturb is done whole when time passes its end
-// (display_word.hpp). Pulses without an effect outside are made at once (quiet_pulses.hpp). So a vector costs a
-// handful of operations whatever its length, and a touch in mid-word still finds every register exact.
+// Pulse by pulse throughout: the shortcuts of the display in emulators/ are held against this.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; IOT actions from the PDP-7 Users
 // Handbook and two Cambridge and DEC programs. Inferred, not confirmed: what IDCF and START leave standing, IDRD.
@@ -22,12 +20,10 @@
 #include "emulators/type340/characters.hpp"
 #include "emulators/type340/delays.hpp"
 #include "emulators/type340/display.hpp"
-#include "emulators/type340/quiet_pulses.hpp"
 #include "emulators/type340/registers.hpp"
 
 namespace sightline::reference_display {
 using namespace type340;
-
 
 template <class Sink = core::NoStrokes>
 class Display {
@@ -41,12 +37,12 @@ class Display {
   void resume(core::Instant now);       // IDRS: clears pen flag, find and enable; the word goes on after 1 us
   void power_clear(core::Instant now);  // START key: everything stops; position, scale and intensity stay
 
-  bool stop_interrupt(core::Instant now) { return flags_at(now).stop_interrupt(); }
-  bool vertical_edge(core::Instant now) { return flags_at(now).vertical_edge; }
-  bool horizontal_edge(core::Instant now) { return flags_at(now).horizontal_edge; }
-  bool light_pen_flag(core::Instant now) { return flags_at(now).pen_flag; }
-  core::Word18 address_counter(core::Instant now) { return core::Word18(flags_at(now).address); }
-  core::Word18 return_address(core::Instant now) { return core::Word18(flags_at(now).return_address); }
+  bool stop_interrupt(core::Instant now) { return at(now).stop_interrupt(); }
+  bool vertical_edge(core::Instant now) { return at(now).vertical_edge; }
+  bool horizontal_edge(core::Instant now) { return at(now).horizontal_edge; }
+  bool light_pen_flag(core::Instant now) { return at(now).pen_flag; }
+  core::Word18 address_counter(core::Instant now) { return core::Word18(at(now).address); }
+  core::Word18 return_address(core::Instant now) { return core::Word18(at(now).return_address); }
   // X/2 in bits 0-8, Y/2 in bits 9-17, as IDRC reads them.
   core::Word18 coordinates(core::Instant now) {
     const Registers& r = at(now);
@@ -82,7 +78,6 @@ class Display {
   // The next pulse inside, as of the last advance; never: none is under way.
   [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
 
-  // The shortcuts are not visited: without them the same pulses are made one by one.
   template <class Visitor>
   void visit_state(Visitor& visit);
 
@@ -91,26 +86,12 @@ class Display {
     advance(now);
     return registers_;
   }
-  // Flags and addresses do not change while a word runs that is to be done whole.
-  const Registers& flags_at(core::Instant now) { return whole_ && now < whole_until_ ? registers_ : at(now); }
-  void touch(core::Instant now) {
-    advance(now);
-    planned_ = false;
-  }
-  // `advance` when something runs; a word to be done whole has its strobe running.
+  // `advance` when something runs.
   void catch_up(core::Instant now);
   void start(core::Instant now, std::uint32_t address);
   void fire(Delay delay, core::Instant t);
-  void plan_word(core::Instant at);
-  [[nodiscard]] std::optional<core::Duration> time_of_whole_word() const;
-  [[nodiscard]] bool vector_stays_inside(VectorWord w) const;
-  void do_whole_word();
-  void do_pulses(int count);
-  void last_pulse();
   // MOVE, after a count pulse.
   void note_motion(bool moved) { registers_.move = moved || (registers_.move && options_.flash_again); }
-  void plan();
-  void skip(core::Instant now);
   void operate(core::Instant t);
   void operate_parameter(core::Instant t);
   void operate_point(core::Instant t);
@@ -124,16 +105,6 @@ class Display {
   void flash(core::Instant t, bool lit);
   void raise_request(core::Instant t);
   void end_pass(core::Instant t);
-  [[nodiscard]] bool counts_pulses() const {
-    return registers_.mode == Mode::vector || registers_.mode == Mode::vector_continue ||
-           registers_.mode == Mode::increment;
-  }
-  // A vector of (0, 0) flashes nothing: MOVE stays 0. Vector continue of it never ends, and must not cost a step a pulse.
-  [[nodiscard]] bool word_may_flash() const {
-    constexpr core::Word18 magnitudes(0077577);
-    const bool may_move = registers_.mode == Mode::increment || (registers_.br & magnitudes) != core::Word18{};
-    return registers_.br.bit(1) && (registers_.move || may_move);
-  }
 
   Options options_;
   Sink* sink_;
@@ -147,10 +118,6 @@ class Display {
   CharacterPath path_;
   std::size_t stroke_ = 0;
   std::optional<LightPen> pen_;
-  bool whole_ = false;           // the word at the inputs will run undisturbed until whole_until_
-  core::Instant whole_until_{};  // its request, or its stop
-  bool planned_ = false;         // no pulse before quiet_until_ matters to anyone outside
-  core::Instant quiet_until_{};  // the pulse that does
   Counters counters_;
 };
 
@@ -158,4 +125,3 @@ class Display {
 
 #include "tests/emulators/reference/type340/display_control.hpp"
 #include "tests/emulators/reference/type340/display_sequence.hpp"
-#include "tests/emulators/reference/type340/display_word.hpp"

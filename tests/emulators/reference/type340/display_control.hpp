@@ -9,7 +9,7 @@ using namespace type340;
 
 template <class Sink>
 void Display<Sink>::start(core::Instant now, std::uint32_t address) {
-  touch(now);
+  advance(now);
   delays_.stop_all();
   writing_ = false;
   registers_.initiate(static_cast<std::uint16_t>(address & Registers::address_mask));
@@ -23,21 +23,21 @@ void Display<Sink>::start(core::Instant now, std::uint32_t address) {
 
 template <class Sink>
 void Display<Sink>::clear_flags(core::Instant now) {
-  touch(now);
+  advance(now);
   registers_.clear_flags();
   writing_ = false;
 }
 
 template <class Sink>
 void Display<Sink>::resume(core::Instant now) {
-  touch(now);
+  advance(now);
   registers_.resume();
   if (registers_.mode != Mode::character) delays_.start(Delay::settle, now + timing::settle);
 }
 
 template <class Sink>
 void Display<Sink>::power_clear(core::Instant now) {
-  touch(now);
+  advance(now);
   delays_.stop_all();
   writing_ = false;
   pass_open_ = false;
@@ -53,19 +53,18 @@ void Display<Sink>::power_clear(core::Instant now) {
 
 template <class Sink>
 void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
-  touch(at);
+  advance(at);
   if (!registers_.request) return;
   ++counters_.words;
   input_ = word;
   word_address_ = registers_.address;
   registers_.clear_for_word();
-  plan_word(at);
   delays_.start(Delay::strobe, at + timing::strobe);
 }
 
 template <class Sink>
 void Display<Sink>::deposited(core::Instant at) {
-  touch(at);
+  advance(at);
   if (!writing_) return;
   writing_ = false;
   raise_request(at);
@@ -76,14 +75,11 @@ void Display<Sink>::point_light_pen(std::optional<LightPen> pen) {
   constexpr core::Duration longest = timing::pulse - core::Duration(1);
   if (pen) pen->delay = std::clamp(pen->delay, core::Duration(0), longest);
   pen_ = pen;
-  planned_ = whole_ = false;
 }
 
 // Between a delay and its effect outside lie the fixed delays behind it, unless a flag is about to rise or fall with it.
 template <class Sink>
 core::Instant Display<Sink>::deadline() const {
-  if (whole_) return whole_until_;
-  if (planned_) return quiet_until_;
   const auto effect = [this](Delay d, bool at_once) {
     const core::Instant t = delays_.at(d);
     return t == core::never || at_once ? t : t + timing::intensify;
@@ -100,15 +96,7 @@ void Display<Sink>::catch_up(core::Instant now) {
   // So that sums of delays stay inside the clock.
   constexpr core::Instant latest = core::never - core::milliseconds(1);
   now = std::min(now, latest);
-  if (whole_) {
-    whole_ = false;
-    if (now >= whole_until_) do_whole_word();
-  }
   while (!delays_.none()) {
-    if (delays_.only(Delay::intensify) && counts_pulses()) {
-      plan();
-      if (planned_ && !(Sink::consumes && word_may_flash())) skip(now);
-    }
     const Delays::Next next = delays_.next();
     if (next.at > now) return;
     delays_.stop(next.delay);
@@ -116,35 +104,9 @@ void Display<Sink>::catch_up(core::Instant now) {
   }
 }
 
-// The pen stops the sequence at a count pulse, so pulses it may answer to are not quiet.
-template <class Sink>
-void Display<Sink>::plan() {
-  if (planned_) return;
-  const bool pen_may_stop = registers_.pen_flag || registers_.pen_will_stop() || (pen_ && word_may_flash());
-  if (pen_may_stop || registers_.edge()) return;
-  const std::int64_t quiet = quiet_pulses(registers_);
-  if (quiet == 0) return;
-  planned_ = true;
-  quiet_until_ = quiet == endless ? core::never : delays_.at(Delay::intensify) + quiet * timing::pulse;
-}
-
-// Makes the quiet pulses up to `now` at once.
-template <class Sink>
-void Display<Sink>::skip(core::Instant now) {
-  const core::Instant first = delays_.at(Delay::intensify);
-  const core::Instant end = std::min(now + core::Duration(1), quiet_until_);
-  if (first >= end) return;
-  const std::int64_t count = (end - first - core::Duration(1)) / timing::pulse + 1;
-  const Motion motion = skip_pulses(registers_, count);
-  registers_.move = options_.flash_again ? registers_.move || motion.any : motion.last;
-  delays_.stop(Delay::intensify);
-  delays_.start(Delay::settle, first + (count - 1) * timing::pulse + timing::settle);
-}
-
 template <class Sink>
 template <class Visitor>
 void Display<Sink>::visit_state(Visitor& visit) {
-  if constexpr (Visitor::restores) planned_ = whole_ = false;
   visit.part("registers", registers_);
   visit.part("delays", delays_);
   visit("input", input_);

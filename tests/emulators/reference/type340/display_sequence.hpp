@@ -119,7 +119,6 @@ void Display<Sink>::operate_subroutine(core::Instant t) {
 
 template <class Sink>
 void Display<Sink>::count(core::Instant t) {
-  if (t >= quiet_until_) planned_ = false;
   const bool last = registers_.halt;
   note_motion(registers_.count());
   if (!last) {
