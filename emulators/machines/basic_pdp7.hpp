@@ -232,7 +232,7 @@ class BasicPdp7 {
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
   template <class Watcher>
-  bool attend(Pdp7Frame<BasicPdp7, Watcher>& frame, core::Instant until, std::uint64_t left) {
+  [[gnu::always_inline]] bool attend(Pdp7Frame<BasicPdp7, Watcher>& frame, core::Instant until, std::uint64_t left) {
     pdp7::Registers& registers = frame.processor.registers;
     const bool deferred = registers.is(pdp7::mode::interrupts_deferred);
     const bool open = registers.is(pdp7::mode::interrupts_on) && !deferred;
@@ -326,8 +326,6 @@ class BasicPdp7 {
       return false;
     }
     grant(*request, now, report);
-    // A word deposited for the display (Type 347) raises the next request at once: that is no deadline any more.
-    display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
     return true;
   }
 
@@ -339,11 +337,14 @@ class BasicPdp7 {
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request.write) {
+    if (request.write) [[unlikely]] {
       core_.write(request.address, word);
       display_->deposited(now);
+      // It raises the next request at once, which is no deadline any more (Type 347).
+      display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
     } else {
       display_->deliver(now, word);
+      display_due_ = display_->deadline();
     }
   }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "../core/time.hpp"
+#include "vector_generator.hpp"
 
 namespace sightline::type340 {
 
@@ -25,6 +26,13 @@ inline constexpr core::Duration settle{1000};       // step of the beam -> inten
 inline constexpr core::Duration pulse = settle + intensify;
 inline constexpr core::Duration load{200};          // coordinate cleared -> coordinate loaded (confirmed)
 inline constexpr core::Duration deflection{35000};  // random point -> intensify (confirmed)
+
+// Of a vector by |dx| OR |dy|, from its first count pulse to its last.
+inline constexpr auto times_of_vectors = [] {
+  std::array<core::Duration, 128> times{};
+  for (std::uint8_t d = 0; d < 128; ++d) times[d] = pulses_of_vector(d, 0) * pulse;
+  return times;
+}();
 
 }  // namespace timing
 

@@ -116,6 +116,10 @@ class Display {
   }
   // Everything up to and including `now` has happened. `now` must not go back.
   void advance(core::Instant now) {
+    if (whole_ && now >= whole_until_) {
+      whole_ = false;
+      do_whole_word();
+    }
     if (!delays_.none()) catch_up(now);
   }
   // As of the last advance; nullptr: none.
@@ -128,6 +132,7 @@ class Display {
   void deposited(core::Instant at);
   // As of the last advance.
   [[nodiscard]] bool interrupt_request() const {
+    if (whole_) return false;  // such a word begins without flags
     return registers_.pen_flag || registers_.edge() || registers_.stop_interrupt();
   }
 
@@ -161,8 +166,8 @@ class Display {
   void start(core::Instant now, std::uint32_t address);
   void fire(Delay delay, core::Instant t);
   void plan_word(core::Instant at);
-  [[nodiscard]] [[gnu::always_inline]] std::optional<core::Duration> time_of_whole_word() const;
-  [[nodiscard]] bool vector_stays_inside(VectorWord w) const;
+  static constexpr core::Duration not_whole{-1};
+  [[nodiscard]] [[gnu::always_inline]] core::Duration time_of_whole_word();
   void do_whole_word();
   void do_pulses(int count);
   void draw_vector(VectorWord w);
@@ -209,6 +214,7 @@ class Display {
   std::optional<LightPen> pen_;
   bool whole_ = false;           // the word at the inputs will run undisturbed until whole_until_
   core::Instant whole_until_{};  // its request, or its stop
+  Registers::End end_{};         // where it leads, if it is a vector
   bool planned_ = false;         // no pulse before quiet_until_ matters to anyone outside
   core::Instant quiet_until_{};  // the pulse that does
   Counters counters_;

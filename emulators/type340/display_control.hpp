@@ -50,14 +50,16 @@ void Display<Sink>::power_clear(core::Instant now) {
 }
 
 template <class Sink>
-void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
-  touch(at);
-  if (!registers_.request) return;
+[[gnu::always_inline]] inline void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
+  if (!delays_.none()) [[unlikely]] advance(at);
+  planned_ = false;
+  if (!registers_.request) [[unlikely]] return;
   ++counters_.words;
   input_ = word;
   word_address_ = registers_.address;
+  const bool alone = delays_.none() && !registers_.pen_or_stop();
   registers_.clear_for_word();
-  plan_word(at);
+  if (alone) plan_word(at);
   delays_.start(Delay::strobe, at + timing::strobe);
 }
 
@@ -96,13 +98,7 @@ void Display<Sink>::catch_up(core::Instant now) {
   // So that sums of delays stay inside the clock.
   constexpr core::Instant latest = core::never - core::milliseconds(1);
   now = std::min(now, latest);
-  if (whole_) {
-    whole_ = false;
-    if (now >= whole_until_) {
-      do_whole_word();
-      if (delays_.none()) return;
-    }
-  }
+  whole_ = false;  // it has not ended yet
   while (!delays_.none()) {
     if (delays_.only(Delay::intensify) && counts_pulses()) {
       plan();

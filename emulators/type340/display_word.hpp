@@ -10,34 +10,33 @@
 namespace sightline::type340 {
 
 template <class Sink>
-void Display<Sink>::plan_word(core::Instant at) {
-  const Registers& r = registers_;
-  if (!delays_.none() || r.stop || r.pen_flag || r.pen_will_stop()) return;
-  const std::optional<core::Duration> time = time_of_whole_word();
-  whole_ = time.has_value();
-  if (whole_) whole_until_ = at + timing::strobe + timing::intensify + *time;
+[[gnu::always_inline]] inline void Display<Sink>::plan_word(core::Instant at) {
+  const core::Duration time = time_of_whole_word();
+  whole_ = time != not_whole;
+  whole_until_ = at + timing::strobe + timing::intensify + time;
 }
 
-// Beyond strobe and first intensify; nothing for a word that may reach an edge, be seen by the pen, or never end.
+// Beyond strobe and first intensify; not_whole for a word that may reach an edge, be seen by the pen, or never end.
 template <class Sink>
-inline std::optional<core::Duration> Display<Sink>::time_of_whole_word() const {
+inline core::Duration Display<Sink>::time_of_whole_word() {
   switch (registers_.mode) {
     case Mode::parameter: return core::Duration(0);
     case Mode::point: {
       const PointWord w = decode_point(input_);
-      if (w.intensify && pen_) return std::nullopt;
+      if (w.intensify && pen_) return not_whole;
       return w.y && !w.intensify ? timing::intensify : timing::deflection + timing::intensify;
     }
     case Mode::vector: {
       const VectorWord w = decode_vector(input_);
-      if ((w.intensify && pen_) || !vector_stays_inside(w)) return std::nullopt;
-      return pulses_of_vector(w.dx, w.dy) * timing::pulse;
+      end_ = registers_.end_of(w);
+      if ((w.intensify && pen_) || !end_.is_on_screen()) return not_whole;
+      return timing::times_of_vectors[w.dx | w.dy];
     }
     case Mode::increment: {
       // Four steps of at most eight points.
       constexpr unsigned margin = 32;
       constexpr unsigned room = Registers::screen_mask - 2 * margin;
-      if ((input_.bit(1) && pen_) || registers_.x - margin > room || registers_.y - margin > room) return std::nullopt;
+      if ((input_.bit(1) && pen_) || registers_.x - margin > room || registers_.y - margin > room) return not_whole;
       return 4 * timing::pulse;
     }
     case Mode::slave:
@@ -45,68 +44,59 @@ inline std::optional<core::Duration> Display<Sink>::time_of_whole_word() const {
     case Mode::vector_continue:
     case Mode::subroutine: break;
   }
-  return std::nullopt;
+  return not_whole;
 }
 
-template <class Sink>
-bool Display<Sink>::vector_stays_inside(VectorWord w) const {
-  const auto end = [this](unsigned from, bool negative, unsigned steps) {
-    const unsigned way = steps << registers_.scale;
-    return negative ? from - way : from + way;
-  };
-  return (end(registers_.x, w.left, w.dx) | end(registers_.y, w.down, w.dy)) <= Registers::screen_mask;
-}
-
-// The time is whole_until_.
+// The time is whole_until_. As no other pulse has come since the word was planned, the registers that a word begins with are clear,
+// and no pen is about to stop it.
 template <class Sink>
 void Display<Sink>::do_whole_word() {
   delays_.stop_all();
-  registers_.strobe(input_);
+  registers_.br = input_;
   switch (registers_.mode) {
+    case Mode::parameter: operate_parameter(whole_until_); return;
     case Mode::point: {
       const PointWord w = decode_point(input_);
-      operate_point(whole_until_);
-      delays_.stop_all();
+      registers_.mode = w.next;
+      registers_.set_pen_enable(w.pen);
       (w.y ? registers_.y : registers_.x) = w.coordinate;
-      flash(whole_until_ - timing::intensify, w.intensify);
+      if (w.intensify) flash(whole_until_ - timing::intensify, true);
       raise_request(whole_until_);
-      break;
+      return;
     }
     case Mode::vector: {
       const VectorWord w = decode_vector(input_);
-      if (Sink::consumes && w.intensify) {
-        draw_vector(w);
-        last_pulse();
-      } else {
-        registers_.finish_vector(w);
-        note_motion(false);
-        end_word(whole_until_);
-      }
-      break;
+      if (Sink::consumes && w.intensify) return draw_vector(w);
+      // The last pulse turns the full BRM over and moves nothing.
+      registers_.x = static_cast<std::uint16_t>(end_.x);
+      registers_.y = static_cast<std::uint16_t>(end_.y);
+      registers_.move = options_.flash_again && (w.dx | w.dy) != 0;
+      registers_.halt = true;
+      end_word(whole_until_);
+      return;
     }
-    case Mode::increment:
+    default:  // increment: nothing else is planned
+      registers_.part = 1;
       do_pulses(4);
-      last_pulse();
-      break;
-    default: operate(whole_until_); break;
   }
 }
 
-// The pulses that may move the beam, each with its flash.
+// The pulses that may move the beam, each with its flash, and the one that ends the word.
 template <class Sink>
-void Display<Sink>::do_pulses(int count) {
+[[gnu::noinline]] void Display<Sink>::do_pulses(int count) {
   const bool lit = registers_.br.bit(1);
   core::Instant t = whole_until_ - count * timing::pulse + timing::settle;
   for (int i = 0; i < count; ++i, t += timing::pulse) {
     note_motion(registers_.count());
     flash(t, lit && registers_.move);
   }
+  last_pulse();
 }
 
 // The pulses of a vector that stays inside, seen by no pen: each turns on one stage, and that passes its bit of dx and dy
 // (vector_generator.hpp).
 template <class Sink>
-void Display<Sink>::draw_vector(VectorWord w) {
+[[gnu::noinline]] void Display<Sink>::draw_vector(VectorWord w) {
   const auto d = static_cast<std::uint8_t>(w.dx | w.dy);
   const int count = pulses_of_vector(w.dx, w.dy);
   const unsigned steps_x = steps_by_stage(w.dx, d);
@@ -131,6 +121,7 @@ void Display<Sink>::draw_vector(VectorWord w) {
   registers_.y = y;
   registers_.move = moves;
   registers_.rate.brm = brm_after(d, count);
+  last_pulse();
 }
 
 // The one that ends the word, which cannot move it.

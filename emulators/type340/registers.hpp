@@ -26,14 +26,15 @@ struct Registers {
   std::uint16_t y = 0;
   std::uint8_t scale = 0;      // 0..3, a step is 1 << scale points
   std::uint8_t intensity = 0;  // 0..7
+  // What each word begins with lies together, so that it is cleared by few stores.
   RateMultiplier rate;
   std::uint8_t part = 0;  // increment: move 1-4; characters: 2-4; 0 none
   bool halt = false;      // the next count pulse ends the word
   bool move = false;      // the word has moved the beam
-  bool stop = false;
-  bool request = false;  // RFD, request for data
+  bool request = false;   // RFD, request for data
   bool vertical_edge = false;
   bool horizontal_edge = false;
+  bool stop = false;
   bool pen_enable = false;
   bool pen_find = false;  // light was seen
   bool pen_flag = false;
@@ -45,6 +46,8 @@ struct Registers {
   [[nodiscard]] bool edge() const { return vertical_edge || horizontal_edge; }
   [[nodiscard]] bool stop_interrupt() const { return stop && br.bit(8); }
   [[nodiscard]] bool pen_will_stop() const { return pen_enable && pen_find; }
+  // A word that comes now may not run to its end undisturbed. Without branches: words come by the million.
+  [[nodiscard]] bool pen_or_stop() const { return (unsigned{stop} | unsigned{pen_flag} | (unsigned{pen_enable} & unsigned{pen_find})) != 0; }
   [[nodiscard]] std::uint16_t step() const { return static_cast<std::uint16_t>(1U << scale); }
 
   void clear_edges() { vertical_edge = horizontal_edge = false; }
@@ -128,16 +131,18 @@ struct Registers {
     return d.moves();
   }
 
-  // All pulses of a vector that stays on the screen; the last one turns the full BRM over and moves nothing.
-  void finish_vector(VectorWord w) {
-    const auto moved = [this](std::uint16_t from, bool negative, int steps) {
-      return static_cast<std::uint16_t>(from + (negative ? -steps : steps) * step());
+  // Where all pulses of a vector lead, or beyond the screen.
+  struct End {
+    unsigned x;
+    unsigned y;
+    [[nodiscard]] constexpr bool is_on_screen() const { return (x | y) <= screen_mask; }
+  };
+  [[nodiscard]] constexpr End end_of(VectorWord w) const {
+    const auto end = [this](unsigned from, bool negative, unsigned steps) {
+      const unsigned way = steps << scale;
+      return negative ? from - way : from + way;
     };
-    x = moved(x, w.left, w.dx);
-    y = moved(y, w.down, w.dy);
-    move = (w.dx | w.dy) != 0;
-    rate.brm = 0;
-    halt = true;
+    return {end(x, w.left, w.dx), end(y, w.down, w.dy)};
   }
 
   template <class Visitor>
