@@ -33,6 +33,13 @@ inline constexpr auto sign_zero_parity = [] {
   return table;
 }();
 
+// The same of a sum of nine bits, whose highest is CY.
+inline constexpr auto sign_zero_parity_carry = [] {
+  std::array<Byte, 512> table{};
+  for (unsigned sum = 0; sum < 512; ++sum) table[sum] = static_cast<Byte>(sign_zero_parity[sum % 256] | sum >> 8);
+  return table;
+}();
+
 // F after a count that gave a byte, without CY: AC is 1 where the low digit became 0 (up), or did not become F (down).
 inline constexpr auto counted_up = [] {
   std::array<Byte, 256> table = sign_zero_parity;
@@ -51,8 +58,7 @@ inline constexpr auto counted_down = [] {
 [[nodiscard]] [[gnu::always_inline]] constexpr Result add(Byte a, Byte operand, unsigned carry) {
   const unsigned sum = a + operand + carry;
   const unsigned carries = a ^ operand ^ sum;  // bit n: the carry into bit n
-  const Byte value = static_cast<Byte>(sum);
-  return {value, static_cast<Byte>(detail::sign_zero_parity[value] | (carries & flag::auxiliary) | sum >> 8)};
+  return {static_cast<Byte>(sum), static_cast<Byte>(detail::sign_zero_parity_carry[sum] | (carries & flag::auxiliary))};
 }
 
 // a - operand - borrow (0 or 1). The machine adds the complement: AC is the carry of that sum, so 1 means that the low
@@ -60,9 +66,8 @@ inline constexpr auto counted_down = [] {
 [[nodiscard]] [[gnu::always_inline]] constexpr Result subtract(Byte a, Byte operand, unsigned borrow) {
   const unsigned difference = static_cast<unsigned>(a) - operand - borrow;
   const unsigned borrows = a ^ operand ^ difference;
-  const Byte value = static_cast<Byte>(difference);
-  return {value, static_cast<Byte>(detail::sign_zero_parity[value] | (~borrows & flag::auxiliary) |
-                                   (difference >> 8 & flag::carry))};
+  return {static_cast<Byte>(difference),
+          static_cast<Byte>(detail::sign_zero_parity_carry[difference & 0x1FFU] | (~borrows & flag::auxiliary))};
 }
 
 // AC is the OR of the operands' bits 3: the state of the adder's carry chain during an AND.

@@ -2,8 +2,8 @@
 // that the time of an instruction is the consequence of the cycles it asks for (a test compares their sum with the
 // table).
 //
-// Left out: ALU results appear when the instruction ends, not in T2 of the next fetch, which no program can tell; an
-// XTHL or HLT given by an interrupting device while INT stays high, which the chip garbles.
+// Left out: ALU results appear when the instruction ends, not in T2 of the next fetch, which no program can tell; that the
+// chip is said to garble an XTHL or HLT given by an interrupting device while INT stays high, which no data at hand shows.
 // Sources: Intel MCS-80 User's Manual, chapters 2 and 4; the gate-level model of the KR580VM80A where that is silent.
 #pragma once
 
@@ -36,7 +36,10 @@ class Execution {
       : Execution(bus, registers, control, registers.a, registers.hl, registers.pc) {}
   [[gnu::always_inline]] constexpr Execution(B bus, Registers& registers, Control& control, std::uint32_t a,
                                              std::uint32_t hl, std::uint32_t pc)
-      : bus_(bus), control_(&control), registers_(&registers), a_(a), hl_(hl), pc_(pc) {}
+      : bus_(bus), control_(&control), registers_(&registers), a_(a), hl_(hl), pc_(pc) {
+    // So that a compiler need not cut them to size each time.
+    if (a > 0xFF || hl > 0xFFFF) __builtin_unreachable();
+  }
 
   [[gnu::always_inline]] constexpr void save() {
     registers_->a = static_cast<Byte>(a_);
@@ -303,13 +306,19 @@ class Execution {
 
   template <bool Jammed>
   [[gnu::always_inline]] constexpr void push(Address word) {
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_->sp, high(word));
-    bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_->sp, low(word));
+    // By itself: for all a compiler knows, SP lies in the memory that is written.
+    const Address top = registers_->sp;
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), static_cast<Address>(top - 1), high(word));
+    bus_.write(cycle<Jammed>(status::stack_write_cycle), static_cast<Address>(top - 2), low(word));
+    registers_->sp = static_cast<Address>(top - 2);
   }
   template <bool Jammed>
   [[gnu::always_inline]] constexpr Address pop() {
-    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp++);
-    return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp++), low_byte);
+    const Address top = registers_->sp;
+    const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), top);
+    const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), static_cast<Address>(top + 1));
+    registers_->sp = static_cast<Address>(top + 2);
+    return joined(high_byte, low_byte);
   }
 
   template <bool Jammed>
