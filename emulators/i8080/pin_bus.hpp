@@ -7,6 +7,9 @@
 //   Byte read(Status, Address)                  asked once a cycle, in T2; also ports and the acknowledge
 //   void write(Status, Address, Byte)           in T3
 //   void t_state(const PinState&)               what the pins showed
+// It may have
+//   static constexpr bool answers_in_t3         true: it is asked in T3, when the byte is taken; the pins show 0 before
+//   void pass_held()                            HOLD is granted: T-states in which it stays so may be left out
 //
 // Left out: what the address pins show in T4 and T5 (undefined on the real part; here they keep the cycle's address).
 // Sources: MCS-80 User's Manual, chapter 2; the instants at which flip-flops are set are those of the gate-level model
@@ -45,14 +48,31 @@ struct PinState {
   Status status;       // of the last cycle that had one
 };
 
+// What a bus keeps from one instruction to the next.
+struct PinLatches {
+  bool interrupt = false;         // INT in the last T-state
+  bool acknowledged = false;      // the INTA latch
+  bool hold = false;              // the HOLD flip-flop
+  bool hold_acknowledge = false;  // HLDA
+  bool after_write = false;       // the last T-state was T3 of a write, or of a cycle inside
+  bool passed_over = false;       // HOLD was granted after the last instruction: INT is not looked at before the next
+  bool halted = false;            // since the halt cycle no other has begun
+  bool waking = false;            // one more TW, and the halt is over
+  bool woken = false;             // it is over
+
+  friend constexpr bool operator==(const PinLatches&, const PinLatches&) = default;
+};
+
 template <class Board>
 class PinBus {
  public:
-  PinBus(Board& board, bool interrupts_on)
-      : board_(&board), interrupts_on_(interrupts_on), next_interrupts_on_(interrupts_on) {}
+  PinBus(Board& board, bool interrupts_on, const PinLatches& latches = {})
+      : board_(&board), latches_(latches), interrupts_on_(interrupts_on), next_interrupts_on_(interrupts_on) {}
+
+  [[nodiscard]] const PinLatches& latches() const { return latches_; }
 
   Byte fetch(Status cycle, Address address) {
-    if ((cycle & status::acknowledge) != 0) acknowledged_ = true;
+    if ((cycle & status::acknowledge) != 0) latches_.acknowledged = true;
     const Byte opcode = read(cycle, address);
     tick(TState::t4);
     return opcode;
@@ -61,10 +81,12 @@ class PinBus {
   Byte operand(Status cycle, Address address) { return read(cycle, address); }
   Byte read(Status cycle, Address address) {
     begin(cycle, address);
-    const Byte byte = board_->read(status_, address);
+    Byte byte = 0;
+    if constexpr (!answers_in_t3) byte = board_->read(status_, address);
     pins_ = {DataPins::in, byte, false, true, false};
     tick(TState::t2);
     while (!ready_) tick(TState::wait);
+    if constexpr (answers_in_t3) byte = board_->read(status_, address);
     pins_ = {};
     tick(TState::t3);
     return byte;
@@ -104,7 +126,7 @@ class PinBus {
 
   void halt(Status cycle, Address address) {
     begin(cycle, address);
-    halted_ = true;
+    latches_.halted = true;
     pins_ = {};
     tick(TState::t2);
     wait_in_halt();
@@ -113,32 +135,41 @@ class PinBus {
   // One more TW; true: it was the last, the next T-state is T1 of a fetch or an acknowledge. An INT that the chip saw
   // ends the halt three T-states later even if it has gone by then.
   bool wait_in_halt() {
-    const bool last = waking_;
+    const bool last = latches_.waking;
     tick(TState::wait);
-    waking_ = acknowledged_;
+    latches_.waking = latches_.acknowledged;
     if (!last) return false;
-    waking_ = false;
-    woken_ = true;
+    latches_.waking = false;
+    latches_.woken = true;
+    return true;
+  }
+
+  // One more T-state of a HOLD that was granted between two instructions; false: there is none.
+  bool wait_in_hold() {
+    if (!stands_still()) return false;
+    latches_.passed_over = true;
+    tick(TState::held);
     return true;
   }
 
   // RESET: of a halt nothing is left.
-  void reset() { halted_ = waking_ = woken_ = false; }
+  void reset() { latches_.halted = latches_.waking = latches_.woken = false; }
 
   void interrupt_enable(bool on) { next_interrupts_on_ = on; }
   void attention() {}
-  void end_acknowledge() { acknowledged_ = false; }
+  void end_acknowledge() { latches_.acknowledged = false; }
   bool acknowledging() {
     wait_while_held();
-    return acknowledged_ && interrupt_;
+    return latches_.acknowledged && latches_.interrupt;
   }
 
   // INT in the last T-state of the instruction. Where HOLD is granted between two instructions it is not looked at
   // there; the second runs first.
   bool interrupt() {
-    const bool held = hold_;
+    const bool held = latches_.hold || latches_.passed_over;
+    latches_.passed_over = false;
     wait_while_held();
-    return interrupt_ && !held;
+    return latches_.interrupt && !held;
   }
 
  private:
@@ -152,8 +183,8 @@ class PinBus {
 
   void begin(Status cycle, Address address) {
     wait_while_held();
-    status_ = static_cast<Status>(cycle | (halted_ ? status::halt : 0));
-    halted_ = woken_ = false;
+    status_ = static_cast<Status>(cycle | (latches_.halted ? status::halt : 0));
+    latches_.halted = latches_.woken = false;
     reading_ = (cycle & status::read) != 0;
     address_ = address;
     interrupts_on_ = next_interrupts_on_;
@@ -162,42 +193,46 @@ class PinBus {
   }
 
   // A cycle does not begin while HOLD is granted. The end of a halt does not ask.
+  [[nodiscard]] bool stands_still() const { return latches_.hold && !latches_.woken; }
   void wait_while_held() {
-    while (hold_ && !woken_) tick(TState::held);
+    while (stands_still()) {
+      tick(TState::held);
+      if constexpr (requires { board_->pass_held(); }) {
+        if (latches_.hold) board_->pass_held();
+      }
+    }
   }
 
   // One T-state: phi1, what the pins show, phi2.
   void tick(TState state) {
-    hold_acknowledge_ =
-        hold_ && (hold_acknowledge_ || after_write_ || halted_ || (state == TState::t3 && reading_));
-    if (halted_ && state == TState::wait && interrupts_on_ && !hold_) acknowledged_ = true;
-    if (!interrupt_) acknowledged_ = false;
+    latches_.hold_acknowledge =
+        latches_.hold && (latches_.hold_acknowledge || latches_.after_write || latches_.halted || (state == TState::t3 && reading_));
+    if (latches_.halted && state == TState::wait && interrupts_on_ && !latches_.hold) latches_.acknowledged = true;
+    if (!latches_.interrupt) latches_.acknowledged = false;
     const PinInputs inputs = board_->inputs();
     board_->t_state({inputs, state, address_, pins_.direction, pins_.data, pins_.sync, pins_.data_in,
-                     pins_.write_strobe, state == TState::wait, hold_acknowledge_, interrupts_on_, status_});
-    after_write_ = state == TState::t3 && !reading_;
-    if (!inputs.hold) hold_ = false;
-    else if (!acknowledged_ && (state == TState::t2 || state == TState::wait)) hold_ = true;
-    interrupt_ = inputs.interrupt;
+                     pins_.write_strobe, state == TState::wait, latches_.hold_acknowledge, interrupts_on_, status_});
+    latches_.after_write = state == TState::t3 && !reading_;
+    if (!inputs.hold) latches_.hold = false;
+    else if (!latches_.acknowledged && (state == TState::t2 || state == TState::wait)) latches_.hold = true;
+    latches_.interrupt = inputs.interrupt;
     ready_ = inputs.ready;
   }
 
+  static constexpr bool answers_in_t3 = [] {
+    if constexpr (requires { Board::answers_in_t3; }) return Board::answers_in_t3;
+    return false;
+  }();
+
   Board* board_;
+  PinLatches latches_;
   Pins pins_;
   Address address_ = 0;
   Status status_ = 0;
   bool reading_ = true;
   bool interrupts_on_;
   bool next_interrupts_on_;
-  bool interrupt_ = false;  // INT and READY as they were in the last T-state
-  bool ready_ = true;
-  bool hold_ = false;  // the HOLD flip-flop
-  bool hold_acknowledge_ = false;
-  bool after_write_ = false;
-  bool acknowledged_ = false;  // the INTA latch
-  bool halted_ = false;        // since the halt cycle no other has begun
-  bool waking_ = false;
-  bool woken_ = false;
+  bool ready_ = true;  // READY as it was in the last T-state
 };
 
 // An 8080 on such a bus.

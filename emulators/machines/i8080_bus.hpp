@@ -1,5 +1,5 @@
 // The processor's side of the 8080's bus while a program runs: 64K of RAM that never makes it wait, time, and the way
-// to the ports.
+// to the ports. For instructions from memory while nobody asks for HOLD; the rest is in i8080_pins.hpp.
 //
 // What changes with every cycle, the allowance of time, is a value in the hands of the processor; the rest is in the frame of
 // the run. The machine is touched only on the slow paths, by value, so that a compiler can keep the allowance in a
@@ -118,9 +118,9 @@ class I8080Bus {
   }
 
   void interrupt_enable(bool) {}
-  void end_acknowledge() { frame_->machine->acknowledging_ = false; }
-  // Asked at the beginning of a cycle: INT in the T-state before it.
-  bool acknowledging() { return frame_->machine->still_acknowledging(now()); }
+  // Only the instruction of a device asks.
+  void end_acknowledge() {}
+  bool acknowledging() { return false; }
   [[gnu::always_inline]] void attention() {
     frame_->horizon = now() - core::TStates(1);
     allowance_.end();
@@ -132,13 +132,10 @@ class I8080Bus {
  private:
   static constexpr core::TStates third_t_state{2};
 
-  // Without MEMR the byte comes from the device whose interrupt is being acknowledged.
   [[gnu::always_inline]] i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
                                           core::TStates length, bool operand) {
     const core::TStateInstant begun = begin(kind, address);
-    const i8080::Byte byte = (cycle & i8080::status::memory_read) != 0
-                                 ? memory_[address]
-                                 : frame_->machine->acknowledge(now() + third_t_state);
+    const i8080::Byte byte = memory_[address];
     report_at(begun, cycle, address, byte, operand);
     allowance_.pass(length);
     return byte;
@@ -232,12 +229,6 @@ class I8080Thread {
   void step() {
     execution_.bus().count_instruction();
     execution_.step();
-    leave();
-  }
-  // The one that a device supplies; it counts nothing.
-  [[gnu::noinline]] void acknowledge() {
-    execution_.acknowledge();
-    execution_.bus().attention();
     leave();
   }
 

@@ -4,7 +4,10 @@
 // the nearest instant at which anything may be due. Ports are touched with the T-state in which the real device would
 // be; what they do in between they make up for then. INT is what the last T-state of an instruction finds.
 //
-// Left out: HOLD, which no board of this machine asks for (i8080/pin_bus.hpp has it), ROM, and memory banks.
+// An interrupt's instruction, and whatever happens while HOLD is high or about to be, runs T-state by T-state
+// (i8080_pins.hpp). Ports know beforehand when they ask for HOLD, so that nothing is paid while they do not.
+//
+// Left out: ROM, and memory banks.
 // Source: i8080/cpu.hpp and pin_bus.hpp, which the tests hold this machine against.
 #pragma once
 
@@ -21,6 +24,7 @@
 #include "../i8080/state.hpp"
 #include "i8080_bus.hpp"
 #include "i8080_observer.hpp"
+#include "i8080_pins.hpp"
 #include "i8080_run.hpp"
 
 namespace sightline::machines {
@@ -46,6 +50,8 @@ class I8080Machine {
   [[nodiscard]] core::TStateInstant now() const { return now_; }
   // Since the machine was made; those a device supplied included.
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+  // T-states in which the processor stood still because of HOLD, since the machine was made.
+  [[nodiscard]] std::uint64_t held() const { return held_; }
 
   // All that a further run depends on besides the ports, as it is between two runs (../core/visit_state.hpp).
   template <class Visitor>
@@ -58,7 +64,17 @@ class I8080Machine {
       bool after_halt = halt_ended_ == now_;
       fields("after_halt", after_halt);
       halt_ended_ = after_halt ? now_ : core::never_t;
-      fields("acknowledging", acknowledging_);
+    });
+    // T-states in hand when the run stopped: an interrupt's instruction, or a HOLD.
+    visit.section("pins", [this](auto& fields) {
+      fields("acknowledging", pins_.acknowledged);
+      fields("hold", pins_.hold);
+      fields("hold_acknowledge", pins_.hold_acknowledge);
+      fields("after_write", pins_.after_write);
+      fields("passed_over", pins_.passed_over);
+      fields("waking", pins_.waking);
+      fields("held", held_);
+      fields.require(!pins_.waking || state_.halted, "waking", "only in a halt");
     });
     visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(memory_), 0xFF); });
   }
@@ -67,7 +83,7 @@ class I8080Machine {
   void reset() {
     state_.pc = 0;
     static_cast<i8080::Control&>(state_) = {};
-    acknowledging_ = false;
+    pins_ = {};
     halt_ended_ = core::never_t;
   }
 
@@ -84,7 +100,6 @@ class I8080Machine {
     instructions_ += count;
     static_cast<i8080::Registers&>(state_) = frame.registers;
     now_ = frame.now();
-    still_acknowledging(now_);  // first: the next run cannot follow INT through what has passed
     bring_ports_to(now_);
     return reason;
   }
@@ -113,9 +128,8 @@ class I8080Machine {
         frame.look_around_after(found.now, found.deadline, most);
         if (found.stop) return found.reason;
         if (found.again) continue;
-        if (found.interrupt) {
-          ++count;
-          acknowledge_one(frame, watcher);
+        if (found.by_pins) {
+          if (step_by_pins(frame, watcher, limits.until)) ++count;
           continue;
         }
       }
@@ -139,8 +153,7 @@ class I8080Machine {
     if constexpr (Watcher::instructions) {
       const core::TStateInstant begun = frame.now();
       const i8080::State before = frame.state();
-      const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(before.pc + i)]; };
-      const std::array<i8080::Byte, 3> bytes{at(0), at(1), at(2)};
+      const std::array<i8080::Byte, 3> bytes = bytes_at(before.pc);
       Thread(frame).step();
       watcher.instruction({begun, frame.now(), before.pc, bytes, false, before, frame.state()});
     } else {
@@ -148,21 +161,34 @@ class I8080Machine {
     }
   }
 
-  // The instruction a device supplies.
+  // One instruction, T-state by T-state; false: it has come to no end of a halt or a HOLD before `until`.
   template <class Watcher>
-  void acknowledge_one(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher) {
-    using Thread = I8080Thread<I8080Machine, Ports, Watcher>;
-    acknowledging_ = true;
-    supplied_ = {};
-    supplied_count_ = 0;
-    if constexpr (Watcher::instructions) {
-      const core::TStateInstant begun = frame.now();
-      const i8080::State before = frame.state();
-      Thread(frame).acknowledge();
-      watcher.instruction({begun, frame.now(), before.pc, supplied_, true, before, frame.state()});
-    } else {
-      Thread(frame).acknowledge();
+  bool step_by_pins(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, core::TStateInstant until) {
+    using Frame = I8080Frame<I8080Machine, Watcher>;
+    I8080Tell tell{&frame};
+    if constexpr (Watcher::cycles) {
+      tell.cycle = [](void* to, const I8080Cycle& told) {
+        I8080Cycle cycle = told;
+        if constexpr (!wants_ends_of_halts<Watcher>) {
+          if ((cycle.status & i8080::status::first) != 0) cycle.status &= static_cast<i8080::Status>(~i8080::status::halt);
+        }
+        static_cast<Frame*>(to)->report(cycle);
+      };
     }
+    if constexpr (requires(const I8080HoldPins& pins) { watcher.hold(pins); }) {
+      tell.to_holds = &watcher;
+      tell.hold = [](void* to, const I8080HoldPins& pins) { static_cast<Watcher*>(to)->hold(pins); };
+    }
+    [[maybe_unused]] const i8080::State before = frame.state();
+    [[maybe_unused]] const std::array<i8080::Byte, 3> bytes = bytes_at(before.pc);
+    const I8080PinStep step = step_on_pins(frame.registers, frame.now(), until, tell);
+    frame.look_around_after(step.now, at_once(step.now), 1);
+    if constexpr (Watcher::instructions) {
+      if (step.executed)
+        watcher.instruction({step.begun, step.now, before.pc, step.acknowledged ? supplied_.bytes : bytes, step.acknowledged,
+                             before, frame.state()});
+    }
+    return step.executed;
   }
 
   struct Attention {
@@ -170,8 +196,8 @@ class I8080Machine {
     core::TStateInstant deadline;
     I8080StopReason reason = I8080StopReason::observer;
     bool stop = false;
-    bool interrupt = false;
-    bool again = false;  // a halt has ended: the boundary is another
+    bool by_pins = false;  // the next instruction, or what is to come before it, runs T-state by T-state
+    bool again = false;    // a halt has ended: the boundary is another
   };
 
   // A boundary at which something may be due. In and out by value: see run().
@@ -181,17 +207,18 @@ class I8080Machine {
     if (count >= limits.instructions) return stopping(now, I8080StopReason::instruction_limit);
     if (now >= limits.until) return stopping(now, I8080StopReason::time_limit);
     if (state_.halted) return wait_in_halt(now, limits.until);
-    Attention found{now, at_once(now)};
-    found.interrupt = still_acknowledging(now);  // first: it follows INT through what has passed
     bring_ports_to(now);
+    if (pins_under_way() || hold_is_near(now)) return by_pins(now);
     // INT is not looked at after EI, nor before the first instruction, where no T-state could have seen it.
     const bool looks = !state_.deferred && now > core::at_t_state(0);
-    if (looks && state_.interrupts_on && ports_.interrupt()) found.interrupt = true;
+    if (looks && state_.interrupts_on && ports_.interrupt()) return by_pins(now);
+    Attention found{now, at_once(now)};
     if (looks) found.deadline = next_deadline(now, limits.until, most);
     state_.deferred = false;
     return found;
   }
 
+  static Attention by_pins(core::TStateInstant now) { return {now, at_once(now), {}, false, true, false}; }
   static Attention stopping(core::TStateInstant now, I8080StopReason reason) {
     return {now, at_once(now), reason, true, false, false};
   }
@@ -203,16 +230,26 @@ class I8080Machine {
   [[nodiscard]] core::TStateInstant next_deadline(core::TStateInstant now, core::TStateInstant until,
                                                   std::int64_t most) const {
     constexpr core::TStates last{1};
-    const core::TStateInstant deadline = std::min(ports_.deadline(), now + core::TStates(4) * most - last);
+    core::TStateInstant deadline = std::min(ports_.deadline(), now + core::TStates(4) * most - last);
+    if constexpr (HoldingPorts<Ports>) deadline = std::min(deadline, ports_.next_hold(now) - longest_instruction);
     return until != core::never_t ? std::min(deadline, until - last) : deadline;
   }
 
   // HLT waits from T2 of its halt cycle on. The T-state t that finds INT high is followed by two more; T1 of the next
-  // instruction is t + 3, a boundary like any other: whether INT is still high decides what is fetched there.
+  // instruction is t + 3, a boundary like any other: whether INT is still high decides what is fetched there. HOLD is sampled
+  // from t + 1 on, and is low before t + 2.
   Attention wait_in_halt(core::TStateInstant now, core::TStateInstant until) {
     core::TStateInstant t = halt_sampled_;
+    if (pins_under_way() || (t + core::TStates(1) == now && hold_is_near(now)))
+      return halt_may_end(pins_) ? by_pins(now) : stopping(now, I8080StopReason::halt);
+    const core::TStateInstant hold = next_hold(now);
     while (state_.interrupts_on) {
       ports_.advance(t);
+      if (hold != core::never_t && t + core::TStates(2) >= hold) {
+        pins_.acknowledged = pins_.waking = ports_.interrupt();
+        bring_ports_to(hold);
+        return by_pins(hold);
+      }
       if (ports_.interrupt()) {
         state_.halted = false;
         halt_ended_ = std::max(now, t + core::TStates(3));
@@ -222,7 +259,7 @@ class I8080Machine {
       if (ports_.stopped()) return stopping(std::max(now, halt_sampled_), I8080StopReason::ports);
       const core::TStateInstant next = ports_.deadline();
       if (next == core::never_t) break;
-      t = std::max(next, halt_sampled_);
+      t = std::max(hold != core::never_t ? std::min(next, hold - core::TStates(2)) : next, halt_sampled_);
       if (t >= until) {
         halt_sampled_ = until;
         return stopping(std::max(now, until), I8080StopReason::time_limit);
@@ -240,27 +277,90 @@ class I8080Machine {
     if (now > core::at_t_state(0)) ports_.advance(now - core::TStates(1));
   }
 
-  // The acknowledge latch: INT has not dropped since the acknowledge, as of the T-state before `now`.
-  [[gnu::noinline]] bool still_acknowledging(core::TStateInstant now) {
-    core::TStateInstant before{};
-    while (acknowledging_ && ports_.interrupt() && ports_.deadline() < now && ports_.deadline() > before) {
-      before = ports_.deadline();
-      ports_.advance(before);
+  // --- T-state by T-state ---
+
+  static constexpr core::TStates longest_instruction{18};  // XTHL, without wait states
+
+  [[nodiscard]] bool pins_under_way() const {
+    return pins_.acknowledged || pins_.hold || pins_.hold_acknowledge || pins_.passed_over || pins_.waking;
+  }
+  [[nodiscard]] core::TStateInstant next_hold([[maybe_unused]] core::TStateInstant t) const {
+    if constexpr (HoldingPorts<Ports>) return ports_.next_hold(t);
+    return core::never_t;
+  }
+  // As of the T-state before.
+  [[nodiscard]] bool halt_may_end(const i8080::PinLatches& pins) const {
+    return pins.waking || pins.acknowledged ||
+           (state_.interrupts_on && (ports_.interrupt() || ports_.deadline() != core::never_t));
+  }
+  // HOLD was high in the T-state before, or may be within the next instruction, which is of any length where it has to wait.
+  [[nodiscard]] bool hold_is_near(core::TStateInstant now) const {
+    const core::TStateInstant next = next_hold(now - core::TStates(1));
+    return next != core::never_t && (Ports::waits || next < now + longest_instruction);
+  }
+
+  // The rest of a halt or a HOLD, and the instruction after a HOLD. What bring_ports_to(now) does has been done.
+  [[gnu::noinline]] I8080PinStep step_on_pins(i8080::Registers& registers, core::TStateInstant now, core::TStateInstant until,
+                                              I8080Tell tell) {
+    i8080::PinLatches latches = pins_;
+    latches.interrupt = now > core::at_t_state(0) && ports_.interrupt();
+    latches.woken = !state_.halted && halt_ended_ == now;
+    latches.halted = state_.halted || latches.woken;
+    supplied_ = {};
+    I8080Board<Ports> board(ports_, memory_.data(), supplied_, now, latches.hold_acknowledge, tell);
+    I8080PinBus<Ports> bus(board, state_.interrupts_on, latches);
+    I8080PinStep step;
+    if (state_.halted) wait_on_pins(board, bus, until);
+    else if (hold_on_pins(board, bus, until)) step = execute_on_pins(board, bus, registers);
+    step.now = board.now();
+    if (state_.halted) halt_sampled_ = step.now - core::TStates(1);
+    held_ += static_cast<std::uint64_t>(board.held());
+    pins_ = bus.latches();
+    pins_.acknowledged = pins_.acknowledged && pins_.interrupt;
+    pins_.after_write = pins_.after_write && pins_.hold;
+    pins_.interrupt = pins_.halted = pins_.woken = false;  // see above
+    return step;
+  }
+  void wait_on_pins(I8080Board<Ports>& board, I8080PinBus<Ports>& bus, core::TStateInstant until) {
+    do {
+      if (bus.wait_in_halt()) {
+        state_.halted = false;
+        halt_ended_ = board.now();
+        return;
+      }
+      if (ports_.stopped() || board.now() >= until || !halt_may_end(bus.latches())) return;
+    } while (bus.latches().waking || bus.latches().hold || bus.latches().hold_acknowledge || hold_is_near(board.now()));
+  }
+  // False: HOLD lasts until `until` at least.
+  bool hold_on_pins(I8080Board<Ports>& board, I8080PinBus<Ports>& bus, core::TStateInstant until) {
+    while (bus.wait_in_hold()) {
+      if (board.now() >= until) return false;
+      if (bus.latches().hold) board.pass_held(until);
+      if (board.now() >= until) return false;
     }
-    if (acknowledging_) acknowledging_ = ports_.interrupt();
-    if (acknowledging_) bring_ports_to(now);
-    return acknowledging_;
+    return true;
+  }
+  I8080PinStep execute_on_pins(I8080Board<Ports>& board, I8080PinBus<Ports>& bus, i8080::Registers& registers) {
+    I8080PinStep step{{}, board.now(), true, false};
+    i8080::Execution<I8080PinBus<Ports>&> execution(bus, registers, state_);
+    const bool interrupt = bus.interrupt();
+    const bool open = state_.interrupts_on && !state_.deferred;
+    state_.deferred = false;
+    step.acknowledged = (interrupt && open) || bus.acknowledging();
+    if (step.acknowledged) execution.acknowledge();
+    else execution.step();
+    execution.save();
+    return step;
+  }
+
+  [[nodiscard]] std::array<i8080::Byte, 3> bytes_at(i8080::Address address) const {
+    const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(address + i)]; };
+    return {at(0), at(1), at(2)};
   }
 
   [[gnu::noinline]] i8080::Byte input(i8080::Byte port, core::TStateInstant at) { return ports_.in(port, at); }
   [[gnu::noinline]] void output(i8080::Byte port, i8080::Byte byte, core::TStateInstant at) {
     ports_.out(port, byte, at);
-  }
-  [[gnu::noinline]] i8080::Byte acknowledge(core::TStateInstant at) {
-    still_acknowledging(at);
-    const i8080::Byte byte = ports_.acknowledge(at);
-    if (supplied_count_ < supplied_.size()) supplied_[supplied_count_++] = byte;
-    return byte;
   }
 
   // The fetch that ends a halt still says HLTA.
@@ -284,9 +384,9 @@ class I8080Machine {
   std::vector<i8080::Byte> memory_;
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
   core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
-  bool acknowledging_ = false;
-  std::array<i8080::Byte, 3> supplied_{};  // by the device, since the last acknowledge began
-  std::size_t supplied_count_ = 0;
+  i8080::PinLatches pins_;  // all false between instructions at which nothing is in hand
+  SuppliedBytes supplied_;
+  std::uint64_t held_ = 0;
 };
 
 }  // namespace sightline::machines

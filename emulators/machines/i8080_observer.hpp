@@ -12,7 +12,8 @@
 // An observer of cycles that has
 //   static constexpr bool ends_of_halts = false;
 // does not need HLTA in the fetch that ends a halt, which each cycle would be asked for. It may have a filter
-// (../core/reporter.hpp).
+// (../core/reporter.hpp), and
+//   void hold(const I8080HoldPins&);      called when one of them has changed; cycle() is told of a cycle when its byte is known
 // An observer sees; it must not write to the machine.
 #pragma once
 
@@ -43,6 +44,15 @@ struct I8080Cycle {
   bool operand = false;  // a byte of the instruction behind its opcode
 
   friend constexpr bool operator==(const I8080Cycle&, const I8080Cycle&) = default;
+};
+
+struct I8080HoldPins {
+  core::TStateInstant time;
+  bool hold;
+  bool acknowledge;  // HLDA
+  bool stands;       // the processor waits for the end of HOLD before its next cycle
+
+  friend constexpr bool operator==(const I8080HoldPins&, const I8080HoldPins&) = default;
 };
 
 template <class Observer>

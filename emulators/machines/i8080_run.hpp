@@ -11,6 +11,9 @@
 //   bool stopped() const                               the run is to end at the next instruction boundary
 //   int wait_states(i8080::CycleKind, i8080::Address, TStateInstant)   where `waits`: TWs, READY first low in that T2
 // Times never decrease from call to call, except that advance() may name an instant that is past.
+// Ports that ask for HOLD know beforehand when; without these two the machine has no HOLD:
+//   TStateInstant next_hold(TStateInstant t) const     the first T-state at or after t in which HOLD is high, or never_t
+//   TStateInstant hold_ends(TStateInstant t) const     the first at or after t in which it is low; there is one
 #pragma once
 
 #include <cstdint>
@@ -30,6 +33,12 @@ enum class I8080StopReason : std::uint8_t {
 struct I8080Limits {
   std::uint64_t instructions = ~std::uint64_t{0};
   core::TStateInstant until = core::never_t;
+};
+
+template <class Ports>
+concept HoldingPorts = requires(const Ports& ports, core::TStateInstant t) {
+  ports.next_hold(t);
+  ports.hold_ends(t);
 };
 
 // No device at this port: the data bus floats high.

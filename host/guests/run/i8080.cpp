@@ -7,6 +7,8 @@
 #include <array>
 #include <bitset>
 #include <cstdlib>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "emulators/i8080/bus.hpp"
+#include "emulators/machines/i8080_hold.hpp"
 #include "emulators/machines/i8080_machine.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/cpm.hpp"
@@ -160,7 +163,8 @@ class RunPorts {
  public:
   static constexpr bool waits = Devices::waits;
 
-  RunPorts(Devices& devices, bool cpm, bool strict) : devices_(devices), cpm_(cpm), strict_(strict) {}
+  RunPorts(Devices& devices, const machines::HoldTimes& hold, bool cpm, bool strict)
+      : devices_(devices), hold_(hold), cpm_(cpm), strict_(strict) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
     const std::uint64_t before = devices_.unanswered()[port].reads;
@@ -179,6 +183,8 @@ class RunPorts {
   void advance(core::TStateInstant now) { devices_.advance(now); }
   [[nodiscard]] bool interrupt() const { return devices_.interrupt(); }
   [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) { return devices_.acknowledge(now); }
+  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const { return hold_.next_hold(t); }
+  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const { return hold_.hold_ends(t); }
   [[nodiscard]] bool stopped() const { return call_.has_value() || unanswered_; }
 
   // The OUT to a port of an entry that ended the run, once.
@@ -204,6 +210,7 @@ class RunPorts {
 
  private:
   Devices& devices_;
+  machines::HoldTimes hold_;
   std::optional<PortCall> call_;
   bool cpm_;
   bool strict_;
@@ -215,12 +222,12 @@ class RunPorts {
 // The rows of i8080_signals(), by number; those of the status byte from its lowest bit on.
 namespace signal {
 enum : std::size_t {
-  address, data, sync, dbin, wr, wait, ready, interrupt, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
+  address, data, sync, dbin, wr, wait, ready, interrupt, hold, hlda, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
 };
 }
 
 constexpr std::array<VcdSignal, signal::count> signals{{
-    {"pins", "address", 16, "A15-A0"},
+    {"pins", "address", 16, "A15-A0; z while a board has the bus"},
     {"pins", "data", 8, "D7-D0: the status byte with SYNC, then the byte; z while nobody drives them"},
     {"pins", "sync", 1, "a machine cycle begins"},
     {"pins", "dbin", 1, "the processor reads D7-D0"},
@@ -228,7 +235,9 @@ constexpr std::array<VcdSignal, signal::count> signals{{
     {"pins", "wait", 1, "a wait state, or HLT"},
     {"pins", "ready", 1, "READY: low while a wait state is asked for"},
     {"pins", "int", 1, "INT, as the machine finds it between instructions"},
-    {"pins", "t", 3, "the T-state: 1 to 5, 6 in a wait state, 7 in a cycle inside the processor"},
+    {"pins", "hold", 1, "HOLD: a board asks for the bus"},
+    {"pins", "hlda", 1, "HLDA: it has the bus, and address and data are z"},
+    {"pins", "t", 3, "the T-state: 1 to 5, 6 in a wait state, 7 in a cycle inside the processor, 0 while it waits for the bus"},
     {"status", "inta", 1, "of the machine cycle, as all of these: interrupt acknowledge"},
     {"status", "wo", 1, "WO#: not a write"},
     {"status", "stack", 1, "the address is SP"},
@@ -255,7 +264,10 @@ class I8080Vcd {
   I8080Vcd(VcdWriter writer, core::ClockRate clock, std::function<bool()> requested)
       : writer_(std::move(writer)), clock_(clock), requested_(std::move(requested)) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
-  void finish(core::TStateInstant now) { writer_.finish(core::nanoseconds_of(clock_.to_nanoseconds(now))); }
+  void finish(core::TStateInstant now) {
+    show_holds(now);
+    writer_.finish(core::nanoseconds_of(clock_.to_nanoseconds(now)));
+  }
 
   void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
@@ -286,9 +298,32 @@ class I8080Vcd {
     show(record.end, signal::inte, s.interrupts_on ? 1 : 0);
     show(record.end, signal::interrupt, requested_() ? 1 : 0);
   }
+  // Told before the cycle in which it is. Where the processor begins to wait, the cycle before has its end.
+  void hold(const machines::I8080HoldPins& pins) {
+    if (pins.stands) end_cycle(pins.time);
+    holds_.push_back(pins);
+  }
 
  private:
   void show(core::TStateInstant at, std::size_t row, std::uint32_t value) {
+    show_holds(at);
+    show_pin(at, row, value);
+  }
+  // Those up to then. The board that has the bus drives address and data.
+  void show_holds(core::TStateInstant at) {
+    while (!holds_.empty() && holds_.front().time <= at) {
+      const machines::I8080HoldPins pins = holds_.front();
+      holds_.pop_front();
+      show_pin(pins.time, signal::hold, pins.hold ? 1 : 0);
+      show_pin(pins.time, signal::hlda, pins.acknowledge ? 1 : 0);
+      if (pins.acknowledge) {
+        show_pin(pins.time, signal::address, VcdWriter::floating);
+        show_pin(pins.time, signal::data, VcdWriter::floating);
+      }
+      if (pins.stands) show_pin(pins.time, signal::t, 0);
+    }
+  }
+  void show_pin(core::TStateInstant at, std::size_t row, std::uint32_t value) {
     latest_ = std::max(latest_, at);
     writer_.show(core::nanoseconds_of(clock_.to_nanoseconds(latest_)), row, value);
   }
@@ -299,6 +334,11 @@ class I8080Vcd {
     show(cycle.time, signal::sync, 1);
     for (const std::size_t pin : {signal::dbin, signal::wr, signal::wait}) show(cycle.time, pin, 0);
     show(cycle.time, signal::ready, 1);
+    if (!begun_) {
+      begun_ = true;
+      show(cycle.time, signal::hold, 0);
+      show(cycle.time, signal::hlda, 0);
+    }
     show(cycle.time, signal::t, 1);
     for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, signal::inta + bit, cycle.status >> bit & 1U);
   }
@@ -355,6 +395,8 @@ class I8080Vcd {
   std::function<bool()> requested_;
   std::optional<machines::I8080Cycle> pending_;
   i8080::Byte opcode_ = 0;  // of the instruction under way
+  std::deque<machines::I8080HoldPins> holds_;  // that are not shown yet
+  bool begun_ = false;
   core::TStateInstant latest_{};
 };
 
@@ -385,6 +427,9 @@ class Recorder {
   void cycle(const machines::I8080Cycle& cycle) {
     if (bus_.wanted()) write(cycle);
     if (vcd) vcd->cycle(cycle);
+  }
+  void hold(const machines::I8080HoldPins& pins) {
+    if (vcd) vcd->hold(pins);
   }
 
   std::optional<I8080Vcd> vcd;
@@ -604,6 +649,9 @@ class I8080Reporter {
     if (recorder_ != nullptr) recorder_->cycle(cycle);
     if (listener_) listener_->cycle(cycle);
   }
+  void hold(const machines::I8080HoldPins& pins) {
+    if (recorder_ != nullptr) recorder_->hold(pins);
+  }
 
  private:
   Recorder* recorder_ = nullptr;
@@ -652,7 +700,7 @@ class I8080Run final : public Machine {
       : setup_(std::move(setup)),
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
-        ports_(devices_, setup_.cpm.has_value(), setup_.strict),
+        ports_(devices_, setup_.hold, setup_.cpm.has_value(), setup_.strict),
         processor_(ports_, nobody_) {
     if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
     if (setup_.observed) recorder_.emplace();
@@ -833,6 +881,7 @@ class I8080Run final : public Machine {
         {"T-states", fmt::format("{}", core::t_states_of(processor_.now()))},
         {"emulated time", fmt::format("{} s at {} Hz", seconds_text(processor_.now(), clock), clock.hertz)},
         {"instructions", fmt::format("{}", processor_.instructions())}};
+    if (setup_.hold.length != 0) lines.push_back({"held", fmt::format("{} T-states", processor_.held())});
     devices_.each_device([&lines](auto row, const auto& device) {
       std::string counts;
       row.count(device, [&counts](std::string_view name, std::uint64_t count) {
@@ -849,6 +898,7 @@ class I8080Run final : public Machine {
     const core::ClockRate clock = setup_.machine.clock;
     const std::int64_t t_states = core::t_states_of(processor_.now());
     report["t_states"] = t_states;
+    if (setup_.hold.length != 0) report["held_t_states"] = processor_.held();
     report["clock_hz"] = clock.hertz;
     // null where no 64 bits hold it
     report["emulated_ns"] = now() == core::never ? base::Json() : base::Json(core::nanoseconds_of(now()));

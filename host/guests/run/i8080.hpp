@@ -10,7 +10,7 @@
 // there; registers come back as they were. With a console there are 1, 6, 10 and 11 too, which return in A and
 // L with B and H 0 (CP/M 2.2 Interface Guide); one that waits for a key does so in no time.
 //
-// Left out: the rest of CP/M, HOLD.
+// Left out: the rest of CP/M.
 #pragma once
 
 #include <map>
@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emulators/machines/i8080_hold.hpp"
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/machine.hpp"
@@ -31,6 +32,7 @@ namespace sightline::guests::run {
 struct I8080Setup {
   machines::SkalaConfiguration machine;    // the links' bytes are views of `sent`
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
+  machines::HoldTimes hold;                // a board that takes the bus
   std::optional<CpmSetup> cpm;             // CP/M around the program
   bool strict = false;                     // an access to a port without a device ends the run
   std::vector<std::string> configuration;  // see Machine

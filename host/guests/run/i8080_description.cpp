@@ -115,6 +115,23 @@ Result<Done> wire_interrupt(SkalaConfiguration& machine, const std::string& text
   return Done{};
 }
 
+// "FIRST+LENGTH" or "FIRST+LENGTH/PERIOD", in T-states.
+Result<machines::HoldTimes> hold_times(const std::string& text) {
+  const std::size_t plus = std::min(text.find('+'), text.size());
+  const std::size_t slash = std::min(text.find('/', plus), text.size());
+  const std::string_view whole = text;
+  const auto number = [](std::string_view digits) { return base::whole_number<std::uint32_t>(digits); };
+  const auto first = number(whole.substr(0, plus));
+  const auto length = number(whole.substr(std::min(plus + 1, slash), slash - std::min(plus + 1, slash)));
+  const auto period = number(whole.substr(std::min(slash + 1, text.size())));
+  const bool once = slash == text.size();
+  if (first && length && *length > 0 && (once || (period && *period > *length)))
+    return machines::HoldTimes{*first, *length, once ? 0 : std::int64_t{*period}};
+  return usage(fmt::format("--hold: found \"{}\", expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states, decimal, LENGTH of 1 "
+                           "and more, PERIOD longer than LENGTH",
+                           text));
+}
+
 // "X,Y", decimal steps, Y on the carriage of the CalComp.
 Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
@@ -132,6 +149,10 @@ Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::
 // All that decides how the machine works and is no state; --strict only says where a run ends.
 std::vector<std::string> configuration_of(const I8080Setup& setup) {
   std::vector<std::string> words{fmt::format("--clock {}", setup.machine.clock.hertz)};
+  if (setup.hold.length != 0) {
+    words.push_back(fmt::format("--hold {}+{}", setup.hold.first, setup.hold.length));
+    if (setup.hold.period != 0) words.back() += fmt::format("/{}", setup.hold.period);
+  }
   if (setup.cpm) {
     words.emplace_back("--cpm");
     if (setup.cpm->console || !setup.cpm->drives.empty()) words.emplace_back("--cpm with console or drives");
@@ -204,6 +225,11 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     const auto place = plotter_place("--plotter-start", arguments.text("--plotter-start"));
     if (!place) return place.error();
     setup.machine.calcomp565_start = *place;
+  }
+  if (arguments.given("--hold")) {
+    const auto hold = hold_times(arguments.text("--hold"));
+    if (!hold) return hold.error();
+    setup.hold = *hold;
   }
   attach(arguments, read, setup);
   for (const std::string& text : arguments.list("--interrupt")) {
@@ -358,6 +384,8 @@ std::vector<Option> run_options() {
     options.push_back({list, "--device", "DEVICE", "Attach this device", std::move(others)});
   const std::vector<Option> rest{
       {list, "--interrupt", "DEVICE=N", fmt::format("Wire {} to RST N", line_names(", ", " or "))},
+      {text, "--hold", "FIRST+LENGTH[/PERIOD]",
+       "A board takes the bus: HOLD is high for LENGTH T-states from FIRST on, and again every PERIOD"},
       {output, "--dump", "FILE", "Registers and all of memory after the run"},
       {output, "--save", "FILE", "A snapshot of the whole machine after the run"},
       {stream, "--trace", "FILE", "Every instruction"},

@@ -1,16 +1,20 @@
 // The fast 8080 machine against the T-state-by-T-state bus: random programs rich in EI and HLT under random
-// INT and READY must show the same machine cycles, in whatever pieces they are run.
+// INT, READY and HOLD, with any instruction supplied, must show the same machine cycles, instructions, registers and memory, in
+// whatever pieces they are run. SIGHTLINE_LOCKSTEP=N in the environment makes it N instructions in each test.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/emulators/i8080/memory_board.hpp"
 #include "tests/emulators/machines/i8080_script.hpp"
+#include "tests/emulators/machines/lockstep.hpp"
 
 namespace sightline {
 namespace {
@@ -21,68 +25,105 @@ struct Program {
   std::vector<i8080::Byte> memory;
   std::vector<i8080::PinInputs> levels;
   i8080::Byte input;
-  i8080::Byte supplied;
+  std::vector<i8080::Byte> supplied{0, 0, 0};
   i8080::State state;
 };
 
-Program random_program(std::mt19937& random) {
+// Which of the pins a program has to do with.
+struct Asked {
+  bool ready = false;
+  bool hold = false;
+};
+
+Program random_program(std::mt19937& random, Asked asked) {
   const auto below = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
   Program program;
   program.memory.resize(65536);
+  const unsigned halts = below(3) == 0 ? 6 : 4;
   for (auto& byte : program.memory) {
     const unsigned kind = below(32);
-    byte = kind < 3    ? i8080::Byte{0xFB}
-           : kind == 3 ? i8080::Byte{0x76}
-                       : static_cast<i8080::Byte>(below(256));
+    byte = kind < 3       ? i8080::Byte{0xFB}
+           : kind < halts ? i8080::Byte{0x76}
+                          : static_cast<i8080::Byte>(below(256));
   }
-  // INT and READY change now and then; INT in pulses of one T-state and upwards.
+  // INT, READY and HOLD change now and then; INT and HOLD in pulses of one T-state and upwards. HOLD may be so rare that
+  // programs run without it for long.
   i8080::PinInputs level;
+  const unsigned idle = below(2) == 0 ? 20 : 200;
+  const unsigned busy = below(2) == 0 ? 4 : 40;
   for (std::int64_t t = 0; t < length; ++t) {
     if (below(level.interrupt ? 6 : 25) == 0) level.interrupt = !level.interrupt;
-    level.ready = below(8) != 0;
+    if (asked.ready) level.ready = below(8) != 0;
+    if (asked.hold && below(level.hold ? busy : idle) == 0) level.hold = !level.hold;
     program.levels.push_back(level);
   }
   program.input = static_cast<i8080::Byte>(below(256));
-  // RST, CALL, NOP, MOV, INR, LXI, MVI, PUSH, POP, EI, DI, JMP, MOV A,M, DAD
-  constexpr std::array<i8080::Byte, 16> given{0xFF, 0xCF, 0xD7, 0xCD, 0x00, 0x41, 0x04, 0x21,
-                                              0x3E, 0xC5, 0xD1, 0xFB, 0xF3, 0xC3, 0x7E, 0x09};
-  program.supplied = given[below(16)];
+  for (auto& byte : program.supplied) byte = static_cast<i8080::Byte>(below(8) == 0 ? 0x76 : below(8) == 1 ? 0xE3 : below(256));
   program.state.pc = static_cast<i8080::Address>(below(65536));
   program.state.sp = static_cast<i8080::Address>(below(65536));
   program.state.hl = static_cast<i8080::Address>(below(65536));
+  program.state.bc = static_cast<i8080::Address>(below(65536));
+  program.state.a = static_cast<i8080::Byte>(below(256));
   program.state.interrupts_on = below(2) == 0;
   return program;
 }
 
-std::vector<machines::I8080Cycle> cycles_by_pins(const Program& program) {
+// What a run showed, up to `length`.
+struct Shown {
+  std::vector<machines::I8080Cycle> cycles;
+  std::vector<machines::I8080HoldPins> holds;
+  std::vector<std::pair<std::int64_t, i8080::State>> states;  // when an instruction was over, and what it left
+  std::vector<i8080::Byte> memory;
+  bool whole = true;  // false: memory is that after one instruction more
+};
+
+Shown shown_by_pins(const Program& program) {
   const auto board = std::make_unique<tests::MemoryBoard>();
   std::copy(program.memory.begin(), program.memory.end(), board->memory.begin());
   board->levels = program.levels;
   board->port_data = program.input;
-  board->acknowledge_data = {program.supplied};
+  board->acknowledge_data = program.supplied;
   i8080::PinMachine machine(*board, program.state);
-  while (board->rows.size() < static_cast<std::size_t>(length)) machine.step();
-  std::vector<machines::I8080Cycle> cycles;
+  Shown shown;
+  while (board->rows.size() < static_cast<std::size_t>(length)) {
+    const auto begun = static_cast<std::ptrdiff_t>(board->rows.size());
+    const std::size_t transfers = board->transfers.size();
+    machine.step();
+    // A step may be a wait state of a halt. What begins after `length`, behind a HOLD, is none of the run.
+    const auto end = board->rows.begin() + std::min(length, static_cast<std::int64_t>(board->rows.size()));
+    const bool began = std::any_of(board->rows.begin() + begun, end, [](const i8080::PinState& row) { return row.sync; });
+    if (began) shown.states.emplace_back(static_cast<std::int64_t>(board->rows.size()), machine.registers());
+    shown.whole = began || board->transfers.size() == transfers;
+  }
+  shown.memory.assign(board->memory.begin(), board->memory.end());
   std::size_t transfer = 0;
+  machines::I8080HoldPins pins{};
   for (std::size_t t = 0; t < static_cast<std::size_t>(length); ++t) {
     const i8080::PinState& row = board->rows[t];
+    const core::TStateInstant time = core::at_t_state(static_cast<std::int64_t>(t));
+    const machines::I8080HoldPins found{time, row.inputs.hold, row.hold_acknowledge, row.state == i8080::TState::held};
+    if (found.hold != pins.hold || found.acknowledge != pins.acknowledge || found.stands != pins.stands) {
+      shown.holds.push_back(found);
+      pins = found;
+    }
     if (!row.sync) continue;
     // A halt moves no data.
-    const bool halt = (row.status & 0x2F) == 0x0A;
+    const bool halt = (row.status & 0x2F) == 0x0A || (row.status & 0x2F) == 0x0B;
     const i8080::Byte data =
         halt || transfer == board->transfers.size() ? i8080::Byte{0} : board->transfers[transfer++].data;
-    cycles.push_back({core::at_t_state(static_cast<std::int64_t>(t)), row.status, row.address, data});
+    shown.cycles.push_back({time, row.status, row.address, data});
   }
-  return cycles;
+  return shown;
 }
 
-std::vector<machines::I8080Cycle> cycles_by_machine(const Program& program, std::mt19937* pieces) {
-  tests::ScriptPorts ports;
+template <bool may_wait, bool tells_instructions>
+Shown shown_by_machine(const Program& program, std::mt19937* pieces) {
+  tests::BasicScriptPorts<may_wait> ports;
   ports.levels = program.levels;
   ports.input = program.input;
-  ports.supplied = {program.supplied};
-  tests::I8080Recorder recorder;
-  tests::ScriptMachine machine(ports, recorder);
+  ports.supplied = program.supplied;
+  tests::BasicI8080Recorder<tells_instructions> recorder;
+  machines::I8080Machine<tests::BasicScriptPorts<may_wait>, tests::BasicI8080Recorder<tells_instructions>> machine(ports, recorder);
   std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
   machine.registers() = program.state;
   machines::I8080Limits limits{~std::uint64_t{0}, core::at_t_state(length)};
@@ -93,9 +134,17 @@ std::vector<machines::I8080Cycle> cycles_by_machine(const Program& program, std:
     }
     if (machine.run(limits) == machines::I8080StopReason::halt) break;
   }
-  while (!recorder.seen.empty() && recorder.seen.back().time >= core::at_t_state(length))
-    recorder.seen.pop_back();
-  return recorder.seen;
+  const auto end = core::at_t_state(length);
+  const auto cut = [end](auto& events) {
+    while (!events.empty() && events.back().time >= end) events.pop_back();
+  };
+  cut(recorder.seen);
+  cut(recorder.holds);
+  for (auto& cycle : recorder.seen) cycle.operand = false;  // which pins do not tell
+  Shown shown{recorder.seen, recorder.holds, {}, {}, true};
+  for (const auto& instruction : recorder.executed) shown.states.emplace_back(instruction.end, instruction.after);
+  shown.memory.assign(machine.memory().begin(), machine.memory().end());
+  return shown;
 }
 
 std::string text(const machines::I8080Cycle& cycle) {
@@ -108,43 +157,92 @@ std::string text(const machines::I8080Cycle& cycle) {
          hexadecimal(cycle.address) + ' ' + hexadecimal(cycle.data);
 }
 
-void expect_equal(const std::vector<machines::I8080Cycle>& found,
-                  const std::vector<machines::I8080Cycle>& expected, int program) {
+std::string text(const machines::I8080HoldPins& pins) {
+  return std::to_string(core::t_states_of(pins.time)) + (pins.hold ? " hold" : "") + (pins.acknowledge ? " hlda" : "") +
+         (pins.stands ? " stands" : "");
+}
+
+template <class Event>
+void expect_equal(const std::vector<Event>& found, const std::vector<Event>& expected, const std::string& program) {
   for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i) {
     // The last cycle may have been cut off before its data.
     if (i + 1 == expected.size()) break;
-    ASSERT_EQ(text(found[i]), text(expected[i])) << "program " << program << " cycle " << i;
+    ASSERT_EQ(text(found[i]), text(expected[i])) << program << " event " << i;
   }
-  ASSERT_EQ(found.size(), expected.size()) << "program " << program;
+  ASSERT_EQ(found.size(), expected.size()) << program;
+}
+
+void expect_same(const Shown& found, const Shown& expected, const std::string& program) {
+  expect_equal(found.cycles, expected.cycles, program);
+  if (testing::Test::HasFatalFailure()) return;
+  for (std::size_t i = 0; i < std::min(found.states.size(), expected.states.size()); ++i) {
+    ASSERT_EQ(found.states[i].first, expected.states[i].first) << program << " instruction " << i;
+    ASSERT_TRUE(found.states[i].second == expected.states[i].second) << program << " instruction " << i;
+  }
+  ASSERT_EQ(found.states.size(), expected.states.size()) << program;
+  ASSERT_TRUE(found.memory == expected.memory || !expected.whole) << program;
+  // A halt that nothing can end ends a run, while on the pins HOLD still comes and goes.
+  const bool halted = !expected.states.empty() && expected.states.back().second.halted;
+  auto holds = expected.holds;
+  if (halted) holds.resize(std::min(holds.size(), found.holds.size()));
+  expect_equal(found.holds, holds, program);
+}
+
+template <bool may_wait>
+void compare(std::mt19937& random, Asked asked, int programs, const std::string& name) {
+  std::size_t interrupts = 0;
+  std::size_t waking_fetches = 0;
+  std::size_t holds = 0;
+  std::uint64_t instructions = 0;
+  const std::uint64_t wanted = tests::lockstep_instructions(0);
+  for (int i = 0; i < programs || instructions < wanted; ++i) {
+    const Program program = random_program(random, asked);
+    const Shown expected = shown_by_pins(program);
+    const std::string number = name + ", program " + std::to_string(i);
+    expect_same(shown_by_machine<may_wait, true>(program, nullptr), expected, number);
+    if (testing::Test::HasFatalFailure()) return;
+    Shown fast = shown_by_machine<may_wait, false>(program, nullptr);
+    fast.states = expected.states;
+    expect_same(fast, expected, number + ", no instructions told");
+    if (testing::Test::HasFatalFailure()) return;
+    fast = shown_by_machine<may_wait, false>(program, &random);
+    fast.states = expected.states;
+    fast.holds = expected.holds;
+    expect_same(fast, expected, number + ", in pieces");
+    if (testing::Test::HasFatalFailure()) return;
+    for (const auto& cycle : expected.cycles) {
+      interrupts += cycle.status == 0x23 || cycle.status == 0x2B ? 1 : 0;
+      waking_fetches += cycle.status == 0xAA ? 1 : 0;
+    }
+    holds += expected.holds.size();
+    instructions += expected.states.size();
+  }
+  std::printf("%llu instructions\n", static_cast<unsigned long long>(instructions));
+  EXPECT_GT(interrupts, static_cast<std::size_t>(programs));
+  EXPECT_GT(waking_fetches, 5U);
+  EXPECT_EQ(holds > static_cast<std::size_t>(programs), asked.hold);
 }
 
 TEST(I8080Machine, ShowsTheCyclesOfTheTStateByTStateBus) {
   std::mt19937 random(8080);
-  std::size_t interrupts = 0;
-  std::size_t waking_fetches = 0;
-  for (int i = 0; i < 400; ++i) {
-    const Program program = random_program(random);
-    const auto expected = cycles_by_pins(program);
-    expect_equal(cycles_by_machine(program, nullptr), expected, i);
-    if (HasFatalFailure()) return;
-    for (const auto& cycle : expected) {
-      interrupts += cycle.status == 0x23 || cycle.status == 0x2B ? 1 : 0;
-      waking_fetches += cycle.status == 0xAA ? 1 : 0;
-    }
-  }
-  EXPECT_GT(interrupts, 1000U);
-  EXPECT_GT(waking_fetches, 5U);
+  compare<true>(random, {.ready = true}, 400, "INT and READY");
+}
+
+TEST(I8080Machine, HoldIsThatOfTheTStateByTStateBus) {
+  std::mt19937 random(1975);
+  compare<false>(random, {.hold = true}, 600, "INT and HOLD");
+}
+
+TEST(I8080Machine, HoldAmongWaitStatesIsThatOfTheTStateByTStateBus) {
+  std::mt19937 random(8228);
+  compare<true>(random, {.ready = true, .hold = true}, 200, "INT, READY and HOLD");
 }
 
 // Program 167 of seed 77 drops INT and raises it again within an acknowledge cycle that ends a piece.
 TEST(I8080Machine, ARunInPiecesIsTheSameRun) {
   for (const unsigned seed : {1985U, 77U}) {
     std::mt19937 random(seed);
-    for (int i = 0; i < 200; ++i) {
-      const Program program = random_program(random);
-      expect_equal(cycles_by_machine(program, &random), cycles_by_machine(program, nullptr), i);
-      if (HasFatalFailure()) return;
-    }
+    compare<false>(random, {}, 200, "INT");
   }
 }
 

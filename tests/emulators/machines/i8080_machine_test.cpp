@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/machines/i8080_hold.hpp"
 #include "tests/emulators/machines/i8080_script.hpp"
 
 namespace sightline {
@@ -184,6 +185,41 @@ TEST(I8080Machine, DadHasNoCycleToReport) {
   EXPECT_EQ(bench.recorder.seen[1].time, core::at_t_state(10));
   EXPECT_EQ(bench.recorder.seen[2].status, 0x8A);
   EXPECT_EQ(bench.recorder.seen[2].address, 0x0101);
+}
+
+// HOLD again and again, so often that the machine never leaves its pins.
+struct HeldPorts : machines::NoI8080Ports {
+  machines::HoldTimes times{3, 20, 30};
+  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const { return times.next_hold(t); }
+  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const { return times.hold_ends(t); }
+};
+
+TEST(I8080Machine, HoldDoesNotKeepAHaltFromEndingTheRun) {
+  for (const bool open : {false, true}) {
+    HeldPorts ports;
+    machines::NoI8080Observer nobody;
+    machines::I8080Machine<HeldPorts> machine(ports, nobody);
+    machine.deposit(0x100, 0x76);
+    machine.registers().pc = 0x100;
+    machine.registers().interrupts_on = open;
+    EXPECT_EQ(machine.run({}), I8080StopReason::halt);
+    EXPECT_EQ(machine.run({}), I8080StopReason::halt);
+    EXPECT_TRUE(machine.registers().halted);
+  }
+}
+
+TEST(I8080Machine, ALongHoldIsPassedOver) {
+  HeldPorts ports;
+  ports.times = {2'000, 4'000'000'000, 0};
+  machines::NoI8080Observer nobody;
+  machines::I8080Machine<HeldPorts> machine(ports, nobody);
+  EXPECT_EQ(machine.run({~std::uint64_t{0}, core::at_t_state(3'000'000'000)}), I8080StopReason::time_limit);
+  EXPECT_EQ(machine.now(), core::at_t_state(3'000'000'000));
+  // NOPs: HOLD comes in T1 of a fetch, is seen in its T2 and granted in T3; T4 is the last before the processor stands still.
+  EXPECT_EQ(machine.instructions(), 501U);
+  EXPECT_EQ(machine.held(), 3'000'000'000U - 2'004U);
+  EXPECT_EQ(machine.run({1, core::never_t}), I8080StopReason::instruction_limit);
+  EXPECT_EQ(machine.now(), core::at_t_state(4'000'002'001 + 4));
 }
 
 }  // namespace

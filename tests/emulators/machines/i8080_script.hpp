@@ -18,9 +18,10 @@ struct PortAccess {
   friend bool operator==(const PortAccess&, const PortAccess&) = default;
 };
 
-class ScriptPorts {
+template <bool may_wait>
+class BasicScriptPorts {
  public:
-  static constexpr bool waits = true;
+  static constexpr bool waits = may_wait;
 
   std::vector<i8080::PinInputs> levels;  // after the last: no INT, ready
   std::uint8_t input = 0;
@@ -51,6 +52,17 @@ class ScriptPorts {
     }
     return core::never_t;
   }
+  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant at) const {
+    for (std::int64_t t = core::t_states_of(at); t < static_cast<std::int64_t>(levels.size()); ++t) {
+      if (level(t).hold) return core::at_t_state(t);
+    }
+    return core::never_t;
+  }
+  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant at) const {
+    std::int64_t t = core::t_states_of(at);
+    while (level(t).hold) ++t;
+    return core::at_t_state(t);
+  }
   [[nodiscard]] int wait_states(i8080::CycleKind, i8080::Address, core::TStateInstant second) const {
     int count = 0;
     while (!level(core::t_states_of(second) + count).ready) ++count;
@@ -67,9 +79,12 @@ class ScriptPorts {
   std::size_t next_ = 0;
 };
 
-// Keeps everything a machine reports.
-struct I8080Recorder {
-  static constexpr bool instructions = true;
+using ScriptPorts = BasicScriptPorts<true>;
+
+// Keeps everything a machine reports; without instructions it goes the fast way.
+template <bool tells_instructions>
+struct BasicI8080Recorder {
+  static constexpr bool instructions = tells_instructions;
   static constexpr bool cycles = true;
   static constexpr bool stops = false;
 
@@ -79,18 +94,22 @@ struct I8080Recorder {
     i8080::Address pc;
     std::uint8_t opcode;
     bool acknowledged;
+    i8080::State after;
     friend bool operator==(const Instruction&, const Instruction&) = default;
   };
   std::vector<machines::I8080Cycle> seen;
   std::vector<Instruction> executed;
+  std::vector<machines::I8080HoldPins> holds;
 
+  void hold(const machines::I8080HoldPins& pins) { holds.push_back(pins); }
   void cycle(const machines::I8080Cycle& cycle) { seen.push_back(cycle); }
   void instruction(const machines::I8080InstructionRecord& record) {
     executed.push_back({core::t_states_of(record.time), core::t_states_of(record.end), record.pc, record.bytes[0],
-                        record.acknowledged});
+                        record.acknowledged, record.after});
   }
 };
 
+using I8080Recorder = BasicI8080Recorder<true>;
 using ScriptMachine = machines::I8080Machine<ScriptPorts, I8080Recorder>;
 
 }  // namespace sightline::tests

@@ -75,7 +75,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
               {"--load",         "--start",      "--cpm",     "--clock",          "--set",     "--max-instructions",
                "--max-states",   "--strict",     "--board",   "--plotter",        "--dump",    "--trace",
                "--bus",          "--console-out", "--console", "--png",     "--grey",           "--strokes", "--parallel", "--svg",
-               "--parallel-out", "--serial",     "--serial-out", "--interrupt",   "--json",    "--plotter-start",
+               "--parallel-out", "--serial",     "--serial-out", "--interrupt",   "--json",    "--plotter-start", "--hold",
                "T SS AAAA DD"});
   expect_help({"run"}, {"pdp7", "i8080", "--cpm", "sightline run SUBCOMMAND --help"});
   expect_help({"scene", "tape"}, {"SCENE", "--at", "--eye", "-o"});

@@ -323,6 +323,8 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
   refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");
   refused({"--plotter", "calcomp", "--plotter-start", "1"}, "--plotter-start");
+  for (const char* const hold : {"5", "5+", "5+0", "+5", "5+5/5", "5+5/", "5+5/x", "5+5/6/7", "-1+5"})
+    refused({"--hold", hold}, "expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states");
   refused({"--plotter", "calcomp", "--plotter-start", "0,1101"}, "expected X,Y, decimal, X 0 to 65535, Y 0 to 1100");
   refused({"--board", "vdu"}, "--board");
   refused({"--dump", "x", "--trace", "x"}, "x: named for two outputs");

@@ -230,6 +230,42 @@ TEST(I8080Snapshots, ContinueFromAHalt) {
   }
 }
 
+// HOLD for 40 of every 97 T-states, among interrupts and halts: a run that stops within a HOLD between two instructions, or in a
+// halt, goes on as if it had not stopped.
+TEST(I8080Snapshots, ContinueFromAHold) {
+  constexpr std::uint64_t instructions = 400;
+  int standing = 0, waking = 0;
+  for (std::uint32_t seed = 1; seed <= tests::effort(4U, 1U); ++seed) {
+    const LawProgram program = program_of([seed] {
+      run::I8080Setup setup = everything();
+      setup.hold = {50 + seed, 40, 97};
+      auto machine = run::make_i8080(std::move(setup));
+      put_random_program(*machine, seed);
+      machine->start(0x40);
+      return machine;
+    });
+    LawRun whole(program);
+    whole.go(instructions);
+    const std::int64_t end = whole.machine().ticks();
+    for (std::int64_t until = 1; until < end; until += tests::effort(7, 61)) {
+      LawRun first(program);
+      static_cast<void>(first.machine().run({instructions, until}, false));
+      first.machine().finish();
+      const run::Bytes snapshot = first.save();
+      LawRun second(program);
+      second.restore(snapshot);
+      second.go(instructions - second.machine().instructions());
+      ASSERT_EQ(difference(whole.save(), second.save(), "drawing"), "") << seed << ": " << until;
+      for (auto& [option, text] : whole.streams())
+        ASSERT_EQ(text, first.streams()[option] + second.streams()[option]) << option << " " << seed << ": " << until;
+      standing += field(snapshot, "pins", 1, 1) != 0 && field(snapshot, "pins", 4, 1) != 0 ? 1 : 0;
+      waking += static_cast<int>(field(snapshot, "pins", 5, 1));
+    }
+  }
+  EXPECT_GT(standing, tests::effort(100, 3));
+  if (tests::optimised) EXPECT_GT(waking, 0);
+}
+
 TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
   const LawProgram program{"i8080",
                            [] {

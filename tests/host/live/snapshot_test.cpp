@@ -147,9 +147,9 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
   EXPECT_EQ(refusal({1, 2, 3}, *machine),
             "a.snap: byte 0: found no signature of a snapshot, expected a file that --save has written");
   run::Bytes changed = bytes;
-  changed[8] = 4;
+  changed[8] = 3;
   EXPECT_EQ(refusal(changed, *machine),
-            "a.snap: byte 8: found version 4, expected version 3; make the snapshot again with the --save of "
+            "a.snap: byte 8: found version 3, expected version 4; make the snapshot again with the --save of "
             "this version");
   EXPECT_EQ(
       refusal(bytes, *machine, "i8080"),

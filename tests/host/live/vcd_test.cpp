@@ -214,6 +214,32 @@ TEST_F(Vcd, TheLastCycleOfXthlHasFiveTStates) {
   EXPECT_EQ(states, "1 10 11w 100 101 ");
 }
 
+// MCS-80 User's Manual, chapter 2: HOLD is looked at in T2; HLDA comes in T3 of a cycle that reads, and one T-state later after one
+// that writes; the processor needs no bus in T4 and T5. The next cycle begins in the T-state after that in which HOLD is low.
+TEST_F(Vcd, HoldTakesTheBusBetweenCycles) {
+  const auto state = [](const Dump& dump, int t) {
+    const std::int64_t time = (static_cast<std::int64_t>(t) * 1000 + 2) / 3;
+    return dump.at("t", time) + (dump.at("sync", time) == "1" ? "s" : "") + (dump.at("dbin", time) == "1" ? "d" : "") +
+           (dump.at("wr", time) == "1" ? "w" : "") + (dump.at("hold", time) == "1" ? "H" : "") +
+           (dump.at("hlda", time) == "1" ? "A" : "") + (dump.at("address", time) == "z" ? "z" : "");
+  };
+  // MOV A,B; STA 1234H; HLT. HOLD in the T-states 1 to 8, the fetch's T2 the first of them.
+  const std::string source = "  ORG 100H\n  MOV A,B\n  STA 1234H\n  HLT\n";
+  const Dump reading = run("i8080", source, {"--hold", "1+8"});
+  const std::vector<std::string> read{"1s",   "10dH", "11HAz", "100HAz", "101HAz", "0HAz", "0HAz", "0HAz", "0HAz", "0Az",
+                                      "1s",   "10d",  "11",    "100",    "1s",     "10d",  "11"};
+  for (std::size_t n = 0; n < read.size(); ++n) EXPECT_EQ(state(reading, static_cast<int>(n)), read[n]) << n;
+  // In T2 of the write, T-state 16: its T3, then two T-states of the board.
+  const Dump writing = run("i8080", source, {"--hold", "16+3"});
+  const std::vector<std::string> written{"1s", "10H", "11wH", "0HAz", "0Az", "1s", "10d", "11", "100", "1s"};
+  for (std::size_t n = 0; n < written.size(); ++n) EXPECT_EQ(state(writing, static_cast<int>(n) + 15), written[n]) << n;
+  // Too late for a fetch, gone before the next T2.
+  const Dump missed = run("i8080", source, {"--hold", "2+4"});
+  EXPECT_EQ(missed.changes.at("hlda").size(), 1U);
+  EXPECT_EQ(missed.changes.at("hold").size(), 3U);
+  expect_converts();
+}
+
 // The 88-2SIO asks for an interrupt as a character has come, and takes it back as it is read. Nothing here has wait states.
 TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
   write("p.asm",

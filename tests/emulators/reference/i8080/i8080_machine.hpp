@@ -205,6 +205,13 @@ class I8080Machine {
   // instruction is t + 3, a boundary like any other: whether INT is still high decides what is fetched there.
   Attention wait_in_halt(core::TStateInstant now, core::TStateInstant until) {
     core::TStateInstant t = halt_sampled_;
+    // A HLT that a device has supplied, and INT has stayed high.
+    if (waking_) {
+      waking_ = false;
+      state_.halted = false;
+      halt_ended_ = std::max(now, t + core::TStates(3));
+      return {halt_ended_, core::TStateInstant::min(), {}, false, false, true};
+    }
     while (state_.interrupts_on) {
       ports_.advance(t);
       if (ports_.interrupt()) {
@@ -227,6 +234,7 @@ class I8080Machine {
 
   void begin_halt(core::TStateInstant second_t_state) {
     halt_sampled_ = second_t_state;
+    waking_ = still_acknowledging(second_t_state + core::TStates(1));
   }
 
   // Everything before `now` has happened.
@@ -246,8 +254,12 @@ class I8080Machine {
     return acknowledging_;
   }
 
-  [[gnu::noinline]] i8080::Byte input(i8080::Byte port, core::TStateInstant at) { return ports_.in(port, at); }
+  [[gnu::noinline]] i8080::Byte input(i8080::Byte port, core::TStateInstant at) {
+    still_acknowledging(at);
+    return ports_.in(port, at);
+  }
   [[gnu::noinline]] void output(i8080::Byte port, i8080::Byte byte, core::TStateInstant at) {
+    still_acknowledging(at);
     ports_.out(port, byte, at);
   }
   [[gnu::noinline]] i8080::Byte acknowledge(core::TStateInstant at) {
@@ -279,6 +291,7 @@ class I8080Machine {
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
   core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
   bool acknowledging_ = false;
+  bool waking_ = false;  // the latch ends a halt that has begun
   std::array<i8080::Byte, 3> supplied_{};  // by the device, since the last acknowledge began
   std::size_t supplied_count_ = 0;
 };

@@ -4,7 +4,7 @@
 // 342, 7 without the Type 347, and always 2 (the Type 343 is not built; its words decode in words.hpp). An IDLA while a
 // word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the sink models.
 //
-// Pulse by pulse throughout: the shortcuts of the display in emulators/ are held against this.
+// Pulse by pulse throughout: the shortcuts of the display in emulators/ are compared with this.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; IOT actions from the PDP-7 Users
 // Handbook and two Cambridge and DEC programs. Inferred, not confirmed: what IDCF and START leave standing, IDRD.

@@ -32,7 +32,7 @@ const keys = ['machine', 'options', 'sources', 'name', 'text', 'id', 'at', 'coun
   'switches', 'scale', 'function', 'heights', 'range', 'points', 'slices', 'domain', 'picture', 'rotation', 'elevation', 'zoom', 'levels', 'visibility', 'condition', 'number', 'symbols', 'listing', 'lines', 'start'];
 const options = {
   pdp7: ['--load', '--start', '--memory', '--eae', '--no-eae', '--set', '--switches', '--display', '--display-option', '--light-pen', '--timing', '--reader', '--disk', '--keyboard', '--console', '--max-instructions', '--max-time', '--strict', '--restore', '--trace', '--vcd'],
-  i8080: ['--load', '--start', '--cpm', '--cpm-drive', '--cpm-args', '--clock', '--set', '--max-states', '--strict', '--board', '--plotter', '--terminal', '--baud', '--plotter-start', '--parallel', '--serial', '--console', '--interrupt', '--restore', '--bus'],
+  i8080: ['--load', '--start', '--cpm', '--cpm-drive', '--cpm-args', '--clock', '--set', '--max-states', '--strict', '--board', '--plotter', '--terminal', '--baud', '--plotter-start', '--hold', '--parallel', '--serial', '--console', '--interrupt', '--restore', '--bus'],
 };
 const plain = {'--memory': ['4k', '8k', '16k', '32k'], '--display-option': [['342'], ['347'], ['342', '347']], '--board': ['ef9365', 'alt256'], '--plotter': ['calcomp', 'minigraf'], '--terminal': ['sio', '2sio'], '--console': ['ascii', 'unix'], '--load': [['program'], ['rubbish'], ['a.s'], ['rubbish@100', 'program']]};
 
