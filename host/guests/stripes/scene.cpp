@@ -225,14 +225,14 @@ base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std
 
 }  // namespace
 
-base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool find_priority) {
+base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority) {
   const Projection projection(scene, view);
   const native::FaceSet set = projection.faces();
   ProjectedScene result;
   result.clipped = set.window.has_value();
   std::vector<std::uint32_t> order;
   std::optional<native::ListedFaces> listed;
-  if (find_priority) {
+  if (with_priority) {
     listed = native::listed_faces(set);
     if (listed->interpenetrating)
       return passing_through(set, listed->interpenetrating->first, listed->interpenetrating->second);

@@ -41,6 +41,6 @@ struct ProjectedScene {
 
 // The scene is a checked one, and the eye of a camera in perspective is in free space (preconditions). Error: the priority is asked for and faces pass
 // through each other.
-[[nodiscard]] base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool find_priority);
+[[nodiscard]] base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority);
 
 }  // namespace sightline::guests::stripes
