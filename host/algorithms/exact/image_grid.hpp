@@ -74,8 +74,8 @@ class ImageGrid {
   [[nodiscard]] std::uint32_t count_up_to(std::uint32_t depth) const {
     if (depths_.empty() || depth < depths_.front()) return 0;
     const std::size_t bucket = std::min<std::size_t>((depth - depths_.front()) >> bucket_shift_, buckets_.size() - 2);
-    const auto begin = depths_.begin() + buckets_[bucket];
-    const auto end = depths_.begin() + buckets_[bucket + 1];
+    const auto begin = depths_.begin() + static_cast<std::ptrdiff_t>(buckets_[bucket]);
+    const auto end = depths_.begin() + static_cast<std::ptrdiff_t>(buckets_[bucket + 1]);
     return static_cast<std::uint32_t>(std::upper_bound(begin, end, depth) - depths_.begin());
   }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "host/live/web/stripes.hpp"
 #include "host/live/web/studio.hpp"
 #include "host/live/web/turning.hpp"
 #include "host/live/web/workbench.hpp"
@@ -49,7 +50,7 @@ SIGHTLINE_EXPORT(request) int request(int bytes) {
   if (!request) return give(sightline::live::web::refusal(request.error().message()).dump());
   const auto* const what = request->find("do");
   if (what != nullptr && what->text() != nullptr) {
-    for (const auto answers : {sightline::live::web::studio_answer, sightline::live::web::turning_answer}) {
+    for (const auto answers : {sightline::live::web::studio_answer, sightline::live::web::stripes_answer, sightline::live::web::turning_answer}) {
       const auto answer = answers(page().workbench, *what->text(), *request);
       if (!answer.is_null()) return give(answer.dump());
     }

@@ -3,8 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <utility>
 
+#include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::live::web {
@@ -30,6 +34,41 @@ base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const s
   if (!found) return base::fail(fmt::format("{}: no scene of that name, and no such file on the page", name));
   if (!*found) return std::move(found->error());
   return scene::load_scene(std::move(**found));
+}
+
+std::optional<scene::PolyPoint> point_of(const Json* json) {
+  if (json == nullptr || json->size() != 3) return std::nullopt;
+  scene::PolyPoint point{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = (*json)[i].integer();
+    if (!value || std::abs(*value) >= (1 << 15)) return std::nullopt;
+    point[i] = static_cast<std::int32_t>(*value);
+  }
+  return point;
+}
+
+base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const Json& request) {
+  scene::PolyCamera camera = scene.camera;
+  if (const Json* const given = request.find("camera")) {
+    camera.perspective = flag_of(*given, "perspective", camera.perspective);
+    for (const auto& [key, part] : {std::pair{"eye", &camera.eye}, {"forward", &camera.forward}, {"right", &camera.right}, {"up", &camera.up}}) {
+      const Json* const value = given->find(key);
+      if (value == nullptr) continue;
+      const auto point = point_of(value);
+      if (!point) return base::fail(fmt::format("camera: {}: expected three whole numbers below 32768", key));
+      *part = *point;
+    }
+    const auto dot = [](const scene::PolyPoint& a, const scene::PolyPoint& b) {
+      return std::int64_t{a[0]} * b[0] + std::int64_t{a[1]} * b[1] + std::int64_t{a[2]} * b[2];
+    };
+    if (dot(camera.forward, camera.right) != 0 || dot(camera.forward, camera.up) != 0 || dot(camera.right, camera.up) != 0 ||
+        dot(camera.forward, camera.forward) == 0 || dot(camera.right, camera.right) == 0 || dot(camera.up, camera.up) == 0)
+      return base::fail("camera: forward, right and up must be at right angles and not 0");
+  }
+  if (camera.perspective) {
+    if (const auto error = scene::eye_error(scene, camera)) return base::Error(*error);
+  }
+  return camera;
 }
 
 Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram& program, std::uint32_t switches) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "host/base/result.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/live/web/workbench.hpp"
+#include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/load.hpp"
 
 namespace sightline::live::web {
@@ -19,6 +21,11 @@ namespace sightline::live::web {
 
 // A file of the page of that name, else a built-in or generated scene.
 [[nodiscard]] base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name);
+
+// Three whole numbers below 32768; nothing if it is something else.
+[[nodiscard]] std::optional<scene::PolyPoint> point_of(const Json* json);
+// The scene's own camera, turned as the request's "camera" says: "eye", "forward", "right" and "up" arrays, "perspective" a boolean.
+[[nodiscard]] base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const Json& request);
 
 // A program that has been assembled.
 struct CoreProgram {

@@ -1,18 +1,23 @@
-// Skala's program on the 8080: a picture growing on the raster board, or under a pen, at the machine's own speed.
+// Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re. A picture grows on the raster board, or under a pen,
+// at the machine's own speed.
 
 import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
+import {camera} from './camera.js';
 
 const CLOCK = 3e6;  // T-states a second
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
-const COLOURS = Array.from({length: 8}, (_, n) => [n & 4 ? 255 : 0, n & 2 ? 255 : 0, n & 1 ? 255 : 0]);
+const SCENES = [['boxes-5', 'five boxes'], ['boxes-8', 'eight boxes'], ['house', 'house'], ['roberts', 'notched block'], ['town-2', 'two houses of a town'], ['star.off', 'star'], ['crossed.off', 'two bars that interlock']];
+// Pixels of the values 0 to 7: as a monitor shows three planes, and as levels of light.
+const COLOURS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
+const GREYS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
 
 export class I8080Room {
   constructor(module, functions, remember) {
     this.module = module;
     this.functions = functions;
     this.remember = remember;
-    this.options = {function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
+    this.options = {program: 'skala', scene: 'boxes-5', function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
       points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
@@ -24,6 +29,7 @@ export class I8080Room {
     this.canvas = element('canvas', {className: 'raster', width: 256, height: 256, role: 'img', 'aria-label': 'Picture of the 8080', tabIndex: 0});
     this.context = this.canvas.getContext('2d');
     this.image = this.context.createImageData(256, 256);
+    this.pixels = new Uint32Array(this.image.data.buffer);
     this.message = notice();
     this.facts = element('dl', {className: 'facts'});
     const again = name => value => { o[name] = value; this.restart(); };
@@ -33,6 +39,8 @@ export class I8080Room {
       this.words.hidden = value !== '';
       if (value !== '' || o.text) this.restart();
     });
+    this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes']], o.program, value => { o.program = value; this.offer(); this.restart(); });
+    this.scene = choice('Scene', SCENES, o.scene, again('scene'));
     this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28});
     this.words.hidden = true;
     o.text = 'sin(x) * cos(z)';
@@ -44,19 +52,19 @@ export class I8080Room {
     return element('div', {className: 'room'},
       element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, 'Drag the picture to turn the surface. ', this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
-        group('Picture', this.pick, this.words,
-          choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture')),
+        group('Picture', this.program, this.scene, this.pick, this.words,
+          this.kind = choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture')),
           this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', PENS.calcomp], ['minigraf', PENS.minigraf]], o.device, again('device')),
-          this.turn, this.tilt, field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}),
+          this.turn, this.tilt, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}),
           field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}), field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}),
           field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}),
-          check('Hidden lines removed', o.visibility, again('visibility')),
+          check('Hidden lines removed', o.visibility, again('visibility'))],
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); })),
-        group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
+        this.cost8080 = group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
         group('State', this.facts,
           element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${o.function || 'expression'}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
             button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
-            fileTaker(screen, 'Open a grid (CSV) or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+            fileTaker(screen, 'Open a grid (CSV), a scene or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
   }
 
   drag() {
@@ -91,8 +99,19 @@ export class I8080Room {
     });
   }
 
+  // Which controls belong to the program.
+  offer() {
+    const skala = this.options.program === 'skala';
+    for (const each of [this.pick, this.kind, this.cost8080, ...this.ofSkala]) each.hidden = !skala;
+    this.words.hidden = !skala || this.options.function !== '';
+    this.scene.hidden = skala;
+    for (const option of this.device.select.options) option.hidden = option.disabled = !skala && !['ef9365', 'calcomp'].includes(option.value);
+    if (!skala && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
+  }
+
   request(what) {
     const o = this.options;
+    if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
     const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility};
     if (o.function !== '') return {...request, function: o.function, points: o.points, slices: o.slices};
     return {...request, function: o.text, ...sampled(o.text, 6, Math.max(2, Math.min(128, o.points)), Math.max(2, Math.min(128, o.slices)))};
@@ -102,12 +121,13 @@ export class I8080Room {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;
     let made;
-    try { made = this.module.ask(this.request('skala')); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
+    try { made = this.module.ask(this.request(this.options.program)); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
     if (made.error) return this.message.say(made.error, true);
     this.message.say('');
     this.costs.textContent = '';
     this.id = made.id;
     this.stream = made.stream;
+    this.made = made;
     this.ended = false;
     this.clearPaper();
     this.go(true);
@@ -127,7 +147,8 @@ export class I8080Room {
       this.ended = false;
       return this.go(true);
     }
-    this.options.function = name;
+    const add = (box, value) => { if (![...box.select.options].some(each => each.value === value)) box.select.append(element('option', {value, textContent: value})); box.select.value = value; };
+    if (this.options.program === 'stripes') { this.options.scene = name; add(this.scene, name); } else { this.options.function = name; add(this.pick, name); }
     this.restart();
   }
   cost() {
@@ -142,7 +163,7 @@ export class I8080Room {
     this.on = on;
     this.running.textContent = on ? 'Pause' : 'Run';
   }
-  enter() { if (!this.id) this.restart(); this.clock.start(); }
+  enter() { this.offer(); if (!this.id) this.restart(); this.clock.start(); }
   leave() { this.clock.stop(); }
   key() { return false; }
 
@@ -162,6 +183,7 @@ export class I8080Room {
       if (result) {
         this.ended = true;
         this.reason = this.module.reason();
+        if (this.made.texts) this.reason = this.made.texts[this.module.word(this.id, this.made.status)];
       }
     }
     if (this.options.device in PENS) this.drawPen(); else this.drawRaster();
@@ -171,11 +193,11 @@ export class I8080Room {
   drawRaster() {
     const dots = this.module.raster(this.id);
     if (!dots) return;
-    const pixels = new Uint32Array(this.image.data.buffer);
+    const colours = this.options.program === 'stripes' ? GREYS : COLOURS;
+    const pixels = this.pixels;
     for (let y = 0; y < 256; ++y) {
       for (let x = 0; x < 256; ++x) {
-        const [r, g, b] = COLOURS[dots[256 * y + x] & 7];
-        pixels[256 * (255 - y) + x] = 0xff000000 | b << 16 | g << 8 | r;
+        pixels[256 * (255 - y) + x] = colours[dots[256 * y + x] & 7];
       }
     }
     this.context.putImageData(this.image, 0, 0);
@@ -204,24 +226,30 @@ export class I8080Room {
     const states = this.module.ticks(this.id);
     const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['T-states', states.toLocaleString('en')],
       ['Instructions', this.module.instructions(this.id).toLocaleString('en')], ['From the host computer', `${this.stream.toLocaleString('en')} bytes`]];
+    if (this.made.faces) rows.push(['Faces', String(this.made.faces)]);
     if (this.ended) rows.push(['Done', this.reason]);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
   }
 
   link() {
     const o = this.options;
+    if (o.program === 'stripes') return `skala/stripes ${o.scene}?${new URLSearchParams({device: o.device, rotation: o.rotation, elevation: o.elevation})}`;
     const parts = new URLSearchParams({picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation});
     if (o.function === '') parts.set('f', o.text);
     return `skala/${encodeURIComponent(o.function)}?${parts}`;
   }
   open(path, query) {
     const o = this.options;
+    o.program = path.startsWith('stripes ') ? 'stripes' : 'skala';
+    if (o.program === 'stripes' && SCENES.some(([name]) => name === path.slice(8))) o.scene = path.slice(8);
     if (query.get('f')) { o.function = ''; o.text = query.get('f'); }
     else if (this.functions.some(each => each.name === path)) o.function = path;
     for (const name of ['picture', 'device']) if (query.get(name)) o[name] = query.get(name);
     for (const name of ['rotation', 'elevation']) if (Number.isFinite(parseFloat(query.get(name)))) o[name] = parseFloat(query.get(name));
     this.pick.select.value = o.function;
-    this.words.hidden = o.function !== '';
+    this.program.select.value = o.program;
+    this.scene.select.value = o.scene;
+    this.offer();
     this.words.input.value = o.text;
     this.device.select.value = o.device;
     this.turn.input.value = o.rotation;

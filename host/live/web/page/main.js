@@ -19,7 +19,8 @@ export async function begin(wasm, shelf) {
   const module = await openModule(await WebAssembly.compile(wasm));
   main.replaceChildren(message);
   const {sources} = module.ask({do: 'firmware'});
-  const examples = shelf.map(each => ({...each, text: (each.sources ?? []).map(name => sources[name]).join('') + each.text}));
+  const examples = shelf.map(each => ({...each, text: (each.sources ?? []).map(name => sources[name]).join('') + each.text,
+    includes: Object.entries(sources).filter(([name]) => each.folder && name.startsWith(each.folder + '/')).map(([name, text]) => [name.slice(each.folder.length + 1), text])}));
   const lists = module.ask({do: 'lists'});
   let current = null;
   const remember = () => {

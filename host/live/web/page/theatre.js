@@ -2,16 +2,10 @@
 
 import {choice, element, field, fileTaker, group, notice, button} from './ui.js';
 import {makePlayer} from './player.js';
+import {camera} from './camera.js';
 
 const SCENES = ['house', 'roberts', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
 const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
-
-// A camera of whole numbers that looks from an angle about the vertical and an elevation, in parallel projection.
-function camera(rotation, elevation) {
-  const a = rotation * Math.PI / 180, e = elevation * Math.PI / 180;
-  const c = Math.round(100 * Math.cos(a)), s = Math.round(100 * Math.sin(a)), down = Math.round(100 * Math.tan(e));
-  return {perspective: false, eye: [0, 0, 0], forward: [s, -down, c], right: [c, 0, -s], up: [down * s, c * c + s * s, down * c]};
-}
 
 export class Theatre {
   constructor(module, lessons, remember) {

@@ -25,7 +25,7 @@ export class Workbench {
 
   build() {
     this.message = notice();
-    this.shelf = choice('Example', this.examples.filter(each => !each.part).map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)));
+    this.shelf = choice('Example', this.examples.map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)));
     this.machine = choice('Machine', Object.entries(MACHINES).map(([name, {title}]) => [name, title]), 'pdp7', () => this.offerDialects());
     this.dialect = choice('Dialect', ['dec'], 'dec', () => {});
     this.editor = element('textarea', {className: 'editor', spellcheck: false, 'aria-label': 'Source', wrap: 'off'});
@@ -121,8 +121,7 @@ export class Workbench {
   assemble() {
     const machine = this.machine.select.value;
     const name = this.current?.name ?? 'program.s';
-    const others = (this.current?.includes ?? []).map(each => this.examples.find(e => e.name === each)).filter(Boolean);
-    for (const each of others) this.module.putFile(each.name, each.text);
+    for (const [file, text] of this.current?.includes ?? []) this.module.putFile(file, text);
     const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: this.editor.value}],
       options: {...(this.current?.options ?? {}), '--dialect': this.dialect.select.value}});
     if (made.error) return this.message.say(made.error, true);

@@ -135,6 +135,21 @@ go("jones/echo.s")
 time.sleep(0.3)
 driver.find_element(By.CSS_SELECTOR, "input.keys").send_keys("HI")
 wait(lambda: "HI" in driver.find_element(By.CSS_SELECTOR, ".paper").text, "the teletype types back what is typed")
+# A solid turns; held still, its flashes lie on the exact lines of its angle.
+go("jones/turn star.off?exact=1")
+wait(lambda: js("return sightline.room.turning.moves"), "the solid turns")
+check(js("return sightline.room.turning.made.step") > 100, "at a speed of its own")
+ActionChains(driver).send_keys("s").perform()
+wait(lambda: not js("return sightline.room.turning.moves"), "the key s stops it")
+wait(lambda: js("return sightline.room.lines && sightline.room.missing === 0 && sightline.room.extra === 0"), "its picture is the exact one", 90)
+shot("turn")
+before_angle = js("return sightline.room.turning.angle")
+ActionChains(driver).key_down("e").perform()
+wait(lambda: js("return sightline.room.turning.angle") != before_angle, "the key e goes to the next event")
+ActionChains(driver).key_up("e").perform()
+button("wire frame").click()
+check("switches=300000" in driver.current_url or "switches=200000" in driver.current_url, "the wire frame is a switch: " + driver.current_url)
+fits("a solid that turns")
 console_is_clean("examples of the PDP-7")
 
 # --- The 8080 room.
@@ -152,6 +167,14 @@ for device in ["calcomp", "minigraf", "alt256"]:
     go(f"skala/peaks?device={device}")
     time.sleep(0.6)
     check(not js("return sightline.room.message.classList.contains('wrong')"), device)
+for device in ["ef9365", "calcomp"]:
+    go(f"skala/stripes boxes-5?device={device}&rotation=30&elevation=20")
+    check(not js("return sightline.room.message.classList.contains('wrong')"), "stripes on " + device + ": " + said())
+    if device == "ef9365":
+        js("sightline.room.options.speed = 0")
+        wait(lambda: js("return sightline.room.ended"), "the scene is complete")
+        check(js("return sightline.room.reason") == "complete", "it ends well: " + str(js("return sightline.room.reason")))
+        shot("stripes")
 fits("the 8080 room")
 console_is_clean("the 8080 room")
 
@@ -234,12 +257,23 @@ shot("tube")
 
 # --- A narrow page.
 driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True})
-for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/jones/house", "about"]:
+for place in ["jones/house", "jones/turn roberts", "skala/sinc", "skala/stripes boxes-5", "bench/square.s", "theatre/jones/house", "about"]:
     go(place)
     time.sleep(0.3)
     fits("390 pixels, " + place)
-    shot("narrow-" + place.split("/")[0])
+    shot("narrow-" + place.split("/")[0] + ("-" + place.split("/")[1].split(" ")[0] if " " in place else ""))
 console_is_clean("390 pixels")
+
+# --- Wide, and dark.
+for width, height, scheme in [(3840, 2160, "light"), (1280, 1000, "dark")]:
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+    for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/jones/house"]:
+        go(place)
+        time.sleep(0.3)
+        fits(f"{width} pixels, {place}")
+        shot(f"{scheme}-{width}-" + place.split("/")[0])
+console_is_clean("wide and dark")
 driver.quit()
 print(f"{checks} checks, {len(failures)} failed")
 sys.exit(1 if failures else 0)

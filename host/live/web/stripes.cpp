@@ -1,0 +1,63 @@
+#include "host/live/web/stripes.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "host/algorithms/registry/faces.hpp"
+#include "host/guests/stripes/program.hpp"
+#include "host/guests/stripes/scene.hpp"
+#include "host/guests/stripes/status.hpp"
+#include "host/guests/stripes/stream.hpp"
+#include "host/live/web/requests.hpp"
+
+namespace sightline::live::web {
+namespace {
+
+namespace stripes = guests::stripes;
+
+// The program on an 8080 whose host computer sends the faces; it cuts them into stripes and finds the order itself.
+Json make_stripes(Workbench& workbench, const Json& request) {
+  auto loaded = scene_named(workbench, text_of(request, "scene"));
+  if (!loaded) return refusal(loaded.error().message());
+  const auto camera = camera_of(loaded->scene, request);
+  if (!camera) return refusal(camera.error().message());
+  const bool plotter = text_of(request, "device") == "calcomp";
+  stripes::StreamOptions options;
+  options.output = plotter ? stripes::Output::vector : stripes::Output::raster;
+  if (flag_of(request, "priority_by_host")) options.priority = stripes::Computer::host;
+  const auto window = registry::face_window(loaded->scene, *camera, stripes::picture_size, stripes::picture_size, std::nullopt);
+  const auto scene = stripes::project_scene(loaded->scene, {*camera, window.scale, window.left, window.height - window.top},
+                                            options.priority == stripes::Computer::host);
+  if (!scene) return refusal(scene.error().message());
+  const auto stream = stripes::encode(*scene, options);
+  if (!stream) return refusal(stream.error().message());
+  static const stripes::Program program = stripes::assemble_program();
+  workbench.put_file(".stripes.stream", stream->bytes);
+  workbench.put_file(".stripes.bin", program.memory);
+  Json made = workbench.answer(Json{{"do", "make"},
+                                    {"machine", "i8080"},
+                                    {"options",
+                                     {{"--load", Json::array({".stripes.bin"})},
+                                      {"--parallel", ".stripes.stream"},
+                                      {"--start", fmt::format("{:04X}", program.labels.start)},
+                                      {plotter ? "--plotter" : "--board", plotter ? "calcomp" : "ef9365"}}}});
+  made["stream"] = stream->bytes.size();
+  made["start"] = program.labels.start;
+  made["status"] = program.labels.status;
+  made["faces"] = scene->faces.size();
+  Json texts = Json::array();
+  for (int status = 0; status <= static_cast<int>(stripes::Status::device_error); ++status)
+    texts.push_back(text_of(static_cast<stripes::Status>(status)));
+  made["texts"] = std::move(texts);
+  return made;
+}
+
+}  // namespace
+
+Json stripes_answer(Workbench& workbench, std::string_view what, const Json& request) {
+  if (what == "stripes") return make_stripes(workbench, request);
+  return {};
+}
+
+}  // namespace sightline::live::web

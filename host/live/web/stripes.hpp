@@ -1,0 +1,13 @@
+// A scene in parallel connected stripes on the page's 8080 (firmware/i8080/stripes).
+#pragma once
+
+#include <string_view>
+
+#include "host/live/web/workbench.hpp"
+
+namespace sightline::live::web {
+
+// The answer to a request of this file's kind; null if it is none: stripes.
+[[nodiscard]] Json stripes_answer(Workbench& workbench, std::string_view what, const Json& request);
+
+}  // namespace sightline::live::web
