@@ -7,12 +7,19 @@
 //   Filter filter() const;
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
 //     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
+//
+// An observer that looks at registers has `static constexpr bool looks = true`, and its filter
+//     bool arrives(Address next, const View&) const   with the registers as the processor has them at work, which its bus names
+// Its stop() finds the machine's registers and time up to date.
 #pragma once
 
 namespace sightline::core {
 
 template <class Observer>
 concept Filtered = requires { typename Observer::Filter; };
+
+template <class Observer>
+concept Looks = requires { Observer::looks; };
 
 template <class Observer, bool wanted = Observer::cycles>
 class Reporter {
@@ -75,6 +82,10 @@ class Arrivals<Observer> {
   template <class Address>
   [[gnu::always_inline]] constexpr bool operator()(Address next) const {
     return filter_.arrives(next);
+  }
+  template <class Address, class View>
+  [[gnu::always_inline]] constexpr bool operator()(Address next, const View& view) const {
+    return filter_.arrives(next, view);
   }
 
  private:

@@ -191,19 +191,26 @@ class BasicPdp7 {
   template <class Frame, class Watcher>
   StopReason run_frame(Frame& frame, Watcher& watcher, core::Instant until, std::uint64_t& left) {
     const auto pc = [&frame] { return frame.processor.registers.pc(); };
+    [[maybe_unused]] bool looked = false;
     for (;;) {
       if constexpr (Watcher::stops) {
-        if (frame.arrives(pc())) {
+        if (arrives(frame, watcher)) {
           if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
       }
       if (frame.due()) {
         if (left == 0) return StopReason::instruction_limit;
         if constexpr (core::Filtered<Watcher>) {
+          if constexpr (core::Looks<Watcher>) publish(frame);
           if (watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
         if (frame.now() >= until) return StopReason::time_limit;
         if (attend(frame, until, left)) continue;
+        // What the devices have done here an observer that looks sees at the next boundary.
+        if constexpr (core::Looks<Watcher>) {
+          looked = !looked;
+          if (looked) frame.look_around_at(frame.now(), frame.now(), 1);
+        }
       }
       const std::int64_t before = frame.allowance.instructions();
       go_on(frame, watcher);
@@ -211,6 +218,25 @@ class BasicPdp7 {
       if (frame.processor.outcome != pdp7::Outcome::completed) [[unlikely]]
         return reason_of(frame.processor.outcome);
     }
+  }
+
+  // Whether the observer is to be asked at this boundary; one that looks at registers finds them in the machine then.
+  template <class Frame, class Watcher>
+  bool arrives(Frame& frame, const Watcher&) {
+    const pdp7::Registers& registers = frame.processor.registers;
+    if constexpr (core::Looks<Watcher>) {
+      if (!frame.arrives(registers.pc(), Pdp7View{registers.accumulator.bits(), &registers})) return false;
+      publish(frame);
+      return true;
+    } else {
+      return frame.arrives(registers.pc());
+    }
+  }
+  template <class Frame>
+  void publish(const Frame& frame) {
+    state_ = frame.processor.registers.state();
+    now_ = frame.now();
+    if (display_) display_->advance(now_);
   }
 
   // Instructions up to the next boundary at which something is due, one at least; one, if each has to be told.

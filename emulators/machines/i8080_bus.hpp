@@ -20,6 +20,13 @@
 
 namespace sightline::machines {
 
+// What a filter of an observer that looks at registers sees: those in host registers, and the others in the frame.
+struct I8080View {
+  std::uint32_t a;
+  std::uint32_t hl;
+  const i8080::Registers* others;
+};
+
 // One run of a machine.
 template <class Machine, class Observer>
 struct I8080Frame {
@@ -219,7 +226,12 @@ class I8080Thread {
   }
   [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
     if constexpr (Observer::stops) {
-      if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
+      if constexpr (core::Looks<Observer>) {
+        const I8080View view{execution_.a(), execution_.hl(), &frame_->registers};
+        if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()), view)) [[unlikely]] return true;
+      } else {
+        if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
+      }
     }
     return execution_.bus().due();
   }

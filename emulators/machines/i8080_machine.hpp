@@ -115,12 +115,13 @@ class I8080Machine {
                             std::uint64_t& count) {
     while (true) {
       if constexpr (Watcher::stops) {
-        if (frame.arrives(frame.registers.pc)) {
+        if (arrives(frame, watcher)) {
           if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
       }
       if (frame.due()) {
         if constexpr (core::Filtered<Watcher>) {
+          if constexpr (core::Looks<Watcher>) publish(frame);
           if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
         const std::int64_t most = instructions_of(limits, count);
@@ -137,6 +138,24 @@ class I8080Machine {
       go_on(frame, watcher);
       count += static_cast<std::uint64_t>(before - frame.allowance.instructions());
     }
+  }
+
+  // Whether the observer is to be asked at this boundary; one that looks at registers finds them in the machine then.
+  template <class Watcher>
+  bool arrives(I8080Frame<I8080Machine, Watcher>& frame, const Watcher&) {
+    const i8080::Registers& registers = frame.registers;
+    if constexpr (core::Looks<Watcher>) {
+      if (!frame.arrives(registers.pc, I8080View{registers.a, registers.hl, &registers})) return false;
+      publish(frame);
+      return true;
+    } else {
+      return frame.arrives(registers.pc);
+    }
+  }
+  template <class Frame>
+  void publish(const Frame& frame) {
+    static_cast<i8080::Registers&>(state_) = frame.registers;
+    now_ = frame.now();
   }
 
   // Instructions of one allowance.

@@ -19,6 +19,12 @@
 
 namespace sightline::machines {
 
+// What a filter of an observer that looks at registers sees: L and AC as pdp7::Accumulator has them, and what is in the frame.
+struct Pdp7View {
+  std::uint32_t accumulator;
+  const pdp7::Registers* others;
+};
+
 // One run of a machine.
 template <class Machine, class Observer>
 struct Pdp7Frame {
@@ -210,7 +216,12 @@ class Pdp7Thread {
   }
   [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
     if constexpr (Observer::stops) {
-      if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
+      if constexpr (core::Looks<Observer>) {
+        const Pdp7View view{execution_.accumulator().bits(), &frame_->processor.registers};
+        if (frame_->arrives(pdp7::Address{execution_.next()}, view)) [[unlikely]] return true;
+      } else {
+        if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
+      }
     }
     return execution_.bus().due();
   }

@@ -149,6 +149,9 @@ std::function<std::int64_t()> Debugger::reader_of(std::string_view name) const {
   if (const auto n = register_named(name)) return [this, n = *n] { return std::int64_t{machine_.get(n)}; };
   const bool changes = is_state(name) || (name.size() == 2 && description_.radix == 16 && !symbols_.value(name) && value_of(name));
   if (!changes) return nullptr;
+  const auto conditions = machine_.conditions();
+  for (std::size_t n = 0; n < conditions.size(); ++n)
+    if (conditions[n].first == base::lower_case(name)) return [this, n] { return std::int64_t{machine_.condition(n) ? 1 : 0}; };
   return [this, text = std::string(name)] { return value_of(text).value_or(0); };
 }
 
@@ -173,6 +176,53 @@ std::optional<std::vector<std::uint32_t>> Debugger::places_of_conditions(const s
   for (const Breakpoint& each : breakpoints_.all())
     if (each.kind == Breakpoint::Kind::condition && !add(each.condition)) return std::nullopt;
   return places;
+}
+
+bool Debugger::look_at_conditions(const std::string& goal) {
+  Probe& probe = *machine_.probe();
+  probe.look = nullptr;
+  probe.guard.reset();
+  if (guests::run::few_observers || probe.watches_instructions() || (probe.watches_places() && !probe.watches_arrival())) return false;
+  struct Looked {
+    const Expression* expression;
+    bool was_true;
+  };
+  std::vector<Looked> all;
+  const auto add = [&](const std::string& condition, bool was_true) {
+    const Expression* const expression = condition_of(condition);
+    if (expression != nullptr) all.push_back({expression, was_true});
+    // The count of instructions is not known while they are obeyed.
+    return expression != nullptr && std::none_of(expression->names().begin(), expression->names().end(),
+                                                 [](const std::string& name) { return base::lower_case(name) == "instructions"; });
+  };
+  if (!goal.empty() && !add(goal, false)) return false;
+  for (const Breakpoint& each : breakpoints_.all())
+    if (each.kind == Breakpoint::Kind::condition && !add(each.condition, each.was_true)) return false;
+  probe.look = [all] {
+    return std::any_of(all.begin(), all.end(), [](const Looked& each) {
+      const auto value = each.expression->value();
+      return (!value || *value != 0) != each.was_true;
+    });
+  };
+  const auto of_devices = [this](const Looked& each) {
+    const auto& names = each.expression->names();
+    return !each.expression->has_words() && std::all_of(names.begin(), names.end(), [this](const std::string& name) {
+             return is_state(name) && base::lower_case(name) != "time";
+           });
+  };
+  if (std::all_of(all.begin(), all.end(), of_devices)) {
+    probe.guard = Probe::Guard{.devices = true};
+    return true;
+  }
+  // One that holds is waited for to end: anything may do that.
+  if (all.size() != 1 || all.front().was_true) return true;
+  const auto range = all.front().expression->range();
+  if (!range) return true;
+  const std::string name = base::lower_case(all.front().expression->names()[range->name]);
+  const bool pair = description_.radix == 16 && name.size() == 2 && !register_named(name);
+  if (const auto number = register_named(pair ? name.substr(0, 1) : name); number && (!pair || register_named(name.substr(1)) == *number + 1))
+    probe.guard = Probe::Guard{false, *number, pair, range->mask, range->first, range->span};
+  return true;
 }
 
 bool Debugger::is_state(std::string_view name) const {
@@ -324,9 +374,10 @@ Halted Debugger::run(const Goal& goal) {
   const bool conditions = !goal.condition.empty() || breakpoints_.has_conditions();
   // What only words of memory decide need not be evaluated until one of them is written.
   const auto places = conditions ? places_of_conditions(goal.condition) : std::nullopt;
-  const bool by_instructions = conditions && !places;
   Probe& probe = *machine_.probe();
   breakpoints_.mark(probe);
+  const bool looks = conditions && !places && look_at_conditions(goal.condition);
+  const bool by_instructions = conditions && !places && !looks;
   if (places)
     for (const std::uint32_t at : *places) probe.mark(at, Probe::is_written);
   probe.resume();
@@ -337,6 +388,7 @@ Halted Debugger::run(const Goal& goal) {
   while (!reason && stop.name == guests::run::stopped_by_probe) {
     type_next();
     past_.remember();
+    if (looks) static_cast<void>(look_at_conditions(goal.condition));
     Limits part = limits;
     part.instructions = std::min(limits.instructions, machine_.instructions() + Past::instructions_apart);
     constexpr std::int64_t looks_for_keys_a_second = 50;
@@ -365,6 +417,7 @@ Halted Debugger::run(const Goal& goal) {
       }
     }
   }
+  probe.look = nullptr;
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

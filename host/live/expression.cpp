@@ -155,6 +155,7 @@ class ExpressionReader {
     if (const auto value = number(word, names_.radix)) return add(Kind::number, *value);
     if (auto reader = names_.reader ? names_.reader(word) : nullptr) {
       made_.readers_.push_back(std::move(reader));
+      made_.read_names_.emplace_back(word);
       nothing_is_fixed();
       return add(Kind::name, static_cast<std::int64_t>(made_.readers_.size()) - 1);
     }
@@ -232,6 +233,96 @@ base::Result<std::int64_t> Expression::value() const {
     }
   }
   return stack[0];
+}
+
+namespace {
+
+using Range = Expression::Range;
+constexpr std::uint32_t all_ones = ~std::uint32_t{0};
+
+// What is known of a part of an expression: a constant, a name with a mask, or where it can be true.
+struct Known {
+  std::optional<std::int64_t> constant;
+  std::optional<Range> name;  // its mask alone counts
+  std::optional<Range> truth;
+};
+
+// Of NAME sign CONSTANT.
+std::optional<Range> compared(Range name, Sign sign, std::int64_t constant) {
+  if (constant < 0 || constant > std::int64_t{all_ones} - 1) return std::nullopt;
+  const auto c = static_cast<std::uint32_t>(constant);
+  switch (sign) {
+    case equal:
+    case same: name.first = c; name.span = 0; break;
+    case unequal: name.first = c + 1; name.span = all_ones - 1; break;
+    case less:
+      if (c == 0) return std::nullopt;
+      name.first = 0; name.span = c - 1; break;
+    case at_most: name.first = 0; name.span = c; break;
+    case more: name.first = c + 1; name.span = all_ones - name.first; break;
+    case at_least: name.first = c; name.span = all_ones - c; break;
+    default: return std::nullopt;
+  }
+  return name;
+}
+
+Sign turned(Sign sign) {
+  switch (sign) {
+    case less: return more;
+    case more: return less;
+    case at_most: return at_least;
+    case at_least: return at_most;
+    default: return sign;
+  }
+}
+
+// A name, or what there is of it, is true when it is not 0.
+std::optional<Range> truth_of(const Known& known) {
+  return known.truth ? known.truth : known.name ? compared(*known.name, unequal, 0) : std::nullopt;
+}
+
+Known combined(const Known& a, Sign sign, const Known& b) {
+  Known made;
+  if (sign == both) {
+    const auto left = truth_of(a), right = truth_of(b);
+    made.truth = !left || (right && right->span < left->span) ? right : left;
+  } else if (sign == bit_and && (a.name ? b.constant : a.constant) && (a.name || b.name)) {
+    made.name = a.name ? a.name : b.name;
+    made.name->mask &= static_cast<std::uint32_t>(a.name ? *b.constant : *a.constant);
+  } else if (a.name && b.constant) {
+    made.truth = compared(*a.name, sign, *b.constant);
+  } else if (a.constant && b.name) {
+    made.truth = compared(*b.name, turned(sign), *a.constant);
+  } else if (a.constant && b.constant) {
+    made.constant = applied(sign, *a.constant, *b.constant);
+  }
+  return made;
+}
+
+}  // namespace
+
+bool Expression::has_words() const {
+  return std::any_of(steps_.begin(), steps_.end(), [](const Step& step) { return step.kind == Kind::word; });
+}
+
+std::optional<Range> Expression::range() const {
+  std::vector<Known> stack;
+  for (const Step& step : steps_) {
+    Known made;
+    if (step.kind == Kind::number) made.constant = step.number;
+    if (step.kind == Kind::name) made.name = Range{.name = static_cast<std::size_t>(step.number)};
+    if (step.kind == Kind::binary) {
+      const Known right = stack.back();
+      stack.pop_back();
+      made = combined(stack.back(), static_cast<Sign>(step.sign), right);
+      stack.pop_back();
+    } else if (step.kind != Kind::number && step.kind != Kind::name) {
+      if (step.kind == Kind::no && stack.back().name) made.truth = compared(*stack.back().name, equal, 0);
+      stack.pop_back();
+    }
+    stack.push_back(made);
+  }
+  return truth_of(stack.back());
 }
 
 std::optional<std::int64_t> number(std::string_view text, int radix) {

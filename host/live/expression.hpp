@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,19 @@ class Expression {
   // If it has nothing in it that changes but words of memory at fixed addresses: these.
   [[nodiscard]] const std::optional<std::vector<std::int64_t>>& places() const { return places_; }
 
+  // The names that are read anew each time.
+  [[nodiscard]] const std::vector<std::string>& names() const { return read_names_; }
+  // While it is true, (name & mask) - first <= span, in 32 bits, for one of names().
+  struct Range {
+    std::size_t name = 0;
+    std::uint32_t mask = ~std::uint32_t{0};
+    std::uint32_t first = 0;
+    std::uint32_t span = 0;
+  };
+  // The narrowest that its comparisons with constants tell; nothing: they tell none.
+  [[nodiscard]] std::optional<Range> range() const;
+  [[nodiscard]] bool has_words() const;  // of memory
+
  private:
   friend class ExpressionReader;
   enum class Kind : std::uint8_t { number, name, word, negative, complement, no, binary };
@@ -47,6 +61,7 @@ class Expression {
   const Names* names_ = nullptr;
   std::vector<Step> steps_;  // operands before their operator
   std::vector<std::function<std::int64_t()>> readers_;
+  std::vector<std::string> read_names_;  // of them
   std::optional<std::vector<std::int64_t>> places_;
 };
 

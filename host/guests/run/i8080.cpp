@@ -533,6 +533,69 @@ class I8080Breaker {
   core::TStateInstant begun_{};
 };
 
+// What is left of the boundaries of a run that is looked at: marked instructions, and where a register has a value.
+struct I8080Guarded {
+  const std::uint8_t* places;
+  std::uint32_t a = 0;  // masks
+  std::uint32_t hl = 0;
+  std::uint32_t bc = 0;
+  std::uint32_t de = 0;
+  std::uint32_t first = 0;
+  std::uint32_t span = ~std::uint32_t{0};
+
+  explicit I8080Guarded(const Probe& probe) : places(probe.marks()) {
+    if (!probe.guard) return;
+    const Probe::Guard& guard = *probe.guard;
+    constexpr std::size_t first_half = 2, last_half = 7;
+    if (guard.register_number == 0) {
+      a = 0xFF & guard.mask;
+      first = guard.first;
+      span = guard.span;
+      return;
+    }
+    if (guard.register_number < first_half || guard.register_number > last_half) return;
+    std::uint32_t& pair = guard.register_number < 4 ? bc : guard.register_number < 6 ? de : hl;
+    const bool high = !guard.pair && guard.register_number % 2 == 0;
+    // Of a high half only ranges that fit: what is compared lies eight bits higher.
+    const bool fits = guard.first <= 0xFF && guard.first + std::uint64_t{guard.span} <= 0xFF;
+    if (high && !fits) return;
+    pair = guard.pair ? 0xFFFFU & guard.mask : high ? (0xFF & guard.mask) << 8 : 0xFF & guard.mask;
+    first = high ? guard.first << 8 : guard.first;
+    span = high ? guard.span << 8 : guard.span;
+  }
+  [[gnu::always_inline]] bool arrives(i8080::Address next, const machines::I8080View& view) const {
+    const std::uint32_t value = (view.a & a) | (view.hl & hl) | (view.others->bc & bc) | (view.others->de & de);
+    return value - first <= span || (places[next] & Probe::executed) != 0;
+  }
+};
+
+// The observer of a monitor that looks at the machine between instructions.
+class I8080Looker {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = true;
+  static constexpr bool looks = true;
+  using Filter = I8080Guarded;
+
+  explicit I8080Looker(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] I8080Guarded filter() const { return I8080Guarded(probe_); }
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::TStateInstant now) { begun_ = now; }
+  [[gnu::noinline]] bool stop(core::TStateInstant now, i8080::Address next) {
+    if (now == begun_) return false;
+    const std::size_t before = probe_.events().size();
+    if ((probe_.marks()[next] & Probe::executed) != 0) probe_.add({Probe::Kind::execution, core::t_states_of(now), next, 0});
+    if (probe_.look()) probe_.add({Probe::Kind::look, core::t_states_of(now), next, 0});
+    return probe_.events().size() != before;
+  }
+
+ private:
+  Probe& probe_;
+  core::TStateInstant begun_{};
+};
+
 // The observer of a monitor that has marked places.
 class I8080Watcher {
  public:
@@ -801,7 +864,10 @@ class I8080Run final : public Machine {
         return Stop{"state_limit", {}, true};
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
-        return call ? answer(*call) : unanswered();
+        const auto stop = call ? answer(*call) : unanswered();
+        if (stop || !probe_ || !probe_->looks() || !probe_->look()) return stop;
+        probe_->add({Probe::Kind::look, ticks(), processor_.registers().pc, 0});
+        return Stop{stopped_by_probe, {}};
       }
       case machines::I8080StopReason::observer: break;
     }
@@ -986,6 +1052,7 @@ class I8080Run final : public Machine {
     if constexpr (few_observers) {
       if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Reporter(*probe_));
     } else {
+      if (probe_ && probe_->looks()) return run_watched(limits, I8080Looker(*probe_));
       if (probe_ && probe_->watches_arrival()) return run_watched(limits, I8080Breaker(*probe_));
       if (probe_ && probe_->watches_places()) return run_watched(limits, I8080Watcher(*probe_));
     }

@@ -346,6 +346,8 @@ class Machine {
   [[nodiscard]] virtual std::vector<Medium> changed_media() const { return {}; }
   // Flags of devices that a monitor can stop at: the names are in lower case.
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, bool>> conditions() { return {}; }
+  // One of them, by its place in the list.
+  [[nodiscard]] virtual bool condition(std::size_t number) { return conditions().at(number).second; }
   // What the devices do, one to a line; the display's registers, empty without one.
   [[nodiscard]] virtual std::vector<ReportLine> device_lines() const { return {}; }
   [[nodiscard]] virtual std::vector<ReportLine> display_lines() const { return {}; }

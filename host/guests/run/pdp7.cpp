@@ -248,6 +248,72 @@ class Breaker {
   core::Instant begun_{};
 };
 
+// What is left of the boundaries of a run that is looked at: marked instructions, and where a register has a value.
+struct Guarded {
+  const std::uint8_t* places;
+  std::uint32_t accumulator = 0;  // masks
+  std::uint32_t mq = 0;
+  std::uint32_t first = 0;
+  std::uint32_t span = ~std::uint32_t{0};
+
+  explicit Guarded(const Probe& probe) : places(probe.marks()) {
+    if (!probe.guard) return;
+    const Probe::Guard& guard = *probe.guard;
+    if (guard.devices) {  // boundaries that are due are asked at in any case
+      first = 1;
+      span = 0;
+      return;
+    }
+    constexpr std::uint32_t word = core::Word18::mask, link = pdp7::Accumulator::carry;
+    constexpr unsigned link_shift = 18;
+    switch (guard.register_number) {
+      case 1: accumulator = word & guard.mask; break;
+      case 3: mq = word & guard.mask; break;
+      case 2:
+        // Nothing lies between the two values of a bit.
+        if (guard.mask % 2 == 0 || guard.first > 1 || guard.span != 0) return;
+        accumulator = link;
+        first = guard.first << link_shift;
+        span = 0;
+        return;
+      default: return;
+    }
+    first = guard.first;
+    span = guard.span;
+  }
+  [[gnu::always_inline]] bool arrives(pdp7::Address next, const machines::Pdp7View& view) const {
+    const std::uint32_t value = (view.accumulator & accumulator) | (view.others->mq.value() & mq);
+    return value - first <= span || (places[next] & Probe::executed) != 0;
+  }
+};
+
+// The observer of a monitor that looks at the machine between instructions.
+class Looker {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = true;
+  static constexpr bool looks = true;
+  using Filter = Guarded;
+
+  explicit Looker(Probe& probe) : probe_(probe) {}
+  [[nodiscard]] Guarded filter() const { return Guarded(probe_); }
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(core::Instant now) { begun_ = now; }
+  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
+    if (now == begun_) return false;
+    const std::size_t before = probe_.events().size();
+    if ((probe_.marks()[next] & Probe::executed) != 0) probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
+    if (probe_.look()) probe_.add({Probe::Kind::look, core::nanoseconds_of(now), next, 0});
+    return probe_.events().size() != before;
+  }
+
+ private:
+  Probe& probe_;
+  core::Instant begun_{};
+};
+
 // The observer of a monitor that has marked places.
 class Watcher {
  public:
@@ -540,6 +606,18 @@ class Pdp7Machine final : public Machine {
     }
     return flags;
   }
+  // The order of conditions().
+  [[nodiscard]] bool condition(std::size_t number) override {
+    const pdp7::Peripherals& devices = machine_.devices();
+    switch (number) {
+      case 0: return devices.clock.flag();
+      case 1: return devices.reader.flag();
+      case 2: return devices.punch.flag();
+      case 3: return devices.keyboard.flag();
+      case 4: return devices.printer.flag();
+      default: return conditions().at(number).second;
+    }
+  }
   [[nodiscard]] std::vector<ReportLine> device_lines() const override {
     const pdp7::Peripherals& devices = machine_.devices();
     const auto flag = [](bool up) { return up ? "flag up" : "flag down"; };
@@ -778,6 +856,7 @@ class Pdp7Machine final : public Machine {
       }
       if (tracer_) return machine_.run(limits, *tracer_);
       if (probe_ && probe_->watches_instructions()) return run_watched(limits, Listener(*probe_));
+      if (probe_ && probe_->looks()) return run_watched(limits, Looker(*probe_));
       if (probe_ && probe_->watches_arrival()) return run_watched(limits, Breaker(*probe_));
       if (probe_ && probe_->watches_places()) return run_watched(limits, Watcher(*probe_));
     }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +32,7 @@ class Probe {
   static constexpr std::uint8_t is_written = 4;
   static constexpr std::uint8_t at_interrupt = 8;  // set by mark_interrupts() alone
 
-  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt };
+  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, look };
   struct Event {
     Kind kind;
     std::int64_t time;      // in the machine's unit
@@ -94,6 +95,20 @@ class Probe {
   std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
   std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
 
+  // Asked between instructions, when registers, memory and time are those of the boundary; true: the run ends there, with an
+  // event. Only execution may be marked beside it; not where there are few_observers. Empty: nobody looks.
+  std::function<bool()> look;
+  // Where to ask: only when (register & mask) - first <= span, in 32 bits. A pair of the 8080 has the number of its high register.
+  struct Guard {
+    bool devices = false;  // only where a device may have changed, or the program has touched one
+    std::size_t register_number = 0;
+    bool pair = false;
+    std::uint32_t mask = ~std::uint32_t{0};
+    std::uint32_t first = 0;
+    std::uint32_t span = 0;
+  };
+  std::optional<Guard> guard;  // none, or one of a register that the machine does not guard: everywhere
+
   std::vector<Key> keys;  // all, in order
 
   // Since resume(), in order.
@@ -102,6 +117,7 @@ class Probe {
 
   // For the machine: what a run is to be watched for.
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
+  [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
   [[nodiscard]] bool watches_arrival() const { return marked_ == executed; }  // and nothing else
   [[nodiscard]] bool watches_places() const { return marked_ != 0; }
   // As many as the machine has, for its observer.

@@ -574,6 +574,54 @@ TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
   EXPECT_NE(s("c").find("stopped by exit"), std::string::npos);
 }
 
+// `who` knows it at once, where the call has just been answered, and `back` comes to that state.
+TEST(MonitorI8080, WhoKnowsWhatCpmHasJustWritten) {
+  auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
+  Session& s = *m;
+  s("deposit 300 5; watch 302; send \"K\\r\"; c");
+  EXPECT_EQ(s("who 302").substr(0, 25), "0302: 4B was written at 0");
+  EXPECT_NE(s("who 302").find(" by F106 OUT     01H"), std::string::npos);
+  s("step");
+  s("back");
+  EXPECT_EQ(s("ev [302]").substr(0, 2), "4B");
+  EXPECT_EQ(s("who 302").substr(0, 25), "0302: 4B was written at 0");
+}
+
+// CALL has 17 T-states: 5 3 3 3 3; LXI 10: 4 3 3.
+TEST(MonitorI8080, CyclesStopInsideAnInstruction) {
+  auto m = i8080_session("  LXI D,300H\n  CALL 5\n  LDA 302H\n  JMP 0\n");
+  Session& s = *m;
+  const std::string inside = s("cycle 5");
+  EXPECT_NE(inside.find("inside the instruction that begins at 0.000000000 s:\n"), std::string::npos) << inside;
+  EXPECT_NE(inside.find(" done       fetch          0100 11\n"), std::string::npos) << inside;
+  EXPECT_NE(inside.find(" under way  read           0101 00\n"), std::string::npos) << inside;
+  EXPECT_NE(inside.find(" to come    read           0102\n"), std::string::npos) << inside;
+  EXPECT_EQ(s("cycle 5").substr(0, 4), "0103");
+  EXPECT_NE(s("cycle 13").find(" to come    stack write    "), std::string::npos);
+  EXPECT_EQ(s("cycle 4").substr(0, 4), "0005");
+  // Any other run goes on from where the instruction begins.
+  s("cycle 2");
+  s("step");
+  EXPECT_EQ(s("ev time").substr(0, 7), "25 = 37");
+}
+
+TEST(MonitorPdp7, CyclesStopInsideAnInstruction) {
+  auto m = pdp7_session("begin, lac i p\n isz q\n jmp begin\np, q\nq, 5\n start begin\n");
+  Session& s = *m;
+  EXPECT_EQ(s("cycle"),
+            "at 0.000001750 s, inside the instruction that begins at 0.000000000 s:\n"
+            "0.000000000 s done       fetch          00100 220103\n"
+            "0.000001750 s to come    read           00103\n"
+            "0.000003500 s to come    read           00104\n"
+            "before it: 00100 begin: lac i 103  ; begin, lac i p  AC 000000  L 0  MQ 000000  SC 00  0.000000000 s\n");
+  EXPECT_NE(s("cycle").find("0.000001750 s done       read           00103 000104\n"), std::string::npos);
+  EXPECT_EQ(s("cycle").substr(0, 5), "00101");
+  EXPECT_NE(s("cycle").find("0.000007000 s to come    read and write 00104\n"), std::string::npos);
+  s("d ac 7");  // from where it begins
+  EXPECT_EQ(s("cycle 2").substr(0, 5), "00102");
+  EXPECT_EQ(s("ev [q]"), "6 = 6.\n");
+}
+
 // The line that BDOS reads is put into the buffer by the host: a watch sees it, and so does `who`.
 TEST(MonitorI8080, WatchesSeeWhatCpmWrites) {
   auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
@@ -706,6 +754,49 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
     }
     EXPECT_EQ(ends[0], ends[1]) << condition;
   }
+}
+
+// Conditions on registers are looked at inside the run, where a register can make one true; `instructions` makes the monitor look at
+// them from outside, instruction by instruction. Breakpoints beside them count the same.
+void compare_conditions(const std::function<std::unique_ptr<Session>()>& begin, const std::vector<std::string>& conditions,
+                        const std::string& beside) {
+  for (const std::string& condition : conditions) {
+    std::string ends[2];
+    for (const bool outside : {false, true}) {
+      auto m = begin();
+      (*m)("break when (" + condition + ")" + (outside ? " && instructions>=0" : ""));
+      (*m)("break " + beside + " count 7");
+      for (int n = 0; n < 6; ++n) {
+        const std::string text = (*m)("run for 300 instructions");
+        ends[outside ? 1 : 0] += text.substr(text.find('\n') + 1);
+        ends[outside ? 1 : 0] += std::to_string(m->machine().instructions()) + " ";
+      }
+    }
+    EXPECT_EQ(ends[0], ends[1]) << condition;
+  }
+}
+
+TEST(MonitorPdp7, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
+  compare_conditions(
+      [] {
+        return pdp7_session(
+            "begin, isz place\n jms sub\n rcl\n 700406\n lmq\n 700401\n cma\n jmp begin\nsub, 0\n lac place\n and (17\n tad (3\n"
+            " jmp i sub\nplace, 0\n start begin\n");
+      },
+      {"ac==7", "ac>=10 && ac<=14", "ac!=0", "l", "l==0", "!l", "l==1 && ac==12", "ac&4", "(ac&6)==6", "mq==16", "mq>20", "3==mq", "17>ac", "ac==mq",
+       "pc==101", "[place]==5 && ac==7", "sc==0 && ac==5", "ac==7 || mq==7", "printer", "printer==0", "time>3000", "ac==777777", "ac<0", "ac>=0"},
+      "begin");
+}
+
+TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
+  compare_conditions(
+      [] {
+        return i8080_session(
+            "BEGIN: INR B\n INX H\n DCX D\n MOV A,B\n ADD L\n PUSH PSW\n POP B\n INR C\n JNZ BEGIN\n MVI C,9\n CALL SUB\n JMP BEGIN\nSUB: RET\n");
+      },
+      {"a==7", "a>=10 && a<=14", "hl==5", "h==0 && l==6", "b==12", "b>0F0", "bc==1213", "de==0FFF8", "d==0FF", "e<4", "c&10", "a==b", "sp==0FFFA",
+       "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8"},
+      "BEGIN");
 }
 
 // --- All verbs ---
