@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/model/face_cut.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -94,33 +95,19 @@ class Hatcher {
   }
 
   void add(const scene::PolyFace& face, bool sheet, std::uint32_t number) {
-    const auto& ring = face.outline;
-    geometry::Vector3 normal{};
-    for (std::size_t i = 0; i < ring.size() && geometry::is_zero(normal); ++i) {
-      // Of three corners: which way they turn is asked of all below.
-      normal = geometry::normal_of(at(ring[i]), at(ring[(i + 1) % ring.size()]), at(ring[(i + 2) % ring.size()]));
-    }
-    if (geometry::is_zero(normal)) return;
-    geometry::Vector3 area{};
-    for (std::size_t i = 2; i < ring.size(); ++i) {
-      const auto part = geometry::normal_of(at(ring[0]), at(ring[i - 1]), at(ring[i]));
-      for (std::size_t a = 0; a < 3; ++a) area[a] += part[a];
-    }
-    if (geometry::wide_dot(normal, area) < 0) normal = geometry::negated(normal);
-    const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(ring[0]), camera_.eye)
+    const geometry::Vector3 normal = scene::plane_of(result_.scene.vertices, face).normal;
+    const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(face.outline[0]), camera_.eye)
                                                         : geometry::vector_of(camera_.forward);
     const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
     if (facing == 0 || (facing < 0 && !sheet)) return;
-    Vector3d direction{static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])};
-    Vector3d shaded = unit_of(direction);
-    const auto surface = result_.scene.surface_of[number];
-    if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[surface].normal;
+    Vector3d shaded = unit_of({static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])});
+    if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[result_.scene.surface_of[number]].normal;
     double light = scalar(shaded, light_);
     if (facing < 0) light = -light;
     const Tone tone = tone_of(light);
     if (tone == Tone::light) return;
-    lines(face, direction, families_[0], tone == Tone::fourth ? 4 : tone == Tone::half ? 2 : 1, number, false);
-    if (tone == Tone::crossed) lines(face, direction, families_[1], 2, number, true);
+    lines(face, normal, 0, tone == Tone::fourth ? 4 : tone == Tone::half ? 2 : 1, number);
+    if (tone == Tone::crossed) lines(face, normal, 1, 2, number);
   }
 
   [[nodiscard]] const scene::PolyPoint& at(scene::VertexIndex v) const { return result_.scene.vertices[v]; }
@@ -141,70 +128,55 @@ class Hatcher {
             std::min(family.last, static_cast<std::int64_t>(std::ceil(std::min(high, static_cast<double>(family.last)))))};
   }
 
-  void lines(const scene::PolyFace& face, const Vector3d& normal, const HatchFamily& family,
-             std::int64_t every, std::uint32_t number, bool across) {
-    auto [first, last] = range(face, family);
+  void lines(const scene::PolyFace& face, const geometry::Vector3& normal, std::size_t which, std::int64_t every,
+             std::uint32_t number) {
+    auto [first, last] = range(face, families_[which]);
     const std::int64_t over = ((first % every) + every) % every;
     if (over != 0) first += every - over;
     for (std::int64_t k = first; k <= last; k += every) {
-      const double offset = family.start + static_cast<double>(k) * family.step;
-      // How far the points of a plane through the eye are from it; zero is the line.
-      Vector3d plane{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        plane[a] = family.across[0] * axes_[0][a] + family.across[1] * axes_[1][a];
-        if (camera_.perspective) plane[a] -= offset * axes_[2][a];
+      const std::uint32_t plane = plane_of_line(which, k);
+      const geometry::Plane& cut = result_.scene.cut_planes[plane];
+      const scene::CutAxis along = scene::cut_axis(normal, cut.normal);
+      if (along.sign == 0) continue;
+      bool zero = false;
+      for (const auto& [low, high] : scene::cuts_of(result_.scene.vertices, face, cut, along.axis, true, zero)) {
+        if (along.sign > 0) add_line({low.point, high.point}, number, plane, which == 1);
+        else add_line({high.point, low.point}, number, plane, which == 1);
       }
-      const Vector3d along{plane[1] * normal[2] - plane[2] * normal[1], plane[2] * normal[0] - plane[0] * normal[2],
-                           plane[0] * normal[1] - plane[1] * normal[0]};
-      places_.clear();
-      add_places(face.outline, family, offset, along);
-      for (const auto& hole : face.holes) add_places(hole, family, offset, along);
-      std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.along < b.along; });
-      for (std::size_t i = 0; i + 1 < places_.size(); i += 2) add_line(places_[i].point, places_[i + 1].point, number, across);
       if (result_.lines.edges.size() > most_hatch_lines) return;
     }
   }
 
-  struct Place {
-    double along = 0;
-    scene::PolyPoint point{};
-  };
-
-  void add_places(const std::vector<scene::VertexIndex>& ring, const HatchFamily& family, double offset, const Vector3d& along) {
-    const auto distance = [&](scene::VertexIndex v) {
-      const Vector3d& p = image_[v];
-      return family.across[0] * p[0] + family.across[1] * p[1] - offset * p[2];
-    };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      // Lower vertex first: a side has one place for both faces at it.
-      const auto [p, q] = std::minmax({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
-      const double a = distance(p);
-      const double b = distance(q);
-      if ((a >= 0) == (b >= 0)) continue;
-      const double t = a / (a - b);
-      Place place;
-      Vector3d point{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        point[axis] = at(p)[axis] + t * (static_cast<double>(at(q)[axis]) - at(p)[axis]);
-        place.point[axis] = static_cast<std::int32_t>(std::floor(point[axis] + 0.5));
-      }
-      place.along = scalar(point, along);
-      places_.push_back(place);
+  // Of points from which the line is seen in the image: through the eye in perspective, along the view without.
+  std::uint32_t plane_of_line(std::size_t which, std::int64_t k) {
+    const HatchFamily& family = families_[which];
+    const auto [known, added] = planes_.try_emplace({which, k}, static_cast<std::uint32_t>(result_.scene.cut_planes.size()));
+    if (!added) return known->second;
+    const double offset = family.start + static_cast<double>(k) * family.step;
+    Vector3d normal{};
+    double most = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      normal[a] = family.across[0] * axes_[0][a] + family.across[1] * axes_[1][a];
+      if (camera_.perspective) normal[a] -= offset * axes_[2][a];
+      most = std::max(most, std::abs(normal[a]));
     }
+    const double scale = 0x1p38 / most;
+    geometry::Plane plane;
+    for (std::size_t a = 0; a < 3; ++a) plane.normal[a] = std::llround(normal[a] * scale);
+    plane.offset = geometry::dot(plane.normal, geometry::vector_of(camera_.eye));
+    if (!camera_.perspective) plane.offset += std::llround(offset * scale);
+    result_.scene.cut_planes.push_back(plane);
+    return known->second;
   }
 
-  void add_line(const scene::PolyPoint& from, const scene::PolyPoint& to, std::uint32_t face, bool across) {
-    if (from == to) return;
-    auto& vertices = result_.scene.vertices;
-    const auto first = static_cast<scene::VertexIndex>(vertices.size());
-    vertices.push_back(from);
-    vertices.push_back(to);
-    result_.scene.crossings.push_back({first, first + 1, face, face});
+  void add_line(const std::array<scene::CutPoint, 2>& ends, std::uint32_t face, std::uint32_t plane, bool across) {
+    scene::add_crossing(result_.scene, face, face, plane, ends);
+    const scene::PolyCrossing& line = result_.scene.crossings.back();
     ChosenEdges& lines = result_.lines;
-    lines.edges.push_back({first, first + 1});
+    lines.edges.push_back({line.from, line.to});
     lines.kinds.push_back(EdgeKind::flat);
     lines.turned_away.push_back(0);
-    lines.surfaces.push_back(result_.scene.surface_of[face]);
+    if (!result_.scene.surface_of.empty()) lines.surfaces.push_back(result_.scene.surface_of[face]);
     lines.first_surface.push_back(static_cast<std::uint32_t>(lines.surfaces.size()));
     result_.across.push_back(across ? 1 : 0);
   }
@@ -214,7 +186,7 @@ class Hatcher {
   Vector3d light_;
   std::array<HatchFamily, 2> families_;
   std::vector<Vector3d> image_;  // right, up and depth of each vertex
-  std::vector<Place> places_;
+  std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> planes_;  // of lines in use
   Hatching result_;
 };
 

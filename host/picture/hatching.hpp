@@ -2,8 +2,8 @@
 //
 // The lines of a direction lie at whole multiples of the spacing from one corner of the window, so that they go on from
 // face to face. A face takes every fourth of them, every second or all, as the angle to the light grows, and where it is
-// darkest all of them and every second across. On each face such a line lies in its plane and ends at its outline; these
-// ends are rounded to the grid of the scene, and what is seen between them is decided like what is seen of edges.
+// darkest all of them and every second across. Rounded is only the plane through the eye and such a line, once, to a
+// normal of 38 bits; where it cuts a face, and what is seen of that, is exact.
 // Left out: shadows that bodies cast.
 #pragma once
 
@@ -31,7 +31,7 @@ enum class Tone : std::uint8_t { light, fourth, half, full, crossed };
 [[nodiscard]] Tone tone_of(double facing);
 
 struct Hatching {
-  scene::PolyScene scene;           // with the lines as crossings behind its own, both faces being the face they lie on
+  scene::PolyScene scene;           // with the lines as crossings behind its own
   ChosenEdges lines;                // all that were added, ascending
   std::vector<std::uint8_t> across;  // of each line: one of those across
 };
@@ -39,8 +39,7 @@ struct Hatching {
 inline constexpr std::size_t most_hatch_lines = 2'000'000;
 
 // Of faces that are turned to the eye, and of sheets; for a drawing with this window, of `units` to one of the image.
-// The scene has surfaces or numbered planes (precondition); the finer its grid, the nearer ends are to outlines. An error
-// if there were more than most_hatch_lines.
+// An error if there were more than most_hatch_lines.
 [[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                              const ImageWindow& window, double units,
                                              const HatchOptions& options);

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/scene/model/face_cut.hpp"
+
 namespace sightline::picture {
 namespace {
 
@@ -69,12 +71,10 @@ class Projection {
  private:
   // Right, up and depth of a place on an edge; the depth is 1 without perspective.
   [[nodiscard]] std::array<double, 3> point(const LineEdge& edge, double s) const {
+    const std::array<double, 3> from = scene::place_of(scene_, edge.from);
+    const std::array<double, 3> to = scene::place_of(scene_, edge.to);
     std::array<double, 3> d{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double from = scene_.vertices[edge.from][a];
-      const double to = scene_.vertices[edge.to][a];
-      d[a] = (s == 1 ? to : from + s * (to - from)) - camera_.eye[a];
-    }
+    for (std::size_t a = 0; a < 3; ++a) d[a] = (s == 1 ? to[a] : from[a] + s * (to[a] - from[a])) - camera_.eye[a];
     return {dot(d, camera_.right) / lengths_[0], dot(d, camera_.up) / lengths_[1],
             camera_.perspective ? dot(d, camera_.forward) / lengths_[2] : 1};
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/model/face_cut.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -132,6 +133,24 @@ ImageSet image_set(const LinePicture& picture, const scene::PolyScene& scene,
   return set;
 }
 
+namespace {
+
+// Where a place on a crossing is seen, not scaled by lengths; its ends are no points of the grid.
+std::array<double, 2> crossing_image(const LineEdge& edge, double s, const scene::PolyScene& scene,
+                                     const scene::PolyCamera& camera) {
+  const std::array<double, 3> from = scene::place_of(scene, edge.from);
+  const std::array<double, 3> to = scene::place_of(scene, edge.to);
+  const auto along = [&](const scene::PolyPoint& axis) {
+    double sum = 0;
+    for (std::size_t a = 0; a < 3; ++a) sum += axis[a] * (from[a] + s * (to[a] - from[a]) - camera.eye[a]);
+    return sum;
+  };
+  const double over = camera.perspective ? along(camera.forward) : 1;
+  return {along(camera.right) / over, along(camera.up) / over};
+}
+
+}  // namespace
+
 double image_length(const LinePicture& picture, const scene::PolyScene& scene,
                     const scene::PolyCamera& camera) {
   const auto length = [](const scene::PolyPoint& v) {
@@ -141,6 +160,12 @@ double image_length(const LinePicture& picture, const scene::PolyScene& scene,
   const std::array<double, 2> scale{focal / length(camera.right), focal / length(camera.up)};
   double total = 0;
   for (const LinePiece& piece : picture.pieces) {
+    if (!scene.crossings.empty() && piece.edge.from >= scene.crossings.front().from) {
+      const std::array<double, 2> from = crossing_image(piece.edge, piece.low.to_double(), scene, camera);
+      const std::array<double, 2> to = crossing_image(piece.edge, piece.high.to_double(), scene, camera);
+      total += std::hypot((to[0] - from[0]) * scale[0], (to[1] - from[1]) * scale[1]);
+      continue;
+    }
     const EdgeImage image(piece.edge, scene, camera);
     const auto coordinate = [&](std::size_t axis, const Rational& s) {
       const Int128 over = camera.perspective ? image.at(2, s) : Int128{s.denominator()};

@@ -85,6 +85,28 @@ void number_edges(EdgeMesh& mesh, std::size_t crossings) {
   }
 }
 
+LineEnd end_of(const scene::PolyScene& scene, const scene::CutPoint& cut) {
+  const geometry::Point3& p = scene.vertices[cut.p];
+  const geometry::Point3& q = scene.vertices[cut.q];
+  return cut.a > cut.b ? LineEnd{p, q, cut.a, cut.b} : LineEnd{p, q, -cut.a, -cut.b};
+}
+
+void append_lines(const scene::PolyScene& scene, EdgeMesh& mesh) {
+  const auto plane_of = [&](std::uint32_t face) {
+    const MeshFace& of = mesh.faces[face];
+    const geometry::Point3& on = mesh.vertices[mesh.corners[of.first_corner].vertex];
+    const Vector normal = of.normal.unpacked();
+    return geometry::Plane{normal, geometry::dot(normal, geometry::vector_of(on))};
+  };
+  mesh.lines.reserve(scene.crossings.size());
+  for (const scene::PolyCrossing& crossing : scene.crossings) {
+    mesh.edges.push_back({crossing.from, crossing.to});
+    const bool on_one = crossing.face_a == crossing.face_b;
+    mesh.lines.push_back({{plane_of(crossing.face_a), on_one ? scene.cut_planes[crossing.plane] : plane_of(crossing.face_b)},
+                          {end_of(scene, crossing.ends[0]), end_of(scene, crossing.ends[1])}});
+  }
+}
+
 }  // namespace
 
 EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
@@ -111,7 +133,7 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
     }
   }
   number_edges(mesh, scene.crossings.size());
-  for (const scene::PolyCrossing& crossing : scene.crossings) mesh.edges.push_back({crossing.from, crossing.to});
+  append_lines(scene, mesh);
   return mesh;
 }
 

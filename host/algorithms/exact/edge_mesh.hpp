@@ -2,9 +2,12 @@
 // corners, precomputed planes.
 //
 // Sizes, coordinates below 2^18: a face normal (twice the area, as a vector) 39 bits, a point against its
-// plane 60 bits.
+// plane 60 bits. An end of a crossing, relative to an eye, has 80 over 61 bits; a plane of sight there 121, and so has a
+// corner against the plane of sight through the crossing.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -51,14 +54,30 @@ struct MeshFace {
   std::uint32_t sheet : 1 = 0;
 };
 
+// Where a plane cuts the line from p to q: a and b are values of the plane there, one of which is not 0.
+struct LineEnd {
+  geometry::Point3 p{};
+  geometry::Point3 q{};
+  std::int64_t a = 0;  // above b
+  std::int64_t b = 0;
+};
+
+// A crossing of the scene: where two planes meet, in the direction of the cross product of their normals.
+struct MeshLine {
+  std::array<geometry::Plane, 2> planes{};
+  std::array<LineEnd, 2> ends{};
+};
+
 // Corners and faces are most of the memory of a large scene: 8 and 24 bytes each.
 struct EdgeMesh {
   std::span<const geometry::Point3> vertices;  // of the scene
   std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
+  std::vector<MeshLine> lines;           // the crossings
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
   std::vector<std::uint32_t> surfaces;  // of each face, as PolyScene::surface_of has it; empty: 0 for all
 
+  [[nodiscard]] std::size_t first_line() const { return edges.size() - lines.size(); }  // among the edges
   [[nodiscard]] const Corner* corners_of(const MeshFace& face) const { return corners.data() + face.first_corner; }
   [[nodiscard]] std::uint32_t surface_of(std::uint32_t face) const { return surfaces.empty() ? 0 : surfaces[face]; }
 };

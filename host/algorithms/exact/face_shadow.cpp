@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "host/geometry/rounded_fraction.hpp"
+
 namespace sightline::algorithms::exact {
 namespace {
 
@@ -12,20 +14,14 @@ using geometry::cross;
 using geometry::dot;
 using geometry::vector_of;
 
-constexpr Fraction start{0, 1};
-constexpr Fraction end{1, 1};
-
 // Where a quantity vanishes that is a at the start and b at the end, of opposite signs.
-constexpr Fraction zero_between(std::int64_t a, std::int64_t b) {
-  return a > 0 ? Fraction{a, a - b} : Fraction{-a, b - a};
+template <class Number>
+constexpr Fraction<Number> zero_between(const Number& a, const Number& b) {
+  return a > 0 ? Fraction<Number>{a, a - b} : Fraction<Number>{-a, b - a};
 }
 
 constexpr Vector minus(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-constexpr geometry::Rational rational(const Fraction& f) {
-  return {f.numerator, f.denominator};
 }
 
 // Of a ring of four corners: the two sides that cross from the corners to the right to those to the left (bits), each
@@ -58,58 +54,98 @@ constexpr std::array<CrossingSides, 16> crossing_sides = find_crossing_sides();
 constexpr unsigned is_negative(std::int64_t value) {
   return static_cast<unsigned>(static_cast<std::uint64_t>(value) >> 63);
 }
+constexpr unsigned is_negative(const geometry::Int128& value) {
+  return static_cast<unsigned>(static_cast<geometry::Unsigned128>(value) >> 127);
+}
 
 // All corners are to the same side; or each side crosses, which a convex face has not.
 constexpr bool is_apart(unsigned to_left) { return to_left == 0 || to_left == all_four; }
 constexpr bool alternates(unsigned to_left) { return to_left == 0b0101 || to_left == 0b1010; }
 
 // The part of an edge beyond a plane on which its ends have these values, one of them positive.
-constexpr HiddenInterval beyond(std::int64_t a, std::int64_t b) {
-  return {a < 0 ? zero_between(a, b) : start, b < 0 ? zero_between(a, b) : end};
+template <class Number>
+constexpr HiddenInterval<Number> beyond(const Number& a, const Number& b) {
+  return {a < 0 ? zero_between(a, b) : Fraction<Number>{0, 1}, b < 0 ? zero_between(a, b) : Fraction<Number>{1, 1}};
 }
 
 }  // namespace
 
-bool EdgeShadow::begin(const picture::LineEdge& edge) {
-  edge_ = edge;
-  a_ = vector_of(view_.at(edge.from));
-  b_ = vector_of(view_.at(edge.to));
-  split_ = false;
-  left_.clear();
+bool EdgeSight::begin(std::uint32_t number) {
+  edge_ = view_.mesh->edges[number];
+  a_ = vector_of(view_.at(edge_.from));
+  b_ = vector_of(view_.at(edge_.to));
   if (!view_.perspective) {
     plane_.normal = cross(view_.forward, minus(b_, a_));
     plane_.offset = dot(plane_.normal, a_);
-    return !geometry::is_zero(plane_.normal);
+  } else {
+    plane_ = {cross(a_, b_), 0};
   }
-  plane_ = {cross(a_, b_), 0};
-  const std::int64_t near = dot(view_.forward, a_);
-  const std::int64_t far = dot(view_.forward, b_);
-  if (near < 0) left_.add(start, zero_between(near, far));
-  if (far < 0) left_.add(zero_between(near, far), end);
   return !geometry::is_zero(plane_.normal);
 }
 
-inline EdgeShadow::Crossing EdgeShadow::crossing(const Vector& right, const Vector& left) const {
-  if (view_.perspective) {
-    const Vector normal = cross(right, left);
-    return {dot(normal, a_), dot(normal, b_)};
+bool LineSight::begin(std::uint32_t number) {
+  edge_ = view_.mesh->edges[number];
+  const MeshLine& line = view_.mesh->lines[number - view_.mesh->first_line()];
+  const Vector eye = vector_of(view_.eye);
+  for (std::size_t i = 0; i < 2; ++i) {
+    planes_[i] = {line.planes[i].normal, line.planes[i].offset - dot(line.planes[i].normal, eye)};
+    ends_[i] = view_.line_point(line.ends[i]);
   }
-  const Vector normal = cross(view_.forward, minus(left, right));
-  const std::int64_t offset = dot(normal, right);
-  return {dot(normal, a_) - offset, dot(normal, b_) - offset};
+  // With d the cross product of the normals m and n, x d for a sight x to the line is (n x) m - (m x) n.
+  factors_ = view_.perspective ? std::array{planes_[1].offset, -planes_[0].offset}
+                               : std::array{dot(planes_[1].normal, view_.forward), -dot(planes_[0].normal, view_.forward)};
+  return factors_[0] != 0 || factors_[1] != 0;
 }
 
-bool EdgeShadow::add(const Occluder& occluder) {
-  const Plane plane = occluder.plane_beyond();
-  const std::int64_t a = plane.at(a_);
-  const std::int64_t b = plane.at(b_);
+void LineSight::append(const Fraction<Number>& low, const Fraction<Number>& high,
+                       std::vector<picture::LinePiece>& pieces) const {
+  const auto place = [&](const Fraction<Number>& f) {
+    using Part = geometry::WideInteger<123>;
+    using Weight = geometry::WideInteger<62>;
+    const auto to = Part(f.numerator) * Weight(Number{ends_[1].weight()});
+    const auto from = Part(f.denominator - f.numerator) * Weight(Number{ends_[0].weight()});
+    return geometry::rounded_fraction<187>(to, from + to);
+  };
+  const geometry::Rational from = place(low);
+  const geometry::Rational to = place(high);
+  if (!pieces.empty() && pieces.back().edge == edge_ && pieces.back().high == from) {
+    pieces.back().high = to;
+  } else if (from < to) {
+    pieces.push_back({edge_, from, to});
+  }
+}
+
+template <class Sight>
+bool EdgeShadow<Sight>::begin(std::uint32_t edge) {
+  if (!sight_.begin(edge)) return false;
+  split_ = false;
+  left_.clear();
+  if (view_.perspective) {
+    const auto [near, far] = sight_.at_ends({view_.forward, 0});
+    if (near < 0) left_.add({0, 1}, zero_between(near, far));
+    if (far < 0) left_.add(zero_between(near, far), {1, 1});
+  }
+  return true;
+}
+
+template <class Sight>
+inline typename EdgeShadow<Sight>::Crossing EdgeShadow<Sight>::crossing(const Vector& right, const Vector& left) const {
+  Plane plane{view_.perspective ? cross(right, left) : cross(view_.forward, minus(left, right)), 0};
+  if (!view_.perspective) plane.offset = dot(plane.normal, right);
+  const auto [at_start, at_end] = sight_.at_ends(plane);
+  return {at_start, at_end};
+}
+
+template <class Sight>
+bool EdgeShadow<Sight>::add(const Occluder& occluder) {
+  const auto [a, b] = sight_.at_ends(occluder.plane_beyond());
   if (occluder.few_corners == 0) {
     if (a <= 0 && b <= 0) return false;
-    cast_corners(occluder, beyond(a, b));
+    cast_corners(occluder, beyond<Number>(a, b));
   } else {
     // Four corners are compared without a branch; one that is on the plane of the edge is on neither side.
-    const auto side_of = [&](std::size_t i) { return plane_.at(occluder.corners[i].unpacked()); };
-    const std::array<std::int64_t, 4> sides{side_of(0), side_of(1), side_of(2), side_of(3)};
+    const auto side_of = [&](std::size_t i) { return sight_.side(occluder.corners[i].unpacked()); };
+    const std::array<Number, 4> sides{side_of(0), side_of(1), side_of(2), side_of(3)};
     const unsigned left = is_negative(-sides[0]) | is_negative(-sides[1]) << 1 | is_negative(-sides[2]) << 2 |
                           is_negative(-sides[3]) << 3;
     const unsigned not_right = is_negative(~sides[0]) | is_negative(~sides[1]) << 1 | is_negative(~sides[2]) << 2 |
@@ -117,19 +153,20 @@ bool EdgeShadow::add(const Occluder& occluder) {
     if ((a <= 0 && b <= 0) || (is_apart(left) && is_apart(not_right)))
       return false;
     if (alternates(left) || alternates(not_right)) {
-      cast_corners(occluder, beyond(a, b));
+      cast_corners(occluder, beyond<Number>(a, b));
     } else if (left == not_right) {
-      cast_four(occluder, beyond(a, b), left, true, true);
+      cast_four(occluder, beyond<Number>(a, b), left, true, true);
     } else {
-      if (!is_apart(left)) cast_four(occluder, beyond(a, b), left, true, false);
-      if (!is_apart(not_right)) cast_four(occluder, beyond(a, b), not_right, false, true);
+      if (!is_apart(left)) cast_four(occluder, beyond<Number>(a, b), left, true, false);
+      if (!is_apart(not_right)) cast_four(occluder, beyond<Number>(a, b), not_right, false, true);
     }
   }
   return left_.whole() && (!split_ || right_.whole());
 }
 
 // The corners `to_left` of the plane, of four: two sides cross it.
-void EdgeShadow::cast_four(const Occluder& occluder, const HiddenInterval& beyond, unsigned to_left, bool left,
+template <class Sight>
+void EdgeShadow<Sight>::cast_four(const Occluder& occluder, const Interval& beyond, unsigned to_left, bool left,
                            bool right) {
   const CrossingSides& sides = crossing_sides[to_left];
   const auto& corners = occluder.corners;
@@ -139,24 +176,25 @@ void EdgeShadow::cast_four(const Occluder& occluder, const HiddenInterval& beyon
   const bool one_changes = one.ahead_at_start() != one.ahead_at_end();
   const bool other_changes = other.ahead_at_start() != other.ahead_at_end();
   if (!(inside | one_changes | other_changes)) return;
-  std::array<Fraction, 2> changes;
+  std::array<Place, 2> changes;
   std::size_t count = 0;
   if (one_changes) changes[count++] = zero_between(one.at_start, one.at_end);
   if (other_changes) changes[count++] = zero_between(other.at_start, other.at_end);
   if (count == 2 && less(changes[1], changes[0])) std::swap(changes[0], changes[1]);
-  hide_where(inside, std::span(changes).first(count), beyond, left, right);
+  hide_where(inside, std::span<const Place>(changes.data(), count), beyond, left, right);
 }
 
 // A face of any corners and rings.
-void EdgeShadow::cast_corners(const Occluder& occluder, const HiddenInterval& beyond) {
+template <class Sight>
+void EdgeShadow<Sight>::cast_corners(const Occluder& occluder, const Interval& beyond) {
   const MeshFace& face = view_.mesh->faces[occluder.face];
   sides_.resize(face.corner_count);
-  std::int64_t low = 1;
-  std::int64_t high = -1;
+  Number low = 1;
+  Number high = -1;
   bool touches = false;
   const Corner* const corners = view_.mesh->corners_of(face);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const std::int64_t side = plane_.at(vector_of(view_.at(corners[i].vertex)));
+    const Number side = sight_.side(vector_of(view_.at(corners[i].vertex)));
     sides_[i] = side;
     low = std::min(low, side);
     high = std::max(high, side);
@@ -172,8 +210,9 @@ void EdgeShadow::cast_corners(const Occluder& occluder, const HiddenInterval& be
 }
 
 // `threshold`: from which value on a corner counts as to the left.
-void EdgeShadow::cast(const Occluder& occluder, const HiddenInterval& beyond, std::int64_t threshold, bool left,
-                      bool right) {
+template <class Sight>
+void EdgeShadow<Sight>::cast(const Occluder& occluder, const Interval& beyond, const Number& threshold,
+                             bool left, bool right) {
   const MeshFace& face = view_.mesh->faces[occluder.face];
   const Corner* const corners = view_.mesh->corners_of(face);
   bool inside = false;
@@ -187,15 +226,16 @@ void EdgeShadow::cast(const Occluder& occluder, const HiddenInterval& beyond, st
     if (side.ahead_at_start()) inside = !inside;
     if (side.ahead_at_start() != side.ahead_at_end()) changes_.push_back(zero_between(side.at_start, side.at_end));
   });
-  std::sort(changes_.begin(), changes_.end(), less);
+  std::sort(changes_.begin(), changes_.end(), [](const Place& a, const Place& b) { return less(a, b); });
   hide_where(inside, changes_, beyond, left, right);
 }
 
 // The face covers the edge from its start on if `inside`, and changes that at each of `changes`, which ascend.
-void EdgeShadow::hide_where(bool inside, std::span<const Fraction> changes, const HiddenInterval& beyond, bool left,
+template <class Sight>
+void EdgeShadow<Sight>::hide_where(bool inside, std::span<const Place> changes, const Interval& beyond, bool left,
                             bool right) {
-  Fraction low = beyond.low;
-  for (const Fraction& change : changes) {
+  Place low = beyond.low;
+  for (const Place& change : changes) {
     if (inside) hide({low, less(change, beyond.high) ? change : beyond.high}, left, right);
     inside = !inside;
     if (less(low, change)) low = change;
@@ -203,7 +243,8 @@ void EdgeShadow::hide_where(bool inside, std::span<const Fraction> changes, cons
   if (inside) hide({low, beyond.high}, left, right);
 }
 
-void EdgeShadow::hide(const HiddenInterval& interval, bool left, bool right) {
+template <class Sight>
+void EdgeShadow<Sight>::hide(const Interval& interval, bool left, bool right) {
   if (left != right && !split_) {
     split_ = true;
     right_ = left_;
@@ -213,23 +254,27 @@ void EdgeShadow::hide(const HiddenInterval& interval, bool left, bool right) {
 }
 
 // Hidden is what both sides hide; the gaps between are seen.
-void EdgeShadow::append_visible(std::vector<picture::LinePiece>& pieces) const {
-  Fraction seen_from = start;
-  const auto see_up_to = [&](const Fraction& low) {
-    if (less(seen_from, low)) pieces.push_back({edge_, rational(seen_from), rational(low)});
+template <class Sight>
+void EdgeShadow<Sight>::append_visible(std::vector<picture::LinePiece>& pieces) const {
+  Place seen_from{0, 1};
+  const auto see_up_to = [&](const Place& low) {
+    if (less(seen_from, low)) sight_.append(seen_from, low, pieces);
   };
   const auto& right = split_ ? right_.intervals() : left_.intervals();
   auto other = right.begin();
-  for (const HiddenInterval& one : left_.intervals()) {
+  for (const Interval& one : left_.intervals()) {
     while (other != right.end() && !less(one.low, other->high)) ++other;
     for (auto it = other; it != right.end() && less(it->low, one.high); ++it) {
-      const Fraction low = less(one.low, it->low) ? it->low : one.low;
-      const Fraction high = less(one.high, it->high) ? one.high : it->high;
+      const Place low = less(one.low, it->low) ? it->low : one.low;
+      const Place high = less(one.high, it->high) ? one.high : it->high;
       see_up_to(low);
       seen_from = high;
     }
   }
-  see_up_to(end);
+  see_up_to({1, 1});
 }
+
+template class EdgeShadow<EdgeSight>;
+template class EdgeShadow<LineSight>;
 
 }  // namespace sightline::algorithms::exact

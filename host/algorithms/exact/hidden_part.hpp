@@ -6,36 +6,47 @@
 #include <vector>
 
 #include "host/geometry/integer.hpp"
+#include "host/geometry/wide_integer.hpp"
 
 namespace sightline::algorithms::exact {
 
-// A parameter in [0, 1]: not in lowest terms, which only what is seen in the end needs. Both parts below
-// 2^62.
+// A parameter in [0, 1]: not in lowest terms, which only what is seen in the end needs. Numbers of 64 bits below 2^62, of
+// 128 bits below 2^123.
+template <class Number>
 struct Fraction {
-  std::int64_t numerator = 0;
-  std::int64_t denominator = 1;  // positive
+  Number numerator = 0;
+  Number denominator = 1;  // positive
 };
 
-[[nodiscard]] constexpr bool less(const Fraction& a, const Fraction& b) {
+[[nodiscard]] constexpr bool less(const Fraction<std::int64_t>& a, const Fraction<std::int64_t>& b) {
   return geometry::Int128{a.numerator} * b.denominator < geometry::Int128{b.numerator} * a.denominator;
 }
 
+[[nodiscard]] constexpr bool less(const Fraction<geometry::Int128>& a, const Fraction<geometry::Int128>& b) {
+  using Wide = geometry::WideInteger<123>;
+  return Wide(a.numerator) * Wide(b.denominator) < Wide(b.numerator) * Wide(a.denominator);
+}
+
+template <class Number>
 struct HiddenInterval {
-  Fraction low;
-  Fraction high;
+  Fraction<Number> low;
+  Fraction<Number> high;
 };
 
+template <class Number>
 class HiddenPart {
  public:
+  using Interval = HiddenInterval<Number>;
+
   void clear() { intervals_.clear(); }
 
   // Adds (low, high); no effect unless low < high.
-  void add(const Fraction& low, const Fraction& high) {
+  void add(const Fraction<Number>& low, const Fraction<Number>& high) {
     if (!less(low, high)) return;
     auto first = intervals_.begin();
     while (first != intervals_.end() && less(first->high, low)) ++first;
     auto last = first;
-    HiddenInterval joined{low, high};
+    Interval joined{low, high};
     for (; last != intervals_.end() && !less(high, last->low); ++last) {
       if (less(last->low, joined.low)) joined.low = last->low;
       if (less(joined.high, last->high)) joined.high = last->high;
@@ -52,10 +63,10 @@ class HiddenPart {
     return intervals_.size() == 1 && intervals_[0].low.numerator == 0 &&
            intervals_[0].high.numerator == intervals_[0].high.denominator;
   }
-  [[nodiscard]] const std::vector<HiddenInterval>& intervals() const { return intervals_; }
+  [[nodiscard]] const std::vector<Interval>& intervals() const { return intervals_; }
 
  private:
-  std::vector<HiddenInterval> intervals_;
+  std::vector<Interval> intervals_;
 };
 
 }  // namespace sightline::algorithms::exact

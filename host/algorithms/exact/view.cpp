@@ -16,8 +16,8 @@ using geometry::Int128;
 using geometry::vector_of;
 
 // Ascends with the value: single precision, its bits made to ascend below 0, too.
-std::uint32_t ascending_key(std::int64_t value) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+std::uint32_t ascending_key(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
   return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
 }
 
@@ -64,6 +64,26 @@ class Raster {
   std::array<double, 2> steps_a_unit_{1, 1};
 };
 
+// Places and depths of the ends of crossings: not quite in the order of the exact ones, so depths are a step farther.
+void place_lines(View& view, const Raster& raster) {
+  for (std::size_t l = 0; l < view.mesh->lines.size(); ++l) {
+    const picture::LineEdge& edge = view.mesh->edges[view.mesh->first_line() + l];
+    for (std::size_t e = 0; e < 2; ++e) {
+      const LinePoint end = view.line_point(view.mesh->lines[l].ends[e]);
+      ViewPoint& point = view.points[e == 0 ? edge.from : edge.to];
+      const auto along = [&end](const Vector& direction) { return end.between(dot(direction, end.p), dot(direction, end.q)); };
+      const Int128 depth = along(view.forward);
+      point.depth = 0;
+      if (view.perspective && depth <= 0) continue;
+      const auto weight = static_cast<double>(end.weight());
+      point.depth = ascending_key(static_cast<float>(static_cast<double>(depth) / weight)) + 1;
+      const double over = view.perspective ? static_cast<double>(depth) : weight;
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        point.seen[axis] = raster.step_of(static_cast<double>(along(view.axes[axis])) / over, axis);
+    }
+  }
+}
+
 void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
   const Raster raster(view, camera);
   const std::span<const geometry::Point3> vertices = view.mesh->vertices;
@@ -74,11 +94,12 @@ void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
       const Vector p = geometry::difference(vertices[v], camera.eye);
       const std::int64_t depth = dot(view.forward, p);
       if (view.perspective && depth <= 0) continue;
-      point.depth = ascending_key(depth);
+      point.depth = ascending_key(static_cast<float>(depth));
       for (std::size_t axis = 0; axis < 2; ++axis)
         point.seen[axis] = raster.step_of(Raster::image_of(view, p, depth, axis), axis);
     }
   });
+  place_lines(view, raster);
 }
 
 // What one thread finds of a part of the faces.
@@ -172,6 +193,19 @@ void View::extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint
     if (direction > 0) bounds.high[axis] = last_step;
     if (direction < 0) bounds.low[axis] = 0;
   }
+}
+
+ImageBounds View::bounds_of_line(const picture::LineEdge& line) const {
+  ImageBounds bounds{{0, 0}, {last_step, last_step}};
+  const ViewPoint& p = points[line.from];
+  const ViewPoint& q = points[line.to];
+  if (!before_eye(p) || !before_eye(q)) return bounds;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto [low, high] = std::minmax(p.seen[axis], q.seen[axis]);
+    bounds.low[axis] = static_cast<std::uint16_t>(low - (low > 0 ? 1 : 0));
+    bounds.high[axis] = static_cast<std::uint16_t>(high + (high < last_step ? 1 : 0));
+  }
+  return bounds;
 }
 
 View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,

@@ -23,6 +23,21 @@ struct Plane {
   [[nodiscard]] std::int64_t at(const Vector& p) const { return geometry::dot(normal, p) - offset; }
 };
 
+// A point (q a - p b) / (a - b) relative to the eye.
+struct LinePoint {
+  Vector p{};
+  Vector q{};
+  std::int64_t a = 0;  // above b
+  std::int64_t b = 0;
+
+  [[nodiscard]] std::int64_t weight() const { return a - b; }  // 61 bits
+  // Of values at p and q of what is linear in space, of 60 bits: at the point, times the weight.
+  [[nodiscard]] geometry::Int128 between(std::int64_t at_p, std::int64_t at_q) const {
+    return geometry::Int128{at_q} * a - geometry::Int128{at_p} * b;
+  }
+  [[nodiscard]] geometry::Int128 value(const Plane& plane) const { return between(plane.at(p), plane.at(q)); }
+};
+
 inline constexpr std::uint16_t last_step = (1 << 15) - 1;
 
 // A rectangle of the image in steps, ends included. Points beside the raster belong to its border.
@@ -84,12 +99,17 @@ struct View {
     return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
   }
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
-  // Of an edge, one end of which is before the eye.
-  [[nodiscard]] ImageBounds bounds_of(const picture::LineEdge& edge) const {
+  // Of an edge, one end of which is before the eye; around that of a crossing, whose place is rounded, there is a step more.
+  [[nodiscard]] ImageBounds bounds_of(std::uint32_t number) const {
+    const picture::LineEdge& edge = mesh->edges[number];
+    if (number >= mesh->first_line()) return bounds_of_line(edge);
     ImageBounds bounds;
     extend(bounds, edge.from, edge.to);
     if (before_eye(points[edge.to])) extend(bounds, points[edge.to]);
     return bounds;
+  }
+  [[nodiscard]] LinePoint line_point(const LineEnd& end) const {
+    return {geometry::difference(end.p, eye), geometry::difference(end.q, eye), end.a, end.b};
   }
   // By what is before the eye of the segment from a vertex p to another one, q, but for q itself.
   void extend(ImageBounds& bounds, std::uint32_t p, std::uint32_t q) const {
@@ -105,6 +125,7 @@ struct View {
       bounds.high[axis] = bounds.high[axis] > p.seen[axis] ? bounds.high[axis] : p.seen[axis];
     }
   }
+  [[nodiscard]] ImageBounds bounds_of_line(const picture::LineEdge& line) const;
   void extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const;
 };
 

@@ -17,7 +17,8 @@ namespace {
 // What a search without a listener tells: nothing, and the compiler leaves it out.
 struct Unwatched {
   void edge(const picture::LineEdge&) {}
-  void compared(const picture::LineEdge&, const Occluder&, bool, const EdgeShadow&) {}
+  template <class Shadow>
+  void compared(const picture::LineEdge&, const Occluder&, bool, const Shadow&) {}
   void result(const picture::LineEdge&, bool, std::span<const picture::LinePiece>) {}
 };
 
@@ -27,7 +28,8 @@ class Watched {
   explicit Watched(Trace& trace) : trace_(trace) {}
 
   void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
-  void compared(const picture::LineEdge& edge, const Occluder& occluder, bool hidden, const EdgeShadow& shadow) {
+  template <class Shadow>
+  void compared(const picture::LineEdge& edge, const Occluder& occluder, bool hidden, const Shadow& shadow) {
     std::vector<picture::LinePiece> left;
     if (!hidden) shadow.append_visible(left);
     trace_.compared(edge, occluder.face, left);
@@ -45,29 +47,37 @@ template <class Listener>
 class Search {
  public:
   Search(const View& view, const ImageGrid& grid, const picture::ChosenEdges* chosen, Listener& listener)
-      : view_(view), grid_(grid), shadow_(view), chosen_(chosen), listener_(listener) {}
+      : view_(view), grid_(grid), shadow_(view), line_shadow_(view), chosen_(chosen), listener_(listener) {}
 
   void append_visible(std::uint32_t number, std::vector<picture::LinePiece>& pieces) {
+    if (number < view_.mesh->first_line()) append_visible(number, shadow_, pieces);
+    else append_visible(number, line_shadow_, pieces);
+  }
+
+ private:
+  template <class Shadow>
+  void append_visible(std::uint32_t number, Shadow& shadow, std::vector<picture::LinePiece>& pieces) {
     const picture::LineEdge& edge = view_.mesh->edges[number];
     const std::size_t before = pieces.size();
-    const bool searched = view_.drawn[number] != 0 && shadow_.begin(edge);
+    const bool searched = view_.drawn[number] != 0 && shadow.begin(number);
     if (searched) {
       listener_.edge(edge);
-      if (!is_hidden(edge)) shadow_.append_visible(pieces);
+      if (!is_hidden(number, shadow)) shadow.append_visible(pieces);
     }
     listener_.result(edge, searched, std::span(pieces).subspan(before));
   }
 
- private:
-  bool is_hidden(const picture::LineEdge& edge) {
+  template <class Shadow>
+  bool is_hidden(std::uint32_t number, Shadow& shadow) {
+    const picture::LineEdge& edge = view_.mesh->edges[number];
     std::span<const std::uint32_t> beside;  // surfaces whose faces do not hide the edge
     if (chosen_ != nullptr) {
       const auto found = std::lower_bound(chosen_->edges.begin(), chosen_->edges.end(), edge);
       beside = chosen_->surfaces_at(static_cast<std::size_t>(found - chosen_->edges.begin()));
     }
     const std::uint32_t depth = std::max(view_.points[edge.from].depth, view_.points[edge.to].depth);
-    const ImageBounds bounds = view_.bounds_of(edge);
-    if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside)) return true;
+    const ImageBounds bounds = view_.bounds_of(number);
+    if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside, shadow)) return true;
     const std::uint32_t limit = grid_.count_up_to(depth);
     ImageGrid::Query query(grid_, bounds);
     const ImageGrid::Cells cells = query.cells();
@@ -79,12 +89,12 @@ class Search {
         for (std::size_t begin = 0; begin < entries.size(); begin += batch) {
           const std::size_t end = std::min(begin + batch, entries.size());
           find_near(query, entries, begin, end, limit);
-          if (near_count_ >= enough && is_hidden_by_near(edge, beside)) return true;
+          if (near_count_ >= enough && is_hidden_by_near(edge, beside, shadow)) return true;
           if (entries.ranks[end - 1] >= limit) break;
         }
       }
     }
-    return is_hidden_by_near(edge, beside);
+    return is_hidden_by_near(edge, beside, shadow);
   }
 
   // Adds to near_ which of at most a batch of entries may hide some of the edge: of ranks below the limit. Whether one does is as good as random:
@@ -99,11 +109,12 @@ class Search {
     near_count_ = count;
   }
 
-  bool is_hidden_by_near(const picture::LineEdge& edge, std::span<const std::uint32_t> beside) {
+  template <class Shadow>
+  bool is_hidden_by_near(const picture::LineEdge& edge, std::span<const std::uint32_t> beside, Shadow& shadow) {
     const std::size_t count = near_count_;
     near_count_ = 0;
     for (std::size_t i = 0; i < count; ++i)
-      if (hides_rest(edge, grid_.occluder(near_[i]), beside)) return true;
+      if (hides_rest(edge, grid_.occluder(near_[i]), beside, shadow)) return true;
     return false;
   }
 
@@ -115,11 +126,12 @@ class Search {
   }
 
   // Adds what an occluder hides; true once nothing of the edge is left.
-  bool hides_rest(const picture::LineEdge& edge, std::uint32_t number, std::span<const std::uint32_t> beside) {
+  template <class Shadow>
+  bool hides_rest(const picture::LineEdge& edge, std::uint32_t number, std::span<const std::uint32_t> beside, Shadow& shadow) {
     const Occluder& occluder = view_.occluders[number];
     if (!beside.empty() && is_of(occluder, beside)) return false;
-    const bool hidden = shadow_.add(occluder);
-    listener_.compared(edge, occluder, hidden, shadow_);
+    const bool hidden = shadow.add(occluder);
+    listener_.compared(edge, occluder, hidden, shadow);
     if (hidden) last_ = number;
     return hidden;
   }
@@ -131,7 +143,8 @@ class Search {
 
   const View& view_;
   const ImageGrid& grid_;
-  EdgeShadow shadow_;
+  EdgeShadow<EdgeSight> shadow_;
+  EdgeShadow<LineSight> line_shadow_;  // for crossings
   static constexpr std::size_t batch = 16;
   static constexpr std::size_t enough = 4;
   std::array<std::uint32_t, batch + enough> near_{};  // ranks of occluders
@@ -145,7 +158,7 @@ class Search {
 // The edges drawn, by the cell in which their bounds begin, row by row.
 std::vector<std::uint32_t> in_image_order(const View& view, const ImageGrid& grid) {
   const auto cell_of = [&](std::uint32_t edge) {
-    const ImageGrid::Cells cells = grid.cells_of(view.bounds_of(view.mesh->edges[edge]));
+    const ImageGrid::Cells cells = grid.cells_of(view.bounds_of(edge));
     return std::size_t{cells.low[1]} * grid.side() + cells.low[0];
   };
   std::vector<std::uint32_t> starts(std::size_t{grid.side()} * grid.side() + 1);

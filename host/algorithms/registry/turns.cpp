@@ -13,6 +13,7 @@
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/scene/model/face_cut.hpp"
 
 namespace sightline::registry {
 
@@ -138,8 +139,8 @@ class ExactTurn {
     const double sine = std::sin(angle);
     const double cosine = std::cos(angle);
     const auto place = [&](scene::VertexIndex v) {
-      const scene::PolyPoint& p = scene_.vertices[v];
-      return std::array{p[0] * cosine - p[2] * sine, static_cast<double>(p[1])};
+      const std::array<double, 3> p = scene::place_of(scene_, v);
+      return std::array{p[0] * cosine - p[2] * sine, p[1]};
     };
     const auto from = place(edge.from);
     const auto to = place(edge.to);

@@ -275,7 +275,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     Output file(output.file);
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
-    if (!views) views.emplace(algorithm, source, arguments.view, cameras);
+    if (!views) views.emplace(algorithm, source, arguments.view);
     const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
     clock.reset();
     const auto plot = write_drawing(drawn.drawing, output, format, source.name, file);

@@ -14,7 +14,6 @@
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/edge_table.hpp"
-#include "host/scene/model/finer_grid.hpp"
 
 namespace sightline::app {
 
@@ -85,22 +84,11 @@ std::array<double, 3> usual_light(const scene::PolyCamera& camera) {
 
 class LineViews::Work {
  public:
-  Work(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
-       std::span<const scene::PolyCamera> cameras)
+  Work(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options)
       : algorithm_(algorithm), source_(source), options_(options) {
     const bool mesh = !source.scene.surfaces.empty();
     const bool crossing = find_crossings();
-    if (crossing && mesh) {
-      own_scene_ = scene::with_crossings(source.scene);
-    } else if (crossing || options.hatch) {
-      own_scene_ = source.scene;
-    }
-    if ((crossing && !mesh) || options.hatch) {
-      factor_ = scene::finest_factor(*own_scene_, cameras);
-      own_scene_ = scene::on_finer_grid(std::move(*own_scene_), factor_);
-    }
-    if (crossing && !mesh) own_scene_ = scene::with_crossings(std::move(*own_scene_));
-    if (options.hatch && own_scene_->surface_of.empty()) scene::number_planes(*own_scene_);
+    if (crossing) own_scene_ = scene::with_crossings(source.scene);
     seams_ = !mesh && !options.edges.are_given();
     if (seams_ && !scene().crossings.empty()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
@@ -114,14 +102,11 @@ class LineViews::Work {
                     : prepared(scene());
   }
 
-  DrawnView at(const scene::PolyCamera& given, const picture::DrawingField& given_field) {
-    if (const auto reason = algorithm_.why_not_seen(source_.scene, given)) {
+  DrawnView at(const scene::PolyCamera& camera, const picture::DrawingField& field) {
+    if (const auto reason = algorithm_.why_not_seen(source_.scene, camera)) {
       throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
                                                      source_.name, algorithm_.name, *reason));
     }
-    const scene::PolyCamera camera = scene::on_finer_grid(given, factor_);
-    picture::DrawingField field = given_field;
-    if (field.extent && !camera.perspective) *field.extent *= factor_;
     DrawnView result;
     LinePicture whole = options_.hidden ? whole_edges() : LinePicture();
     std::vector<LineLayer> layers;
@@ -151,7 +136,6 @@ class LineViews::Work {
     }
     for (const LineLayer& layer : layers) result.pieces += layer.picture.pieces.size();
     result.visible_length = picture::image_length(result.view.picture, scene(), camera);
-    if (!camera.perspective) result.visible_length /= factor_;
     const LinePicture* const edges = options_.hidden ? &whole : nullptr;
     if (!options_.hatch) {
       result.drawing = picture::line_drawing(layers, scene(), camera, field, edges);
@@ -235,16 +219,14 @@ class LineViews::Work {
   const registry::LineAlgorithm& algorithm_;
   const scene::LoadedScene& source_;
   LineViewOptions options_;
-  std::optional<scene::PolyScene> own_scene_;  // finer, or with crossings
-  std::int32_t factor_ = 1;                    // of the finer grid
+  std::optional<scene::PolyScene> own_scene_;  // with crossings
   bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
   std::optional<picture::EdgeChooser> chooser_;
   registry::PreparedScene prepared_;
 };
 
-LineViews::LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
-                     std::span<const scene::PolyCamera> cameras)
-    : work_(std::make_unique<Work>(algorithm, source, options, cameras)) {}
+LineViews::LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options)
+    : work_(std::make_unique<Work>(algorithm, source, options)) {}
 
 LineViews::~LineViews() = default;
 

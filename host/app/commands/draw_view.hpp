@@ -46,11 +46,9 @@ struct DrawnView {
 
 class LineViews {
  public:
-  // The scene outlives this; it and its crossings are drawn on a finer grid where lines end between its points. A warning
-  // for bodies that pass through each other, if the algorithm cannot draw that. `cameras`: all that will be asked for.
+  // The scene outlives this. A warning for bodies that pass through each other, if the algorithm cannot draw that.
   // Failure usage: the algorithm does not apply.
-  LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
-            std::span<const scene::PolyCamera> cameras);
+  LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options);
   ~LineViews();
   LineViews(const LineViews&) = delete;
   LineViews& operator=(const LineViews&) = delete;

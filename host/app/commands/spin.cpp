@@ -19,7 +19,6 @@
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/check/crossings.hpp"
-#include "host/scene/model/finer_grid.hpp"
 
 namespace sightline::app {
 namespace {
@@ -145,14 +144,7 @@ void spin(const SpinOptions& options) {
   const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
   scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
   const registry::TurnMethod& method = method_of(options, scene);
-  if (method.name == "exact") {
-    // The lines in which bodies cross end between the points of a grid of whole numbers.
-    if (scene.surfaces.empty() && !scene::crossings_of(scene, 1).empty()) {
-      const std::int32_t factor = scene::finest_factor(scene, {});
-      scene = scene::on_finer_grid(std::move(scene), factor);
-    }
-    scene = scene::with_crossings(std::move(scene));
-  }
+  if (method.name == "exact") scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
     throw Failure(ExitCode::bad_input,
                   fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));

@@ -8,62 +8,21 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
-#include "host/geometry/wide_integer.hpp"
 #include "host/scene/check/apart_bodies.hpp"
-#include "host/scene/model/finer_grid.hpp"
+#include "host/scene/model/face_cut.hpp"
 
 namespace sightline::scene {
 namespace {
 
-using geometry::Int128;
-using geometry::Vector3;
-
 struct CrossingFace {
   const PolyFace* face = nullptr;
-  Vector3 normal{};
-  PolyPoint on{};
+  geometry::Plane plane;
   PolyPoint low{};
   PolyPoint high{};
 
-  [[nodiscard]] std::int64_t at(const PolyPoint& p) const { return geometry::dot(normal, geometry::difference(p, on)); }
+  bool triangle = false;
+  std::array<VertexIndex, 3> corners{};  // of a triangle
 };
-
-// Where an edge meets a plane: one coordinate of that point, as a fraction with a denominator above 0.
-struct LinePlace {
-  Int128 numerator = 0;
-  std::int64_t denominator = 1;
-  double value = 0;
-  // The edge, and how far its ends are from the plane.
-  VertexIndex p = 0;
-  VertexIndex q = 0;
-  std::int64_t a = 0;
-  std::int64_t b = 0;
-};
-
-int compare(const LinePlace& x, const LinePlace& y) {
-  // Coordinates are below 2^18, and the quotients wrong by less than 2^-32.
-  constexpr double sure = 0x1p-30;
-  if (x.value < y.value - sure) return -1;
-  if (x.value > y.value + sure) return 1;
-  using Wide = geometry::WideInteger<82>;
-  using Narrow = geometry::WideInteger<62>;
-  return geometry::sign(Wide(x.numerator) * Narrow(Int128{y.denominator}) - Wide(y.numerator) * Narrow(Int128{x.denominator}));
-}
-
-using Intervals = std::vector<std::pair<LinePlace, LinePlace>>;
-
-// What two ascending lists have in common.
-Intervals common(const Intervals& a, const Intervals& b) {
-  Intervals result;
-  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    const LinePlace& low = compare(a[i].first, b[j].first) < 0 ? b[j].first : a[i].first;
-    const bool a_ends = compare(a[i].second, b[j].second) <= 0;
-    const LinePlace& high = a_ends ? a[i].second : b[j].second;
-    if (compare(low, high) < 0) result.emplace_back(low, high);
-    ++(a_ends ? i : j);
-  }
-  return result;
-}
 
 class CrossingSearch {
  public:
@@ -75,23 +34,20 @@ class CrossingSearch {
   std::vector<Crossing> run(std::size_t most) {
     most_ = most;
     for_near_pairs([&](std::uint32_t a, std::uint32_t b) { try_pair(std::min(a, b), std::max(a, b)); });
-    std::sort(found_.begin(), found_.end(), [](const Crossing& x, const Crossing& y) {
-      return std::tie(x.face_a, x.face_b, x.from, x.to) < std::tie(y.face_a, y.face_b, y.from, y.to);
+    // Those of one pair are found in their order.
+    std::stable_sort(found_.begin(), found_.end(), [](const Crossing& x, const Crossing& y) {
+      return std::tie(x.face_a, x.face_b) < std::tie(y.face_a, y.face_b);
     });
     return std::move(found_);
   }
 
  private:
   [[nodiscard]] CrossingFace measured(const PolyFace& face) const {
-    CrossingFace result{&face, {}, scene_.vertices[face.outline[0]], scene_.vertices[face.outline[0]], scene_.vertices[face.outline[0]]};
-    // The normal of three corners that are not on a line, as all are in one plane.
-    const auto& ring = face.outline;
-    for (std::size_t i = 0; i < ring.size() && geometry::is_zero(result.normal); ++i) {
-      result.on = scene_.vertices[ring[i]];
-      result.normal = geometry::normal_of(scene_.vertices[ring[i]], scene_.vertices[ring[(i + 1) % ring.size()]],
-                                          scene_.vertices[ring[(i + 2) % ring.size()]]);
-    }
-    for (const VertexIndex v : ring) {
+    const PolyPoint& first = scene_.vertices[face.outline[0]];
+    CrossingFace result{&face, plane_of(scene_.vertices, face), first, first, false, {}};
+    result.triangle = face.outline.size() == 3 && face.holes.empty();
+    if (result.triangle) std::copy(face.outline.begin(), face.outline.end(), result.corners.begin());
+    for (const VertexIndex v : face.outline) {
       for (std::size_t k = 0; k < 3; ++k) {
         result.low[k] = std::min(result.low[k], scene_.vertices[v][k]);
         result.high[k] = std::max(result.high[k], scene_.vertices[v][k]);
@@ -134,19 +90,24 @@ class CrossingSearch {
   template <class Visit>
   void for_near_pairs(Visit visit) {
     const CellGrid cells = grid();
-    // Cell and face in one number: there are at most 2^27 cells.
+    // Cell and face in one number: there are at most 2^27 cells. Above them, whether the face begins in the cell along each axis.
     std::vector<std::uint64_t> entries;
-    const auto cell_of = [](std::uint64_t entry) { return static_cast<std::int64_t>(entry >> 32); };
+    entries.reserve(4 * faces_.size());
+    const auto cell_of = [](std::uint64_t entry) { return (entry >> 32) & ((1U << 27) - 1); };
+    const auto begins = [](bool it_does, unsigned axis) { return static_cast<std::uint64_t>(it_does) << (59 + axis); };
+    constexpr std::uint64_t on_all_axes = std::uint64_t{7} << 59;
     const auto face_of = [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); };
     std::vector<std::uint32_t> large;
     constexpr std::int64_t most_cells = 512;  // of one face
-    std::vector<std::array<std::uint16_t, 6>> spans(faces_.size());
+    std::vector<Box> boxes;
+    boxes.reserve(faces_.size());
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) boxes.push_back(box_of(f, cells.low));
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      auto& span = spans[f];
+      std::array<std::int64_t, 6> span{};
       std::int64_t covered = 1;
       for (std::size_t k = 0; k < 3; ++k) {
-        span[k] = static_cast<std::uint16_t>(cells.place(faces_[f].low[k], k));
-        span[k + 3] = static_cast<std::uint16_t>(cells.place(faces_[f].high[k], k));
+        span[k] = cells.place(faces_[f].low[k], k);
+        span[k + 3] = cells.place(faces_[f].high[k], k);
         covered *= span[k + 3] - span[k] + 1;
       }
       if (covered > most_cells) {
@@ -156,20 +117,22 @@ class CrossingSearch {
       for (std::int64_t x = span[0]; x <= span[3]; ++x)
         for (std::int64_t y = span[1]; y <= span[4]; ++y)
           for (std::int64_t z = span[2]; z <= span[5]; ++z)
-            entries.push_back(static_cast<std::uint64_t>((x * cells.count[1] + y) * cells.count[2] + z) << 32 | f);
+            entries.push_back(static_cast<std::uint64_t>((x * cells.count[1] + y) * cells.count[2] + z) << 32 | f |
+                              begins(x == span[0], 0) | begins(y == span[1], 1) | begins(z == span[2], 2));
     }
-    std::sort(entries.begin(), entries.end());
+    sort_by_cell(entries);
+    std::vector<Box> here;
     for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
       std::size_t last = first;
       while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
-      for (std::size_t i = first; i < last; ++i) {
-        for (std::size_t j = i + 1; j < last; ++j) {
-          const std::uint32_t a = face_of(entries[i]);
-          const std::uint32_t b = face_of(entries[j]);
+      here.clear();
+      for (std::size_t i = first; i < last; ++i) here.push_back(boxes[face_of(entries[i])]);
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        for (std::size_t j = i + 1; j < here.size(); ++j) {
           // Once, in the first cell that both are in.
-          std::int64_t cell = 0;
-          for (std::size_t k = 0; k < 3; ++k) cell = cell * cells.count[k] + std::int64_t{std::max(spans[a][k], spans[b][k])};
-          if (cell == cell_of(entries[first]) && boxes_meet(a, b)) visit(a, b);
+          const std::uint64_t both = entries[first + i] | entries[first + j];
+          if ((both & on_all_axes) == on_all_axes && here[i].meets(here[j]))
+            visit(face_of(entries[first + i]), face_of(entries[first + j]));
         }
       }
       first = last;
@@ -177,21 +140,56 @@ class CrossingSearch {
     for (std::size_t l = 0; l < large.size(); ++l) {
       for (std::uint32_t f = 0; f < faces_.size() && found_.size() < most_; ++f) {
         const bool later = std::binary_search(large.begin(), large.end(), f);
-        if ((later ? f > large[l] : true) && boxes_meet(large[l], f)) visit(large[l], f);
+        if ((later ? f > large[l] : true) && boxes[large[l]].meets(boxes[f])) visit(large[l], f);
       }
     }
   }
 
-  [[nodiscard]] bool boxes_meet(std::uint32_t a, std::uint32_t b) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (faces_[a].low[k] > faces_[b].high[k] || faces_[b].low[k] > faces_[a].high[k]) return false;
-    return true;
+  // Of fewer than 2^27 cells, nine bits after nine; within one the faces ascend as they did.
+  static void sort_by_cell(std::vector<std::uint64_t>& entries) {
+    constexpr unsigned digit = 9;
+    std::vector<std::uint64_t> sorted(entries.size());
+    for (unsigned shift = 32; shift < 32 + 3 * digit; shift += digit) {
+      std::array<std::size_t, (1U << digit) + 1> starts{};
+      const auto digit_of = [shift](std::uint64_t entry) { return (entry >> shift) & ((1U << digit) - 1); };
+      for (const std::uint64_t entry : entries) ++starts[digit_of(entry) + 1];
+      for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+      for (const std::uint64_t entry : entries) sorted[starts[digit_of(entry)]++] = entry;
+      entries.swap(sorted);
+    }
+  }
+
+  // Each end is three numbers of 19 bits with a guard above each, so that one subtraction compares all three.
+  struct Box {
+    std::uint64_t low = 0;
+    std::uint64_t high = 0;
+
+    static constexpr unsigned step = 20;
+    static constexpr std::uint64_t guards = std::uint64_t{1} << 19 | std::uint64_t{1} << 39 | std::uint64_t{1} << 59;
+
+    [[nodiscard]] bool meets(const Box& other) const {
+      return (((high | guards) - other.low) & ((other.high | guards) - low) & guards) == guards;
+    }
+  };
+
+  [[nodiscard]] Box box_of(std::uint32_t face, const PolyPoint& origin) const {
+    const auto packed = [&origin](const PolyPoint& p) {
+      std::uint64_t number = 0;
+      for (std::size_t k = 3; k-- > 0;) number = number << Box::step | static_cast<std::uint64_t>(std::int64_t{p[k]} - origin[k]);
+      return number;
+    };
+    return {packed(faces_[face].low), packed(faces_[face].high)};
   }
 
   // --- two faces
 
   // Whether the outline has corners strictly on both sides.
-  [[nodiscard]] bool straddles(const CrossingFace& face, const CrossingFace& plane) const {
+  [[nodiscard]] bool straddles(const CrossingFace& face, const geometry::Plane& plane) const {
+    if (face.triangle) {
+      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[face.corners[i]]); };
+      const std::array<std::int64_t, 3> ends{at(0), at(1), at(2)};
+      return std::min({ends[0], ends[1], ends[2]}) < 0 && std::max({ends[0], ends[1], ends[2]}) > 0;
+    }
     bool before = false;
     bool beyond = false;
     for (const VertexIndex v : face.face->outline) {
@@ -203,50 +201,10 @@ class CrossingSearch {
     return false;
   }
 
-  // What of the plane is in the face if corners in the plane count as beyond it, or as before it: pieces of their line.
-  [[nodiscard]] Intervals inside(const CrossingFace& face, const CrossingFace& plane, std::size_t axis, bool zero_is_beyond,
-                                 bool& zero) const {
-    std::vector<LinePlace> places;
-    const auto add_ring = [&](const std::vector<VertexIndex>& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const VertexIndex p = ring[i];
-        const VertexIndex q = ring[i + 1 == ring.size() ? 0 : i + 1];
-        const std::int64_t a = plane.at(scene_.vertices[p]);
-        const std::int64_t b = plane.at(scene_.vertices[q]);
-        zero = zero || a == 0;
-        const auto beyond = [zero_is_beyond](std::int64_t at) { return zero_is_beyond ? at >= 0 : at > 0; };
-        if (beyond(a) == beyond(b)) continue;
-        LinePlace place;
-        place.p = p;
-        place.q = q;
-        place.a = a;
-        place.b = b;
-        const std::int64_t from = scene_.vertices[p][axis];
-        const std::int64_t to = scene_.vertices[q][axis];
-        // p + (q - p) a / (a - b)
-        place.numerator = Int128{to} * a - Int128{from} * b;
-        place.denominator = a - b;
-        if (place.denominator < 0) {
-          place.numerator = -place.numerator;
-          place.denominator = -place.denominator;
-        }
-        place.value = static_cast<double>(place.numerator) / static_cast<double>(place.denominator);
-        places.push_back(place);
-      }
-    };
-    add_ring(face.face->outline);
-    for (const auto& hole : face.face->holes) add_ring(hole);
-    std::sort(places.begin(), places.end(), [](const LinePlace& x, const LinePlace& y) { return compare(x, y) < 0; });
-    Intervals result;
-    for (std::size_t i = 0; i + 1 < places.size(); i += 2)
-      if (compare(places[i], places[i + 1]) < 0) result.emplace_back(places[i], places[i + 1]);
-    return result;
-  }
-
-  [[nodiscard]] Intervals inside_on_both_sides(const CrossingFace& face, const CrossingFace& plane, std::size_t axis) const {
+  [[nodiscard]] FaceCuts inside_on_both_sides(const CrossingFace& face, const geometry::Plane& plane, std::size_t axis) const {
     bool zero = false;
-    Intervals result = inside(face, plane, axis, false, zero);
-    if (zero) result = common(result, inside(face, plane, axis, true, zero));
+    FaceCuts result = cuts_of(scene_.vertices, *face.face, plane, axis, false, zero);
+    if (zero) result = common(result, cuts_of(scene_.vertices, *face.face, plane, axis, true, zero));
     return result;
   }
 
@@ -255,48 +213,59 @@ class CrossingSearch {
     const CrossingFace& face_a = faces_[a];
     const CrossingFace& face_b = faces_[b];
     if (!scene_.surface_of.empty() && scene_.surface_of[a] == scene_.surface_of[b]) return;
-    if (!straddles(face_b, face_a) || !straddles(face_a, face_b)) return;
-    const std::size_t axis = axis_along(face_a.normal, face_b.normal);
-    if (axis == 3) return;
-    for (const auto& [low, high] : common(inside_on_both_sides(face_a, face_b, axis), inside_on_both_sides(face_b, face_a, axis))) {
-      const Crossing crossing{a, b, rounded(low), rounded(high)};
-      std::int64_t longest = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        longest = std::max(longest, std::abs(std::int64_t{crossing.from[k]} - crossing.to[k]));
-      if (longest >= 2) found_.push_back(crossing);
+    if (!straddles(face_b, face_a.plane) || !straddles(face_a, face_b.plane)) return;
+    const SharedCorners shared = shared_corners(face_a, face_b);
+    const CutAxis along = cut_axis(face_a.plane.normal, face_b.plane.normal);
+    if (along.sign == 0) return;
+    if (shared.count == 1 && leaves(face_a, face_b.plane, shared.in_a, along.axis) !=
+                                 leaves(face_b, face_a.plane, shared.in_b, along.axis))
+      return;
+    const FaceCuts cuts = common(inside_on_both_sides(face_a, face_b.plane, along.axis),
+                                 inside_on_both_sides(face_b, face_a.plane, along.axis));
+    for (const auto& [low, high] : cuts) {
+      if (!scene_.surfaces.empty() && is_short(low.point, high.point)) continue;
+      Crossing& crossing = found_.emplace_back(Crossing{a, b, {low.point, high.point}});
+      if (along.sign < 0) std::swap(crossing.ends[0], crossing.ends[1]);
     }
   }
 
-  // The axis along which the line of two planes is longest; 3 if they are parallel.
-  [[nodiscard]] static std::size_t axis_along(const Vector3& m, const Vector3& n) {
-    std::size_t best = 3;
-    Int128 most = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Int128 part = Int128{m[(k + 1) % 3]} * n[(k + 2) % 3] - Int128{m[(k + 2) % 3]} * n[(k + 1) % 3];
-      const Int128 size = part < 0 ? -part : part;
-      if (size <= most) continue;
-      most = size;
-      best = k;
-    }
-    return best;
-  }
+  // Most pairs of a mesh are neighbours.
+  struct SharedCorners {
+    int count = 0;  // of two triangles; otherwise 0
+    std::size_t in_a = 0;
+    std::size_t in_b = 0;
+  };
 
-  [[nodiscard]] PolyPoint rounded(const LinePlace& place) const {
-    PolyPoint point{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      Int128 numerator = Int128{scene_.vertices[place.q][k]} * place.a - Int128{scene_.vertices[place.p][k]} * place.b;
-      Int128 denominator = Int128{place.a} - place.b;
-      if (denominator < 0) {
-        numerator = -numerator;
-        denominator = -denominator;
+  [[nodiscard]] static SharedCorners shared_corners(const CrossingFace& a, const CrossingFace& b) {
+    SharedCorners shared;
+    if (!a.triangle || !b.triangle) return shared;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (a.corners[i] != b.corners[j]) continue;
+        ++shared.count;
+        shared.in_a = i;
+        shared.in_b = j;
       }
-      // Halves upwards.
-      const Int128 doubled = 2 * numerator + denominator;
-      Int128 whole = doubled / (2 * denominator);
-      if (doubled < 0 && whole * 2 * denominator != doubled) --whole;
-      point[k] = static_cast<std::int32_t>(whole);
     }
-    return point;
+    return shared;
+  }
+
+  // The line through a corner of a triangle that straddles the plane goes on within it: whether upwards.
+  [[nodiscard]] bool leaves(const CrossingFace& face, const geometry::Plane& plane, std::size_t corner, std::size_t axis) const {
+    const auto at = [&](std::size_t i) -> const PolyPoint& { return scene_.vertices[face.corners[(corner + i) % 3]]; };
+    const std::int64_t a = plane.at(at(1));
+    const std::int64_t b = plane.at(at(2));
+    const std::int64_t from = at(0)[axis];
+    const geometry::Int128 way = geometry::Int128{at(2)[axis] - from} * a - geometry::Int128{at(1)[axis] - from} * b;
+    return (way > 0) == (a > b);
+  }
+
+  [[nodiscard]] bool is_short(const CutPoint& from, const CutPoint& to) const {
+    const PolyPoint a = rounded(scene_.vertices, from);
+    const PolyPoint b = rounded(scene_.vertices, to);
+    std::int64_t longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(std::int64_t{a[k]} - b[k]));
+    return longest < 2;
   }
 
   const PolyScene& scene_;
@@ -308,14 +277,8 @@ class CrossingSearch {
 }  // namespace
 
 PolyScene with_crossings(PolyScene scene) {
-  const std::vector<Crossing> crossings = crossings_of(scene);
-  if (!crossings.empty() && scene.surfaces.empty()) number_planes(scene);
-  for (const Crossing& crossing : crossings) {
-    const auto first = static_cast<VertexIndex>(scene.vertices.size());
-    scene.vertices.push_back(crossing.from);
-    scene.vertices.push_back(crossing.to);
-    scene.crossings.push_back({first, first + 1, crossing.face_a, crossing.face_b});
-  }
+  for (const Crossing& crossing : crossings_of(scene))
+    add_crossing(scene, crossing.face_a, crossing.face_b, 0, crossing.ends);
   return scene;
 }
 

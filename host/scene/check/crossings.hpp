@@ -3,10 +3,10 @@
 // Two faces cross along a line if near every inner point of it each face lies on both sides of the other's plane.
 // So shared and touching vertices and edges are no crossings, nor are faces in one plane, nor an edge that lies on a
 // face without going through it. Found are the pieces of the common line of the two planes that are inside of both
-// faces on either side; their ends are points in which an edge of one face meets the plane of the other, fractions
-// of 80 over 61 bits that are compared exactly.
+// faces on either side; their ends are points in which an edge of one face meets the plane of the other (face_cut.hpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,21 +19,18 @@ namespace sightline::scene {
 struct Crossing {
   std::uint32_t face_a = 0;  // counted over all bodies from 0, a < b
   std::uint32_t face_b = 0;
-  PolyPoint from{};  // the ends, each rounded once to the nearest point of the grid
-  PolyPoint to{};
+  std::array<CutPoint, 2> ends{};  // in the direction of the cross product of the faces' normals
 
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-// Of a checked scene, ascending by the faces; at most `most`. Those that are shorter than two steps are left out
-// (rounding a file makes some), and those between faces of one surface. Near-linear in the faces unless many of
+// Of a checked scene, ascending by the faces; at most `most`. Those between faces of one surface are left out, and in a mesh
+// those that are shorter than two steps, as rounding a file makes some. Near-linear in the faces unless many of
 // them are near each other.
 [[nodiscard]] std::vector<Crossing> crossings_of(const PolyScene& scene,
                                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// The same scene with its crossings, as lines between vertices of their own at the end; their visibility is
-// exact for these rounded ends. The planes of a scene without surfaces are numbered, as faces do not hide
-// their own lines; its grid should be fine (finer_grid.hpp).
+// The same scene with its crossings.
 [[nodiscard]] PolyScene with_crossings(PolyScene scene);
 
 }  // namespace sightline::scene

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "host/geometry/predicates.hpp"
+
 namespace sightline::scene {
 
 // Every |coordinate| is less than this, so that the predicates of host/geometry fit 128 bits (differences 19
@@ -61,12 +63,26 @@ struct PolySurface {
   friend bool operator==(const PolySurface&, const PolySurface&) = default;
 };
 
-// A line in which two faces cross, between two vertices that no face has.
+// Where the line through two vertices meets a plane: (q a - p b) / (a - b). Exact; its coordinates have no more than 80 over
+// 61 bits.
+struct CutPoint {
+  VertexIndex p = 0;
+  VertexIndex q = 0;
+  std::int64_t a = 0;  // of p against the plane, below 2^60
+  std::int64_t b = 0;  // of q; not a
+
+  friend bool operator==(const CutPoint&, const CutPoint&) = default;
+};
+
+// A line in which two faces cross, or one that lies on a face and is drawn there: the line in which the plane of face_a
+// meets that of face_b or one of PolyScene::cut_planes, in the direction of the cross product of their normals.
 struct PolyCrossing {
-  VertexIndex from = 0;
-  VertexIndex to = 0;      // above from
+  VertexIndex from = 0;      // two vertices that no face has, the ends rounded to the grid: names of the line
+  VertexIndex to = 0;        // from + 1
   std::uint32_t face_a = 0;  // counted over all bodies from 0
-  std::uint32_t face_b = 0;
+  std::uint32_t face_b = 0;  // face_a if the line is on one face
+  std::uint32_t plane = 0;   // the one of cut_planes, if it is
+  std::array<CutPoint, 2> ends{};
 
   friend bool operator==(const PolyCrossing&, const PolyCrossing&) = default;
 };
@@ -79,13 +95,14 @@ struct PolyScene {
   double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
   PolyPoint origin{};  // added to a vertex before the multiplication by step
   // Of a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the number of its
-  // surface and that of its material (empty if all have the same). surface_of alone: numbers of planes
-  // (finer_grid.hpp), for lines that lie on faces.
+  // surface and that of its material (empty if all have the same).
   std::vector<PolySurface> surfaces = {};
   std::vector<std::uint32_t> surface_of = {};
   std::vector<std::uint32_t> material_of = {};
-  // Where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a checked scene.
+  // Where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a checked scene. Their
+  // vertices are the last ones, in the same order.
   std::vector<PolyCrossing> crossings = {};
+  std::vector<geometry::Plane> cut_planes = {};  // normals below 2^39, values at vertices and eyes below 2^60
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };

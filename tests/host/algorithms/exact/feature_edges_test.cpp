@@ -15,91 +15,12 @@
 #include "host/picture/edge_choice.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/read/poly_import.hpp"
-#include "tests/support/dice.hpp"
+#include "tests/host/algorithms/exact/turned_solids.hpp"
 
 namespace sightline::algorithms {
 namespace {
 
-using Point = std::array<double, 3>;
-using Matrix = std::array<Point, 3>;
-using Dice = guests::jones::Dice;
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point unit(const Point& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-Point turned(const Matrix& m, const Point& p) {
-  return {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
-}
-
-Point random_direction(Dice& dice) {
-  while (true) {
-    const Point p{dice(-1000, 1000) / 1000.0, dice(-1000, 1000) / 1000.0, dice(-1000, 1000) / 1000.0};
-    if (dot(p, p) > 0.01 && dot(p, p) < 1) return unit(p);
-  }
-}
-
-Matrix random_turn(Dice& dice) {
-  const Point a = random_direction(dice);
-  while (true) {
-    const Point b = random_direction(dice);
-    if (std::abs(dot(a, b)) > 0.9) continue;
-    const Point c = unit(cross(a, b));
-    return {a, c, cross(a, c)};
-  }
-}
-
-struct Solid {
-  std::vector<Point> vertices;
-  std::vector<std::vector<scene::VertexIndex>> faces;
-};
-
-// A prism over a polygon around the origin, its sides divided into triangles: the bends between them are those of
-// the polygon, and the diagonals are flat.
-void add_prism(Solid& solid, Dice& dice, const Point& at) {
-  const int sides = dice(3, 9);
-  const auto first = static_cast<scene::VertexIndex>(solid.vertices.size());
-  const double height = dice(20, 60) / 10.0;
-  std::vector<double> angles;
-  for (int i = 0; i < sides; ++i) angles.push_back((i + dice(-30, 30) / 100.0) * 2 * std::numbers::pi / sides);
-  for (int level = 0; level < 2; ++level)
-    for (const double angle : angles)
-      solid.vertices.push_back({at[0] + 3 * std::cos(angle), at[1] + 3 * std::sin(angle), at[2] + level * height});
-  const auto n = static_cast<scene::VertexIndex>(sides);
-  for (scene::VertexIndex i = 0; i < n; ++i) {
-    const scene::VertexIndex j = (i + 1) % n;
-    solid.faces.push_back({first + i, first + j, first + n + j});
-    solid.faces.push_back({first + i, first + n + j, first + n + i});
-  }
-  for (scene::VertexIndex i = 1; i + 1 < n; ++i) {
-    solid.faces.push_back({first, first + i + 1, first + i});
-    solid.faces.push_back({first + n, first + n + i, first + n + i + 1});
-  }
-}
-
-scene::PolyScene scene_of(const Solid& solid, const Matrix& turn, const Point& shift) {
-  scene::PolyMesh mesh;
-  mesh.bodies.emplace_back();
-  for (const auto& face : solid.faces) mesh.bodies[0].faces.push_back({face, {}});
-  for (const Point& p : solid.vertices) {
-    Point q = turned(turn, p);
-    for (std::size_t a = 0; a < 3; ++a) q[a] = static_cast<float>(q[a] + shift[a]);
-    mesh.vertices.push_back(q);
-  }
-  mesh.precision = 0x1p-19;  // float32 from 16 to 32
-  auto import = scene::import_poly(std::move(mesh), {.mend = true});
-  EXPECT_TRUE(import);
-  if (!import) return {};
-  EXPECT_EQ(import->report.faces.merged_vertices + import->report.faces.dropped_faces, 0U);
-  return std::move(import->scene);
-}
+using namespace turned_solids;
 
 // No face is nearly edge-on, nor any bend near 30 degrees: there the rounding of the camera decides.
 bool is_decided(const Solid& solid, const Point& direction) {

@@ -22,7 +22,7 @@
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/finer_grid.hpp"
+#include "host/scene/model/face_cut.hpp"
 #include "tests/support/dice.hpp"
 
 namespace sightline::algorithms {
@@ -78,18 +78,15 @@ struct Hatched {
   double units = 1;
 };
 
-// On the finest grid, for a drawing of 100 by 100.
-Hatched hatch(const scene::PolyScene& given, const scene::PolyCamera& camera, const picture::HatchOptions& options) {
-  const std::int32_t factor = scene::finest_factor(given, std::array{camera});
-  scene::PolyScene scene = scene::on_finer_grid(given, factor);
-  if (scene.surface_of.empty()) scene::number_planes(scene);
+// For a drawing of 100 by 100.
+Hatched hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera, const picture::HatchOptions& options) {
   Hatched result;
-  result.camera = scene::on_finer_grid(camera, factor);
+  result.camera = camera;
   const picture::DrawingField field{100, 100, {}};
-  const picture::LineLayer edges{"", exact::visible_edges(scene, result.camera)};
-  result.window = picture::drawing_window({&edges, 1}, scene, result.camera, field);
+  const picture::LineLayer edges{"", exact::visible_edges(scene, camera)};
+  result.window = picture::drawing_window({&edges, 1}, scene, camera, field);
   result.units = 100 / (result.window.high[0] - result.window.low[0]);
-  auto hatching = picture::hatched(scene, result.camera, result.window, result.units, options);
+  auto hatching = picture::hatched(scene, camera, result.window, result.units, options);
   EXPECT_TRUE(hatching);
   if (hatching) result.hatching = std::move(*hatching);
   return result;
@@ -147,7 +144,7 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
       const double angle = (degrees + (made.hatching.across[l] != 0 ? 90 : 0)) * std::numbers::pi / 180;
       for (const picture::DrawingPoint& p : drawing.points) {
         const double at = (-std::sin(angle) * p.x + std::cos(angle) * p.y) / options.spacing;
-        EXPECT_NEAR(at, std::round(at), 0.02);
+        EXPECT_NEAR(at, std::round(at), 1e-4);  // coordinates of the drawing are in single precision
       }
       const scene::PolyFace& face = *faces[made.hatching.scene.crossings[l].face_a];
       const auto normal = geometry::normal_of(vertices[face.outline[0]], vertices[face.outline[1]], vertices[face.outline[2]]);
@@ -155,8 +152,10 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
           std::sqrt(double(normal[0]) * double(normal[0]) + double(normal[1]) * double(normal[1]) +
                     double(normal[2]) * double(normal[2]));
       for (const VertexIndex v : {edge.from, edge.to}) {
-        const auto off = geometry::dot(normal, geometry::difference(vertices[v], vertices[face.outline[0]]));
-        EXPECT_LE(std::abs(static_cast<double>(off)) / length, 0.87);  // half the diagonal of a step
+        const auto end = scene::place_of(made.hatching.scene, v);
+        double off = 0;
+        for (std::size_t a = 0; a < 3; ++a) off += double(normal[a]) * (end[a] - vertices[face.outline[0]][a]);
+        EXPECT_NEAR(off / length, 0, 1e-9);
       }
     }
   }
@@ -182,9 +181,9 @@ TEST(Hatching, InkIsAreaBySpacing) {
       const Hatched made = hatch(scene, camera, {degrees, 1, c.light});
       double length = 0;
       for (const picture::LineEdge& edge : made.hatching.lines.edges) {
-        const PolyPoint& p = made.hatching.scene.vertices[edge.from];
-        const PolyPoint& q = made.hatching.scene.vertices[edge.to];
-        length += std::hypot(double(p[0]) - q[0], double(p[1]) - q[1]);
+        const auto p = scene::place_of(made.hatching.scene, edge.from);
+        const auto q = scene::place_of(made.hatching.scene, edge.to);
+        length += std::hypot(p[0] - q[0], p[1] - q[1]);
       }
       // The square is as wide as the paper: 100.
       length *= made.units;
@@ -215,16 +214,15 @@ TEST(Hatching, AHoleHasNone) {
   camera.perspective = false;
   camera.eye = {0, 0, -100};
   const Hatched made = hatch(scene, camera, {45, 3, {0, 1, 0}});
-  const double step = made.hatching.scene.vertices[1][0] / 80.0;
   ASSERT_FALSE(made.hatching.lines.edges.empty());
   for (const picture::LineEdge& edge : made.hatching.lines.edges) {
     for (int i = 1; i < 20; ++i) {
       const double t = i / 20.0;
-      const PolyPoint& p = made.hatching.scene.vertices[edge.from];
-      const PolyPoint& q = made.hatching.scene.vertices[edge.to];
-      const double x = (p[0] + t * (q[0] - p[0])) / step;
-      const double y = (p[1] + t * (q[1] - p[1])) / step;
-      EXPECT_FALSE(x > 20.01 && x < 59.99 && y > 20.01 && y < 59.99);
+      const auto p = scene::place_of(made.hatching.scene, edge.from);
+      const auto q = scene::place_of(made.hatching.scene, edge.to);
+      const double x = p[0] + t * (q[0] - p[0]);
+      const double y = p[1] + t * (q[1] - p[1]);
+      EXPECT_FALSE(x > 20 + 1e-9 && x < 60 - 1e-9 && y > 20 + 1e-9 && y < 60 - 1e-9);
     }
   }
 }
@@ -238,14 +236,11 @@ TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
     const scene::PolyScene given = crossing_boxes(dice, 5);
     const auto camera = camera_around(given, dice, i % 2 == 0);
     if (!camera) continue;
-    const std::int32_t factor = scene::finest_factor(given, std::array{*camera});
-    EXPECT_GE(factor, 64);
-    const scene::PolyScene scene = scene::with_crossings(scene::on_finer_grid(given, factor));
-    const scene::PolyCamera finer = scene::on_finer_grid(*camera, factor);
-    const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("all")).at(finer);
-    const picture::LinePicture fast = exact::visible_edges(exact::make_edge_mesh(scene), finer, &chosen);
-    EXPECT_TRUE(fast == oracle::visible_edges(scene, finer, chosen)) << i;
-    // What is seen of the edges is the same as without the lines, and on the grid given.
+    const scene::PolyScene scene = scene::with_crossings(given);
+    const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("all")).at(*camera);
+    const picture::LinePicture fast = exact::visible_edges(exact::make_edge_mesh(scene), *camera, &chosen);
+    EXPECT_TRUE(fast == oracle::visible_edges(scene, *camera, chosen)) << i;
+    // What is seen of the edges is the same as without the lines.
     picture::LinePicture edges;
     const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size())
                                                       : scene.crossings.front().from;

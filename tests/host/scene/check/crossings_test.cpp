@@ -13,6 +13,7 @@
 
 #include "host/scene/check/apart_bodies.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/model/face_cut.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -43,7 +44,8 @@ void add_sheet(PolyScene& scene, const std::vector<PolyPoint>& points) {
 
 std::set<std::set<PolyPoint>> lines_of(const PolyScene& scene) {
   std::set<std::set<PolyPoint>> lines;
-  for (const Crossing& crossing : crossings_of(scene)) lines.insert({crossing.from, crossing.to});
+  for (const Crossing& crossing : crossings_of(scene))
+    lines.insert({rounded(scene.vertices, crossing.ends[0]), rounded(scene.vertices, crossing.ends[1])});
   return lines;
 }
 
@@ -156,16 +158,15 @@ TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
       EXPECT_TRUE(points.empty() && found.empty()) << round;
       continue;
     }
-    double length = 0;
-    for (std::size_t k = 0; k < 3; ++k) length = std::max(length, std::abs(points[0][k] - points[1][k]));
-    if (length < 4) continue;  // so short that rounding decides
     ++crossing;
     ASSERT_EQ(found.size(), 1U) << round;
-    const auto distance = [](const PolyPoint& p, const Point& q) {
+    const auto distance = [](const Point& p, const Point& q) {
       return std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
     };
-    EXPECT_LE(std::min(distance(found[0].from, points[0]), distance(found[0].from, points[1])), 0.5001) << round;
-    EXPECT_LE(std::min(distance(found[0].to, points[0]), distance(found[0].to, points[1])), 0.5001) << round;
+    for (const CutPoint& end : found[0].ends) {
+      const Point at = real(scene.vertices, end);
+      EXPECT_LE(std::min(distance(at, points[0]), distance(at, points[1])), 1e-8) << round;
+    }
   }
   EXPECT_GT(crossing, 500U);
 }
