@@ -33,6 +33,12 @@ constexpr std::array presets{
     Preset{"SE", {-1, -1, 1}},          Preset{"SW", {1, -1, 1}},
 };
 
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& each : presets) names.emplace_back(each.name);
+  return names;
+}
+
 // Three numbers; whole ones below `limit` with --steps.
 Vector vector_argument(std::string_view option, const std::string& text, bool whole, std::int32_t limit) {
   if (whole) {
@@ -67,6 +73,20 @@ scene::PolyPoint exact_vector(std::string_view option, const std::string& text) 
   if (vector == Vector{})
     throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected a direction", option, text));
   return scene::direction_of(vector);
+}
+
+// --view takes the eye, too.
+bool is_eye(const std::string& view) {
+  return view.find(',') != std::string::npos;
+}
+
+// All of them with the eye in its own place.
+CameraArguments with_eye(const CameraArguments& given) {
+  CameraArguments arguments = given;
+  if (!is_eye(arguments.view)) return arguments;
+  if (!arguments.eye.empty()) throw Failure(ExitCode::usage, "found --view and --eye, expected one of them");
+  arguments.eye = std::exchange(arguments.view, {});
+  return arguments;
 }
 
 bool has_exact_vectors(const CameraArguments& arguments) {
@@ -190,9 +210,8 @@ class Aiming {
       if (!arguments_.up.empty()) return towards(camera.eye, direction, camera.perspective);
       return {camera, angle_to(camera, direction)};
     }
-    std::string names;
-    for (const Preset& each : presets) names += (names.empty() ? "" : ", ") + std::string(each.name);
-    throw Failure(ExitCode::usage, fmt::format("--view: found \"{}\", expected one of {}", arguments_.view, names));
+    throw Failure(ExitCode::usage, fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
+                                               base::joined(preset_names(), ", ")));
   }
 
   [[nodiscard]] AimedCamera towards(const scene::PolyPoint& eye, const Vector& direction, bool perspective) const {
@@ -225,13 +244,9 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
   add("--eye", arguments.eye, "Look from this point, in the unit of the scene's file");
   add("--look-at", arguments.look_at, "Look at this point");
   add("--orthographic", arguments.orthographic, "No perspective: look in this direction");
-  std::vector<std::string> names;
-  for (const Preset& each : presets) names.emplace_back(each.name);
   command
       .option("--view", arguments.view,
-              "A view as drawings have it, without perspective: from the front, isometric, from the "
-              "north-east ...")
-      .one_of(names)
+              fmt::format("A view as drawings have it, without perspective: {}; or the eye, as --eye", base::joined(preset_names(), ", ")))
       .value("NAME")
       .group("View");
   command.flag("--perspective", arguments.perspective, "Such a view in perspective").group("View");
@@ -267,8 +282,9 @@ void check_field(const std::optional<double>& field, const scene::PolyCamera& ca
 }
 
 std::optional<std::array<double, 3>> eye_of(const CameraArguments& arguments) {
-  if (arguments.eye.empty() || arguments.steps) return std::nullopt;
-  return vector_argument("--eye", arguments.eye, false, 0);
+  const std::string& eye = arguments.eye.empty() && is_eye(arguments.view) ? arguments.view : arguments.eye;
+  if (eye.empty() || arguments.steps) return std::nullopt;
+  return vector_argument(arguments.eye.empty() ? "--view" : "--eye", eye, false, 0);
 }
 
 scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene) {
@@ -279,8 +295,9 @@ scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolySc
   return frame;
 }
 
-AimedCamera aimed_camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,
+AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene& scene,
                             const std::string& source) {
+  const CameraArguments arguments = with_eye(given);
   refuse_together(arguments);
   AimedCamera aimed;
   if (!has_exact_vectors(arguments)) {

@@ -24,7 +24,7 @@ struct CameraArguments {
   std::string right;
   std::string up;
   std::string vertical;
-  std::string view;  // a preset
+  std::string view;  // a preset; or the eye, "X,Y,Z"
   bool perspective = false;
   bool steps = false;
 };

@@ -2,11 +2,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -31,8 +33,7 @@ using guests::skala::PictureKind;
 struct CompareArguments {
   std::vector<std::string> scenes;
   MeshArguments mesh;
-  std::string view;
-  std::string orthographic;
+  CameraArguments camera;
   std::optional<int> scale;
   bool no_eae = false;
   SkalaSource function;  // without a name: names are among the scenes
@@ -56,13 +57,26 @@ bool is_height_function(const std::string& name) {
   if (scene::builtin_scene_text(name)) return false;
   if (scene::height_function(name)) return true;
   std::error_code unknown;
-  const auto ends = [&](std::string_view ending) { return name.ends_with(ending); };
-  return std::filesystem::exists(name, unknown) && !ends(".json") && !ends(".off") && !ends(".obj");
+  constexpr std::array<std::string_view, 8> scene_endings{".json", ".off", ".obj", ".stl", ".ply", ".gltf", ".glb", ".3mf"};
+  const bool scene = std::any_of(scene_endings.begin(), scene_endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
+  return std::filesystem::exists(name, unknown) && !scene;
 }
 
-void refuse(bool given, const char* option, const std::string& name, const char* expected) {
+void refuse(bool given, const char* option, const std::string& name, std::string_view expected) {
   if (given)
     throw Failure(ExitCode::usage, fmt::format("{}: found with {}, expected {}", option, name, expected));
+}
+
+// What has no camera, or only an eye.
+void refuse_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
+  const bool point = camera.view.find(',') != std::string::npos;
+  refuse(eye && !camera.eye.empty(), "--eye", name, expected);
+  refuse(!camera.view.empty() && (eye || !point), "--view", name, expected);
+  refuse(!camera.look_at.empty(), "--look-at", name, expected);
+  refuse(!camera.orthographic.empty(), "--orthographic", name, expected);
+  refuse(!camera.forward.empty() || !camera.right.empty() || !camera.up.empty(), "--up or --forward", name, expected);
+  refuse(!camera.vertical.empty(), "--vertical", name, expected);
+  refuse(camera.steps, "--steps", name, expected);
 }
 
 // Names for the overlays of one call: d1/part.off and d2/part.off do not overwrite each other's.
@@ -90,8 +104,7 @@ struct ComparedScene {
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source,
                                OverlayNames& overlays, const compare::CompareProgress& progress) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
-  refuse(!arguments.view.empty(), "--view", name, "--rotate and --elevate for a function");
-  refuse(!arguments.orthographic.empty(), "--orthographic", name, "--rotate and --elevate for a function");
+  refuse_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
   guests::skala::View view = arguments.function_view;
@@ -119,25 +132,22 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
                             OverlayNames& overlays, const compare::CompareProgress& progress) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
-  CameraArguments camera;
-  camera.eye = arguments.view;
-  camera.orthographic = arguments.orthographic;
   MeshArguments mesh = arguments.mesh;
-  mesh.eye = eye_of(camera);
+  mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(name, mesh);
   const auto compare_it = [&] {
     if (source.cells) {
-      refuse(!arguments.orthographic.empty(), "--orthographic", name,
-             "polyhedra; Jones's program looks along +z in perspective");
+      refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
       compare::CompareOptions options;
-      if (!arguments.view.empty()) options.eye = point_argument("--view", arguments.view);
+      const std::string& eye = arguments.camera.eye.empty() ? arguments.camera.view : arguments.camera.eye;
+      if (!eye.empty()) options.eye = point_argument(arguments.camera.eye.empty() ? "--view" : "--eye", eye);
       if (arguments.scale) options.scale = *arguments.scale;
       options.eae = !arguments.no_eae;
       return compare::compare_cell_scene(*source.cells, options, progress);
     }
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    return compare::compare_poly_scene(source.scene, camera_of(camera, source.scene, name), progress);
+    return compare::compare_poly_scene(source.scene, camera_of(arguments.camera, source.scene, name), progress);
   };
   compare::SceneComparison comparison = value_of(compare_it(), name);
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
@@ -195,13 +205,7 @@ ExitCode run_compare(CompareArguments arguments) {
 
 void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("SCENE", arguments.scenes, "Scenes and functions").default_value("all built-in ones");
-  command.option("--view,--eye", arguments.view, "The eye in a scene")
-      .default_value("the scene's own view")
-      .value("X,Y,Z");
-  command
-      .option("--orthographic", arguments.orthographic,
-              "Polyhedra in parallel projection along this direction, as turns want it")
-      .value("X,Y,Z");
+  add_camera_options(command, arguments.camera);
   command.option("--scale", arguments.scale, "Scale factor of a scene of cells; 512 shows 90 degrees")
       .default_value("512")
       .range(64, 4096);

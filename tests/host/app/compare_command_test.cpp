@@ -130,7 +130,9 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
   write("bad.off", "OFF\n1\n");
   const std::vector<Case> cases{
       {{"compare", "nowhere"}, 5, "nowhere"},
-      {{"compare", "house", "--view", "1,2"}, 2, "--eye"},
+      {{"compare", "house", "--view", "1,2"}, 2, "--view"},
+      {{"compare", "house", "--view", "iso"}, 2, "--view: found with house"},
+      {{"compare", "bricks-5", "--view", "sideways"}, 2, "dimetric"},
       {{"compare", "house", "--view", "32000,0,0"}, 4, "house"},
       {{"compare", "house", "--scale", "9"}, 2, "--scale"},
       {{"compare", "sinc", "--view", "1,2,3"}, 2, "--view: found with sinc"},
