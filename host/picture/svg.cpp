@@ -77,6 +77,39 @@ void SvgWriter::begin_area(Colour colour, bool with_line) {
   text_ += " d=\"";
 }
 
+void SvgWriter::begin_short_area(Colour colour) {
+  begin("<path");
+  begin_distances();
+  base::append(text_, " fill=\"#{:02x}{:02x}{:02x}\" d=\"", colour.red, colour.green, colour.blue);
+}
+
+void SvgWriter::whole_point(std::int64_t across, std::int64_t down) {
+  const auto number = [this](std::int64_t value, bool apart) {
+    if (apart && value >= 0) text_ += ' ';
+    char digits[24];
+    char* at = digits + sizeof digits;
+    std::uint64_t rest = static_cast<std::uint64_t>(value < 0 ? -value : value);
+    do *--at = static_cast<char>('0' + rest % 10);
+    while ((rest /= 10) > 0);
+    if (value < 0) *--at = '-';
+    text_.append(at, static_cast<std::size_t>(digits + sizeof digits - at));
+  };
+  if (command_ == 'M') {
+    text_ += 'M';
+    number(across, false);
+    number(down, true);
+    command_ = 'l';
+  } else {
+    if (across == last_across_ && down == last_down_) return;
+    if (command_ == 'l') text_ += 'l';
+    number(across - last_across_, command_ != 'l');
+    number(down - last_down_, true);
+    command_ = ' ';
+  }
+  last_across_ = across;
+  last_down_ = down;
+}
+
 void SvgWriter::append_distance(std::int64_t distance, bool first) {
   if (distance >= 0 && !first) text_ += ' ';
   const std::size_t begin = text_.size();

@@ -55,6 +55,9 @@ class SvgWriter {
     command_ = 'M';
   }
   void begin_area(Colour colour, bool with_line);
+  // The shortest that an area can be: positions are whole numbers of the layer's own unit, and one that does not move is left out.
+  void begin_short_area(Colour colour);
+  void whole_point(std::int64_t across, std::int64_t down);
   // Any number of loops, each begun by begin_loop and ended by end_loop.
   void begin_path(Colour colour);
   void begin_loop() { command_ = 'M'; }

@@ -63,15 +63,30 @@ class DrawingSvg {
   void facets() {
     // Facets only meet: a line of their own colour is around each.
     const bool with_line = drawing_.areas.empty();
-    svg_.open_areas("surface", "0 surface", with_line ? "stroke-width=\"0.05\" stroke-linejoin=\"round\"" : "");
+    // Very many are written in whole hundredths of a millimetre.
+    constexpr std::size_t many = 20'000;
+    const bool coarse = drawing_.areas.size() > many;
+    svg_.open_areas("surface", "0 surface",
+                    with_line ? "stroke-width=\"0.05\" stroke-linejoin=\"round\"" : coarse ? "transform=\"scale(.01)\"" : "");
     const auto area = [this, with_line](const auto& each) {
       svg_.begin_area(each.colour, with_line);
       points(each.first, each.count);
       svg_.end_area();
     };
-    std::for_each(drawing_.areas.begin(), drawing_.areas.end(), area);
+    if (coarse) {
+      for (const DrawingArea& each : drawing_.areas) coarse_area(each);
+    } else {
+      std::for_each(drawing_.areas.begin(), drawing_.areas.end(), area);
+    }
     if (drawing_.areas.empty()) std::for_each(drawing_.facets.begin(), drawing_.facets.end(), area);
     svg_.close_layer();
+  }
+
+  void coarse_area(const DrawingArea& area) {
+    svg_.begin_short_area(area.colour);
+    for (std::uint32_t i = area.first; i < area.first + area.count; ++i)
+      svg_.whole_point((place_.x(drawing_.points[i]) + 5) / 10, (height_ - place_.y(drawing_.points[i]) + 5) / 10);
+    svg_.end_area();
   }
 
   void lines_of(std::uint32_t layer) {

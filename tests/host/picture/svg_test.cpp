@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 #include <utility>
+
+#include "host/picture/vector_drawing.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -111,6 +114,43 @@ TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
   EXPECT_EQ(points({.needless_zeros = false}, 1500, 100000), "1.5,100");
   EXPECT_EQ(points({.needless_zeros = false}, 0, 10), "0,0.01");
   EXPECT_EQ(points({}, 9223372036854775, 1), "9223372036854.775,0.001");
+}
+
+// Areas in great numbers are written in hundredths of a millimetre: their corners read back, from distances.
+TEST(SvgWriter, VeryManyAreasAreShortAndInTheirPlaces) {
+  VectorDrawing drawing;
+  drawing.width = drawing.height = 255;
+  constexpr std::uint32_t count = 20'001;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float x = static_cast<float>(i % 200) * 1.25F;
+    const float y = static_cast<float>(i / 200) * 2.5F;
+    drawing.areas.push_back({4 * i, 4, {static_cast<std::uint8_t>(i), 1, 2}});
+    for (const DrawingPoint& p : {DrawingPoint{x, y}, {x + 1.3F, y}, {x + 1.3F, y + 2.4F}, {x, y + 2.4F}}) drawing.points.push_back(p);
+  }
+  drawing.facets.push_back({0, 4, {}});
+  const std::string svg = svg_of(drawing, {}, "many");
+  EXPECT_LT(svg.size(), 60 * count);
+  std::size_t at = svg.find("scale(.01)");
+  ASSERT_NE(at, std::string::npos);
+  for (const DrawingArea& area : drawing.areas) {
+    at = svg.find(" d=\"M", at);
+    ASSERT_NE(at, std::string::npos);
+    const char* rest = svg.c_str() + at + 5;
+    double across = 0;
+    double down = 0;
+    for (std::uint32_t i = 0; i < area.count; ++i) {
+      if (*rest == 'l') ++rest;
+      char* end = nullptr;
+      across += std::strtod(rest, &end);
+      down += std::strtod(end, &end);
+      rest = end;
+      const DrawingPoint& p = drawing.points[area.first + i];
+      ASSERT_NEAR(across / 100, 10 + p.x * 180 / 255, 0.0061);
+      ASSERT_NEAR(down / 100, 190 - p.y * 180 / 255, 0.0061);
+    }
+    ASSERT_EQ(*rest, 'z');
+    ++at;
+  }
 }
 
 }  // namespace
