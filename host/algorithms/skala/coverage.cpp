@@ -65,6 +65,17 @@ void Coverage::add(std::span<const Vertex> outline) {
   }
 }
 
+Coverage::Saved Coverage::saved(float from, float to) const {
+  const auto last = static_cast<int>(columns_.size()) - 1;
+  const int first = std::clamp(static_cast<int>(std::floor(from)), 0, last);
+  const int end = std::clamp(static_cast<int>(std::ceil(to)), 0, last) + 1;
+  return {static_cast<std::size_t>(first), {columns_.begin() + first, columns_.begin() + end}};
+}
+
+void Coverage::restore(const Saved& saved) {
+  std::copy(saved.columns.begin(), saved.columns.end(), columns_.begin() + static_cast<std::ptrdiff_t>(saved.first));
+}
+
 void Coverage::add(std::size_t column, Interval interval) {
   Column& all = columns_[column];
   // Those that meet the new one become one with it.

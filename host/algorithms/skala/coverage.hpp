@@ -32,6 +32,11 @@ class Coverage {
   [[nodiscard]] float bottom(std::size_t column) const { return columns_[column].empty() ? 1e30F : columns_[column].front().low; }
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
 
+  // What a few columns hold, to be put back.
+  struct Saved;
+  [[nodiscard]] Saved saved(float from, float to) const;
+  void restore(const Saved& saved);
+
   // What the surface does not hide, in order. Lines that touch its outline from within 1/64 of a unit are seen.
   [[nodiscard]] std::vector<LinePart> visible(Vertex from, Vertex to) const;
 
@@ -47,6 +52,12 @@ class Coverage {
   void hide(Vertex from, Vertex to, double begin, double end, std::vector<LinePart>& hidden) const;
 
   std::vector<Column> columns_;
+
+ public:
+  struct Saved {
+    std::size_t first = 0;
+    std::vector<Column> columns;
+  };
 };
 
 }  // namespace sightline::algorithms::skala

@@ -39,7 +39,7 @@ std::vector<double> contour_levels(scene::Interval range, const View& view) {
 constexpr std::array<picture::Colour, 4> surface_colours{{{0, 0, 0}, {190, 60, 20}, {31, 95, 191}, {46, 139, 87}}};
 
 void name_layers(picture::VectorDrawing& drawing, const std::vector<double>& levels, bool row_is_slice, std::size_t surface) {
-  const picture::Colour colour = surface_colours[surface % surface_colours.size()];
+  const picture::Colour colour = surface_colour(surface);
   const std::string of = surface == 0 ? "" : fmt::format(", surface {}", surface + 1);
   drawing.layers.push_back({(row_is_slice ? "lines along x" : "lines along z") + of, colour});
   drawing.layers.push_back({(row_is_slice ? "lines along z" : "lines along x") + of, colour});
@@ -305,39 +305,185 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   return drawing;
 }
 
-// Cells of all surfaces far to near; over the same place, the one on the eye's side last.
-void add_facets(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walked>& walked, const View& view,
-                picture::VectorDrawing& drawing) {
-  const Surface& any = surfaces.front();
-  if (any.rows() < 2 || any.columns() < 2) return;
-  Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
-  std::vector<Facets> facets;
-  std::vector<Shading> shadings;
-  for (std::size_t i = 0; i < grids.size(); ++i) {
-    facets.emplace_back(surfaces[i], sheet);
-    shadings.emplace_back(grids[i], view.colouring);
-  }
-  const bool from_above = any.to_eye()[2] >= 0;
-  const std::size_t columns = any.columns() - 1;
-  std::vector<std::pair<double, std::size_t>> turns;
-  for (std::size_t row = any.rows() - 1; row-- > 0;)
-    for (std::size_t column = columns; column-- > 0;) {
-      turns.clear();
-      for (std::size_t i = 0; i < grids.size(); ++i) {
-        if (!walked[i].seen[row * columns + column] || !cell_defined(surfaces[i], row, column)) continue;
-        const double middle = middle_of(surfaces[i], row, column);
-        turns.push_back({from_above ? middle : -middle, i});
-      }
-      std::sort(turns.begin(), turns.end());
-      const std::size_t a = any.height_index(row, column);
-      const std::size_t b = any.height_index(row + 1, column + 1);
-      const std::size_t points = grids[0].points();
-      for (const auto& [middle, i] : turns)
-        facets[i].add(row, column, shadings[i].colour(std::min(a % points, b % points), std::min(a / points, b / points)));
+// Cells of all surfaces far to near; over the same place, the one on the eye's side last. Where they pass through each other within a cell,
+// what is uppermost in each part of it is painted again.
+class FacetsTogether {
+ public:
+  FacetsTogether(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walk>& orders,
+                 const std::vector<Walked>& walked, const View& view, picture::VectorDrawing& drawing)
+      : grid_(grids[0]),
+        surfaces_(surfaces),
+        orders_(orders),
+        walked_(walked),
+        any_(surfaces.front()),
+        sheet_(drawing, std::clamp(view.columns, fewest_columns, most_columns)),
+        towards_eye_(any_.to_eye()[2] >= 0 ? 1 : -1) {
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+      facets_.emplace_back(surfaces[i], sheet_);
+      areas_.emplace_back(surfaces[i], sheet_);
+      shadings_.emplace_back(grids[i], view.colouring);
     }
-}
+  }
+
+  void add() {
+    if (any_.rows() < 2 || any_.columns() < 2) return;
+    for (std::size_t row = any_.rows() - 1; row-- > 0;)
+      for (std::size_t column = any_.columns() - 1; column-- > 0;) cell(row, column);
+  }
+
+ private:
+  void cell(std::size_t row, std::size_t column) {
+    turns_.clear();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      if (!walked_[i].seen[row * (any_.columns() - 1) + column] || !cell_defined(surfaces_[i], row, column)) continue;
+      double sum = 0;
+      for (const std::size_t corner : corners(row, column)) sum += orders_[i].heights[corner];
+      turns_.push_back({sum * towards_eye_, i});
+    }
+    std::sort(turns_.begin(), turns_.end());
+    const std::size_t a = any_.height_index(row, column);
+    const std::size_t b = any_.height_index(row + 1, column + 1);
+    const std::size_t points = grid_.points();
+    colours_.assign(surfaces_.size(), {});
+    for (const auto& [sum, i] : turns_) {
+      colours_[i] = shadings_[i].colour(std::min(a % points, b % points), std::min(a / points, b / points));
+      facets_[i].add(row, column, colours_[i]);
+      areas_[i].add(row, column, colours_[i]);
+      areas_[i].finish();
+    }
+    if (!pass(row, column)) return;
+    const auto [near, beside, behind, far] = corners(row, column);
+    uppermost({far, behind, beside});
+    uppermost({near, beside, behind});
+  }
+
+  [[nodiscard]] std::array<std::size_t, 4> corners(std::size_t row, std::size_t column) const {
+    const std::size_t near = row * any_.columns() + column;
+    return {near, near + 1, near + any_.columns(), near + any_.columns() + 1};
+  }
+  // Two of those that are seen there.
+  [[nodiscard]] bool pass(std::size_t row, std::size_t column) const {
+    for (std::size_t i = 0; i < turns_.size(); ++i)
+      for (std::size_t j = i + 1; j < turns_.size(); ++j) {
+        bool above = false;
+        bool below = false;
+        for (const std::size_t corner : corners(row, column)) {
+          const double difference = difference_at(turns_[i].second, turns_[j].second, corner);
+          above = above || difference > 0;
+          below = below || difference < 0;
+        }
+        if (above && below) return true;
+      }
+    return false;
+  }
+  [[nodiscard]] double difference_at(std::size_t i, std::size_t j, std::size_t corner) const {
+    return orders_[i].heights[corner] - orders_[j].heights[corner];
+  }
+
+  using Weights = std::array<double, 3>;  // of the corners of a triangle
+  using Part = std::vector<Weights>;
+
+  // Cuts parts of a triangle where a quantity given at its corners changes its sign.
+  static std::vector<Part> cut(const std::vector<Part>& parts, const std::array<double, 3>& at) {
+    std::vector<Part> result;
+    const auto value = [&at](const Weights& w) { return w[0] * at[0] + w[1] * at[1] + w[2] * at[2]; };
+    for (const Part& part : parts) {
+      for (const double side : {1.0, -1.0}) {
+        Part piece;
+        for (std::size_t i = 0; i < part.size(); ++i) {
+          const Weights& p = part[i];
+          const Weights& q = part[(i + 1) % part.size()];
+          const double from = side * value(p);
+          const double to = side * value(q);
+          if (from >= 0) piece.push_back(p);
+          if ((from > 0 && to < 0) || (from < 0 && to > 0)) {
+            const double t = from / (from - to);
+            piece.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])});
+          }
+        }
+        if (piece.size() > 2) result.push_back(std::move(piece));
+      }
+    }
+    return result;
+  }
+
+  void uppermost(const std::array<std::size_t, 3>& triangle) {
+    std::vector<Part> parts{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (std::size_t i = 0; i < turns_.size(); ++i)
+      for (std::size_t j = i + 1; j < turns_.size(); ++j) {
+        std::array<double, 3> differences{};
+        for (std::size_t k = 0; k < 3; ++k) differences[k] = difference_at(turns_[i].second, turns_[j].second, triangle[k]);
+        parts = cut(parts, differences);
+      }
+    std::vector<std::pair<double, const Part*>> order;
+    for (const Part& part : parts) order.emplace_back(nearness(triangle, middle(part)), &part);
+    std::sort(order.begin(), order.end());
+    for (const auto& [near, part] : order) {
+      const Weights at = middle(*part);
+      std::size_t top = turns_[0].second;
+      for (const auto& [sum, i] : turns_) {
+        double lead = 0;
+        for (std::size_t k = 0; k < 3; ++k) lead += at[k] * difference_at(i, top, triangle[k]);
+        if (lead * towards_eye_ > 0) top = i;
+      }
+      put(triangle, *part, top);
+    }
+  }
+  [[nodiscard]] static Weights middle(const Part& part) {
+    Weights sum{};
+    for (const Weights& w : part)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += w[k] / static_cast<double>(part.size());
+    return sum;
+  }
+  // Of a place in the plan, towards the eye.
+  [[nodiscard]] double nearness(const std::array<std::size_t, 3>& triangle, const Weights& at) const {
+    const auto eye = any_.to_eye();
+    double near = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t index = any_.height_index(triangle[k] / any_.columns(), triangle[k] % any_.columns());
+      near += at[k] * (eye[0] * grid_.x[index % grid_.points()] + eye[1] * grid_.z[index / grid_.points()]);
+    }
+    return near;
+  }
+  void put(const std::array<std::size_t, 3>& triangle, const Part& part, std::size_t surface) {
+    picture::VectorDrawing& drawing = sheet_.drawing();
+    const auto place = [&](const Weights& w) {
+      Vertex at{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex& corner = surfaces_[surface].at(triangle[k] / any_.columns(), triangle[k] % any_.columns());
+        at.x += static_cast<float>(w[k]) * corner.x;
+        at.y += static_cast<float>(w[k]) * corner.y;
+      }
+      return sheet_.place(at);
+    };
+    const picture::Colour colour = colours_[surface];
+    drawing.areas.push_back({static_cast<std::uint32_t>(drawing.points.size()), static_cast<std::uint32_t>(part.size()), colour});
+    for (const Weights& w : part) drawing.points.push_back(place(w));
+    for (std::size_t i = 2; i < part.size(); ++i) {
+      drawing.facets.push_back({static_cast<std::uint32_t>(drawing.points.size()), 3, colour});
+      for (const std::size_t k : {std::size_t{0}, i - 1, i}) drawing.points.push_back(place(part[k]));
+    }
+  }
+
+  const scene::HeightGrid& grid_;  // the first; all have the same places
+  const std::vector<Surface>& surfaces_;
+  const std::vector<Walk>& orders_;
+  const std::vector<Walked>& walked_;
+  const Surface& any_;
+  Sheet sheet_;
+  double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
+  std::vector<Facets> facets_;
+  std::vector<Areas> areas_;
+  std::vector<Shading> shadings_;
+  std::vector<std::pair<double, std::size_t>> turns_;  // surfaces seen in the cell, the uppermost last
+  std::vector<picture::Colour> colours_;               // of each surface there
+};
 
 }  // namespace
+
+picture::Colour surface_colour(std::size_t surface) {
+  return surface_colours[surface % surface_colours.size()];
+}
 
 picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View& asked) {
   if (grids.size() == 1) return draw(grids[0], asked);
@@ -351,15 +497,15 @@ picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View
   std::vector<Walk> orders;
   for (std::size_t i = 0; i < grids.size(); ++i) {
     Walk& order = orders.emplace_back(Walk{&surfaces[i], &view, {}, {}, {}});
-    if (view.subject == Subject::contours) {
-      order.levels = contour_levels(grids[i].range, view);
-      measure_heights(order, grids[i]);
-    }
+    if (view.subject == Subject::contours) order.levels = contour_levels(grids[i].range, view);
+    measure_heights(order, grids[i]);
     order.first_layer = static_cast<std::uint32_t>(drawing.layers.size());
     name_layers(drawing, order.levels, rows != Family::along_z, i);
   }
-  const std::vector<Walked> walked = walk(orders, drawing);
-  if (view.subject == Subject::surface) add_facets(grids, surfaces, walked, view, drawing);
+  const auto meetings = static_cast<std::uint32_t>(drawing.layers.size());
+  drawing.layers.push_back({"intersections", {150, 0, 110}});
+  const std::vector<Walked> walked = walk(orders, drawing, meetings);
+  if (view.subject == Subject::surface) FacetsTogether(grids, surfaces, orders, walked, view, drawing).add();
   return drawing;
 }
 

@@ -8,6 +8,7 @@
 // Memory and time are linear in the grid. The same grid gives the same drawing with every compiler.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,11 @@ namespace sightline::algorithms::skala {
 // across the picture's x of the data, as in the paper's shading; cells hidden wholly are left out.
 [[nodiscard]] picture::VectorDrawing draw(const scene::HeightGrid& grid, const View& view);
 // Surfaces over the same places, with the same range (precondition; one or more), which hide each other. The layers of each follow those
-// of the one before; from the second on their names end in ", surface N".
+// of the one before; from the second on their names end in ", surface N". The last layer, "intersections", has the lines in which they pass
+// through each other.
 [[nodiscard]] picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View& view);
+// The colour of its lines, from 0.
+[[nodiscard]] picture::Colour surface_colour(std::size_t surface);
 
 // What a drawing tells of its work. One that nobody watches is compiled apart and pays nothing.
 class Trace {

@@ -172,14 +172,20 @@ class FigureMaker {
 
   void add_floor(VectorDrawing& drawing, std::vector<LabelledLayer>& labelled, const std::vector<double>& levels, const Coverage* coverage, int columns) const {
     if (!(surface_->extents()[0] > 0) || !(surface_->extents()[1] > 0)) return;
-    const auto first = static_cast<std::uint32_t>(drawing.layers.size());
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      labelled.push_back({first + static_cast<std::uint32_t>(k), level_text(levels[k])});
-      drawing.layers.push_back({"floor " + level_text(levels[k]), picture::height_line_colour(part_of(levels[k]))});
-    }
     // From below nothing is before the floor.
     const bool from_below = surface_->to_eye()[2] < 0;
-    add_floor_contours(grid_, *surface_, {box_.low, levels, first}, from_below ? nullptr : coverage, columns, drawing);
+    for (std::size_t i = 0; i < grids_.size(); ++i) {
+      const auto first = static_cast<std::uint32_t>(drawing.layers.size());
+      const std::string of = i == 0 ? "" : ", surface " + std::to_string(i + 1);
+      for (const double level : levels) {
+        labelled.push_back({static_cast<std::uint32_t>(drawing.layers.size()), level_text(level)});
+        // Maps that lie on each other are told apart by the surface.
+        const picture::Colour colour = grids_.size() > 1 ? surface_colour(i) : picture::height_line_colour(part_of(level));
+        drawing.layers.push_back({"floor " + level_text(level) + of, colour});
+      }
+      add_floor_contours(grids_[i], Surface(grids_[i], view_, rows_, grids_), {box_.low, levels, first},
+                         from_below ? nullptr : coverage, columns, drawing);
+    }
   }
 
   // --- where it goes

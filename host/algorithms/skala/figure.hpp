@@ -38,7 +38,7 @@ struct Figure {
 };
 
 // The layers of draw(), then those of the floor's contours, a level each, then axes and labels, as far as there are any.
-// Of several surfaces (draw.hpp) the floor has the contours of the first.
+// Of several surfaces (draw.hpp) the floor has the contours of each, in its colour.
 [[nodiscard]] Figure figure(std::span<const scene::HeightGrid> grids, const View& view, const FigureOptions& options);
 
 }  // namespace sightline::algorithms::skala

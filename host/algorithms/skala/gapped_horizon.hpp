@@ -35,6 +35,8 @@ class GappedHorizon {
     return !pieces_.empty();
   }
   void cover(std::span<const Vertex> outline) { coverage_.add(outline); }
+  [[nodiscard]] Coverage::Saved saved(float from, float to) const { return coverage_.saved(from, to); }
+  void restore(const Coverage::Saved& saved) { coverage_.restore(saved); }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
 
   [[nodiscard]] std::span<const float> top() const { return hull(top_, [this](std::size_t i) { return coverage_.top(i); }); }

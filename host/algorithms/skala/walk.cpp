@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "host/algorithms/skala/facing.hpp"
 #include "host/algorithms/skala/gapped_horizon.hpp"
+#include "host/algorithms/skala/passing.hpp"
 
 namespace sightline::algorithms::skala {
 namespace {
@@ -89,6 +91,29 @@ class Walker {
     if (!defined) return;
     diagonals_ ? cover(row, column, Half::far) : cover(row, column);
   }
+  // A cell through which other surfaces pass, twice: how it is seen alone, and, with the others there, as it is then.
+  void rehearse(std::size_t row, std::size_t column) {
+    pass_ = Pass::alone;
+    seen_alone_.clear();
+    cell(row, column);
+    pass_ = Pass::usual;
+  }
+  void perform(std::size_t row, std::size_t column, std::span<const Walk* const> rivals, double towards_eye) {
+    pass_ = Pass::among;
+    next_alone_ = 0;
+    rivals_ = rivals;
+    towards_eye_ = towards_eye;
+    cell(row, column);
+    pass_ = Pass::usual;
+  }
+  // What the cell hides.
+  void cover_cell(std::size_t row, std::size_t column) {
+    if (!cell_defined(surface_, row, column)) return;
+    if (!diagonals_) return cover(row, column);
+    cover(row, column, Half::near);
+    cover(row, column, Half::far);
+  }
+  void cover_near(std::size_t row, std::size_t column) { cover(row, column, Half::near); }
   void end_row() {
     row_pen_.lift(sheet_);
     wake_ = {};
@@ -157,17 +182,43 @@ class Walker {
            surface_.defined(row, column + 2) && surface_.defined(row + 1, column + 2);
   }
 
-  bool draw(Vertex from, Vertex to, Wake& wake) {
+  bool draw(Corner a, Corner b, Wake& wake) {
+    const Vertex from = vertex(a);
+    const Vertex to = vertex(b);
     if (!view_.visibility) {
       unhidden_.assign(1, {from, to});
       return true;
     }
     const bool seen = horizon_.draw(from, to, wake);
     listener_.line(std::array{from, to}, horizon_.pieces());
-    return seen;
+    if (pass_ == Pass::usual) return seen;
+    return seen_in_pass(from, to, [&] { return leading_part(leads(a, a, 0), leads(b, b, 0)); });
   }
   [[nodiscard]] const std::vector<Piece>& pieces() const {
+    if (pass_ == Pass::among && view_.visibility) return seen_among_;
     return view_.visibility ? horizon_.pieces() : unhidden_;
+  }
+
+  // Of a line that was just tested: alone, nothing is inked yet.
+  template <class LeadingPart>
+  bool seen_in_pass(Vertex from, Vertex to, const LeadingPart& leading) {
+    if (pass_ == Pass::alone) {
+      seen_alone_.push_back(horizon_.pieces());
+      return false;
+    }
+    seen_among_ = seen_where(from, to, leading(), seen_alone_[next_alone_++], horizon_.pieces());
+    return !seen_among_.empty();
+  }
+
+  // At a place between two corners.
+  [[nodiscard]] Leads leads(Corner a, Corner b, double t) const {
+    Leads all;
+    for (const Walk* rival : rivals_) {
+      const auto at = [&](Corner corner) { return (order_.heights[id(corner)] - rival->heights[id(corner)]) * towards_eye_; };
+      const double lead = t == 0 ? at(a) : at(a) + t * (at(b) - at(a));
+      all.push_back(lead == lead ? lead : 0);  // one that is not there hides nothing
+    }
+    return all;
   }
 
   void row_edge(std::size_t row, std::size_t column) {
@@ -176,9 +227,7 @@ class Walker {
       wake_ = {};
       return;
     }
-    const Vertex from = surface_.at(row, column);
-    const Vertex to = surface_.at(row, column + 1);
-    if (!draw(from, to, wake_)) return;
+    if (!draw({row, column}, {row, column + 1}, wake_)) return;
     mark(row, column);
     if (row > 0) mark(row - 1, column);
     if (lines_ || net_) {
@@ -196,10 +245,8 @@ class Walker {
     // A net has all edges and inks them alike.
     const bool rim = !net_ && edge_of_surface_across(row, column);
     if (!all_edges_ && !rim) return;
-    const Vertex from = surface_.at(row, column);
-    const Vertex to = surface_.at(row + 1, column);
     Wake wake;
-    if (!draw(from, to, wake)) return;
+    if (!draw({row, column}, {row + 1, column}, wake)) return;
     mark(row, column);
     if (column > 0) mark(row, column - 1);
     if (net_) {
@@ -217,10 +264,8 @@ class Walker {
     const Corner beside{row, column + 1};
     const Corner behind{row + 1, column};
     contours({Corner{row, column}, beside, behind});
-    const Vertex from = vertex(behind);
-    const Vertex to = vertex(beside);
     Wake wake;
-    if (draw(from, to, wake)) {
+    if (draw(behind, beside, wake)) {
       mark(row, column);
       if (view_.silhouette &&
           folds(side_of(surface_, row, column, Half::near), side_of(surface_, row, column, Half::far)))
@@ -252,30 +297,43 @@ class Walker {
     const std::size_t low = std::min({band(0), band(1), band(2)});
     const std::size_t high = std::max({band(0), band(1), band(2)});
     for (std::size_t level = low; level < high; ++level) {
-      std::array<Vertex, 2> ends{};
-      std::array<Joint, 2> joints{};
+      std::array<ContourEnd, 2> ends{};
       std::size_t found = 0;
       for (std::size_t i = 0; i < 3 && found < 2; ++i) {
         const std::size_t next = (i + 1) % 3;
         if ((band(i) > level) == (band(next) > level)) continue;
         ends[found] = crossing(triangle[i], triangle[next], order_.levels[level]);
-        joints[found++] = joint(ids[i], ids[next]);
+        ends[found++].joint = joint(ids[i], ids[next]);
       }
-      contour(static_cast<std::uint32_t>(level), ends, joints);
+      contour(static_cast<std::uint32_t>(level), ends);
     }
   }
 
-  void contour(std::uint32_t level, const std::array<Vertex, 2>& ends, const std::array<Joint, 2>& joints) {
+  // On the side between two corners, of which the first has the lower number.
+  struct ContourEnd {
+    Vertex at;
+    Corner a;
+    Corner b;
+    double t = 0;
+    Joint joint = 0;
+  };
+
+  void contour(std::uint32_t level, const std::array<ContourEnd, 2>& ends) {
+    const auto& [from, to] = ends;
     if (!view_.visibility) {
-      unhidden_.assign(1, {ends[0], ends[1]});
-    } else if (!horizon_.test(ends[0], ends[1], contour_slack)) {
-      return;
+      unhidden_.assign(1, {from.at, to.at});
+    } else if (pass_ == Pass::usual) {
+      if (!horizon_.test(from.at, to.at, contour_slack)) return;
+    } else {
+      horizon_.test(from.at, to.at, contour_slack);
+      const auto leading = [&] { return leading_part(leads(from.a, from.b, from.t), leads(to.a, to.b, to.t)); };
+      if (!seen_in_pass(from.at, to.at, leading)) return;
     }
-    stitcher_.add(layer(first_contour) + level, ends[0], ends[1], pieces(), joints[0], joints[1]);
+    stitcher_.add(layer(first_contour) + level, from.at, to.at, pieces(), from.joint, to.joint);
   }
 
   // The same from both sides of the edge.
-  [[nodiscard]] Vertex crossing(Corner a, Corner b, double level) const {
+  [[nodiscard]] ContourEnd crossing(Corner a, Corner b, double level) const {
     if (id(b) < id(a)) std::swap(a, b);
     const double low = order_.heights[id(a)];
     const double high = order_.heights[id(b)];
@@ -285,8 +343,9 @@ class Walker {
     if (!(t >= 0 && t <= 1)) t = 0.5;
     const Vertex from = vertex(a);
     const Vertex to = vertex(b);
-    return {static_cast<float>(double{from.x} + t * (double{to.x} - double{from.x})),
-            static_cast<float>(double{from.y} + t * (double{to.y} - double{from.y}))};
+    const Vertex at{static_cast<float>(double{from.x} + t * (double{to.x} - double{from.x})),
+                    static_cast<float>(double{from.y} + t * (double{to.y} - double{from.y}))};
+    return {at, a, b, t, 0};
   }
 
   // Of an edge: 1 + 3 times its first vertex, and which way it goes from there.
@@ -359,6 +418,14 @@ class Walker {
   Stitcher stitcher_;
   std::vector<Piece> unhidden_;
   Walked walked_;
+  // Where several surfaces pass through each other.
+  enum class Pass { usual, alone, among };
+  Pass pass_ = Pass::usual;
+  std::vector<std::vector<Piece>> seen_alone_;  // of the lines of a cell, in the order in which they are tested
+  std::size_t next_alone_ = 0;
+  std::vector<Piece> seen_among_;
+  std::span<const Walk* const> rivals_;
+  double towards_eye_ = 1;
 };
 
 template <class Listener>
@@ -380,32 +447,186 @@ Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
   return walk_for(order, drawing, Watched(trace));
 }
 
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing) {
-  std::vector<Walked> result;
-  if (orders.empty()) return result;
-  GappedHorizon screen(columns_of(*orders[0].view));
-  std::vector<Walker<Unwatched, GappedHorizon>> walkers;
-  walkers.reserve(orders.size());
-  for (const Walk& order : orders) walkers.emplace_back(order, drawing, Unwatched(), screen);
-  for (auto& walker : walkers) walker.begin();
-  const Surface& any = *orders[0].surface;
-  const bool from_above = any.to_eye()[2] >= 0;
-  std::vector<std::pair<double, std::size_t>> turns(orders.size());
-  for (std::size_t row = 0; row + 1 < any.rows(); ++row) {
-    for (auto& walker : walkers) walker.begin_strip(row);
-    for (std::size_t column = 0; column < any.columns(); ++column) {
-      for (std::size_t i = 0; i < orders.size(); ++i) {
-        const double middle = column + 1 < any.columns() ? middle_of(*orders[i].surface, row, column) : 0;
-        // A cell that is not there hides nothing.
-        turns[i] = {middle == middle ? (from_above ? -middle : middle) : 0, i};
-      }
-      std::sort(turns.begin(), turns.end());
-      for (const auto& [middle, i] : turns) walkers[i].cell(row, column);
+namespace {
+
+// Several surfaces at once.
+class TogetherWalk {
+ public:
+  TogetherWalk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings)
+      : orders_(orders),
+        surface_(*orders[0].surface),
+        sheet_(drawing, columns_of(*orders[0].view)),
+        screen_(columns_of(*orders[0].view)),
+        meetings_(meetings),
+        visibility_(orders[0].view->visibility),
+        towards_eye_(surface_.to_eye()[2] >= 0 ? 1 : -1) {
+    walkers_.reserve(orders.size());
+    for (const Walk& order : orders) walkers_.emplace_back(order, drawing, Unwatched(), screen_);
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      rivals_.emplace_back();
+      for (std::size_t j = 0; j < orders.size(); ++j)
+        if (j != i) rivals_.back().push_back(&orders[j]);
     }
-    for (auto& walker : walkers) walker.end_row();
   }
-  for (auto& walker : walkers) result.push_back(walker.end());
-  return result;
+
+  std::vector<Walked> go() {
+    for (auto& walker : walkers_) walker.begin();
+    for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
+      for (auto& walker : walkers_) walker.begin_strip(row);
+      for (std::size_t column = 0; column < surface_.columns(); ++column) cell(row, column);
+      for (auto& walker : walkers_) walker.end_row();
+    }
+    std::vector<Walked> result;
+    for (auto& walker : walkers_) result.push_back(walker.end());
+    stitcher_.finish(sheet_);
+    return result;
+  }
+
+ private:
+  void cell(std::size_t row, std::size_t column) {
+    const bool whole = column + 1 < surface_.columns();
+    const Coverage::Saved saved = whole && visibility_ && any_meet(row, column) ? columns_under(row, column) : Coverage::Saved();
+    if (whole) meet(row, column, saved);
+    if (!saved.columns.empty() && any_pass(row, column)) return passing_cell(row, column, saved);
+    turns_.clear();
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      const double middle = whole ? sum_of(i, row, column) * towards_eye_ : 0;
+      // A cell that is not there hides nothing.
+      turns_.push_back({middle == middle ? -middle : 0, i});
+    }
+    std::sort(turns_.begin(), turns_.end());
+    for (const auto& [middle, i] : turns_) walkers_[i].cell(row, column);
+  }
+
+  void passing_cell(std::size_t row, std::size_t column, const Coverage::Saved& saved) {
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      screen_.restore(saved);
+      walkers_[i].rehearse(row, column);
+      screen_.restore(saved);
+      for (std::size_t j = 0; j < orders_.size(); ++j)
+        if (j != i) walkers_[j].cover_cell(row, column);
+      walkers_[i].perform(row, column, rivals_[i], towards_eye_);
+    }
+  }
+
+  [[nodiscard]] double height(std::size_t i, std::size_t row, std::size_t column) const {
+    return orders_[i].heights[row * surface_.columns() + column];
+  }
+  [[nodiscard]] double sum_of(std::size_t i, std::size_t row, std::size_t column) const {
+    return height(i, row, column) + height(i, row, column + 1) + height(i, row + 1, column) + height(i, row + 1, column + 1);
+  }
+  [[nodiscard]] bool both_defined(std::size_t i, std::size_t j, std::size_t row, std::size_t column) const {
+    return cell_defined(*orders_[i].surface, row, column) && cell_defined(*orders_[j].surface, row, column);
+  }
+  struct Sides {
+    bool above = false;
+    bool level = false;
+    bool below = false;
+  };
+  // Of the corners of all cells from one to another.
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j, std::size_t row, std::size_t column, std::size_t around) const {
+    Sides sides;
+    for (std::size_t r = row - std::min(row, around); r <= std::min(row + 1 + around, surface_.rows() - 1); ++r)
+      for (std::size_t c = column - std::min(column, around); c <= std::min(column + 1 + around, surface_.columns() - 1); ++c) {
+        const double difference = height(i, r, c) - height(j, r, c);
+        sides.above = sides.above || difference > 0;
+        sides.level = sides.level || difference == 0;
+        sides.below = sides.below || difference < 0;
+      }
+    return sides;
+  }
+  template <class Test>
+  [[nodiscard]] bool any_pair(std::size_t row, std::size_t column, const Test& test) const {
+    for (std::size_t i = 0; i < orders_.size(); ++i)
+      for (std::size_t j = i + 1; j < orders_.size(); ++j)
+        if (both_defined(i, j, row, column) && test(sides(i, j, row, column, 0))) return true;
+    return false;
+  }
+  [[nodiscard]] bool any_pass(std::size_t row, std::size_t column) const {
+    return any_pair(row, column, [](const Sides& sides) { return sides.above && sides.below; });
+  }
+  [[nodiscard]] bool any_meet(std::size_t row, std::size_t column) const {
+    return any_pair(row, column, [](const Sides& sides) { return sides.above && (sides.below || sides.level); });
+  }
+  [[nodiscard]] Coverage::Saved columns_under(std::size_t row, std::size_t column) const {
+    const auto x = {surface_.at(row, column).x, surface_.at(row, column + 1).x, surface_.at(row + 1, column).x, surface_.at(row + 1, column + 1).x};
+    return screen_.saved(std::min(x), std::max(x));
+  }
+
+  // The lines in which surfaces meet, on the near half of the cell before anything of it is there, on the far half behind the near ones.
+  void meet(std::size_t row, std::size_t column, const Coverage::Saved& saved) {
+    if (visibility_ && saved.columns.empty()) return;
+    const std::size_t near = row * surface_.columns() + column;
+    const std::size_t behind = near + surface_.columns();
+    for (const Half half : {Half::near, Half::far}) {
+      const std::array<std::size_t, 3> corners = half == Half::near ? std::array{near, near + 1, behind} : std::array{behind + 1, behind, near + 1};
+      if (half == Half::far && visibility_)
+        for (auto& walker : walkers_) walker.cover_near(row, column);
+      std::size_t pair = 0;
+      for (std::size_t i = 0; i < orders_.size(); ++i)
+        for (std::size_t j = i + 1; j < orders_.size(); ++j, ++pair) {
+          // Where one only touches the other from one side, they do not pass through each other.
+          if (!both_defined(i, j, row, column) || !sides(i, j, row, column, 1).below) continue;
+          add_meeting(i, j, corners, pair);
+        }
+    }
+    if (visibility_) screen_.restore(saved);
+  }
+
+  void add_meeting(std::size_t i, std::size_t j, const std::array<std::size_t, 3>& corners, std::size_t pair) {
+    std::array<double, 3> differences{};
+    for (std::size_t k = 0; k < 3; ++k) differences[k] = orders_[i].heights[corners[k]] - orders_[j].heights[corners[k]];
+    const auto line = meeting_line(differences);
+    if (!line) return;
+    std::array<Vertex, 2> ends{};
+    std::array<Joint, 2> joints{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Meeting& at = (*line)[k];
+      const std::size_t a = std::min(corners[at.a], corners[at.b]);
+      const std::size_t b = std::max(corners[at.a], corners[at.b]);
+      const double t = a == corners[at.a] ? at.at : 1 - at.at;
+      const Vertex from = orders_[i].surface->at(a / surface_.columns(), a % surface_.columns());
+      const Vertex to = orders_[i].surface->at(b / surface_.columns(), b % surface_.columns());
+      ends[k] = {static_cast<float>(from.x + t * (double{to.x} - from.x)), static_cast<float>(from.y + t * (double{to.y} - from.y))};
+      // For each pair one of each corner and each side.
+      const std::size_t step = b - a;
+      const std::size_t way = t == 0 || t == 1 ? 3 : step == surface_.columns() ? 1 : step == 1 ? 0 : 2;
+      joints[k] = 1 + 4 * (pair * surface_.rows() * surface_.columns() + Joint{t == 1 ? b : a}) + way;
+    }
+    if (ends[0] == ends[1]) return;
+    if (!visibility_) {
+      pieces_.assign(1, {ends[0], ends[1]});
+    } else if (screen_.test(ends[0], ends[1], contour_slack)) {
+      pieces_ = screen_.pieces();
+      // Surfaces that meet there may cover the last half column of it.
+      const auto near = [](Vertex a, Vertex b) { return std::abs(a.x - b.x) <= 0.5F && std::abs(a.y - b.y) <= 0.1F; };
+      if (near(pieces_.front().from, ends[0])) pieces_.front().from = ends[0];
+      if (near(pieces_.back().to, ends[1])) pieces_.back().to = ends[1];
+    } else {
+      return;
+    }
+    stitcher_.add(meetings_, ends[0], ends[1], pieces_, joints[0], joints[1]);
+  }
+
+  std::span<const Walk> orders_;
+  const Surface& surface_;  // the first; all have the same places
+  Sheet sheet_;
+  GappedHorizon screen_;
+  std::uint32_t meetings_;
+  bool visibility_;
+  double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
+  std::vector<Walker<Unwatched, GappedHorizon>> walkers_;
+  std::vector<std::vector<const Walk*>> rivals_;  // of each: all others
+  std::vector<std::pair<double, std::size_t>> turns_;
+  Stitcher stitcher_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
+  if (orders.empty()) return {};
+  return TogetherWalk(orders, drawing, meetings).go();
 }
 
 }  // namespace sightline::algorithms::skala

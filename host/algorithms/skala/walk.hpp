@@ -27,7 +27,7 @@ struct Walk {
   const Surface* surface = nullptr;
   const View* view = nullptr;
   std::vector<std::uint8_t> bands;  // contours: how many levels are at or below every vertex
-  std::vector<double> heights;      // contours: of every vertex
+  std::vector<double> heights;      // contours, several surfaces: of every vertex
   std::vector<double> levels;
   std::uint32_t first_layer = 0;  // of the drawing: those of Layer count from it
 };
@@ -41,8 +41,9 @@ Walked walk(const Walk& order, picture::VectorDrawing& drawing);
 // The same, told to somebody.
 Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
 
-// Several surfaces over the same places at once, cell by cell; of two in a cell the one that is nearer to the eye's side in its middle
-// comes first. So where surfaces pass through each other, what is hidden is right but for the cells they do it in.
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing);
+// Several surfaces over the same places at once, cell by cell; of two in a cell the one on the eye's side comes first. Where two pass
+// through each other within a cell, each line of it is compared with the other surfaces where they are on the eye's side of it, and the
+// line in which they meet is added to the layer `meetings`.
+std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings);
 
 }  // namespace sightline::algorithms::skala

@@ -63,6 +63,14 @@ class SurfacesByRays {
     const double half = (grid.range.high - grid.range.low) / 2;
     return {grid.x[i], grid.z[j], 0.6 * (grid.height(i, j) - (grid.range.low + grid.range.high) / 2) / half};
   }
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+  // How far a corner is above another surface.
+  [[nodiscard]] double above(std::size_t surface, const Point& corner) const {
+    for (std::size_t j = 0; j < grids_[surface].slices(); ++j)
+      for (std::size_t i = 0; i < grids_[surface].points(); ++i)
+        if (grids_[surface].x[i] == corner[0] && grids_[surface].z[j] == corner[1]) return corner[2] - at(surface, i, j)[2];
+    return std::nan("");
+  }
   // On the drawing, 255 by 255.
   [[nodiscard]] std::array<double, 2> on_drawing(const Point& p) const {
     return {(dot(p, right_) - low_[0]) / (high_[0] - low_[0]) * 255, (dot(p, up_) - low_[1]) / (high_[1] - low_[1]) * 255};
@@ -151,6 +159,52 @@ void compare_lines(const std::vector<scene::HeightGrid>& grids, const View& view
   }
 }
 
+// The lines in which two surfaces meet, one piece for each triangle: at its middle, seen if no ray from there meets anything else.
+void compare_meetings(const std::vector<scene::HeightGrid>& grids, const View& view, LineCounts& counts) {
+  const SurfacesByRays scene(grids, view);
+  picture::VectorDrawing drawing = draw(grids, view);
+  const auto layer = static_cast<std::uint32_t>(drawing.layers.size() - 1);
+  std::erase_if(drawing.lines, [layer](const picture::DrawingLine& line) { return line.layer != layer; });
+  for (const Triangle& triangle : scene.triangles()) {
+    if (triangle.surface != 0) continue;
+    std::vector<Point> ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = triangle.corners[k];
+      const Point& q = triangle.corners[(k + 1) % 3];
+      const double a = scene.above(1, p);
+      const double b = scene.above(1, q);
+      if ((a > 0) != (b > 0)) ends.push_back(between(p, q, a / (a - b)));
+    }
+    if (ends.size() != 2 || std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) < 0.01) continue;
+    const Point middle = between(ends[0], ends[1], 0.5);
+    constexpr double way = 0.006;
+    bool hidden = true;
+    bool visible = true;
+    for (const auto& [across, up] : {std::pair{0.0, 0.0}, {way, 0.0}, {-way, 0.0}, {0.0, way}, {0.0, -way}}) {
+      int others = 0;
+      int near = 0;
+      for (std::size_t s = 0; s < 2; ++s) {
+        const auto hits = scene.hits(scene.shifted(middle, across, up), s, triangle.point, triangle.slice);
+        others = s == 0 ? hits.others : std::min(others, hits.others);
+        near += hits.own;
+      }
+      // Of both surfaces those near the place are left out: they meet there.
+      hidden = hidden && others > near;
+      visible = visible && others + near == 0;
+    }
+    visible = visible || (scene.hits(middle, 0, triangle.point, triangle.slice).others == 0 && scene.hits(middle, 0, triangle.point, triangle.slice).own == 0 &&
+                          scene.hits(middle, 1, triangle.point, triangle.slice).own == 0);
+    if (hidden == visible) continue;
+    const double distance = nearest_line(drawing, scene.on_drawing(middle), scene.on_drawing(ends[0]), scene.on_drawing(ends[1]));
+    if (visible) {
+      EXPECT_LT(distance, 0.02) << "missing in the cell of " << triangle.point << ", " << triangle.slice;
+    } else {
+      EXPECT_GT(distance, 0.003) << "not hidden in the cell of " << triangle.point << ", " << triangle.slice;
+    }
+    ++(visible ? counts.visible : counts.hidden);
+  }
+}
+
 View net_view(double rotation, double elevation) {
   View view;
   view.rotation = rotation;
@@ -205,6 +259,49 @@ TEST(SeveralSurfaces, HideEachOther) {
   EXPECT_GT(counts.hidden, 100);
 }
 
+// Two that pass through each other, so that in many cells each is partly on top.
+TEST(SeveralSurfaces, PassThroughEachOther) {
+  LineCounts counts;
+  LineCounts meetings;
+  unsigned seed = 1;
+  for (const auto& [rotation, elevation] : views) {
+    scene::HeightGrid wavy = sample(*scene::height_function("peaks"), {17, 15});
+    scene::HeightGrid slope = wavy;
+    for (std::size_t j = 0; j < slope.slices(); ++j)
+      for (std::size_t i = 0; i < slope.points(); ++i) slope.heights[j * slope.points() + i] = 0.3 + 2 * slope.x[i] - slope.z[j] + std::sin(9 * slope.x[i]);
+    wavy.range = slope.range = {-7, 8.5};
+    SCOPED_TRACE("rotation " + std::to_string(rotation));
+    const std::vector<scene::HeightGrid> grids{wavy, slope};
+    const View view = net_view(rotation, elevation);
+    compare_lines(grids, view, seed++, counts);
+    compare_meetings(grids, view, meetings);
+    if (HasFailure()) return;
+  }
+  if (!tests::optimised) return;
+  EXPECT_GT(counts.visible, 200);
+  EXPECT_GT(counts.hidden, 100);
+  EXPECT_GT(meetings.visible, 100);
+  EXPECT_GT(meetings.hidden, 30);
+}
+
+// A surface that only touches another from above does not pass through it.
+TEST(SeveralSurfaces, TouchWithoutALine) {
+  scene::HeightGrid flat = sample(*scene::height_function("saddle"), {9, 9});
+  for (double& height : flat.heights) height = 0;
+  scene::HeightGrid step = flat;
+  for (std::size_t i = 0; i < step.heights.size(); ++i) step.heights[i] = std::max(0.0, step.x[i % 9]);
+  flat.range = step.range = {0, 1};
+  for (const bool through : {false, true}) {
+    if (through)
+      for (std::size_t i = 0; i < step.heights.size(); ++i) step.heights[i] = step.x[i % 9];
+    const picture::VectorDrawing drawing = draw(std::vector{flat, step}, net_view(35, 30));
+    const auto layer = static_cast<std::uint32_t>(drawing.layers.size() - 1);
+    EXPECT_EQ(drawing.layers[layer].label, "intersections");
+    const auto lines = std::count_if(drawing.lines.begin(), drawing.lines.end(), [layer](const picture::DrawingLine& line) { return line.layer == layer; });
+    EXPECT_EQ(lines > 0, through);
+  }
+}
+
 // In whatever order they are given.
 TEST(SeveralSurfaces, OrderMeansNothing) {
   const scene::HeightGrid a = sample(*scene::height_function("saddle"), {9, 9});
@@ -222,7 +319,7 @@ TEST(SeveralSurfaces, OrderMeansNothing) {
   const std::vector<scene::HeightGrid> one{a, b};
   const std::vector<scene::HeightGrid> other{b, a};
   EXPECT_NEAR(length(draw(one, view)), length(draw(other, view)), 1e-3);
-  EXPECT_EQ(draw(one, view).layers.size(), 8U);
+  EXPECT_EQ(draw(one, view).layers.size(), 9U);
 }
 
 }  // namespace
