@@ -19,6 +19,10 @@ enum class Half { near, far };  // of the cell with its nearest corner at (row, 
 // Four times the mean height of a cell's corners on the screen; it orders cells of several surfaces over the same place.
 [[nodiscard]] double middle_of(const Surface& surface, std::size_t row, std::size_t column);
 
+// Of an edge at which the surface turns away: is nothing of the surface around it seen beyond it? Where a steep surface runs towards the
+// eye, single triangles turn away from it within the surface; their edges are no outline. `columns` is those of the masks.
+[[nodiscard]] bool is_outline(const Surface& surface, std::size_t from_row, std::size_t from_column, std::size_t to_row, std::size_t to_column, int columns);
+
 // Of an edge between two triangles: does the surface turn away from the eye there?
 [[nodiscard]] inline bool folds(Side a, Side b) {
   return a != Side::none && b != Side::none && a != b;

@@ -358,6 +358,7 @@ class Walker {
   }
 
   void silhouette(Corner from, Corner to) {
+    if (!is_outline(surface_, from.row, from.column, to.row, to.column, columns_of(view_))) return;
     stitcher_.add(layer(silhouettes), vertex(from), vertex(to), pieces(), 1 + Joint{id(from)}, 1 + Joint{id(to)});
   }
 
