@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "inline.hpp"
 #include "time.hpp"
 
 namespace sightline::core {
@@ -23,9 +24,9 @@ class Allowance {
   explicit constexpr Allowance(std::uint64_t host_word) : packed_(static_cast<std::int64_t>(host_word)) {}
   [[nodiscard]] constexpr std::uint64_t host_word() const { return static_cast<std::uint64_t>(packed_); }
 
-  [[gnu::always_inline]] constexpr void pass(TickCount<Tick> time) { packed_ -= time.count() * one_tick; }
-  [[gnu::always_inline]] constexpr void count_instruction() { --packed_; }
-  [[nodiscard]] [[gnu::always_inline]] constexpr bool over() const { return packed_ < 0; }
+  SIGHTLINE_INLINE constexpr void pass(TickCount<Tick> time) { packed_ -= time.count() * one_tick; }
+  SIGHTLINE_INLINE constexpr void count_instruction() { --packed_; }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool over() const { return packed_ < 0; }
   // The machine looks around at the next boundary.
   constexpr void end() { packed_ = instructions() - one_tick; }
 

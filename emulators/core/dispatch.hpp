@@ -3,11 +3,13 @@
 // functions would keep the registers of the plain loop in memory.
 #pragma once
 
+#include "inline.hpp"
+
 namespace sightline::core {
 
 // Calls executor.execute<code>() and gives what it gives. `code` must be less than `codes`.
 template <unsigned codes, class Executor>
-[[gnu::always_inline]] constexpr auto dispatch(unsigned code, Executor executor) {
+SIGHTLINE_INLINE constexpr auto dispatch(unsigned code, Executor executor) {
   static_assert(codes == 32 || codes == 256);
   if constexpr (codes == 32) {
     switch (code & 31U) {

@@ -13,6 +13,8 @@
 // Its stop() finds the machine's registers and time up to date.
 #pragma once
 
+#include "inline.hpp"
+
 namespace sightline::core {
 
 template <class Observer>
@@ -28,7 +30,7 @@ class Reporter {
   explicit constexpr Reporter(Observer& observer) : observer_(&observer) {}
   // True: stop() is to be asked at the next boundary.
   template <class Cycle>
-  [[gnu::always_inline]] constexpr bool operator()(const Cycle& cycle) const {
+  SIGHTLINE_INLINE constexpr bool operator()(const Cycle& cycle) const {
     observer_->cycle(cycle);
     return false;
   }
@@ -42,7 +44,7 @@ class Reporter<Observer, true> {
  public:
   explicit constexpr Reporter(Observer& observer) : observer_(&observer), filter_(observer.filter()) {}
   template <class Cycle>
-  [[gnu::always_inline]] constexpr bool operator()(const Cycle& cycle) const {
+  SIGHTLINE_INLINE constexpr bool operator()(const Cycle& cycle) const {
     if (!filter_.wants(cycle)) [[likely]]
       return false;
     observer_->cycle(cycle);
@@ -80,11 +82,11 @@ class Arrivals<Observer> {
  public:
   explicit constexpr Arrivals(const Observer& observer) : filter_(observer.filter()) {}
   template <class Address>
-  [[gnu::always_inline]] constexpr bool operator()(Address next) const {
+  SIGHTLINE_INLINE constexpr bool operator()(Address next) const {
     return filter_.arrives(next);
   }
   template <class Address, class View>
-  [[gnu::always_inline]] constexpr bool operator()(Address next, const View& view) const {
+  SIGHTLINE_INLINE constexpr bool operator()(Address next, const View& view) const {
     return filter_.arrives(next, view);
   }
 

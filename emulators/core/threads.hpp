@@ -28,6 +28,7 @@
 #include <utility>
 
 #include "dispatch.hpp"
+#include "inline.hpp"
 
 // A function that stays one, with its arguments where the rules of calls put them.
 #if defined(__clang__)
@@ -78,7 +79,7 @@ struct PlainLoop {
   struct Executor {
     Thread* thread;
     template <unsigned code>
-    [[gnu::always_inline]] void execute() const {
+    SIGHTLINE_INLINE void execute() const {
       if (thread->template is_rare<code>()) {
         thread->execute_any();
       } else {

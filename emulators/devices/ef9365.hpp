@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../core/inline.hpp"
 #include "../core/raster.hpp"
 #include "../core/tstates.hpp"
 #include "ef9365_drawing.hpp"
@@ -198,7 +199,7 @@ class Ef9365 {
   }
 
   // Returns the number of dots. Single dots, the commonest case, do not take the path of a line.
-  [[gnu::always_inline]] std::size_t small_vector(std::uint8_t code) {
+  SIGHTLINE_INLINE std::size_t small_vector(std::uint8_t code) {
     if ((code & 0x78U) != 0) return directed(code, (code >> 5) & 3, (code >> 3) & 3);
     drawing_.single_dot();
     return 1;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../core/inline.hpp"
 #include "isa.hpp"
 #include "state.hpp"
 
@@ -55,7 +56,7 @@ inline constexpr auto counted_down = [] {
 }  // namespace detail
 
 // a + operand + carry (0 or 1). AC is the carry out of bit 3.
-[[nodiscard]] [[gnu::always_inline]] constexpr Result add(Byte a, Byte operand, unsigned carry) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result add(Byte a, Byte operand, unsigned carry) {
   const unsigned sum = a + operand + carry;
   const unsigned carries = a ^ operand ^ sum;  // bit n: the carry into bit n
   return {static_cast<Byte>(sum), static_cast<Byte>(detail::sign_zero_parity_carry[sum] | (carries & flag::auxiliary))};
@@ -63,7 +64,7 @@ inline constexpr auto counted_down = [] {
 
 // a - operand - borrow (0 or 1). The machine adds the complement: AC is the carry of that sum, so 1 means that the low
 // digit did not borrow, while CY is turned round and means a borrow.
-[[nodiscard]] [[gnu::always_inline]] constexpr Result subtract(Byte a, Byte operand, unsigned borrow) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result subtract(Byte a, Byte operand, unsigned borrow) {
   const unsigned difference = static_cast<unsigned>(a) - operand - borrow;
   const unsigned borrows = a ^ operand ^ difference;
   return {static_cast<Byte>(difference),
@@ -71,25 +72,25 @@ inline constexpr auto counted_down = [] {
 }
 
 // AC is the OR of the operands' bits 3: the state of the adder's carry chain during an AND.
-[[nodiscard]] [[gnu::always_inline]] constexpr Result and_(Byte a, Byte operand) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result and_(Byte a, Byte operand) {
   const Byte value = a & operand;
   return {value, static_cast<Byte>(detail::sign_zero_parity[value] | ((a | operand) << 1 & flag::auxiliary))};
 }
-[[nodiscard]] [[gnu::always_inline]] constexpr Result exclusive_or(Byte a, Byte operand) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result exclusive_or(Byte a, Byte operand) {
   const Byte value = a ^ operand;
   return {value, detail::sign_zero_parity[value]};
 }
-[[nodiscard]] [[gnu::always_inline]] constexpr Result or_(Byte a, Byte operand) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result or_(Byte a, Byte operand) {
   const Byte value = a | operand;
   return {value, detail::sign_zero_parity[value]};
 }
 
 // INR and DCR leave CY alone.
-[[nodiscard]] [[gnu::always_inline]] constexpr Result increment(Byte value, Byte flags) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result increment(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value + 1);
   return {result, static_cast<Byte>(detail::counted_up[result] | (flags & flag::carry))};
 }
-[[nodiscard]] [[gnu::always_inline]] constexpr Result decrement(Byte value, Byte flags) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result decrement(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value - 1);
   return {result, static_cast<Byte>(detail::counted_down[result] | (flags & flag::carry))};
 }
@@ -116,7 +117,7 @@ inline constexpr auto counted_down = [] {
 
 // One of RLC to CMP (but CMA, STC and CMC) on the accumulator; those of the accumulator alone ignore the operand.
 template <Operation O>
-[[nodiscard]] [[gnu::always_inline]] constexpr Result operate(Byte a, Byte operand, Byte f) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr Result operate(Byte a, Byte operand, Byte f) {
   const unsigned carry = f & flag::carry;
   switch (O) {
     case Operation::rlc: return rotate_left(a, f, a >> 7);
@@ -135,7 +136,7 @@ template <Operation O>
 }
 
 // The condition in bits 5-3 of a jump, call or return: NZ Z NC C PO PE P M.
-[[nodiscard]] [[gnu::always_inline]] constexpr bool holds(unsigned condition, Byte flags) {
+[[nodiscard]] SIGHTLINE_INLINE constexpr bool holds(unsigned condition, Byte flags) {
   constexpr std::array<Byte, 4> tested{flag::zero, flag::carry, flag::parity, flag::sign};
   return ((flags & tested[condition >> 1]) != 0) == ((condition & 1U) != 0);
 }

@@ -13,6 +13,7 @@
 
 #include "../core/branch.hpp"
 #include "../core/dispatch.hpp"
+#include "../core/inline.hpp"
 #include "alu.hpp"
 #include "bus.hpp"
 #include "isa.hpp"
@@ -32,16 +33,16 @@ class Execution {
   static constexpr unsigned codes = 256;
 
   // The registers and `control` must outlive it.
-  [[gnu::always_inline]] constexpr Execution(B bus, Registers& registers, Control& control)
+  SIGHTLINE_INLINE constexpr Execution(B bus, Registers& registers, Control& control)
       : Execution(bus, registers, control, registers.a, registers.hl, registers.pc) {}
-  [[gnu::always_inline]] constexpr Execution(B bus, Registers& registers, Control& control, std::uint32_t a,
+  SIGHTLINE_INLINE constexpr Execution(B bus, Registers& registers, Control& control, std::uint32_t a,
                                              std::uint32_t hl, std::uint32_t pc)
       : bus_(bus), control_(&control), registers_(&registers), a_(a), hl_(hl), pc_(pc) {
     // So that a compiler need not cut them to size each time.
     if (a > 0xFF || hl > 0xFFFF) __builtin_unreachable();
   }
 
-  [[gnu::always_inline]] constexpr void save() {
+  SIGHTLINE_INLINE constexpr void save() {
     registers_->a = static_cast<Byte>(a_);
     registers_->hl = static_cast<Address>(hl_);
     registers_->pc = static_cast<Address>(pc_);
@@ -64,7 +65,7 @@ class Execution {
 
   // The same, compiled for one opcode, of an instruction that a bus with fetch_peeked() has shown.
   template <unsigned opcode>
-  [[gnu::always_inline]] constexpr Outcome step_as() {
+  SIGHTLINE_INLINE constexpr Outcome step_as() {
     bus_.fetch_peeked(status::fetch_cycle, static_cast<Address>(pc_), static_cast<Byte>(opcode));
     step_pc();
     return execute<static_cast<Byte>(opcode), false>();
@@ -106,13 +107,13 @@ class Execution {
   struct Executor {
     Execution* execution;
     template <unsigned opcode>
-    [[gnu::always_inline]] constexpr Outcome execute() const {
+    SIGHTLINE_INLINE constexpr Outcome execute() const {
       return execution->template execute<static_cast<Byte>(opcode), Jammed>();
     }
   };
 
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr Outcome execute() {
+  SIGHTLINE_INLINE constexpr Outcome execute() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (Jammed && (row.operation == Operation::rst || row.operation == Operation::ei ||
                              row.operation == Operation::di)) {
@@ -140,7 +141,7 @@ class Execution {
 
   // NOP to LDA in the order of Operation: transfers, and the counting of registers, pairs and M.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void move() {
+  SIGHTLINE_INLINE constexpr void move() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned to = Opcode >> 3 & 7;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
@@ -174,7 +175,7 @@ class Execution {
   }
 
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void move_direct() {
+  SIGHTLINE_INLINE constexpr void move_direct() {
     constexpr Operation operation = lookup(Opcode).operation;
     if constexpr (operation != Operation::nop) {
       const Address address = next_word<Jammed>();
@@ -194,7 +195,7 @@ class Execution {
 
   // RLC to CMP: the accumulator with itself, a register, M or the byte that follows.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void calculate() {
+  SIGHTLINE_INLINE constexpr void calculate() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (row.operation == Operation::cma) {
       a_ ^= 0xFFU;
@@ -214,7 +215,7 @@ class Execution {
 
   // RET to RST. A conditional call reads its address whether it is taken or not.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void branch() {
+  SIGHTLINE_INLINE constexpr void branch() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned field = Opcode >> 3 & 7;  // condition, or the number of a restart
     if constexpr (operation == Operation::ret) {
@@ -242,7 +243,7 @@ class Execution {
 
   // PUSH to DI.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void stack_and_control() {
+  SIGHTLINE_INLINE constexpr void stack_and_control() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
     if constexpr (operation == Operation::push) {
@@ -278,14 +279,14 @@ class Execution {
   }
 
   // INT is not looked at at the end of EI, so that EI; RET returns before the next interrupt.
-  [[gnu::always_inline]] constexpr void enable_interrupts(bool on) {
+  SIGHTLINE_INLINE constexpr void enable_interrupts(bool on) {
     control_->interrupts_on = control_->deferred = on;
     bus_.interrupt_enable(on);
     if (on) bus_.attention();
   }
 
   // The data pins show the pair's byte and then that of HL: low in the first cycle, high in the second (measured).
-  [[gnu::always_inline]] constexpr void add_to_hl(Address addend) {
+  SIGHTLINE_INLINE constexpr void add_to_hl(Address addend) {
     bus_.internal(low(addend), low(pair<2>()));
     bus_.internal(high(addend), high(pair<2>()));
     const unsigned sum = addend + hl_;
@@ -294,7 +295,7 @@ class Execution {
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void exchange_with_stack() {
+  SIGHTLINE_INLINE constexpr void exchange_with_stack() {
     const Address above = static_cast<Address>(registers_->sp + 1);
     const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_->sp);
     const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), above);
@@ -305,7 +306,7 @@ class Execution {
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void push(Address word) {
+  SIGHTLINE_INLINE constexpr void push(Address word) {
     // By itself: for all a compiler knows, SP lies in the memory that is written.
     const Address top = registers_->sp;
     bus_.write(cycle<Jammed>(status::stack_write_cycle), static_cast<Address>(top - 1), high(word));
@@ -313,7 +314,7 @@ class Execution {
     registers_->sp = static_cast<Address>(top - 2);
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Address pop() {
+  SIGHTLINE_INLINE constexpr Address pop() {
     const Address top = registers_->sp;
     const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), top);
     const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), static_cast<Address>(top + 1));
@@ -322,45 +323,45 @@ class Execution {
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Byte load(Address address) {
+  SIGHTLINE_INLINE constexpr Byte load(Address address) {
     return bus_.read(cycle<Jammed>(status::read_cycle), address);
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void store(Address address, Byte byte) {
+  SIGHTLINE_INLINE constexpr void store(Address address, Byte byte) {
     bus_.write(cycle<Jammed>(status::write_cycle), address, byte);
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Byte next_byte() {
+  SIGHTLINE_INLINE constexpr Byte next_byte() {
     const Byte byte = bus_.operand(cycle<Jammed>(status::read_cycle), static_cast<Address>(pc_));
     if constexpr (!Jammed) step_pc();
     return byte;
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Address next_word() {
+  SIGHTLINE_INLINE constexpr Address next_word() {
     const Byte low_byte = next_byte<Jammed>();
     return joined(next_byte<Jammed>(), low_byte);
   }
 
   // While the instruction of an acknowledge runs, no cycle says MEMR, and INTA stays as long as INT does (measured).
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Status cycle(Status plain) {
+  SIGHTLINE_INLINE constexpr Status cycle(Status plain) {
     if constexpr (!Jammed) return plain;
     else return static_cast<Status>((plain & ~status::memory_read) |
                                     (bus_.acknowledging() ? status::acknowledge : 0));
   }
 
-  [[gnu::always_inline]] constexpr void step_pc() { ++pc_; }
+  SIGHTLINE_INLINE constexpr void step_pc() { ++pc_; }
 
   // Pair codes: BC DE HL SP.
   template <unsigned Code>
-  [[nodiscard]] [[gnu::always_inline]] constexpr Address pair() const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr Address pair() const {
     if constexpr (Code == 0) return registers_->bc;
     else if constexpr (Code == 1) return registers_->de;
     else if constexpr (Code == 2) return static_cast<Address>(hl_);
     else return registers_->sp;
   }
   template <unsigned Code>
-  [[gnu::always_inline]] constexpr void set_pair(Address word) {
+  SIGHTLINE_INLINE constexpr void set_pair(Address word) {
     if constexpr (Code == 0) registers_->bc = word;
     else if constexpr (Code == 1) registers_->de = word;
     else if constexpr (Code == 2) hl_ = word;
@@ -369,14 +370,14 @@ class Execution {
 
   // Register codes: B C D E H L M A.
   template <unsigned Code, bool Jammed>
-  [[gnu::always_inline]] constexpr Byte get() {
+  SIGHTLINE_INLINE constexpr Byte get() {
     if constexpr (Code == 7) return static_cast<Byte>(a_);
     else if constexpr (Code == 6) return load<Jammed>(pair<2>());
     else if constexpr (Code / 2 == 2) return Code % 2 == 0 ? high(pair<2>()) : low(pair<2>());
     else return half<Code>();
   }
   template <unsigned Code, bool Jammed>
-  [[gnu::always_inline]] constexpr void set(Byte byte) {
+  SIGHTLINE_INLINE constexpr void set(Byte byte) {
     if constexpr (Code == 7) a_ = byte;
     else if constexpr (Code == 6) store<Jammed>(pair<2>(), byte);
     else if constexpr (Code / 2 == 2) hl_ = Code % 2 == 0 ? joined(byte, low(pair<2>())) : joined(high(pair<2>()), byte);
@@ -384,7 +385,7 @@ class Execution {
   }
   // B, C, D or E in its pair.
   template <unsigned Code>
-  [[gnu::always_inline]] Byte& half() {
+  SIGHTLINE_INLINE Byte& half() {
     static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
     constexpr bool first = (Code % 2 == 0) == (std::endian::native == std::endian::big);
     Address& pair = Code / 2 == 0 ? registers_->bc : registers_->de;

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/inline.hpp"
 #include "../core/reporter.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -258,7 +259,7 @@ class BasicPdp7 {
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
   template <class Watcher>
-  [[gnu::always_inline]] bool attend(Pdp7Frame<BasicPdp7, Watcher>& frame, core::Instant until, std::uint64_t left) {
+  SIGHTLINE_INLINE bool attend(Pdp7Frame<BasicPdp7, Watcher>& frame, core::Instant until, std::uint64_t left) {
     pdp7::Registers& registers = frame.processor.registers;
     const bool deferred = registers.is(pdp7::mode::interrupts_deferred);
     const bool open = registers.is(pdp7::mode::interrupts_on) && !deferred;
@@ -283,7 +284,7 @@ class BasicPdp7 {
 
   // Gives the devices the cycles they ask for. Nearly always the display alone wants one.
   template <class Report>
-  [[gnu::always_inline]] Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
+  SIGHTLINE_INLINE Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
                                                std::int64_t instructions, const Report& report) {
     bool asked = false;
     if (now < devices_due_)
@@ -339,7 +340,7 @@ class BasicPdp7 {
 
   // One data break of the display, if one is asked for.
   template <class Report>
-  [[gnu::always_inline]] bool display_break(core::Instant& now, Report report) {
+  SIGHTLINE_INLINE bool display_break(core::Instant& now, Report report) {
     if (now < display_due_) return false;
     if (!display_) {
       display_due_ = core::never;
@@ -357,7 +358,7 @@ class BasicPdp7 {
 
   // The request is copied: it is the display's own and goes as soon as it is met.
   template <class Request, class Report>
-  [[gnu::always_inline]] void grant(const Request request, core::Instant& now, Report report) {
+  SIGHTLINE_INLINE void grant(const Request request, core::Instant& now, Report report) {
     const core::Word18 word = request.write ? request.word : core_.read(request.address);
     const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "../core/allowance.hpp"
+#include "../core/inline.hpp"
 #include "../core/reporter.hpp"
 #include "../core/threads.hpp"
 #include "../core/tstates.hpp"
@@ -68,8 +69,8 @@ class I8080Bus {
   using Frame = I8080Frame<Machine, Observer>;
   using Allowance = typename Frame::Allowance;
 
-  [[gnu::always_inline]] explicit I8080Bus(Frame& frame) : I8080Bus(frame, frame.memory, frame.allowance) {}
-  [[gnu::always_inline]] I8080Bus(Frame& frame, i8080::Byte* memory, Allowance allowance)
+  SIGHTLINE_INLINE explicit I8080Bus(Frame& frame) : I8080Bus(frame, frame.memory, frame.allowance) {}
+  SIGHTLINE_INLINE I8080Bus(Frame& frame, i8080::Byte* memory, Allowance allowance)
       : frame_(&frame), memory_(memory), allowance_(allowance) {}
 
   [[nodiscard]] i8080::Byte* memory() const { return memory_; }
@@ -78,24 +79,24 @@ class I8080Bus {
   void save() { frame_->allowance = allowance_; }
 
   // The opcode of the next instruction, before its cycle, and the cycle that takes it.
-  [[nodiscard]] [[gnu::always_inline]] i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
-  [[gnu::always_inline]] void fetch_peeked(i8080::Status cycle, i8080::Address address, i8080::Byte opcode) {
+  [[nodiscard]] SIGHTLINE_INLINE i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
+  SIGHTLINE_INLINE void fetch_peeked(i8080::Status cycle, i8080::Address address, i8080::Byte opcode) {
     const core::TStateInstant begun = begin(i8080::CycleKind::fetch, address);
     report_at(begun, cycle, address, opcode);
     allowance_.pass(core::TStates(4));
   }
 
-  [[gnu::always_inline]] i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
     return take(i8080::CycleKind::fetch, cycle, address, core::TStates(4), false);
   }
-  [[gnu::always_inline]] i8080::Byte operand(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte operand(i8080::Status cycle, i8080::Address address) {
     return take(i8080::CycleKind::read, cycle, address, core::TStates(3), true);
   }
-  [[gnu::always_inline]] i8080::Byte read(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte read(i8080::Status cycle, i8080::Address address) {
     return take(kind_of(cycle, i8080::CycleKind::read, i8080::CycleKind::stack_read), cycle, address,
                 core::TStates(3), false);
   }
-  [[gnu::always_inline]] void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
+  SIGHTLINE_INLINE void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
     report(cycle, address, byte);
     wait(kind_of(cycle, i8080::CycleKind::write, i8080::CycleKind::stack_write), address);
     memory_[address] = byte;
@@ -116,8 +117,8 @@ class I8080Bus {
     allowance_.pass(core::TStates(3));
     attention();
   }
-  [[gnu::always_inline]] void internal(i8080::Byte, i8080::Byte) { allowance_.pass(core::TStates(3)); }
-  [[gnu::always_inline]] void extend(int t_states) { allowance_.pass(core::TStates(t_states)); }
+  SIGHTLINE_INLINE void internal(i8080::Byte, i8080::Byte) { allowance_.pass(core::TStates(3)); }
+  SIGHTLINE_INLINE void extend(int t_states) { allowance_.pass(core::TStates(t_states)); }
   void halt(i8080::Status cycle, i8080::Address address) {
     report(cycle, address, 0);
     frame_->machine->begin_halt(now() + core::TStates(1));
@@ -128,18 +129,18 @@ class I8080Bus {
   // Only the instruction of a device asks.
   void end_acknowledge() {}
   bool acknowledging() { return false; }
-  [[gnu::always_inline]] void attention() {
+  SIGHTLINE_INLINE void attention() {
     frame_->horizon = now() - core::TStates(1);
     allowance_.end();
   }
 
-  [[nodiscard]] [[gnu::always_inline]] bool due() const { return allowance_.over(); }
-  [[nodiscard]] [[gnu::always_inline]] core::TStateInstant now() const { return frame_->horizon - allowance_.left(); }
+  [[nodiscard]] SIGHTLINE_INLINE bool due() const { return allowance_.over(); }
+  [[nodiscard]] SIGHTLINE_INLINE core::TStateInstant now() const { return frame_->horizon - allowance_.left(); }
 
  private:
   static constexpr core::TStates third_t_state{2};
 
-  [[gnu::always_inline]] i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
+  SIGHTLINE_INLINE i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
                                           core::TStates length, bool operand) {
     const core::TStateInstant begun = begin(kind, address);
     const i8080::Byte byte = memory_[address];
@@ -148,7 +149,7 @@ class I8080Bus {
     return byte;
   }
   // When a cycle begins; its wait states are over.
-  [[gnu::always_inline]] core::TStateInstant begin(i8080::CycleKind kind, i8080::Address address) {
+  SIGHTLINE_INLINE core::TStateInstant begin(i8080::CycleKind kind, i8080::Address address) {
     core::TStateInstant begun{};
     if constexpr (Observer::cycles) begun = now();
     wait(kind, address);
@@ -159,16 +160,16 @@ class I8080Bus {
     return (cycle & i8080::status::stack) != 0 ? stack : plain;
   }
 
-  [[gnu::always_inline]] void wait(i8080::CycleKind kind, i8080::Address address) {
+  SIGHTLINE_INLINE void wait(i8080::CycleKind kind, i8080::Address address) {
     if constexpr (Ports::waits) {
       allowance_.pass(
           core::TStates(frame_->machine->ports_.wait_states(kind, address, now() + core::TStates(1))));
     }
   }
-  [[gnu::always_inline]] void report(i8080::Status cycle, i8080::Address address, i8080::Byte data) {
+  SIGHTLINE_INLINE void report(i8080::Status cycle, i8080::Address address, i8080::Byte data) {
     if constexpr (Observer::cycles) report_at(now(), cycle, address, data);
   }
-  [[gnu::always_inline]] void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
+  SIGHTLINE_INLINE void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
                                         i8080::Byte data, bool operand = false) {
     // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
     if constexpr (Observer::cycles && Observer::instructions) {
@@ -194,29 +195,29 @@ class I8080Thread {
   using Execution = i8080::Execution<Bus>;
   static constexpr unsigned codes = Execution::codes;
 
-  [[gnu::always_inline]] explicit I8080Thread(Frame& frame)
+  SIGHTLINE_INLINE explicit I8080Thread(Frame& frame)
       : frame_(&frame), execution_(Bus(frame), frame.registers, *frame.control) {}
 
-  [[gnu::always_inline]] static I8080Thread resume(Frame& frame, const core::HostWords& words) {
+  SIGHTLINE_INLINE static I8080Thread resume(Frame& frame, const core::HostWords& words) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
     auto* const memory = reinterpret_cast<i8080::Byte*>(static_cast<std::uintptr_t>(words.a));
     const Bus bus(frame, memory, typename Bus::Allowance(words.b));
     return I8080Thread(frame, Execution(bus, frame.registers, *frame.control, words.c, words.d, words.e));
   }
-  [[nodiscard]] [[gnu::always_inline]] core::HostWords host_words() const {
+  [[nodiscard]] SIGHTLINE_INLINE core::HostWords host_words() const {
     return {reinterpret_cast<std::uintptr_t>(execution_.bus().memory()), execution_.bus().allowance().host_word(),
             execution_.a(), execution_.hl(), execution_.pc()};
   }
 
-  [[nodiscard]] [[gnu::always_inline]] unsigned code() const {
+  [[nodiscard]] SIGHTLINE_INLINE unsigned code() const {
     return execution_.bus().peek(static_cast<i8080::Address>(execution_.pc()));
   }
   template <unsigned code>
-  [[nodiscard]] [[gnu::always_inline]] static constexpr bool is_rare() {
+  [[nodiscard]] SIGHTLINE_INLINE static constexpr bool is_rare() {
     return Execution::template is_rare<code>;
   }
   template <unsigned code>
-  [[gnu::always_inline]] void execute() {
+  SIGHTLINE_INLINE void execute() {
     execution_.bus().count_instruction();
     if constexpr (!is_rare<code>()) execution_.template step_as<code>();
   }
@@ -224,7 +225,7 @@ class I8080Thread {
     execution_.bus().count_instruction();
     execution_.step_rare(static_cast<i8080::Byte>(code()));
   }
-  [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
+  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
     if constexpr (Observer::stops) {
       if constexpr (core::Looks<Observer>) {
         const I8080View view{execution_.a(), execution_.hl(), &frame_->registers};
@@ -235,7 +236,7 @@ class I8080Thread {
     }
     return execution_.bus().due();
   }
-  [[gnu::always_inline]] void leave() { execution_.save(); }
+  SIGHTLINE_INLINE void leave() { execution_.save(); }
 
   // One instruction, whatever its opcode.
   void step() {
@@ -245,7 +246,7 @@ class I8080Thread {
   }
 
  private:
-  [[gnu::always_inline]] I8080Thread(Frame& frame, const Execution& execution)
+  SIGHTLINE_INLINE I8080Thread(Frame& frame, const Execution& execution)
       : frame_(&frame), execution_(execution) {}
 
   Frame* frame_;

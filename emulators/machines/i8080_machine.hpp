@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/inline.hpp"
 #include "../core/reporter.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/cpu.hpp"
@@ -384,7 +385,7 @@ class I8080Machine {
 
   // The fetch that ends a halt still says HLTA.
   template <bool ends_of_halts = true, class Report>
-  [[gnu::always_inline]] bool report_at_once(I8080Cycle cycle, Report report) {
+  SIGHTLINE_INLINE bool report_at_once(I8080Cycle cycle, Report report) {
     if constexpr (ends_of_halts) {
       if (cycle.time == halt_ended_) cycle.status |= i8080::status::halt;
     }

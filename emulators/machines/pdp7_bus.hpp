@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "../core/allowance.hpp"
+#include "../core/inline.hpp"
 #include "../core/reporter.hpp"
 #include "../core/threads.hpp"
 #include "../core/time.hpp"
@@ -72,8 +73,8 @@ class Pdp7Bus {
   using Frame = Pdp7Frame<Machine, Observer>;
   using Allowance = typename Frame::Allowance;
 
-  [[gnu::always_inline]] explicit Pdp7Bus(Frame& frame) : Pdp7Bus(frame, frame.bank, frame.allowance) {}
-  [[gnu::always_inline]] Pdp7Bus(Frame& frame, core::Word18* bank, Allowance allowance)
+  SIGHTLINE_INLINE explicit Pdp7Bus(Frame& frame) : Pdp7Bus(frame, frame.bank, frame.allowance) {}
+  SIGHTLINE_INLINE Pdp7Bus(Frame& frame, core::Word18* bank, Allowance allowance)
       : frame_(&frame), bank_(bank), allowance_(allowance) {}
 
   [[nodiscard]] core::Word18* bank() const { return bank_; }
@@ -90,29 +91,29 @@ class Pdp7Bus {
   void enter(pdp7::Address bank) { bank_ = frame_->enter(bank); }
 
   // The word of the next instruction, before its cycle.
-  [[nodiscard]] [[gnu::always_inline]] core::Word18 peek(pdp7::Here here) const { return bank_[here.place]; }
+  [[nodiscard]] SIGHTLINE_INLINE core::Word18 peek(pdp7::Here here) const { return bank_[here.place]; }
   // The cycle that takes it.
-  [[gnu::always_inline]] void fetch_peeked(pdp7::Here here, core::Word18 word) { pass(pdp7::Verb::fetch, here, word); }
+  SIGHTLINE_INLINE void fetch_peeked(pdp7::Here here, core::Word18 word) { pass(pdp7::Verb::fetch, here, word); }
 
   template <class At>
-  [[gnu::always_inline]] core::Word18 fetch(At at) {
+  SIGHTLINE_INLINE core::Word18 fetch(At at) {
     const core::Word18 word = *cell(at);
     pass(pdp7::Verb::fetch, at, word);
     return word;
   }
   template <class At>
-  [[gnu::always_inline]] core::Word18 read(At at) {
+  SIGHTLINE_INLINE core::Word18 read(At at) {
     const core::Word18 word = *cell(at);
     pass(pdp7::Verb::read, at, word);
     return word;
   }
   template <class At>
-  [[gnu::always_inline]] void write(At at, core::Word18 word) {
+  SIGHTLINE_INLINE void write(At at, core::Word18 word) {
     put(at, word);
     pass(pdp7::Verb::write, at, word);
   }
   template <class At>
-  [[gnu::always_inline]] core::Word18 modify(At at) {
+  SIGHTLINE_INLINE core::Word18 modify(At at) {
     const core::Word18 word = *cell(at) + core::Word18(1);
     put(at, word);
     pass(pdp7::Verb::modify, at, word);
@@ -129,42 +130,42 @@ class Pdp7Bus {
     if (effect.look) attention();
     return effect.reply;
   }
-  [[gnu::always_inline]] void idle(core::Duration duration) {
+  SIGHTLINE_INLINE void idle(core::Duration duration) {
     report(duration, pdp7::Verb::idle, pdp7::Address{0}, core::Word18(0));
     take_asynchronous(duration);
   }
   core::Word18 switches() { return frame_->machine->switches(now()); }
   void unanswered(std::uint32_t word, pdp7::Address at) { frame_->machine->count_unanswered(word, at); }
-  [[gnu::always_inline]] void attention() {
+  SIGHTLINE_INLINE void attention() {
     frame_->horizon = now() - core::Duration(1);
     allowance_.end();
   }
 
-  [[nodiscard]] [[gnu::always_inline]] bool due() const { return allowance_.over(); }
-  [[nodiscard]] [[gnu::always_inline]] core::Instant now() const { return frame_->horizon - allowance_.left(); }
+  [[nodiscard]] SIGHTLINE_INLINE bool due() const { return allowance_.over(); }
+  [[nodiscard]] SIGHTLINE_INLINE core::Instant now() const { return frame_->horizon - allowance_.left(); }
 
  private:
-  [[nodiscard]] [[gnu::always_inline]] core::Word18* cell(pdp7::Here here) const { return bank_ + here.place; }
-  [[nodiscard]] [[gnu::always_inline]] core::Word18* cell(pdp7::Address address) const {
+  [[nodiscard]] SIGHTLINE_INLINE core::Word18* cell(pdp7::Here here) const { return bank_ + here.place; }
+  [[nodiscard]] SIGHTLINE_INLINE core::Word18* cell(pdp7::Address address) const {
     return frame_->core + address;
   }
   // Outside core nothing is written.
-  [[gnu::always_inline]] void put(pdp7::Here here, core::Word18 word) {
+  SIGHTLINE_INLINE void put(pdp7::Here here, core::Word18 word) {
     if (here.place < frame_->bank_words) [[likely]] *cell(here) = word;
   }
-  [[gnu::always_inline]] void put(pdp7::Address address, core::Word18 word) {
+  SIGHTLINE_INLINE void put(pdp7::Address address, core::Word18 word) {
     if (address < frame_->words) *cell(address) = word;
   }
 
-  [[gnu::always_inline]] void take_asynchronous(core::Duration duration) {
+  SIGHTLINE_INLINE void take_asynchronous(core::Duration duration) {
     allowance_.pass(duration);
     frame_->machine->asynchronous_ += duration;
   }
-  [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
+  SIGHTLINE_INLINE void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
     report(pdp7::machine_cycle, verb, address, word);
     allowance_.pass(pdp7::machine_cycle);
   }
-  [[gnu::always_inline]] void report(core::Duration length, pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
+  SIGHTLINE_INLINE void report(core::Duration length, pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
     if constexpr (Observer::cycles) {
       if (frame_->report(pdp7::Cycle{now(), length, verb, address, word})) attention();
     }
@@ -184,29 +185,29 @@ class Pdp7Thread {
   using Execution = pdp7::Execution<Bus>;
   static constexpr unsigned codes = Execution::codes;
 
-  [[gnu::always_inline]] explicit Pdp7Thread(Frame& frame) : frame_(&frame), execution_(Bus(frame), frame.processor) {}
+  SIGHTLINE_INLINE explicit Pdp7Thread(Frame& frame) : frame_(&frame), execution_(Bus(frame), frame.processor) {}
 
-  [[gnu::always_inline]] static Pdp7Thread resume(Frame& frame, const core::HostWords& words) {
+  SIGHTLINE_INLINE static Pdp7Thread resume(Frame& frame, const core::HostWords& words) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
     auto* const bank = reinterpret_cast<core::Word18*>(static_cast<std::uintptr_t>(words.a));
     const Bus bus(frame, bank, typename Bus::Allowance(words.b));
     return Pdp7Thread(frame, Execution(bus, frame.processor, pdp7::Accumulator(words.c), words.d), words.e);
   }
-  [[nodiscard]] [[gnu::always_inline]] core::HostWords host_words() const {
+  [[nodiscard]] SIGHTLINE_INLINE core::HostWords host_words() const {
     return {reinterpret_cast<std::uintptr_t>(execution_.bus().bank()), execution_.bus().allowance().host_word(),
             execution_.accumulator().bits(), execution_.next().place, word_};
   }
 
-  [[nodiscard]] [[gnu::always_inline]] unsigned code() {
+  [[nodiscard]] SIGHTLINE_INLINE unsigned code() {
     word_ = execution_.bus().peek(execution_.next()).value();
     return Execution::code_of(word_);
   }
   template <unsigned code>
-  [[nodiscard]] [[gnu::always_inline]] bool is_rare() const {
+  [[nodiscard]] SIGHTLINE_INLINE bool is_rare() const {
     return execution_.template is_rare<code>(word_);
   }
   template <unsigned code>
-  [[gnu::always_inline]] void execute() {
+  SIGHTLINE_INLINE void execute() {
     execution_.bus().count_instruction();
     execution_.template step_as<code>(word_);
   }
@@ -214,7 +215,7 @@ class Pdp7Thread {
     execution_.bus().count_instruction();
     take(execution_.step(word_));
   }
-  [[nodiscard]] [[gnu::always_inline]] bool leaves() const {
+  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
     if constexpr (Observer::stops) {
       if constexpr (core::Looks<Observer>) {
         const Pdp7View view{execution_.accumulator().bits(), &frame_->processor.registers};
@@ -225,7 +226,7 @@ class Pdp7Thread {
     }
     return execution_.bus().due();
   }
-  [[gnu::always_inline]] void leave() { execution_.save(); }
+  SIGHTLINE_INLINE void leave() { execution_.save(); }
 
   // One instruction, whatever its code.
   void step() {
@@ -235,7 +236,7 @@ class Pdp7Thread {
   }
 
  private:
-  [[gnu::always_inline]] Pdp7Thread(Frame& frame, const Execution& execution, std::uint32_t word)
+  SIGHTLINE_INLINE Pdp7Thread(Frame& frame, const Execution& execution, std::uint32_t word)
       : frame_(&frame), execution_(execution), word_(word) {}
 
   void take(pdp7::Outcome outcome) {

@@ -12,6 +12,7 @@
 
 #include "../core/branch.hpp"
 #include "../core/dispatch.hpp"
+#include "../core/inline.hpp"
 #include "../core/word.hpp"
 #include "absent_devices.hpp"
 #include "bus.hpp"
@@ -85,12 +86,12 @@ class Execution {
   static constexpr unsigned codes = 32;
   [[nodiscard]] static constexpr unsigned code_of(std::uint32_t word) { return word >> 13; }
 
-  [[gnu::always_inline]] constexpr Execution(const B& bus, Processor& processor)
+  SIGHTLINE_INLINE constexpr Execution(const B& bus, Processor& processor)
       : Execution(bus, processor, processor.registers.accumulator, processor.registers.place) {}
-  [[gnu::always_inline]] constexpr Execution(const B& bus, Processor& processor, Accumulator accumulator, Address place)
+  SIGHTLINE_INLINE constexpr Execution(const B& bus, Processor& processor, Accumulator accumulator, Address place)
       : bus_(bus), processor_(&processor), accumulator_(accumulator), place_(place) {}
 
-  [[gnu::always_inline]] constexpr void save() {
+  SIGHTLINE_INLINE constexpr void save() {
     processor_->registers.accumulator = accumulator_;
     processor_->registers.place = place_;
     if constexpr (requires { bus_.save(); }) bus_.save();
@@ -123,7 +124,7 @@ class Execution {
   // The same, compiled for one code: in PC's bank, without a call, so that nothing leaves the host's registers. Not for a
   // word that is_rare<code>().
   template <unsigned code>
-  [[gnu::always_inline]] constexpr void step_as(std::uint32_t word) {
+  SIGHTLINE_INLINE constexpr void step_as(std::uint32_t word) {
     bus_.fetch_peeked(next(), core::Word18(word));
     ++place_;
     if constexpr (code >> 1 == detail::code(Operation::eae_setup)) {
@@ -136,7 +137,7 @@ class Execution {
 
   // What leaves PC's bank or the processor, or may not end as usual.
   template <unsigned code>
-  [[nodiscard]] [[gnu::always_inline]] constexpr bool is_rare(std::uint32_t word) const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool is_rare(std::uint32_t word) const {
     constexpr unsigned operation = code >> 1;
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
     if constexpr (is_special<code>) return true;
@@ -171,19 +172,19 @@ class Execution {
   // Where the direct addresses of an instruction lie: in the bank of the word itself. Nearly always that is PC's.
   struct InPlace {
     const Execution* execution;
-    [[gnu::always_inline]] constexpr Here operator()(std::uint32_t word) const {
+    SIGHTLINE_INLINE constexpr Here operator()(std::uint32_t word) const {
       return {execution->processor_->registers.bank, word & in_bank_mask};
     }
   };
   // After an XCT it may be another.
   struct InBank {
     Address bank;
-    [[gnu::always_inline]] constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
+    SIGHTLINE_INLINE constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
   };
 
   // The memory references but CAL and XCT, LAW, and OPR without HLT and OAS.
   template <unsigned code, class Direct>
-  [[gnu::always_inline]] constexpr void execute_common(std::uint32_t word, Direct direct) {
+  SIGHTLINE_INLINE constexpr void execute_common(std::uint32_t word, Direct direct) {
     constexpr unsigned operation = code >> 1;
     constexpr bool indirect = (code & 1U) != 0;
     static_assert(code_of(detail::row_of(Operation::law).value) == (code_of(detail::row_of(Operation::opr).value) | 1U));
@@ -209,7 +210,7 @@ class Execution {
 
   // A memory reference with its address, a Here or an Address.
   template <unsigned operation, class At>
-  [[gnu::always_inline]] constexpr void refer(At at) {
+  SIGHTLINE_INLINE constexpr void refer(At at) {
     if constexpr (operation == detail::code(Operation::dac)) {
       bus_.write(at, accumulator_.ac());
     } else if constexpr (operation == detail::code(Operation::jms)) {
@@ -265,7 +266,7 @@ class Execution {
     std::uint32_t word;
     InBank direct;
     template <unsigned code>
-    [[gnu::always_inline]] constexpr void execute() const {
+    SIGHTLINE_INLINE constexpr void execute() const {
       if constexpr (!is_special<code> && code >> 1 != detail::code(Operation::eae_setup))
         execution->template execute_common<code>(word, direct);
     }
@@ -279,14 +280,14 @@ class Execution {
 
   // Locations 10-17 of any bank count up by one, over all 18 bits, before they point.
   template <class At>
-  [[gnu::always_inline]] constexpr core::Word18 defer(At pointer) {
+  SIGHTLINE_INLINE constexpr core::Word18 defer(At pointer) {
     if ((Address{pointer} & in_bank_mask & ~Address{07}) == 010) return bus_.modify(pointer);
     return bus_.read(pointer);
   }
 
   // The address a pointer word gives: 15 bits in extend mode, else 13 in the bank the pointer lies in. A Here is not asked
   // for in extend mode.
-  [[nodiscard]] [[gnu::always_inline]] static constexpr Here address_in(core::Word18 pointer, Here lies_at) {
+  [[nodiscard]] SIGHTLINE_INLINE static constexpr Here address_in(core::Word18 pointer, Here lies_at) {
     return {lies_at.bank, pointer.value() & in_bank_mask};
   }
   [[nodiscard]] constexpr Address address_in(core::Word18 pointer, Address lies_at) const {
@@ -296,7 +297,7 @@ class Execution {
 
   // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
   // (Another simulator changes the mode first; a program outside bank 0 could then not be returned to.)
-  [[gnu::always_inline]] constexpr void jump_indirect(Here lies_at) { go_to(address_in(defer(lies_at), lies_at)); }
+  SIGHTLINE_INLINE constexpr void jump_indirect(Here lies_at) { go_to(address_in(defer(lies_at), lies_at)); }
   constexpr void jump_indirect(Address lies_at) {
     const core::Word18 pointer = defer(lies_at);
     go_to(address_in(pointer, lies_at));
@@ -307,7 +308,7 @@ class Execution {
   }
 
   template <class At>
-  [[gnu::always_inline]] constexpr void jump_to_subroutine(At subroutine) {
+  SIGHTLINE_INLINE constexpr void jump_to_subroutine(At subroutine) {
     bus_.write(subroutine, saved_word());
     go_to(subroutine);
     ++place_;
@@ -319,7 +320,7 @@ class Execution {
   }
 
   // End-around carry; L is set by an overflow and never cleared (PDP-4 manual page 17).
-  [[gnu::always_inline]] constexpr void ones_complement_add(core::Word18 operand) {
+  SIGHTLINE_INLINE constexpr void ones_complement_add(core::Word18 operand) {
     const core::Word18 ac = accumulator_.ac();
     std::uint32_t sum = ac.value() + operand.value();
     sum = (sum & core::Word18::mask) + (sum >> 18);
@@ -327,7 +328,7 @@ class Execution {
     accumulator_ = Accumulator((accumulator_.bits() & Accumulator::carry) | sum | overflow << 1);
   }
 
-  [[gnu::always_inline]] constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
+  SIGHTLINE_INLINE constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
     const OperatedBits result = operate_on_bits(word, accumulator_.bits(), switches);
     accumulator_ = Accumulator(result.lac);
     skip_if(result.skip);
@@ -341,7 +342,7 @@ class Execution {
   }
 
   // Class 64 with the EAE.
-  [[gnu::always_inline]] constexpr void calculate(std::uint32_t word) {
+  SIGHTLINE_INLINE constexpr void calculate(std::uint32_t word) {
     core::Word18 operand;
     if (eae_takes_operand(word)) {
       operand = bus_.read(here());
@@ -357,7 +358,7 @@ class Execution {
   }
 
   // A setup makes no step, but has a time of its own.
-  [[nodiscard]] [[gnu::always_inline]] constexpr core::Duration eae_time(std::uint32_t word, int steps) const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr core::Duration eae_time(std::uint32_t word, int steps) const {
     const Timing& timing = *processor_->timing;
     switch ((word >> 6) & 07U) {
       case 0: return timing.eae_setup;
@@ -438,25 +439,25 @@ class Execution {
     clear(~mode::extend);
   }
 
-  [[gnu::always_inline]] constexpr void go_to(Here next) { place_ = next.place; }
-  [[gnu::always_inline]] constexpr void go_to(Address next) {
+  SIGHTLINE_INLINE constexpr void go_to(Here next) { place_ = next.place; }
+  SIGHTLINE_INLINE constexpr void go_to(Address next) {
     place_ = next & in_bank_mask;
     processor_->registers.bank = next & bank_mask;
     if constexpr (requires { bus_.enter(Address{}); }) bus_.enter(next & bank_mask);
   }
   // PC within an instruction: 17777 is followed by 00000.
-  [[nodiscard]] [[gnu::always_inline]] constexpr Here here() const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr Here here() const {
     return {processor_->registers.bank, place_ & in_bank_mask};
   }
-  [[gnu::always_inline]] constexpr void skip() { ++place_; }
-  [[gnu::always_inline]] constexpr void skip_if(bool condition) { core::set_by_branch(condition, place_, place_ + 1); }
+  SIGHTLINE_INLINE constexpr void skip() { ++place_; }
+  SIGHTLINE_INLINE constexpr void skip_if(bool condition) { core::set_by_branch(condition, place_, place_ + 1); }
   // Of the instruction that has just been fetched.
   [[nodiscard]] constexpr Address instruction_address() const {
     return processor_->registers.bank | ((place_ - 1) & in_bank_mask);
   }
   constexpr void set(std::uint32_t modes) { processor_->registers.modes |= modes; }
   constexpr void clear(std::uint32_t modes) { processor_->registers.modes &= ~modes; }
-  [[nodiscard]] [[gnu::always_inline]] constexpr core::Word18 saved_word() const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 saved_word() const {
     const std::uint32_t modes = processor_->registers.modes;
     return core::Word18((accumulator_.bits() & Accumulator::carry) >> 1 | (modes & (mode::extend | mode::trap)) |
                         Address{here()});

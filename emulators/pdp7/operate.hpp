@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "../core/inline.hpp"
 #include "../core/word.hpp"
 
 namespace sightline::pdp7 {
@@ -54,7 +55,7 @@ struct OperatedBits {
 // Everything but HLT; `switches` are the AC switches, read only by OAS. The skip is decided first: the OR of the chosen
 // conditions, inverted by bit 8. A branch for each group of microinstructions and none for each bit, because all OPRs of a
 // program share this code.
-[[nodiscard]] [[gnu::always_inline]] constexpr OperatedBits operate_on_bits(std::uint32_t word, std::uint32_t lac,
+[[nodiscard]] SIGHTLINE_INLINE constexpr OperatedBits operate_on_bits(std::uint32_t word, std::uint32_t lac,
                                                                             core::Word18 switches) {
   using namespace operate_bits;
   OperatedBits result{lac, false};

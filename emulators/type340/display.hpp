@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "../core/inline.hpp"
 #include "../core/stroke.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -167,7 +168,7 @@ class Display {
   void fire(Delay delay, core::Instant t);
   void plan_word(core::Instant at);
   static constexpr core::Duration not_whole{-1};
-  [[nodiscard]] [[gnu::always_inline]] core::Duration time_of_whole_word();
+  [[nodiscard]] SIGHTLINE_INLINE core::Duration time_of_whole_word();
   void do_whole_word();
   void do_pulses(int count);
   void draw_vector(VectorWord w);

@@ -1,6 +1,7 @@
 // Display: the IOTs of the PDP-7, and the advance of time. Included by display.hpp only.
 #pragma once
 
+#include "../core/inline.hpp"
 #include "display.hpp"
 
 namespace sightline::type340 {
@@ -50,7 +51,7 @@ void Display<Sink>::power_clear(core::Instant now) {
 }
 
 template <class Sink>
-[[gnu::always_inline]] inline void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
+SIGHTLINE_INLINE inline void Display<Sink>::deliver(core::Instant at, core::Word18 word) {
   if (!delays_.none()) [[unlikely]] advance(at);
   planned_ = false;
   if (!registers_.request) [[unlikely]] return;

@@ -5,12 +5,13 @@
 // made. Anything else goes pulse by pulse. Flashes are the same either way.
 #pragma once
 
+#include "../core/inline.hpp"
 #include "display.hpp"
 
 namespace sightline::type340 {
 
 template <class Sink>
-[[gnu::always_inline]] inline void Display<Sink>::plan_word(core::Instant at) {
+SIGHTLINE_INLINE inline void Display<Sink>::plan_word(core::Instant at) {
   const core::Duration time = time_of_whole_word();
   whole_ = time != not_whole;
   whole_until_ = at + timing::strobe + timing::intensify + time;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/machines/observer.hpp"
 #include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/bus.hpp"
@@ -72,8 +73,8 @@ class ViewWatch {
   struct Filter {
     const std::uint8_t* marks;
 
-    [[gnu::always_inline]] bool arrives(pdp7::Address) const { return false; }
-    [[gnu::always_inline]] bool wants(const pdp7::Cycle& cycle) const {
+    SIGHTLINE_INLINE bool arrives(pdp7::Address) const { return false; }
+    SIGHTLINE_INLINE bool wants(const pdp7::Cycle& cycle) const {
       switch (cycle.verb) {
         case pdp7::Verb::fetch: return (marks[cycle.address] & (is_label | is_of_cell)) != 0;
         case pdp7::Verb::read: return (marks[cycle.address] & is_of_cell) != 0;

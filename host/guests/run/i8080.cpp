@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/i8080/bus.hpp"
 #include "emulators/machines/i8080_hold.hpp"
 #include "emulators/machines/i8080_machine.hpp"
@@ -494,8 +495,8 @@ struct I8080Marked {
   const std::uint8_t* ports;
 
   explicit I8080Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
-  [[gnu::always_inline]] bool arrives(i8080::Address next) const { return (places[next] & Probe::executed) != 0; }
-  [[gnu::always_inline]] bool wants(const machines::I8080Cycle& cycle) const {
+  SIGHTLINE_INLINE bool arrives(i8080::Address next) const { return (places[next] & Probe::executed) != 0; }
+  SIGHTLINE_INLINE bool wants(const machines::I8080Cycle& cycle) const {
     namespace status = i8080::status;
     // The bytes of the instruction itself are not asked for.
     if (cycle.operand || (cycle.status & status::halt) != 0) return false;
@@ -563,7 +564,7 @@ struct I8080Guarded {
     first = high ? guard.first << 8 : guard.first;
     span = high ? guard.span << 8 : guard.span;
   }
-  [[gnu::always_inline]] bool arrives(i8080::Address next, const machines::I8080View& view) const {
+  SIGHTLINE_INLINE bool arrives(i8080::Address next, const machines::I8080View& view) const {
     const std::uint32_t value = (view.a & a) | (view.hl & hl) | (view.others->bc & bc) | (view.others->de & de);
     return value - first <= span || (places[next] & Probe::executed) != 0;
   }

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 
+#include "emulators/core/inline.hpp"
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
@@ -205,8 +206,8 @@ struct Marked {
   const std::uint8_t* ports;
 
   explicit Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
-  [[gnu::always_inline]] bool arrives(pdp7::Address next) const { return (places[next] & Probe::executed) != 0; }
-  [[gnu::always_inline]] bool wants(const pdp7::Cycle& cycle) const {
+  SIGHTLINE_INLINE bool arrives(pdp7::Address next) const { return (places[next] & Probe::executed) != 0; }
+  SIGHTLINE_INLINE bool wants(const pdp7::Cycle& cycle) const {
     switch (cycle.verb) {
       case pdp7::Verb::fetch:
       case pdp7::Verb::break_read:
@@ -281,7 +282,7 @@ struct Guarded {
     first = guard.first;
     span = guard.span;
   }
-  [[gnu::always_inline]] bool arrives(pdp7::Address next, const machines::Pdp7View& view) const {
+  SIGHTLINE_INLINE bool arrives(pdp7::Address next, const machines::Pdp7View& view) const {
     const std::uint32_t value = (view.accumulator & accumulator) | (view.others->mq.value() & mq);
     return value - first <= span || (places[next] & Probe::executed) != 0;
   }

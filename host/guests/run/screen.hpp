@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
 #include "host/guests/run/machine.hpp"
@@ -41,7 +42,7 @@ class Screen {
   void begin_pass(core::Instant t) {
     if (wishes_.picture) passes_.begin_pass(t);
   }
-  [[gnu::always_inline]] void stroke(const core::Stroke& stroke) {
+  SIGHTLINE_INLINE void stroke(const core::Stroke& stroke) {
     if (live_) {
       if (fresh_count_ == fresh_.size()) grow();
       fresh_[fresh_count_++] = stroke;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/i8080/alu.hpp"
 #include "emulators/i8080/cpu.hpp"
 #include "emulators/i8080/bus.hpp"
@@ -41,7 +42,7 @@ class Cpu {
   [[nodiscard]] constexpr B& bus() { return bus_; }
 
   // One instruction from memory.
-  [[gnu::always_inline]] constexpr Outcome step() {
+  SIGHTLINE_INLINE constexpr Outcome step() {
     const Byte opcode = bus_.fetch(status::fetch_cycle, registers_.pc);
     ++registers_.pc;
     return dispatch(opcode, Executor<false>{this});
@@ -70,7 +71,7 @@ class Cpu {
   struct Executor {
     Cpu* cpu;
     template <Byte Opcode>
-    [[gnu::always_inline]] constexpr Outcome execute() const {
+    SIGHTLINE_INLINE constexpr Outcome execute() const {
       return cpu->template execute<Opcode, Jammed>();
     }
   };
@@ -83,7 +84,7 @@ class Cpu {
   }
 
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr Outcome execute() {
+  SIGHTLINE_INLINE constexpr Outcome execute() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (Jammed && (row.operation == Operation::rst || row.operation == Operation::ei ||
                              row.operation == Operation::di)) {
@@ -111,7 +112,7 @@ class Cpu {
 
   // NOP to LDA in the order of Operation: transfers, and the counting of registers, pairs and M.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void move() {
+  SIGHTLINE_INLINE constexpr void move() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned to = Opcode >> 3 & 7;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
@@ -145,7 +146,7 @@ class Cpu {
   }
 
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void move_direct() {
+  SIGHTLINE_INLINE constexpr void move_direct() {
     constexpr Operation operation = lookup(Opcode).operation;
     if constexpr (operation != Operation::nop) {
       const Address address = next_word<Jammed>();
@@ -165,7 +166,7 @@ class Cpu {
 
   // RLC to CMP: the accumulator with itself, a register, M or the byte that follows.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void calculate() {
+  SIGHTLINE_INLINE constexpr void calculate() {
     constexpr const Instruction& row = lookup(Opcode);
     if constexpr (row.operation == Operation::cma) {
       registers_.a = static_cast<Byte>(~registers_.a);
@@ -185,7 +186,7 @@ class Cpu {
 
   // RET to RST. A conditional call reads its address whether it is taken or not.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void branch() {
+  SIGHTLINE_INLINE constexpr void branch() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned field = Opcode >> 3 & 7;  // condition, or the number of a restart
     if constexpr (operation == Operation::ret) {
@@ -209,7 +210,7 @@ class Cpu {
 
   // PUSH to DI.
   template <Byte Opcode, bool Jammed>
-  [[gnu::always_inline]] constexpr void stack_and_control() {
+  SIGHTLINE_INLINE constexpr void stack_and_control() {
     constexpr Operation operation = lookup(Opcode).operation;
     constexpr unsigned pair_code = Opcode >> 4 & 3;
     if constexpr (operation == Operation::push) {
@@ -245,14 +246,14 @@ class Cpu {
   }
 
   // INT is not looked at at the end of EI, so that EI; RET returns before the next interrupt.
-  [[gnu::always_inline]] constexpr void enable_interrupts(bool on) {
+  SIGHTLINE_INLINE constexpr void enable_interrupts(bool on) {
     control_->interrupts_on = control_->deferred = on;
     bus_.interrupt_enable(on);
     if (on) bus_.attention();
   }
 
   // The data pins show the pair's byte and then that of HL: low in the first cycle, high in the second (measured).
-  [[gnu::always_inline]] constexpr void add_to_hl(Address addend) {
+  SIGHTLINE_INLINE constexpr void add_to_hl(Address addend) {
     bus_.internal(low(addend), low(registers_.hl));
     bus_.internal(high(addend), high(registers_.hl));
     const unsigned sum = static_cast<unsigned>(addend) + registers_.hl;
@@ -261,7 +262,7 @@ class Cpu {
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void exchange_with_stack() {
+  SIGHTLINE_INLINE constexpr void exchange_with_stack() {
     const Address above = static_cast<Address>(registers_.sp + 1);
     const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp);
     const Byte high_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), above);
@@ -272,46 +273,46 @@ class Cpu {
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void push(Address word) {
+  SIGHTLINE_INLINE constexpr void push(Address word) {
     bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, high(word));
     bus_.write(cycle<Jammed>(status::stack_write_cycle), --registers_.sp, low(word));
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Address pop() {
+  SIGHTLINE_INLINE constexpr Address pop() {
     const Byte low_byte = bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++);
     return joined(bus_.read(cycle<Jammed>(status::stack_read_cycle), registers_.sp++), low_byte);
   }
 
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Byte load(Address address) {
+  SIGHTLINE_INLINE constexpr Byte load(Address address) {
     return bus_.read(cycle<Jammed>(status::read_cycle), address);
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr void store(Address address, Byte byte) {
+  SIGHTLINE_INLINE constexpr void store(Address address, Byte byte) {
     bus_.write(cycle<Jammed>(status::write_cycle), address, byte);
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Byte next_byte() {
+  SIGHTLINE_INLINE constexpr Byte next_byte() {
     const Byte byte = bus_.operand(cycle<Jammed>(status::read_cycle), registers_.pc);
     if constexpr (!Jammed) ++registers_.pc;
     return byte;
   }
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Address next_word() {
+  SIGHTLINE_INLINE constexpr Address next_word() {
     const Byte low_byte = next_byte<Jammed>();
     return joined(next_byte<Jammed>(), low_byte);
   }
 
   // While the instruction of an acknowledge runs, no cycle says MEMR, and INTA stays as long as INT does (measured).
   template <bool Jammed>
-  [[gnu::always_inline]] constexpr Status cycle(Status plain) {
+  SIGHTLINE_INLINE constexpr Status cycle(Status plain) {
     if constexpr (!Jammed) return plain;
     else return static_cast<Status>((plain & ~status::memory_read) |
                                     (bus_.acknowledging() ? status::acknowledge : 0));
   }
 
   template <unsigned Code>
-  [[gnu::always_inline]] constexpr Address& pair() {
+  SIGHTLINE_INLINE constexpr Address& pair() {
     if constexpr (Code == 0) return registers_.bc;
     else if constexpr (Code == 1) return registers_.de;
     else if constexpr (Code == 2) return registers_.hl;
@@ -320,14 +321,14 @@ class Cpu {
 
   // Register codes: B C D E H L M A.
   template <unsigned Code, bool Jammed>
-  [[gnu::always_inline]] constexpr Byte get() {
+  SIGHTLINE_INLINE constexpr Byte get() {
     if constexpr (Code == 7) return registers_.a;
     else if constexpr (Code == 6) return load<Jammed>(registers_.hl);
     else if constexpr (Code % 2 == 0) return high(pair<Code / 2>());
     else return low(pair<Code / 2>());
   }
   template <unsigned Code, bool Jammed>
-  [[gnu::always_inline]] constexpr void set(Byte byte) {
+  SIGHTLINE_INLINE constexpr void set(Byte byte) {
     if constexpr (Code == 7) registers_.a = byte;
     else if constexpr (Code == 6) store<Jammed>(registers_.hl, byte);
     else if constexpr (Code % 2 == 0) pair<Code / 2>() = joined(byte, low(pair<Code / 2>()));

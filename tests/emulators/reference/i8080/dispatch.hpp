@@ -5,13 +5,15 @@
 
 #include <cstdint>
 
+#include "emulators/core/inline.hpp"
+
 namespace sightline::reference_8080 {
 using namespace i8080;
 
 
 // Calls executor.execute<opcode>() and gives what it gives.
 template <class Executor>
-[[gnu::always_inline]] constexpr auto dispatch(std::uint8_t opcode, Executor executor) {
+SIGHTLINE_INLINE constexpr auto dispatch(std::uint8_t opcode, Executor executor) {
   switch (opcode) {
     case 0x00: return executor.template execute<0x00>();
     case 0x01: return executor.template execute<0x01>();

@@ -5,6 +5,7 @@
 // keep time and the deadline in registers; every verb is inlined into the run for the same reason.
 #pragma once
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
 #include "emulators/core/tstates.hpp"
 #include "emulators/i8080/bus.hpp"
@@ -24,29 +25,29 @@ class I8080Bus {
   I8080Bus(const I8080Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never changes in a
   // run and does not fetch it again for every instruction.
-  [[gnu::always_inline]] I8080Bus& operator=(const I8080Bus& other) {
+  SIGHTLINE_INLINE I8080Bus& operator=(const I8080Bus& other) {
     now_ = other.now_;
     deadline_ = other.deadline_;
     return *this;
   }
 
-  [[gnu::always_inline]] i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte fetch(i8080::Status cycle, i8080::Address address) {
     return take(i8080::CycleKind::fetch, cycle, address, core::TStates(4), false);
   }
-  [[gnu::always_inline]] i8080::Byte operand(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte operand(i8080::Status cycle, i8080::Address address) {
     return take(i8080::CycleKind::read, cycle, address, core::TStates(3), true);
   }
-  [[gnu::always_inline]] i8080::Byte read(i8080::Status cycle, i8080::Address address) {
+  SIGHTLINE_INLINE i8080::Byte read(i8080::Status cycle, i8080::Address address) {
     return take(kind_of(cycle, i8080::CycleKind::read, i8080::CycleKind::stack_read), cycle, address,
                 core::TStates(3), false);
   }
-  [[gnu::always_inline]] void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
+  SIGHTLINE_INLINE void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
     report(cycle, address, byte);
     wait(kind_of(cycle, i8080::CycleKind::write, i8080::CycleKind::stack_write), address);
     memory_[address] = byte;
     now_ += core::TStates(3);
   }
-  [[gnu::always_inline]] i8080::Byte in(i8080::Status cycle, i8080::Byte port) {
+  SIGHTLINE_INLINE i8080::Byte in(i8080::Status cycle, i8080::Byte port) {
     const core::TStateInstant begun = now_;
     wait(i8080::CycleKind::input, i8080::joined(port, port));
     const i8080::Byte byte = machine_->input(port, now_ + third_t_state);
@@ -55,15 +56,15 @@ class I8080Bus {
     attention();
     return byte;
   }
-  [[gnu::always_inline]] void out(i8080::Status cycle, i8080::Byte port, i8080::Byte byte) {
+  SIGHTLINE_INLINE void out(i8080::Status cycle, i8080::Byte port, i8080::Byte byte) {
     report(cycle, i8080::joined(port, port), byte);
     wait(i8080::CycleKind::output, i8080::joined(port, port));
     machine_->output(port, byte, now_ + third_t_state);
     now_ += core::TStates(3);
     attention();
   }
-  [[gnu::always_inline]] void internal(i8080::Byte, i8080::Byte) { now_ += core::TStates(3); }
-  [[gnu::always_inline]] void extend(int t_states) { now_ += core::TStates(t_states); }
+  SIGHTLINE_INLINE void internal(i8080::Byte, i8080::Byte) { now_ += core::TStates(3); }
+  SIGHTLINE_INLINE void extend(int t_states) { now_ += core::TStates(t_states); }
   void halt(i8080::Status cycle, i8080::Address address) {
     report(cycle, address, 0);
     machine_->begin_halt(now_ + core::TStates(1));
@@ -74,10 +75,10 @@ class I8080Bus {
   void end_acknowledge() { machine_->acknowledging_ = false; }
   // Asked at the beginning of a cycle: INT in the T-state before it.
   bool acknowledging() { return machine_->still_acknowledging(now_); }
-  [[gnu::always_inline]] void attention() { deadline_ = core::TStateInstant::min(); }
+  SIGHTLINE_INLINE void attention() { deadline_ = core::TStateInstant::min(); }
 
   // A boundary is due when the deadline lies in the instruction that ended there, its last T-state included.
-  [[nodiscard]] [[gnu::always_inline]] bool due() const {
+  [[nodiscard]] SIGHTLINE_INLINE bool due() const {
     return now_ > deadline_;
   }
   [[nodiscard]] core::TStateInstant now() const { return now_; }
@@ -88,7 +89,7 @@ class I8080Bus {
   static constexpr core::TStates third_t_state{2};
 
   // Without MEMR the byte comes from the device whose interrupt is being acknowledged.
-  [[gnu::always_inline]] i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
+  SIGHTLINE_INLINE i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
                                           core::TStates length, bool operand) {
     const core::TStateInstant begun = now_;
     wait(kind, address);
@@ -104,15 +105,15 @@ class I8080Bus {
     return (cycle & i8080::status::stack) != 0 ? stack : plain;
   }
 
-  [[gnu::always_inline]] void wait(i8080::CycleKind kind, i8080::Address address) {
+  SIGHTLINE_INLINE void wait(i8080::CycleKind kind, i8080::Address address) {
     if constexpr (Ports::waits) {
       now_ += core::TStates(machine_->ports_.wait_states(kind, address, now_ + core::TStates(1)));
     }
   }
-  [[gnu::always_inline]] void report(i8080::Status cycle, i8080::Address address, i8080::Byte data) {
+  SIGHTLINE_INLINE void report(i8080::Status cycle, i8080::Address address, i8080::Byte data) {
     report_at(now_, cycle, address, data);
   }
-  [[gnu::always_inline]] void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
+  SIGHTLINE_INLINE void report_at(core::TStateInstant begun, i8080::Status cycle, i8080::Address address,
                                         i8080::Byte data, bool operand = false) {
     // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
     if constexpr (Observer::cycles && Observer::instructions) {

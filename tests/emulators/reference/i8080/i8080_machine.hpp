@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
 #include "emulators/core/tstates.hpp"
 #include "tests/emulators/reference/i8080/cpu.hpp"
@@ -127,7 +128,7 @@ class I8080Machine {
   friend class I8080Bus;
 
   template <class Cpu, class Watcher>
-  [[gnu::always_inline]] void step(Cpu& cpu, Watcher& watcher) {
+  SIGHTLINE_INLINE void step(Cpu& cpu, Watcher& watcher) {
     if constexpr (Watcher::instructions) {
       const core::TStateInstant begun = cpu.bus().now();
       const i8080::State before = cpu.state();
@@ -142,7 +143,7 @@ class I8080Machine {
 
   // The instruction a device supplies.
   template <class Cpu, class Watcher>
-  [[gnu::always_inline]] void acknowledge_one(Cpu& cpu, Watcher& watcher) {
+  SIGHTLINE_INLINE void acknowledge_one(Cpu& cpu, Watcher& watcher) {
     acknowledging_ = true;
     supplied_ = {};
     supplied_count_ = 0;
@@ -271,7 +272,7 @@ class I8080Machine {
 
   // The fetch that ends a halt still says HLTA.
   template <bool ends_of_halts = true, class Report>
-  [[gnu::always_inline]] bool report_at_once(I8080Cycle cycle, Report report) {
+  SIGHTLINE_INLINE bool report_at_once(I8080Cycle cycle, Report report) {
     if constexpr (ends_of_halts) {
       if (cycle.time == halt_ended_) cycle.status |= i8080::status::halt;
     }

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
@@ -192,7 +193,7 @@ class BasicPdp7 {
   }
 
   template <class Cpu, class Watcher>
-  [[gnu::always_inline]] pdp7::Outcome step(Cpu& cpu, Watcher& watcher) {
+  SIGHTLINE_INLINE pdp7::Outcome step(Cpu& cpu, Watcher& watcher) {
     if constexpr (Watcher::instructions) {
       const core::Instant begun = cpu.bus().now();
       const pdp7::State before = cpu.state();
@@ -208,7 +209,7 @@ class BasicPdp7 {
   // A boundary at which something may be due. True when the program interrupt was taken: its cycle ends at a
   // boundary of its own.
   template <class Cpu>
-  [[gnu::always_inline]] bool attend(Cpu& cpu, core::Instant until, std::uint64_t left) {
+  SIGHTLINE_INLINE bool attend(Cpu& cpu, core::Instant until, std::uint64_t left) {
     auto& bus = cpu.bus();
     const bool deferred = cpu.interrupts_deferred();
     const Attention found = look_around(bus.now(), cpu.interrupts_open(), until, left, bus.reporter());

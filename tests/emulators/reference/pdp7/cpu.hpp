@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/absent_devices.hpp"
 #include "emulators/pdp7/cpu.hpp"
@@ -41,7 +42,7 @@ class Cpu {
   [[nodiscard]] constexpr B& bus() { return bus_; }
 
   // One instruction; a chain of XCTs and what it ends in is one.
-  [[gnu::always_inline]] constexpr Outcome step() {
+  SIGHTLINE_INLINE constexpr Outcome step() {
     const std::uint32_t word = bus_.fetch(registers_.pc()).value();
     registers_.skip();
     if (execute_common(word, registers_.bank())) [[likely]]
@@ -82,13 +83,13 @@ class Cpu {
   // done. `bank` is that of the word itself (after an XCT, of its target): direct addresses lie in it. The
   // indirect bit is tested first, so that a direct reference goes straight to its operand; among the
   // operate words it is the bit of LAW.
-  [[gnu::always_inline]] constexpr bool execute_common(std::uint32_t word, Address bank) {
+  SIGHTLINE_INLINE constexpr bool execute_common(std::uint32_t word, Address bank) {
     if ((word & indirect_bit) != 0) return execute_common_as<true>(word, bank);
     return execute_common_as<false>(word, bank);
   }
 
   template <bool indirect>
-  [[gnu::always_inline]] constexpr bool execute_common_as(std::uint32_t word, Address bank) {
+  SIGHTLINE_INLINE constexpr bool execute_common_as(std::uint32_t word, Address bank) {
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
     static_assert(pdp7::detail::row_of(Operation::law).value ==
                   (pdp7::detail::row_of(Operation::opr).value | indirect_bit));
@@ -145,7 +146,7 @@ class Cpu {
 
   // The address of a memory reference, with the Defer cycle of an indirect one.
   template <bool indirect>
-  [[gnu::always_inline]] constexpr Address effective(std::uint32_t word, Address bank) {
+  SIGHTLINE_INLINE constexpr Address effective(std::uint32_t word, Address bank) {
     const Address direct = bank | (word & in_bank_mask);
     if constexpr (!indirect) return direct;
     return address_in(defer(direct), direct);
@@ -155,7 +156,7 @@ class Cpu {
   }
 
   // Locations 10-17 of any bank count up by one, over all 18 bits, before they point.
-  [[gnu::always_inline]] constexpr core::Word18 defer(Address pointer) {
+  SIGHTLINE_INLINE constexpr core::Word18 defer(Address pointer) {
     return (pointer & in_bank_mask & ~Address{07}) == 010 ? bus_.modify(pointer) : bus_.read(pointer);
   }
 
@@ -168,7 +169,7 @@ class Cpu {
   // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
   // (Another simulator changes the mode first; a program outside bank 0 could then not be returned to.)
   template <bool indirect>
-  [[gnu::always_inline]] constexpr void jump(std::uint32_t word, Address bank) {
+  SIGHTLINE_INLINE constexpr void jump(std::uint32_t word, Address bank) {
     const Address direct = bank | (word & in_bank_mask);
     if constexpr (!indirect) {
       registers_.set_pc(bank, word & in_bank_mask);
@@ -182,7 +183,7 @@ class Cpu {
     }
   }
 
-  [[gnu::always_inline]] constexpr void jump_to_subroutine(Address subroutine) {
+  SIGHTLINE_INLINE constexpr void jump_to_subroutine(Address subroutine) {
     bus_.write(subroutine, registers_.saved_word());
     registers_.set_pc(subroutine);
     registers_.skip();
@@ -194,7 +195,7 @@ class Cpu {
   }
 
   // End-around carry; L is set by an overflow and never cleared (PDP-4 manual page 17).
-  [[gnu::always_inline]] constexpr void ones_complement_add(core::Word18 operand) {
+  SIGHTLINE_INLINE constexpr void ones_complement_add(core::Word18 operand) {
     std::uint32_t sum = registers_.ac.value() + operand.value();
     if (sum > core::Word18::mask) ++sum;
     const core::Word18 result(sum);
@@ -204,13 +205,13 @@ class Cpu {
   }
 
   // The carry out of bit 0 complements L; signs are not examined (page 18).
-  [[gnu::always_inline]] constexpr void twos_complement_add(core::Word18 operand) {
+  SIGHTLINE_INLINE constexpr void twos_complement_add(core::Word18 operand) {
     const std::uint32_t sum = registers_.ac.value() + operand.value();
     registers_.add_carry(sum);
     registers_.ac = core::Word18(sum);
   }
 
-  [[gnu::always_inline]] constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
+  SIGHTLINE_INLINE constexpr void operate_on_registers(std::uint32_t word, core::Word18 switches) {
     const Operated result = operate(word, registers_.ac, registers_.link(), switches);
     registers_.ac = result.ac;
     registers_.set_link(result.link);

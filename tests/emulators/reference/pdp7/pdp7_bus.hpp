@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
@@ -31,27 +32,27 @@ class Pdp7Bus {
   Pdp7Bus(const Pdp7Bus&) = default;
   // From a bus of the same machine: takes over the time only, so that a compiler sees that the rest never
   // changes in a run and does not fetch it again for every instruction.
-  [[gnu::always_inline]] Pdp7Bus& operator=(const Pdp7Bus& other) {
+  SIGHTLINE_INLINE Pdp7Bus& operator=(const Pdp7Bus& other) {
     now_ = other.now_;
     deadline_ = other.deadline_;
     return *this;
   }
 
-  [[gnu::always_inline]] core::Word18 fetch(pdp7::Address address) {
+  SIGHTLINE_INLINE core::Word18 fetch(pdp7::Address address) {
     const core::Word18 word = core_[address];
     pass(pdp7::Verb::fetch, address, word);
     return word;
   }
-  [[gnu::always_inline]] core::Word18 read(pdp7::Address address) {
+  SIGHTLINE_INLINE core::Word18 read(pdp7::Address address) {
     const core::Word18 word = core_[address];
     pass(pdp7::Verb::read, address, word);
     return word;
   }
-  [[gnu::always_inline]] void write(pdp7::Address address, core::Word18 word) {
+  SIGHTLINE_INLINE void write(pdp7::Address address, core::Word18 word) {
     if (address < words_) core_[address] = word;
     pass(pdp7::Verb::write, address, word);
   }
-  [[gnu::always_inline]] core::Word18 modify(pdp7::Address address) {
+  SIGHTLINE_INLINE core::Word18 modify(pdp7::Address address) {
     const core::Word18 word = core_[address] + core::Word18(1);
     if (address < words_) core_[address] = word;
     pass(pdp7::Verb::modify, address, word);
@@ -61,7 +62,7 @@ class Pdp7Bus {
     core_[0] = word;
     pass(pdp7::Verb::interrupt, 0, word);
   }
-  [[gnu::always_inline]] pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
+  SIGHTLINE_INLINE pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
     const auto effect = machine_->input_output(now_, word, ac);
     report({now_, effect.stretch, pdp7::Verb::iot, word & 07777U, effect.reply.ac});
     now_ += effect.stretch;
@@ -69,13 +70,13 @@ class Pdp7Bus {
     if (effect.look) attention();
     return effect.reply;
   }
-  [[gnu::always_inline]] void idle(core::Duration duration) {
+  SIGHTLINE_INLINE void idle(core::Duration duration) {
     report({now_, duration, pdp7::Verb::idle, 0, core::Word18(0)});
     now_ += duration;
     machine_->asynchronous_ += duration;
   }
-  [[gnu::always_inline]] core::Word18 switches() { return machine_->switches(now_); }
-  [[gnu::always_inline]] void unanswered(std::uint32_t word, pdp7::Address at) {
+  SIGHTLINE_INLINE core::Word18 switches() { return machine_->switches(now_); }
+  SIGHTLINE_INLINE void unanswered(std::uint32_t word, pdp7::Address at) {
     machine_->count_unanswered(word, at);
   }
   void attention() { deadline_ = core::Instant::min(); }
@@ -87,11 +88,11 @@ class Pdp7Bus {
   [[nodiscard]] core::Reporter<Observer> reporter() const { return report_; }
 
  private:
-  [[gnu::always_inline]] void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
+  SIGHTLINE_INLINE void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
     report({now_, pdp7::machine_cycle, verb, address, word});
     now_ += pdp7::machine_cycle;
   }
-  [[gnu::always_inline]] void report(const pdp7::Cycle& cycle) {
+  SIGHTLINE_INLINE void report(const pdp7::Cycle& cycle) {
     if (report_(cycle)) attention();
   }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "emulators/core/inline.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/state.hpp"
 
@@ -20,7 +21,7 @@ inline constexpr std::uint32_t extend = 01, extend_restore = 02, trap = 04, inte
 
 class Registers {
  public:
-  [[gnu::always_inline]] constexpr explicit Registers(const State& state) : ac(state.ac), mq(state.mq), sc(state.sc) {
+  SIGHTLINE_INLINE constexpr explicit Registers(const State& state) : ac(state.ac), mq(state.mq), sc(state.sc) {
     set_pc(state.pc);
     set_link(state.link);
     modes_ = (state.interrupts_on ? mode::interrupts_on : 0U) |
@@ -29,7 +30,7 @@ class Registers {
              (state.trap_mode ? mode::trap : 0U);
   }
 
-  [[nodiscard]] [[gnu::always_inline]] constexpr State state() const {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr State state() const {
     return {.ac = ac,
             .mq = mq,
             .sc = sc,
@@ -41,32 +42,32 @@ class Registers {
             .extend_restore = is(mode::extend_restore),
             .trap_mode = is(mode::trap)};
   }
-  [[nodiscard]] [[gnu::always_inline]] constexpr core::Word18 saved_word() const { return pdp7::saved_word(state()); }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 saved_word() const { return pdp7::saved_word(state()); }
 
-  [[nodiscard]] [[gnu::always_inline]] constexpr bool is(std::uint32_t modes) const { return (modes_ & modes) != 0; }
-  [[gnu::always_inline]] constexpr void set(std::uint32_t modes) { modes_ |= modes; }
-  [[gnu::always_inline]] constexpr void clear(std::uint32_t modes) { modes_ &= ~modes; }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool is(std::uint32_t modes) const { return (modes_ & modes) != 0; }
+  SIGHTLINE_INLINE constexpr void set(std::uint32_t modes) { modes_ |= modes; }
+  SIGHTLINE_INLINE constexpr void clear(std::uint32_t modes) { modes_ &= ~modes; }
 
-  [[nodiscard]] [[gnu::always_inline]] constexpr Address pc() const { return pc_; }
-  [[nodiscard]] [[gnu::always_inline]] constexpr Address bank() const { return bank_; }
-  [[gnu::always_inline]] constexpr void set_pc(Address address) {
+  [[nodiscard]] SIGHTLINE_INLINE constexpr Address pc() const { return pc_; }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr Address bank() const { return bank_; }
+  SIGHTLINE_INLINE constexpr void set_pc(Address address) {
     pc_ = address & address_mask;
     bank_ = address & bank_mask;
   }
   // To `place` (13 bits) in `bank`, which spares the common jump the masks.
-  [[gnu::always_inline]] constexpr void set_pc(Address bank, Address place) {
+  SIGHTLINE_INLINE constexpr void set_pc(Address bank, Address place) {
     pc_ = bank | place;
     bank_ = bank;
   }
   // To the next word of the same bank: 17777 is followed by 00000.
-  [[gnu::always_inline]] constexpr void skip() { pc_ = bank_ | ((pc_ + 1) & in_bank_mask); }
+  SIGHTLINE_INLINE constexpr void skip() { pc_ = bank_ | ((pc_ + 1) & in_bank_mask); }
   // The value of PC before it stepped to here.
-  [[nodiscard]] [[gnu::always_inline]] constexpr Address before() const { return bank_ | ((pc_ - 1) & in_bank_mask); }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr Address before() const { return bank_ | ((pc_ - 1) & in_bank_mask); }
 
-  [[nodiscard]] [[gnu::always_inline]] constexpr bool link() const { return (link_ & carry) != 0; }
-  [[gnu::always_inline]] constexpr void set_link(bool link) { link_ = link ? carry : 0; }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool link() const { return (link_ & carry) != 0; }
+  SIGHTLINE_INLINE constexpr void set_link(bool link) { link_ = link ? carry : 0; }
   // A carry out of bit 0 of `sum`, the 19-bit sum of two words, complements L.
-  [[gnu::always_inline]] constexpr void add_carry(std::uint32_t sum) { link_ ^= sum; }
+  SIGHTLINE_INLINE constexpr void add_carry(std::uint32_t sum) { link_ ^= sum; }
 
   core::Word18 ac;
   core::Word18 mq;
