@@ -1,6 +1,6 @@
 // A view of a scene as the program of stripes takes it: the faces turned to the eye, projected and clipped to the picture on this
-// computer, corners in 1/256 dot with a depth, the plane of each as four whole numbers. The list of faces, and what they are cut by, is found by
-// the native algorithm if the host finds the priority; nothing else of visibility is decided here.
+// computer, corners in 1/256 dot with a depth, the plane of each as four whole numbers. If the host finds the priority, the native
+// algorithm orders the faces and cuts cycles; nothing else of visibility is decided here.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ struct ProjectedScene {
   bool clipped = false;          // parts of faces are outside the picture
 };
 
-// The scene is a checked one, and the eye of a camera in perspective is in free space (preconditions). Error: the priority is asked for and faces pass
-// through each other.
+// The scene is a checked one, and the eye of a camera in perspective is in free space (preconditions). Error: the priority is asked for
+// and faces pass through each other.
 [[nodiscard]] base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority);
 
 }  // namespace sightline::guests::stripes

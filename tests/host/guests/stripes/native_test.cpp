@@ -1,6 +1,6 @@
 // The machine's picture against the native stripes of Montani and Re, one dot thick: the same corners on the same borders between
-// lines, the same edges between them. Only where a side passes a dot's middle within a 1/64 of a dot they may disagree: the machine counts abscissas in
-// 1/256 of a dot and adds at most 255 steps, each too short by less than 1/65536. Along edges that the host has made, of cuts and at the
+// lines, the same edges between them. Only where a side passes a dot's middle within a 1/64 of a dot they may disagree: the machine
+// counts abscissas in 1/256 of a dot and adds at most 255 steps, each too short by less than 1/65536. Along edges that the host has made, of cuts and at the
 // window's border, they may disagree by a dot: there a corner is moved that the native algorithm does not have.
 #include <gtest/gtest.h>
 
