@@ -25,6 +25,8 @@ set(RULES
   "host/guests/jones/twin=emulators/core/word.hpp,emulators/type340/words.hpp,host/geometry/integer.hpp"
   "host/guests/turn=host/base,host/scene,host/algorithms/plantinga,emulators,tools/asm"
   "host/guests/turn/twin=emulators/core/word.hpp"
+  "host/guests/flight=host/base,host/scene,host/algorithms/willis,emulators,tools/asm"
+  "host/guests/flight/twin="
   "host/guests/skala=host/base,host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
   "host/guests/skala/twin=host/guests/skala/commands.hpp,emulators/core/raster.hpp"
   "host/guests/stripes=host/base,host/scene,host/picture/pen_path.hpp,host/picture/pixel_metrics.hpp,host/algorithms/montani_re,emulators,tools/asm"

@@ -1,0 +1,116 @@
+; The order, from that of the last frame: little changes from frame to frame, so each piece goes by insertion to its place among those before it.
+; And the priorities.
+
+; DE = first two bytes of the key before; HL = place in the order, B = K0P.
+ORDER:  LDA     FIRST
+        MOV     L,A
+        MVI     H,LISTP
+        MVI     B,K0P
+        LXI     D,0
+ORDER1: MOV     C,M
+        LDAX    B
+        CMP     D
+        JC      INSERT
+        JZ      SAME
+        MOV     D,A
+        INR     B
+        LDAX    B
+        MOV     E,A
+        DCR     B
+ORDER2: INR     L
+        JNZ     ORDER1
+        RET
+
+SAME:   INR     B
+        LDAX    B
+        MVI     B,K0P
+        CMP     E
+        JC      INSERT
+        MOV     E,A
+        JNZ     ORDER2
+        DCR     L               ; the last two bytes decide
+        MOV     A,M
+        INR     L
+        STA     CUR
+        CALL    LOWCMP
+        JNC     ORDER2
+
+; Piece C belongs before the piece before it.
+INSERT: MOV     A,C
+        STA     CUR
+        MOV     A,L
+        STA     PLACE
+        XCHG
+        SHLD    BEFORE
+        XCHG
+        LDAX    B
+        MOV     D,A
+        INR     B
+        LDAX    B
+        MOV     E,A
+        DCR     B
+        DCR     L
+        MOV     C,M
+SHIFT:  INR     L
+        MOV     M,C
+        DCR     L
+        DCR     L
+        MOV     C,M
+        LDAX    B
+        CMP     D
+        JC      PUT
+        JNZ     SHIFT
+        INR     B
+        LDAX    B
+        MVI     B,K0P
+        CMP     E
+        JC      PUT
+        JNZ     SHIFT
+        CALL    LOWCMP
+        JC      PUT
+        JNZ     SHIFT
+PUT:    INR     L
+        LDA     CUR
+        MOV     M,A
+        LHLD    BEFORE          ; what was last stays last
+        XCHG
+        LDA     PLACE
+        MOV     L,A
+        MVI     H,LISTP
+        JMP     ORDER2
+
+; The last two bytes of the keys of C and of CUR: carry if that of C is less, zero if they are the same.
+LOWCMP: PUSH    H
+        LDA     CUR
+        MOV     L,A
+        MVI     H,K2P
+        MVI     B,K2P
+        LDAX    B
+        CMP     M
+        JNZ     LOWCM1
+        INR     B
+        INR     H
+        LDAX    B
+        CMP     M
+LOWCM1: MVI     B,K0P
+        POP     H
+        RET
+
+CUR:    DB      0
+PLACE:  DB      0
+BEFORE: DW      0
+
+; ---- The nearest piece gets the priority N, the farthest 1.
+LOAD:   LDA     COUNT
+        MOV     B,A
+        LDA     FIRST
+        MOV     L,A
+        MVI     H,LISTP
+LOAD1:  MOV     A,M
+        OUT     PDNUM
+        MOV     A,B
+        OUT     PDPRI
+        DCR     B
+        INR     L
+        JNZ     LOAD1
+        RET

@@ -1,0 +1,194 @@
+; Keys of points whose coordinates are words. The square of a difference 256 h + l is 65536 h*h + 256 (h*h + l*l - (h-l)*(h-l)) + l*l, with squares of
+; bytes only. Of all axes together: H the sum of h*h, L of l*l, C of (h-l)*(h-l). 32 bits.
+
+; The difference of the next coordinate: l and |h - l| go into the instructions that will look them up; D = h. The stack pointer reads the points.
+DIFFW   MACRO   LOW,HIGH,ILOW,IDIFF
+        LOCAL   POS,POS2
+        POP     D
+        MOV     A,E
+LOW:    SUI     0               ; the eye's
+        MOV     E,A
+        MOV     A,D
+HIGH:   SBI     0
+        MOV     D,A
+        JNC     POS
+        CMA
+        MOV     D,A
+        MOV     A,E
+        CMA
+        MOV     E,A
+        INX     D
+POS:    MOV     A,E
+        STA     ILOW+1
+        SUB     D
+        JNC     POS2
+        CMA
+        INR     A
+POS2:   STA     IDIFF+1
+        MOV     L,D
+        MVI     H,SQLP
+        ENDM
+
+; BC = H
+FIRSTH  MACRO
+        MOV     C,M
+        INR     H
+        MOV     B,M
+        ENDM
+NEXTH   MACRO
+        MOV     A,M
+        ADD     C
+        MOV     C,A
+        INR     H
+        MOV     A,M
+        ADC     B
+        MOV     B,A
+        ENDM
+
+; DE = L; the carry out of it is left.
+FIRSTL  MACRO   ILOW
+        MVI     H,SQLP
+ILOW:   MVI     L,0
+        MOV     E,M
+        INR     H
+        MOV     D,M
+        ENDM
+NEXTL   MACRO   ILOW
+        DCR     H
+ILOW:   MVI     L,0
+        MOV     A,M
+        ADD     E
+        MOV     E,A
+        INR     H
+        MOV     A,M
+        ADC     D
+        MOV     D,A
+        ENDM
+
+; THIRD and DE = H + L + L / 256, with A the third byte of L; the low byte of L is kept as K3.
+JOIN    MACRO
+        STA     THIRD
+        MOV     A,E
+        STA     LOWEST
+        ADD     D
+        MOV     L,A
+        LDA     THIRD
+        ADC     D
+        MOV     H,A
+        LDA     THIRD
+        ACI     0
+        DAD     B
+        ACI     0
+        STA     THIRD
+        XCHG
+        ENDM
+
+; THIRD and DE - (h-l)*(h-l)
+LESSC   MACRO   IDIFF
+        LOCAL   NOBORR
+        MVI     H,SQLP
+IDIFF:  MVI     L,0
+        MOV     A,E
+        SUB     M
+        MOV     E,A
+        INR     H
+        MOV     A,D
+        SBB     M
+        MOV     D,A
+        JNC     NOBORR
+        LXI     H,THIRD
+        DCR     M
+NOBORR:
+        ENDM
+
+; The key of the number in the instruction NUM, and the next number.
+KEEPW   MACRO   NUM,LAST,LOOP
+        MOV     A,D
+        ADD     C
+        MOV     D,A
+        LDA     THIRD
+        ADC     B
+        MVI     H,K0P
+NUM:    MVI     L,0
+        MOV     M,A
+        INR     H
+        MOV     M,D
+        INR     H
+        MOV     M,E
+        INR     H
+        LDA     LOWEST
+        MOV     M,A
+        LXI     H,NUM+1
+        INR     M
+        MOV     A,M
+LAST:   CPI     0
+        JNZ     LOOP
+        LHLD    KEYSP
+        SPHL
+        RET
+        ENDM
+
+BEGINW  MACRO   NUM,LAST
+        MVI     A,1
+        STA     NUM+1
+        LDA     COUNT
+        INR     A
+        STA     LAST+1
+        LXI     H,0
+        DAD     SP
+        SHLD    KEYSP
+        LXI     SP,POINTS
+        ENDM
+
+; The eye's coordinate into the two instructions that subtract it.
+EYEW    MACRO   FROM,LOW,HIGH
+        LHLD    FROM
+        MOV     A,L
+        STA     LOW+1
+        MOV     A,H
+        STA     HIGH+1
+        ENDM
+
+KEYW2:  EYEW    EYE,EW2XL,EW2XH
+        EYEW    EYE+2,EW2YL,EW2YH
+        BEGINW  NUMW2,LASTW2
+KEYW2L: DIFFW   EW2XL,EW2XH,LW2X,CW2X
+        FIRSTH
+        DIFFW   EW2YL,EW2YH,LW2Y,CW2Y
+        NEXTH
+        FIRSTL  LW2X
+        NEXTL   LW2Y
+        MVI     A,0
+        ACI     0
+        JOIN
+        LESSC   CW2X
+        LESSC   CW2Y
+        KEEPW   NUMW2,LASTW2,KEYW2L
+
+KEYW3:  EYEW    EYE,EW3XL,EW3XH
+        EYEW    EYE+2,EW3YL,EW3YH
+        EYEW    EYE+4,EW3ZL,EW3ZH
+        BEGINW  NUMW3,LASTW3
+KEYW3L: DIFFW   EW3XL,EW3XH,LW3X,CW3X
+        FIRSTH
+        DIFFW   EW3YL,EW3YH,LW3Y,CW3Y
+        NEXTH
+        DIFFW   EW3ZL,EW3ZH,LW3Z,CW3Z
+        NEXTH
+        FIRSTL  LW3X
+        NEXTL   LW3Y
+        SBB     A
+        STA     THIRD           ; 0, or FF for a carry
+        NEXTL   LW3Z
+        MVI     A,0
+        ACI     0
+        LXI     H,THIRD
+        SUB     M
+        JOIN
+        LESSC   CW3X
+        LESSC   CW3Y
+        LESSC   CW3Z
+        KEEPW   NUMW3,LASTW3,KEYW3L
+
+THIRD:  DB      0
+LOWEST: DB      0

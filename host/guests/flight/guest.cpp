@@ -1,0 +1,115 @@
+#include "host/guests/flight/guest.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "emulators/machines/flight_ports.hpp"
+#include "emulators/machines/i8080_machine.hpp"
+
+namespace sightline::guests::flight {
+
+namespace {
+
+namespace display = devices::priority_display;
+
+// Those of the machine, noting every frame and how long the program looked for the display to be free.
+class NotingPorts : private core::NoStrokes, public machines::FlightPorts {
+ public:
+  NotingPorts(const machines::FlightConfiguration& configuration, const GuestOptions& options, GuestFlight& flight)
+      : FlightPorts(configuration, static_cast<core::NoStrokes&>(*this)), options_(options), flight_(flight) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+    if (port != control_port || priority() == nullptr) return FlightPorts::in(port, at);
+    hand_on_scanned(at);
+    if (!looked_) first_look_ = at;
+    looked_ = true;
+    last_look_ = at;
+    return FlightPorts::in(port, at);
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+    const bool shows = port == control_port && priority() != nullptr && (value & 1U) != 0;
+    if (shows && options_.give) options_.give(static_cast<std::uint32_t>(flight_.frames.size()), *priority());
+    FlightPorts::out(port, value, at);
+    if (shows) note(at);
+  }
+
+  // Nothing is wired to INT.
+  void advance(core::TStateInstant) {}
+  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
+  [[nodiscard]] static constexpr bool interrupt() { return false; }
+
+  // After the program's end: the last frame is shown, too.
+  void end() {
+    if (priority() == nullptr || flight_.frames.empty()) return;
+    pass_to_host(flight_.frames.back().shown + display::frame);
+  }
+
+ private:
+  static constexpr std::uint8_t control_port = machines::PriorityRow::first_port + devices::PriorityBoard::Register::control;
+
+  void note(core::TStateInstant at) {
+    GuestFrame frame;
+    const auto priorities = priority()->priorities();
+    std::copy(priorities.begin(), priorities.end(), frame.priorities.begin());
+    frame.told = at;
+    frame.waiting = last_look_ - first_look_;
+    // A frame begins with its first line; the display looks for a new list there.
+    const std::int64_t length = display::frame.count();
+    const std::int64_t now = options_.clock.to_nanoseconds(at).time_since_epoch().count();
+    frame.shown = core::at_nanoseconds((now / length + 1) * length);
+    flight_.frames.push_back(frame);
+    looked_ = false;
+  }
+  void hand_on_scanned(core::TStateInstant at) { pass_to_host(options_.clock.to_nanoseconds(at)); }
+  // Frames whose scan is over by then.
+  void pass_to_host(core::Instant now) {
+    if (!options_.scanned) return;
+    while (handed_ < flight_.frames.size() && flight_.frames[handed_].shown + display::line * display::lines <= now) {
+      const core::Instant over = flight_.frames[handed_].shown + display::line * display::lines;
+      const std::int64_t hertz = options_.clock.hertz;
+      const std::int64_t t = (over.time_since_epoch().count() / 1000 * (hertz / 1000) + 999) / 1000;
+      priority()->advance(core::at_t_state(t));
+      options_.scanned(static_cast<std::uint32_t>(handed_), priority()->display().picture());
+      ++handed_;
+    }
+  }
+
+  const GuestOptions& options_;
+  GuestFlight& flight_;
+  bool looked_ = false;
+  core::TStateInstant first_look_{};
+  core::TStateInstant last_look_{};
+  std::size_t handed_ = 0;
+};
+
+}  // namespace
+
+GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
+  GuestFlight flight;
+  machines::FlightConfiguration configuration;
+  configuration.priority_display = options.display;
+  configuration.parallel = stream;
+  configuration.clock = options.clock;
+  const auto ports = std::make_unique<NotingPorts>(configuration, options, flight);
+  machines::NoI8080Observer observer;
+  machines::I8080Machine<NotingPorts> machine(*ports, observer);
+  std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
+  machine.registers().pc = program.start;
+  // More than any stream can take: tables and silence, each byte, and for a frame of so many bytes all pieces in the opposite order.
+  constexpr std::int64_t once = 20'000'000;
+  constexpr std::int64_t a_byte = 2'000'000;
+  machines::I8080Limits limits;
+  limits.until = core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));
+  flight.ended = machine.run(limits) == machines::I8080StopReason::halt;
+  flight.total = machine.now().time_since_epoch();
+  ports->end();
+  flight.status = static_cast<Status>(machine.peek(program.status));
+  if (ports->priority() != nullptr) {
+    flight.priorities = ports->priority()->counts().priorities;
+    flight.writes_lost = ports->priority()->counts().writes_lost;
+  }
+  for (const machines::UnansweredPort& port : ports->unanswered()) flight.unanswered += port.reads + port.writes;
+  return flight;
+}
+
+}  // namespace sightline::guests::flight

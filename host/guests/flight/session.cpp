@@ -1,0 +1,178 @@
+#include "host/guests/flight/session.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/algorithms/willis/frame.hpp"
+#include "host/algorithms/willis/spans.hpp"
+
+namespace sightline::guests::flight {
+
+namespace {
+
+namespace willis = algorithms::willis;
+
+constexpr double field = 60;  // degrees across the picture
+
+// What the host knows of each frame: exact order, and where its pieces are on the screen.
+class Host {
+ public:
+  Host(const willis::Model& model, std::span<const scene::PolyCamera> cameras) : model_(model), cameras_(cameras), frames_(model) {}
+
+  [[nodiscard]] std::span<const std::uint32_t> order(std::size_t frame) { return frames_.order(cameras_[frame]); }
+
+  void give(std::size_t frame, devices::PriorityBoard& board) {
+    make(frame, order(frame), spans_);
+    surfaces_.clear();
+    for (const willis::SurfaceSpans& surface : spans_.surfaces)
+      surfaces_.push_back({static_cast<std::uint8_t>(surface.piece + 1), surface.face + 1, surface.first_line, surface.first_span, surface.line_count});
+    covered_.clear();
+    for (const willis::Span& span : spans_.spans) covered_.push_back({span.from, span.to});
+    board.give(surfaces_, covered_);
+  }
+
+  void count(std::size_t frame, const Priorities& priorities, bool points, FlightFrame& result) {
+    const auto exact = order(frame);
+    result.facing = static_cast<std::uint32_t>(exact.size());
+    willis::Point eye = willis::on_lattice(cameras_[frame].eye);
+    if (model_.plan) eye[model_.vertical] = 0;
+    const auto distance = [&](std::uint32_t piece) { return willis::squared_distance(eye, model_.pieces[piece].points[0]); };
+    for (std::size_t near = 0; near < exact.size(); ++near) {
+      for (std::size_t far = 0; far < near; ++far) {
+        if (priorities[exact[far] + 1] < priorities[exact[near] + 1]) continue;
+        if (distance(exact[far]) != distance(exact[near])) ++result.wrong_orders;
+      }
+    }
+    if (!points || result.wrong_orders == 0) return;
+    make(frame, exact, spans_);
+    const auto right = willis::resolved(spans_, window(frame));
+    std::vector<std::uint32_t> ordered(exact.begin(), exact.end());
+    std::sort(ordered.begin(), ordered.end(), [&](std::uint32_t a, std::uint32_t b) { return priorities[a + 1] < priorities[b + 1]; });
+    make(frame, ordered, spans_);
+    const auto made = willis::resolved(spans_, window(frame));
+    for (std::size_t i = 0; i < right.values.size(); ++i) result.wrong_points += right.values[i] != made.values[i] ? 1 : 0;
+  }
+
+ private:
+  [[nodiscard]] willis::ImageWindow window(std::size_t frame) const {
+    return willis::window_ahead(cameras_[frame], devices::priority_display::columns, devices::priority_display::lines, field);
+  }
+  void make(std::size_t frame, std::span<const std::uint32_t> order, willis::FrameSpans& spans) const {
+    willis::make_spans(model_, order, cameras_[frame], window(frame), spans);
+  }
+
+  const willis::Model& model_;
+  std::span<const scene::PolyCamera> cameras_;
+  willis::Frames frames_;
+  willis::FrameSpans spans_;
+  std::vector<devices::PriorityBoard::HostSurface> surfaces_;
+  std::vector<devices::PriorityBoard::HostSpan> covered_;
+};
+
+FlightSummary summary_of(const FlightRun& run, std::size_t pieces, core::ClockRate clock) {
+  FlightSummary sum;
+  sum.frames = static_cast<std::uint32_t>(run.frames.size());
+  sum.pieces = static_cast<std::uint32_t>(pieces);
+  double shown = 0;
+  double longest = 0;
+  double computing = 0;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const FlightFrame& frame = run.frames[i];
+    sum.wrong_orders += frame.wrong_orders;
+    sum.pairs += std::uint64_t{frame.facing} * (frame.facing - (frame.facing > 0 ? 1 : 0)) / 2;
+    sum.wrong_points += frame.wrong_points;
+    sum.frames_wrong += frame.wrong_points > 0 ? 1 : 0;
+    if (i == 0) continue;  // it has no beginning
+    const double gap = core::in_seconds(frame.shown - run.frames[i - 1].shown);
+    shown += gap;
+    longest = std::max(longest, gap);
+    computing += static_cast<double>(frame.computing.count());
+    sum.t_states_worst = std::max(sum.t_states_worst, frame.computing.count());
+    sum.exchanges_mean += frame.exchanges;
+    sum.exchanges_most = std::max(sum.exchanges_most, frame.exchanges);
+  }
+  if (run.frames.size() < 2) return sum;
+  const double count = static_cast<double>(run.frames.size() - 1);
+  const auto hertz = static_cast<double>(clock.hertz);
+  sum.frames_per_second_mean = count / shown;
+  sum.frames_per_second_worst = 1 / longest;
+  sum.t_states_mean = computing / count;
+  sum.computed_per_second_mean = hertz / sum.t_states_mean;
+  sum.computed_per_second_worst = hertz / static_cast<double>(sum.t_states_worst);
+  sum.exchanges_mean /= count;
+  return sum;
+}
+
+}  // namespace
+
+std::string difference_of(const GuestFlight& guest, const TwinFlight& twin) {
+  for (std::size_t frame = 0; frame < std::min(guest.frames.size(), twin.frames.size()); ++frame) {
+    const Priorities& here = guest.frames[frame].priorities;
+    const Priorities& there = twin.frames[frame].priorities;
+    const auto [at, other] = std::mismatch(here.begin(), here.end(), there.begin());
+    if (at != here.end())
+      return fmt::format("frame {}: piece {} has the priority {}, the twin's {}", frame, at - here.begin(), *at, *other);
+  }
+  if (guest.frames.size() != twin.frames.size())
+    return fmt::format("{} frames, the twin's {}", guest.frames.size(), twin.frames.size());
+  if (guest.status != twin.status) return fmt::format("status \"{}\", the twin's \"{}\"", text_of(guest.status), text_of(twin.status));
+  if (!guest.ended) return "the program did not end";
+  if (guest.writes_lost + guest.unanswered > 0)
+    return fmt::format("{} writes to the display lost, {} accesses unanswered", guest.writes_lost, guest.unanswered);
+  return "";
+}
+
+FlightRun Session::run(const willis::Model& model, std::span<const scene::PolyCamera> cameras, const Packed& packed,
+                       const FlightOptions& options) const {
+  Host host(model, cameras);
+  GuestOptions machine;
+  machine.clock = options.clock;
+  if (options.picture) {
+    machine.give = [&host](std::uint32_t frame, devices::PriorityBoard& board) { host.give(frame, board); };
+    machine.scanned = options.picture;
+  }
+  FlightRun run;
+  run.guest = run_guest(program_, packed.stream, machine);
+  const TwinFlight twin = run_twin(packed.stream);
+  run.difference = difference_of(run.guest, twin);
+  for (std::size_t i = 0; i < std::min(run.guest.frames.size(), twin.frames.size()); ++i) {
+    const GuestFrame& guest = run.guest.frames[i];
+    FlightFrame frame;
+    frame.waiting = guest.waiting;
+    if (i > 0) frame.computing = guest.told - run.guest.frames[i - 1].told - guest.waiting;
+    frame.shown = guest.shown;
+    frame.moved = twin.frames[i].moved;
+    frame.exchanges = twin.frames[i].exchanges;
+    host.count(i, guest.priorities, options.count_points, frame);
+    run.frames.push_back(frame);
+  }
+  run.summary = summary_of(run, model.pieces.size(), options.clock);
+  return run;
+}
+
+double predicted_t_states(const Packed& packed, std::size_t pieces, const FlightFrame& frame) {
+  const bool space = packed.axes == 3;
+  double packet = 0;  // receipt and check of an eye, and what a frame costs besides
+  double piece = 0;   // its key, its look at the one before it in the order, its priority
+  switch (packed.precision) {
+    case Precision::bits_8:
+      packet = space ? 1900 : 780;
+      piece = space ? 470 : 347;
+      break;
+    case Precision::bits_12:
+      packet = space ? 2770 : 1550;
+      piece = space ? 532 : 376;
+      break;
+    case Precision::bits_16:
+      packet = space ? 2810 : 1680;
+      piece = space ? 1301 : 938;
+      break;
+  }
+  constexpr double moved = 163;  // more, of a piece that goes before another
+  constexpr double exchange = 74;
+  return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges;
+}
+
+}  // namespace sightline::guests::flight
