@@ -19,6 +19,7 @@ void add_commands(const Command& program) {
   add_explain_command(program);
   add_spin_command(program);
   add_turn_command(program);
+  add_flight_command(program);
   add_sweep_command(program);
   add_asm_command(program);
   add_disasm_command(program);

@@ -75,6 +75,8 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
     EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
   }
   ASSERT_EQ(document.at("turns").size(), 4U);
+  ASSERT_EQ(document.at("flights").size(), 4U);
+  for (const json& flight : document.at("flights")) EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);
   for (const json& turn : document.at("turns")) EXPECT_GT(turn.at("frames_per_second_worst").get<double>(), 15);
   ASSERT_EQ(document.at("skala").size(), 8U);
   for (const json& row : document.at("skala"))

@@ -32,7 +32,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "sweep", "demo", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "flight", "sweep", "demo", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
@@ -98,6 +98,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"compare"},
               {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "guest", "twin", "native"});
   expect_help({"stripes"}, {"SCENE", "--device", "raster", "calcomp", "--stripes", "--priority", "host", "--json", "Montani"});
+  expect_help({"flight"}, {"SCENE", "--bits", "--plan", "--pieces", "--frames", "Willis"});
   expect_help({"turn"}, {"MODEL", "--no-eae", "--memory", "--frames", "--level", "Plantinga"});
   expect_help({"spin"}, {"SCENE", "--size", "--pixels", "--events", "Plantinga"});
   expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});

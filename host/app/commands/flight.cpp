@@ -1,0 +1,201 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/app/commands/commands.hpp"
+#include "host/app/commands/face_shades.hpp"
+#include "host/app/commands/flight_session.hpp"
+#include "host/app/commands/jones_session.hpp"
+#include "host/app/outputs.hpp"
+#include "host/app/scene_argument.hpp"
+#include "host/base/json.hpp"
+#include "host/picture/apng.hpp"
+
+namespace sightline::app {
+
+namespace {
+
+namespace flight = guests::flight;
+namespace display = devices::priority_display;
+using base::Json;
+
+struct FlightArguments {
+  std::string scene;
+  std::string bits = "8";
+  bool plan = false;
+  std::uint32_t pieces = 0;
+  std::uint32_t frames = 100;
+  std::string directory = "out";
+  bool json = false;
+};
+
+flight::Precision precision_of(const std::string& bits) {
+  if (bits == "8") return flight::Precision::bits_8;
+  return bits == "12" ? flight::Precision::bits_12 : flight::Precision::bits_16;
+}
+
+// What the display showed, the bottom row first; 256 by 256, every second point of every second line.
+picture::PixelGrid faces_shown(std::span<const std::uint32_t> shown) {
+  picture::PixelGrid faces(display::columns / 2, display::lines / 2);
+  for (int row = 0; row < faces.height; ++row)
+    for (int column = 0; column < faces.width; ++column)
+      faces.values[faces.index(column, row)] =
+          shown[static_cast<std::size_t>(display::lines - 2 - 2 * row) * display::columns + static_cast<std::size_t>(2 * column)];
+  return faces;
+}
+
+// The whole of one picture.
+picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
+  picture::PixelGrid faces(display::columns, display::lines);
+  for (int row = 0; row < faces.height; ++row)
+    std::copy_n(shown.begin() + static_cast<std::ptrdiff_t>(display::lines - 1 - row) * display::columns, display::columns,
+                faces.values.begin() + static_cast<std::ptrdiff_t>(faces.index(0, row)));
+  return faces;
+}
+
+// Each picture for as long as the display showed it: until the next.
+picture::FrameTime time_shown(const std::vector<flight::FlightFrame>& frames, std::size_t number) {
+  const core::Duration shown = number + 1 < frames.size() ? frames[number + 1].shown - frames[number].shown : display::frame;
+  return {static_cast<std::uint16_t>(std::min<std::int64_t>(shown.count() / 1'000'000, 65'535)), 1000};
+}
+
+std::string frame_table(const std::vector<flight::FlightFrame>& frames) {
+  std::string text = "frame,shown_ms,t_states,waiting_t_states,pieces_moved,pairs_exchanged,pieces_facing,wrong_orders,wrong_points\n";
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const flight::FlightFrame& frame = frames[i];
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", i, frame.shown.time_since_epoch().count() / 1'000'000, frame.computing.count(),
+                        frame.waiting.count(), frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points);
+  }
+  return text;
+}
+
+struct Made {
+  flight::FlightRun run;
+  std::vector<std::string> files;
+};
+
+Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, const PlannedFlight& planned, const flight::Packed& packed,
+         const flight::Session& session) {
+  make_directory(arguments.directory);
+  const std::string stem = file_stem(std::filesystem::path(arguments.scene).stem().string());
+  const std::string base = (std::filesystem::path(arguments.directory) / (stem + "-flight")).string();
+  Made made;
+  made.files = {base + ".apng", base + ".png", base + ".csv"};
+  const std::string title = fmt::format("{} from the priority display, after Willis 1977", stem);
+  Output animation(made.files[0]);
+  Output still(made.files[1]);
+  Output table(made.files[2]);
+  const auto shades = face_shades(source.scene);
+  std::vector<picture::Image> pictures;
+  flight::FlightOptions options;
+  options.count_points = true;
+  options.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
+    pictures.push_back(shaded_image(faces_shown(shown), shades));
+    if (frame == arguments.frames / 3) write_png(still, shaded_image(whole_shown(shown), shades), {{"Title", title}, {"Software", "sightline"}});
+  };
+  made.run = checked_flight(session, planned, packed, arguments.scene, options);
+  picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const auto added = apng.add(pictures[i], time_shown(made.run.frames, i));
+    if (!added) throw Failure(ExitCode::io, added.error().message());
+  }
+  const auto bytes = apng.finish();
+  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  animation.write(*bytes);
+  animation.commit();
+  still.commit();
+  table.write(frame_table(made.run.frames));
+  table.commit();
+  return made;
+}
+
+Json flight_document(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made) {
+  const flight::FlightSummary& sum = made.run.summary;
+  return Json{{"schema", "sightline/flight/1"},
+              {"scene", arguments.scene},
+              {"plan", arguments.plan},
+              {"bits", std::stoi(arguments.bits)},
+              {"pieces", sum.pieces},
+              {"surfaces", planned.model.surfaces},
+              {"residual", planned.model.residual.size()},
+              {"frames", sum.frames},
+              {"coordinate_step", packed.step_in_units},
+              {"distance_error", packed.error_in_units},
+              {"frames_per_second_mean", sum.frames_per_second_mean},
+              {"frames_per_second_worst", sum.frames_per_second_worst},
+              {"computed_per_second_mean", sum.computed_per_second_mean},
+              {"computed_per_second_worst", sum.computed_per_second_worst},
+              {"t_states_mean", sum.t_states_mean},
+              {"t_states_worst", sum.t_states_worst},
+              {"pairs_exchanged_mean", sum.exchanges_mean},
+              {"pairs_exchanged_most", sum.exchanges_most},
+              {"pairs", sum.pairs},
+              {"wrong_orders", sum.wrong_orders},
+              {"wrong_points", sum.wrong_points},
+              {"frames_with_wrong_points", sum.frames_wrong},
+              {"files", made.files}};
+}
+
+std::string flight_text(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made) {
+  const flight::FlightSummary& sum = made.run.summary;
+  std::string text = fmt::format("{}: a flight on an 8080 at 3 MHz with the priority display{}\n", arguments.scene, arguments.plan ? ", in plan" : "");
+  text += fmt::format("pieces           {}, of {} surfaces; {} pairs left in clusters\n", sum.pieces, planned.model.surfaces,
+                      planned.model.residual.size());
+  text += fmt::format("coordinates      {} bits, {} axes; a step is {:.3g} of the scene's units\n", arguments.bits, packed.axes, packed.step_in_units);
+  text += fmt::format("frames           {}\n", sum.frames);
+  text += fmt::format("{:<17}{:>12}{:>12}\n", "", "mean", "worst");
+  const auto row = [&text](const char* name, double mean, double worst, int digits) {
+    text += fmt::format("{:<17}{:>12.{}f}{:>12.{}f}\n", name, mean, digits, worst, digits);
+  };
+  row("frames/s shown", sum.frames_per_second_mean, sum.frames_per_second_worst, 2);
+  row("frames/s computed", sum.computed_per_second_mean, sum.computed_per_second_worst, 1);
+  row("T-states", sum.t_states_mean, static_cast<double>(sum.t_states_worst), 0);
+  row("pairs exchanged", sum.exchanges_mean, sum.exchanges_most, 1);
+  text += fmt::format("wrong orders     {} of {} pairs turned to the eye; right beyond a difference of {:.3g} units\n", sum.wrong_orders, sum.pairs,
+                      packed.error_in_units);
+  text += fmt::format("wrong points     {}, in {} of {} pictures\n", sum.wrong_points, sum.frames_wrong, sum.frames);
+  for (const std::string& file : made.files) text += fmt::format("file             {}\n", file);
+  return text;
+}
+
+ExitCode run_flight(const FlightArguments& arguments) {
+  const scene::LoadedScene source = load_scene(arguments.scene);
+  const std::optional<std::size_t> pieces = arguments.pieces > 0 ? std::optional<std::size_t>(arguments.pieces) : std::nullopt;
+  const PlannedFlight planned = planned_flight(source.scene, arguments.scene, arguments.plan, arguments.frames, pieces);
+  const flight::Packed packed = flight::pack(planned.model, planned.path, precision_of(arguments.bits));
+  const flight::Session session;
+  const Made made = fly(arguments, source, planned, packed, session);
+  if (arguments.json) {
+    print_json(flight_document(arguments, planned, packed, made));
+  } else {
+    write_stdout(flight_text(arguments, planned, packed, made));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_flight_command(const Command& program) {
+  const Command command = program.add_command("flight", help_page("flight"));
+  const auto arguments = std::make_shared<FlightArguments>();
+  command.option("SCENE", arguments->scene, scene_help).required();
+  command.option("--bits", arguments->bits, "Of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
+  command.flag("--plan", arguments->plan,
+               "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between their feet and tops");
+  command.option("--pieces", arguments->pieces, "Fly past this many of the pieces, those nearest to the start")
+      .default_value("all")
+      .range(1, static_cast<int>(flight::most_pieces));
+  command.option("--frames", arguments->frames, "Frames of the flight").default_value().range(2, 2000);
+  command.option("-o,--output", arguments->directory, "Folder for the pictures and the table").default_value().value("DIR");
+  command.flag("--json", arguments->json, "One JSON document instead of the table");
+  command.run([arguments] { return run_flight(*arguments); });
+}
+
+}  // namespace sightline::app

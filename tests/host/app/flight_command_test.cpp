@@ -1,0 +1,52 @@
+// `sightline flight`: its files, its table and its JSON; models that do not fit.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "nlohmann/json.hpp"
+#include "tests/host/app/command_line.hpp"
+
+namespace {
+
+using nlohmann::json;
+using sightline::test::has;
+using sightline::test::Ran;
+
+class FlightCommand : public sightline::test::CommandLine {};
+
+TEST_F(FlightCommand, WritesItsPicturesAndItsTable) {
+  const Ran ran = sightline({"flight", "town-5", "--frames", "6", "-o", "p"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  for (const char* text : {"pieces           43, of 30 surfaces", "frames/s shown          25.00       25.00", "wrong orders", "wrong points     0, in 0 of 6"})
+    EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
+  for (const char* file : {"p/town-5-flight.apng", "p/town-5-flight.png", "p/town-5-flight.csv"}) EXPECT_TRUE(exists(file)) << file;
+}
+
+TEST_F(FlightCommand, SaysItInJson) {
+  for (const char* bits : {"8", "12", "16"}) {
+    const Ran ran = sightline({"flight", "prisms-5", "--plan", "--bits", bits, "--pieces", "20", "--frames", "5", "--json", "-o", "p"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json document = json::parse(ran.out);
+    for (const char* field : {"frames_per_second_mean", "frames_per_second_worst", "computed_per_second_mean", "t_states_mean", "wrong_orders", "pairs",
+                              "distance_error"})
+      EXPECT_TRUE(document.at(field).is_number()) << field;
+    EXPECT_EQ(document.at("pieces"), 20);
+    EXPECT_EQ(document.at("bits"), std::stoi(bits));
+    EXPECT_EQ(document.at("wrong_points"), 0);
+  }
+}
+
+TEST_F(FlightCommand, SaysByHowManyPiecesAModelDoesNotFit) {
+  const Ran ran = sightline({"flight", "town-60", "-o", "p"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_TRUE(has(ran.err, "town-60: 719 pieces, 464 more than the machine holds; body")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "--pieces")) << ran.err;
+  const Ran cells = sightline({"flight", "touch-2", "-o", "p"});
+  EXPECT_EQ(cells.exit_code, 4);
+  EXPECT_TRUE(has(cells.err, "sightline draw willis")) << cells.err;
+  const Ran plan = sightline({"flight", "boxes-5", "--plan", "-o", "p"});
+  EXPECT_EQ(plan.exit_code, 4);
+  EXPECT_TRUE(has(plan.err, "between the feet and the tops")) << plan.err;
+}
+
+}  // namespace
