@@ -250,9 +250,17 @@ INIT2:  MOV     M,B             ; 0 before the first place, then 1, 2 ... N
         INR     B
         INR     L
         JNZ     INIT2
+        LXI     H,ORDER2
+        SHLD    SAMELO+1
+        LXI     H,PUT
+        SHLD    SHIFLO+1
         LDA     PREC
         DCR     A
         JZ      INITB
+        LXI     H,LOWER
+        SHLD    SAMELO+1
+        LXI     H,SHIFT1
+        SHLD    SHIFLO+1
         DCR     A
         JZ      INITT
         LXI     H,KEYW2

@@ -28,21 +28,28 @@ SAME:   INR     B
         JC      INSERT
         MOV     E,A
         JNZ     ORDER2
-        DCR     L               ; the last two bytes decide
-        MOV     A,M
-        INR     L
-        STA     CUR
-        CALL    LOWCMP
+SAMELO: JMP     0               ; the same two bytes: to ORDER2 where keys have no more, else to LOWER (put there by INIT)
+LOWER:  PUSH    H
+        DCR     L
+        MOV     L,M
+        MVI     H,K2P
+        MVI     B,K2P
+        LDAX    B
+        CMP     M
+        JNZ     LOWER1
+        INR     B
+        INR     H
+        LDAX    B
+        CMP     M
+LOWER1: MVI     B,K0P
+        POP     H
         JNC     ORDER2
 
 ; Piece C belongs before the piece before it.
 INSERT: MOV     A,C
-        STA     CUR
-        MOV     A,L
-        STA     PLACE
-        XCHG
-        SHLD    BEFORE
-        XCHG
+        STA     CUR+1
+        PUSH    H
+        PUSH    D               ; what was last stays last
         LDAX    B
         MOV     D,A
         INR     B
@@ -66,22 +73,19 @@ SHIFT:  INR     L
         CMP     E
         JC      PUT
         JNZ     SHIFT
-        CALL    LOWCMP
+SHIFLO: JMP     0               ; to PUT or SHIFT1, likewise
+SHIFT1: CALL    LOWCMP
         JC      PUT
         JNZ     SHIFT
 PUT:    INR     L
-        LDA     CUR
-        MOV     M,A
-        LHLD    BEFORE          ; what was last stays last
-        XCHG
-        LDA     PLACE
-        MOV     L,A
-        MVI     H,LISTP
+CUR:    MVI     M,0             ; piece C, put there by INSERT
+        POP     D
+        POP     H
         JMP     ORDER2
 
-; The last two bytes of the keys of C and of CUR: carry if that of C is less, zero if they are the same.
+; The last two bytes of the keys of C and of the piece in CUR: carry if that of C is less, zero if they are the same.
 LOWCMP: PUSH    H
-        LDA     CUR
+        LDA     CUR+1
         MOV     L,A
         MVI     H,K2P
         MVI     B,K2P
@@ -95,10 +99,6 @@ LOWCMP: PUSH    H
 LOWCM1: MVI     B,K0P
         POP     H
         RET
-
-CUR:    DB      0
-PLACE:  DB      0
-BEFORE: DW      0
 
 ; ---- The nearest piece gets the priority N, the farthest 1.
 LOAD:   LDA     COUNT

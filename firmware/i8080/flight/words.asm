@@ -65,26 +65,22 @@ ILOW:   MVI     L,0
         MOV     D,A
         ENDM
 
-; THIRD and DE = H + L + L / 256, with A the third byte of L; the low byte of L is kept as K3.
-JOIN    MACRO
-        STA     THIRD
-        MOV     A,E
-        STA     LOWEST
-        ADD     D
-        MOV     L,A
-        LDA     THIRD
-        ADC     D
+; THIRD and DE = H + L + L / 256, with A the third byte of L; the low byte of L goes where it will be stored as K3.
+JOIN    MACRO   THIRD,LOWEST
+        MOV     L,D
         MOV     H,A
-        LDA     THIRD
+        DAD     D
         ACI     0
         DAD     B
         ACI     0
-        STA     THIRD
+        STA     THIRD+1
         XCHG
+        MOV     A,L
+        STA     LOWEST+1
         ENDM
 
 ; THIRD and DE - (h-l)*(h-l)
-LESSC   MACRO   IDIFF
+LESSC   MACRO   IDIFF,THIRD
         LOCAL   NOBORR
         MVI     H,SQLP
 IDIFF:  MVI     L,0
@@ -96,17 +92,17 @@ IDIFF:  MVI     L,0
         SBB     M
         MOV     D,A
         JNC     NOBORR
-        LXI     H,THIRD
+        LXI     H,THIRD+1
         DCR     M
 NOBORR:
         ENDM
 
 ; The key of the number in the instruction NUM, and the next number.
-KEEPW   MACRO   NUM,LAST,LOOP
+KEEPW   MACRO   NUM,LAST,THIRD,LOWEST,LOOP
         MOV     A,D
         ADD     C
         MOV     D,A
-        LDA     THIRD
+THIRD:  MVI     A,0
         ADC     B
         MVI     H,K0P
 NUM:    MVI     L,0
@@ -116,11 +112,10 @@ NUM:    MVI     L,0
         INR     H
         MOV     M,E
         INR     H
-        LDA     LOWEST
-        MOV     M,A
-        LXI     H,NUM+1
-        INR     M
-        MOV     A,M
+LOWEST: MVI     M,0
+        INR     L
+        MOV     A,L
+        STA     NUM+1
 LAST:   CPI     0
         JNZ     LOOP
         LHLD    KEYSP
@@ -160,10 +155,10 @@ KEYW2L: DIFFW   EW2XL,EW2XH,LW2X,CW2X
         NEXTL   LW2Y
         MVI     A,0
         ACI     0
-        JOIN
-        LESSC   CW2X
-        LESSC   CW2Y
-        KEEPW   NUMW2,LASTW2,KEYW2L
+        JOIN    THRDW2,LWSTW2
+        LESSC   CW2X,THRDW2
+        LESSC   CW2Y,THRDW2
+        KEEPW   NUMW2,LASTW2,THRDW2,LWSTW2,KEYW2L
 
 KEYW3:  EYEW    EYE,EW3XL,EW3XH
         EYEW    EYE+2,EW3YL,EW3YH
@@ -178,17 +173,16 @@ KEYW3L: DIFFW   EW3XL,EW3XH,LW3X,CW3X
         FIRSTL  LW3X
         NEXTL   LW3Y
         SBB     A
-        STA     THIRD           ; 0, or FF for a carry
+        STA     CARRY           ; 0, or FF for a carry
         NEXTL   LW3Z
         MVI     A,0
         ACI     0
-        LXI     H,THIRD
+        LXI     H,CARRY
         SUB     M
-        JOIN
-        LESSC   CW3X
-        LESSC   CW3Y
-        LESSC   CW3Z
-        KEEPW   NUMW3,LASTW3,KEYW3L
+        JOIN    THRDW3,LWSTW3
+        LESSC   CW3X,THRDW3
+        LESSC   CW3Y,THRDW3
+        LESSC   CW3Z,THRDW3
+        KEEPW   NUMW3,LASTW3,THRDW3,LWSTW3,KEYW3L
 
-THIRD:  DB      0
-LOWEST: DB      0
+CARRY:  DB      0

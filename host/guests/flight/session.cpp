@@ -158,19 +158,19 @@ double predicted_t_states(const Packed& packed, std::size_t pieces, const Flight
   double piece = 0;   // its key, its look at the one before it in the order, its priority
   switch (packed.precision) {
     case Precision::bits_8:
-      packet = space ? 1900 : 780;
-      piece = space ? 470 : 347;
+      packet = space ? 1440 : 980;
+      piece = space ? 418 : 336;
       break;
     case Precision::bits_12:
-      packet = space ? 2770 : 1550;
-      piece = space ? 532 : 376;
+      packet = space ? 2540 : 1570;
+      piece = space ? 519 : 375;
       break;
     case Precision::bits_16:
-      packet = space ? 2810 : 1680;
-      piece = space ? 1301 : 938;
+      packet = space ? 2590 : 1690;
+      piece = space ? 1231 : 881;
       break;
   }
-  constexpr double moved = 163;  // more, of a piece that goes before another
+  constexpr double moved = 110;  // more, of a piece that goes before another
   constexpr double exchange = 74;
   return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges;
 }

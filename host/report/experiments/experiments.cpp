@@ -13,6 +13,7 @@ constexpr std::array experiments{
     Experiment{"skala-accuracy", &skala_accuracy},
     Experiment{"jones-accuracy", &jones_accuracy},
     Experiment{"willis-order", &willis_order},
+    Experiment{"willis-flight", &willis_flight},
     Experiment{"cross-check", &cross_check},
     Experiment{"jones-views", &jones_views},
     Experiment{"plantinga-accuracy", &plantinga_accuracy},

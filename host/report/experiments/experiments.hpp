@@ -20,6 +20,7 @@ namespace sightline::report {
 [[nodiscard]] Records plantinga_turns(const Context& context);
 [[nodiscard]] Records skala_accuracy(const Context& context);
 [[nodiscard]] Records skala_pictures(const Context& context);
+[[nodiscard]] Records willis_flight(const Context& context);
 [[nodiscard]] Records willis_order(const Context& context);
 [[nodiscard]] Records willis_times(const Context& context);
 
