@@ -1,7 +1,7 @@
 // Flights on an 8080 with the priority display (firmware/i8080/flight): what the machine of Willis's time could do. Times are the machine's.
 //
-//   flights    a scene, a number of pieces and bits of a coordinate, each. Wrong points of the picture are counted, and there is one, where all pieces
-//              take part.
+//   flights    a scene, a number of pieces and bits of a coordinate, each. With 8 bits and the most pieces wrong points are counted,
+//              and there is a picture.
 #include <fmt/core.h>
 
 #include <array>
@@ -44,7 +44,7 @@ picture::Image greys_of(std::span<const std::uint32_t> shown) {
 
 Records willis_flight(const Context& context) {
   namespace guest = guests::flight;
-  constexpr std::uint32_t frames = 60;
+  constexpr std::uint32_t frames = 100;
   constexpr std::size_t all = 200;
   Records records;
   const guest::Session session;
@@ -65,8 +65,8 @@ Records willis_flight(const Context& context) {
         const guest::Packed packed = guest::pack(model, path, precision);
         guest::FlightOptions options;
         std::optional<Picture> screen;
-        options.count_points = pieces == all;
-        if (pieces == all && bits == 8) {
+        options.count_points = pieces == all && bits == 8;
+        if (options.count_points) {
           options.picture = [&screen](std::uint32_t number, std::span<const std::uint32_t> shown) {
             if (number == frames / 3) screen = png_picture(greys_of(shown));
           };
