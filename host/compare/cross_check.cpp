@@ -12,6 +12,7 @@
 #include "host/base/text.hpp"
 #include "host/compare/cross_check_compare.hpp"
 #include "host/compare/stripes.hpp"
+#include "host/compare/willis_8080.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -33,8 +34,12 @@ std::vector<Participant> find_participants() {
     if (!method.algorithm.empty()) at(method.algorithm).faces = true;
   at(stripes_name).faces = true;
   at(oracle).faces = true;
+  at(willis_on_8080().name).faces = true;
   return found;
 }
+
+constexpr std::string_view touching = "its solids touch or are not convex, and their order is no matter of distance";
+constexpr std::string_view no_distance = "in parallel projection the eye has no distance";
 
 constexpr std::array all_not_applicable{
     NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
@@ -46,6 +51,15 @@ constexpr std::array all_not_applicable{
     NotApplicable{stripes_name, "H", NotApplicable::Views::all, "1,922 faces are turned to the eye, the 8080 holds 64"},
     NotApplicable{"plantinga", "C", NotApplicable::Views::perspective,
                   "events of a turn are those of parallel projection"},
+    NotApplicable{"willis-8080", "C1", NotApplicable::Views::all, touching},
+    NotApplicable{"willis-8080", "C2", NotApplicable::Views::all, touching},
+    NotApplicable{"willis-8080", "C3", NotApplicable::Views::all, touching},
+    NotApplicable{"willis-8080", "C5", NotApplicable::Views::all, no_distance},
+    NotApplicable{"willis-8080", "C6", NotApplicable::Views::all, no_distance},
+    NotApplicable{"willis-8080", "C7", NotApplicable::Views::all, no_distance},
+    NotApplicable{"willis-8080", "C8", NotApplicable::Views::all, no_distance},
+    NotApplicable{"willis-8080", "C9", NotApplicable::Views::all, "has 293 pieces, and the machine holds 255"},
+    NotApplicable{"willis-8080", "H", NotApplicable::Views::all, "has tens of thousands of pieces, and the machine holds 255"},
 };
 
 template <class Table>
@@ -131,7 +145,8 @@ class Drawing {
       });
       return;
     }
-    const registry::FaceAlgorithm* const algorithm = find_in(tables_.faces, who_.name);
+    const registry::FaceAlgorithm* const algorithm =
+        who_.name == willis_on_8080().name ? &willis_on_8080() : find_in(tables_.faces, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
     registry::FaceOptions options;
     options.plan = scene_.plan;

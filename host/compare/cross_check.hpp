@@ -29,6 +29,7 @@ struct Participant {
   bool faces = false;
 };
 // In the order of the registries: lines, faces, heights; then the 8080's stripes (stripes.hpp). The oracle has faces, too: nearest_faces().
+// Then Willis's priorities from an 8080 (willis_8080.hpp).
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {

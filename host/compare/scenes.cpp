@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <utility>
+#include <vector>
 
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/oracle/matter.hpp"
@@ -13,6 +14,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/stripes.hpp"
+#include "host/compare/willis_8080.hpp"
 #include "host/guests/jones/session.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -94,8 +96,11 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
   progress("oracle of sight lines");
   const auto truth = FaceTruth::of(scene, comparison.camera);
   const bool crossing = !scene::crossings_of(scene, 1).empty();
-  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) {
-    const std::string name(algorithm.name);
+  std::vector<const registry::FaceAlgorithm*> algorithms;
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) algorithms.push_back(&algorithm);
+  algorithms.push_back(&willis_on_8080());
+  for (const registry::FaceAlgorithm* const algorithm : algorithms) {
+    const std::string name(algorithm->name);
     if (crossing) {
       comparison.not_applicable.emplace_back(name, bodies_intersect);
       continue;
@@ -105,7 +110,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
       continue;
     }
     progress(name);
-    auto compared = truth->compared(algorithm);
+    auto compared = truth->compared(*algorithm);
     if (!compared)
       comparison.not_applicable.emplace_back(name, compared.error().message());
     else

@@ -36,21 +36,12 @@ class Host {
   void count(std::size_t frame, const Priorities& priorities, bool points, FlightFrame& result) {
     const auto exact = order(frame);
     result.facing = static_cast<std::uint32_t>(exact.size());
-    willis::Point eye = willis::on_lattice(cameras_[frame].eye);
-    if (model_.plan) eye[model_.vertical] = 0;
-    const auto distance = [&](std::uint32_t piece) { return willis::squared_distance(eye, model_.pieces[piece].points[0]); };
-    for (std::size_t near = 0; near < exact.size(); ++near) {
-      for (std::size_t far = 0; far < near; ++far) {
-        if (priorities[exact[far] + 1] < priorities[exact[near] + 1]) continue;
-        if (distance(exact[far]) != distance(exact[near])) ++result.wrong_orders;
-      }
-    }
-    if (!points || result.wrong_orders == 0) return;
+    const ShownOrder shown = shown_order(model_, cameras_[frame], exact, priorities);
+    result.wrong_orders = shown.wrong;
+    if (!points || shown.wrong == 0) return;
     make(frame, exact, spans_);
     const auto right = willis::resolved(spans_, window(frame));
-    std::vector<std::uint32_t> ordered(exact.begin(), exact.end());
-    std::sort(ordered.begin(), ordered.end(), [&](std::uint32_t a, std::uint32_t b) { return priorities[a + 1] < priorities[b + 1]; });
-    make(frame, ordered, spans_);
+    make(frame, shown.pieces, spans_);
     const auto made = willis::resolved(spans_, window(frame));
     for (std::size_t i = 0; i < right.values.size(); ++i) result.wrong_points += right.values[i] != made.values[i] ? 1 : 0;
   }
@@ -106,6 +97,24 @@ FlightSummary summary_of(const FlightRun& run, std::size_t pieces, core::ClockRa
 }
 
 }  // namespace
+
+ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& camera, std::span<const std::uint32_t> exact,
+                       const Priorities& priorities) {
+  ShownOrder shown;
+  willis::Point eye = willis::on_lattice(camera.eye);
+  if (model.plan) eye[model.vertical] = 0;
+  const auto distance = [&](std::uint32_t piece) { return willis::squared_distance(eye, model.pieces[piece].points[0]); };
+  for (std::size_t near = 0; near < exact.size(); ++near) {
+    for (std::size_t far = 0; far < near; ++far) {
+      if (priorities[exact[far] + 1] < priorities[exact[near] + 1]) continue;
+      if (distance(exact[far]) != distance(exact[near])) ++shown.wrong;
+    }
+  }
+  shown.pieces.assign(exact.begin(), exact.end());
+  std::sort(shown.pieces.begin(), shown.pieces.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return priorities[a + 1] < priorities[b + 1]; });
+  return shown;
+}
 
 std::string difference_of(const GuestFlight& guest, const TwinFlight& twin) {
   for (std::size_t frame = 0; frame < std::min(guest.frames.size(), twin.frames.size()); ++frame) {

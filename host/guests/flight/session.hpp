@@ -61,6 +61,15 @@ struct FlightOptions {
   std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {};
 };
 
+// The pieces turned to the eye as the display has them, the least priority first; and how many pairs of them, at different distances, are not in
+// the order of exact distances. `exact` is that order, of willis::Frames.
+struct ShownOrder {
+  std::vector<std::uint32_t> pieces;
+  std::uint32_t wrong = 0;
+};
+[[nodiscard]] ShownOrder shown_order(const algorithms::willis::Model& model, const scene::PolyCamera& camera,
+                                     std::span<const std::uint32_t> exact, const Priorities& priorities);
+
 class Session {
  public:
   Session() : program_(assemble_program()) {}

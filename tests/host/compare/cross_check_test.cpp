@@ -13,6 +13,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/cross_check_compare.hpp"
+#include "host/compare/willis_8080.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "tests/host/compare/cross_check_suite.hpp"
@@ -69,6 +70,7 @@ std::set<std::string_view> registered() {
   for (const registry::HeightMethod& method : registry::height_methods())
     if (!method.algorithm.empty()) names.insert(method.algorithm);
   names.insert(stripes_name);
+  names.insert(willis_on_8080().name);
   return names;
 }
 

@@ -1,0 +1,62 @@
+#include "host/compare/willis_8080.hpp"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "host/algorithms/willis/frame.hpp"
+#include "host/algorithms/willis/spans.hpp"
+#include "host/guests/flight/session.hpp"
+
+namespace sightline::compare {
+
+namespace {
+
+namespace flight = guests::flight;
+namespace willis = algorithms::willis;
+
+base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyCamera& camera,
+                                              const registry::FaceWindow& shown) {
+  if (!camera.perspective) return base::fail("the machine orders by distance, and in parallel projection the eye has none");
+  const auto model = flight::flight_model(scene, options, camera.eye);
+  if (!model) return model.error();
+  if (auto error = willis::plan_error(*model, camera)) return base::fail(*error);
+  static const flight::Session session;
+  const flight::Packed packed = flight::pack(*model, std::span(&camera, 1), flight::Precision::bits_16);
+  const flight::GuestFlight guest = flight::run_guest(session.program(), packed.stream);
+  if (const std::string difference = flight::difference_of(guest, flight::run_twin(packed.stream)); !difference.empty())
+    base::give_up(fmt::format("a priority on the 8080 is not the one its native twin computes: {}", difference));
+  willis::Frames frames(*model);
+  const flight::ShownOrder order = flight::shown_order(*model, camera, frames.order(camera), guest.frames.at(0).priorities);
+  if (order.wrong > 0) return base::fail(fmt::format("rounded to 16 bits, {} pairs of pieces are in another order than by exact distances", order.wrong));
+  const willis::ImageWindow window{shown.width, shown.height, shown.scale, shown.left, shown.top};
+  willis::FrameSpans spans;
+  willis::make_spans(*model, order.pieces, camera, window, spans);
+  registry::FaceView view;
+  view.faces = willis::resolved(spans, window);
+  view.counts = {{"pieces", model->pieces.size()}, {"facing", order.pieces.size()}};
+  return view;
+}
+
+base::Result<registry::PreparedFaces> prepare_8080(const scene::PolyScene& scene, const registry::FaceOptions& options) {
+  willis::ModelOptions model_options;
+  model_options.plan = options.plan;
+  model_options.vertical = options.vertical;
+  // Which pieces are nearest changes nothing in whether they fit.
+  if (const auto model = flight::flight_model(scene, model_options, scene.camera.eye); !model) return model.error();
+  registry::PreparedFaces prepared;
+  prepared.view = [&scene, model_options](const scene::PolyCamera& camera, const registry::FaceWindow& window) {
+    return view_on_8080(scene, model_options, camera, window);
+  };
+  return prepared;
+}
+
+constexpr registry::FaceAlgorithm on_8080{"willis-8080", "Willis's priorities, computed by an 8080 with coordinates of 16 bits", prepare_8080};
+
+}  // namespace
+
+const registry::FaceAlgorithm& willis_on_8080() { return on_8080; }
+
+}  // namespace sightline::compare

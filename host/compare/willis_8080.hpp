@@ -1,0 +1,14 @@
+// Willis's priorities as an 8080 computes them (host/guests/flight), as an algorithm of faces beside those of the registry: a frame is sent to the
+// emulated machine, and the pieces are shown in the order that comes back.
+//
+// Left out: views in parallel, in which the eye has no distance, and scenes that the machine does not hold. Both are errors.
+#pragma once
+
+#include "host/algorithms/registry/faces.hpp"
+
+namespace sightline::compare {
+
+// Coordinates have 16 bits. A view whose order is not that of exact distances is an error that says so: it may show a wrong face.
+[[nodiscard]] const registry::FaceAlgorithm& willis_on_8080();
+
+}  // namespace sightline::compare
