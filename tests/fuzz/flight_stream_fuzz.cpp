@@ -1,0 +1,69 @@
+// Streams of a flight, as they come and made right with one byte changed: the program on the 8080 does what its twin does, and refuses what is
+// damaged.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/guests/flight/session.hpp"
+
+namespace {
+
+namespace flight = sightline::guests::flight;
+
+// Numbers from the input, 0 at its end.
+class Input {
+ public:
+  explicit Input(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  [[nodiscard]] std::uint32_t byte() { return at_ < bytes_.size() ? bytes_[at_++] : 0U; }
+  [[nodiscard]] bool more() const { return at_ < bytes_.size(); }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+};
+
+// With precision 3 the squares of high bytes have to stay below 2^16 in all.
+std::vector<std::uint32_t> point_of(Input& input, flight::Precision precision, std::size_t axes) {
+  std::vector<std::uint32_t> point;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::uint32_t value = input.byte();
+    if (precision == flight::Precision::bits_12) value |= (input.byte() & 0x0FU) << 8U;
+    if (precision == flight::Precision::bits_16) value |= input.byte() % 148 << 8U;
+    point.push_back(value);
+  }
+  return point;
+}
+
+void expect_twin(const std::vector<std::uint8_t>& stream, std::optional<bool> complete = {}) {
+  static const flight::Program program = flight::assemble_program();
+  const flight::GuestFlight guest = flight::run_guest(program, stream);
+  if (!flight::difference_of(guest, flight::run_twin(stream)).empty()) std::abort();
+  if (complete && *complete != (guest.status == flight::Status::complete)) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > 300) return 0;
+  Input input({data, size});
+  const auto precision = static_cast<flight::Precision>(input.byte() % 3 + 1);
+  const std::size_t axes = input.byte() % 2 + 2;
+  const std::size_t pieces = input.byte() % 40 + 1;
+  const std::uint32_t where = input.byte() << 8U | input.byte();
+  const auto change = static_cast<std::uint8_t>(input.byte());
+  flight::StreamWriter writer(precision, axes, pieces);
+  for (std::size_t i = 0; i < pieces; ++i) writer.point(point_of(input, precision, axes));
+  writer.check();
+  for (int eyes = 0; eyes < 4 && input.more(); ++eyes) writer.eye(point_of(input, precision, axes));
+  std::vector<std::uint8_t> stream = writer.end();
+  expect_twin(stream, true);
+  std::uint8_t& damaged = stream[where % stream.size()];
+  damaged = static_cast<std::uint8_t>(damaged ^ change);
+  expect_twin(stream, change == 0);
+  // Any words with precision 3 may have keys that are not defined.
+  if (size < 3 || data[2] != 3) expect_twin({data, data + size});
+  return 0;
+}
