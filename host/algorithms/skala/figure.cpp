@@ -179,7 +179,7 @@ class FigureMaker {
       const std::string of = i == 0 ? "" : ", surface " + std::to_string(i + 1);
       for (const double level : levels) {
         labelled.push_back({static_cast<std::uint32_t>(drawing.layers.size()), level_text(level)});
-        // Maps that lie on each other are told apart by the surface.
+        // Maps that lie on each other have the colours of their surfaces.
         const picture::Colour colour = grids_.size() > 1 ? surface_colour(i) : picture::height_line_colour(part_of(level));
         drawing.layers.push_back({"floor " + level_text(level) + of, colour});
       }

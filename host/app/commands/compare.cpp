@@ -67,7 +67,7 @@ void refuse(bool given, const char* option, const std::string& name, std::string
     throw Failure(ExitCode::usage, fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
-// What has no camera, or only an eye.
+// Of functions, which have no camera, and scenes of cells, which have only an eye.
 void refuse_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
   const bool point = camera.view.find(',') != std::string::npos;
   refuse(eye && !camera.eye.empty(), "--eye", name, expected);

@@ -432,6 +432,21 @@ std::optional<base::Error> why_not_read(std::string_view tag, std::string_view m
   return std::nullopt;
 }
 
+// The first component that lies in another part of the archive, which assimp passes over: an error. Files of slicers have such.
+std::optional<base::Error> why_not_whole(std::string_view text, std::string_view model) {
+  constexpr std::string_view element = "<component ";
+  for (std::size_t at = text.find(element); at != std::string_view::npos; at = text.find(element, at + 1)) {
+    const std::string_view tag = text.substr(at, text.find('>', at) - at);
+    const std::size_t path = tag.find(":path=");
+    if (path == std::string_view::npos || path + 7 > tag.size()) continue;
+    const std::string_view value = tag.substr(path + 7);
+    return base::Error{"", printable_name(std::string(model)),
+                       "found a component in another part, " + quoted_excerpt(value.substr(0, value.find_first_of("\"'"))),
+                       "meshes in the model itself, as the core of 3MF has it", "export without the production extension, or as STL"};
+  }
+  return std::nullopt;
+}
+
 // The unit of an archive's models.
 base::Result<std::string> unit_of_3mf(std::string_view archive) {
   const auto entries = zip_entries(archive);
@@ -448,6 +463,7 @@ base::Result<std::string> unit_of_3mf(std::string_view archive) {
     const std::string text = zip_beginning(archive, entry, beginning);
     const std::size_t element = text.find("<model");
     if (element == std::string::npos) continue;
+    if (auto error = why_not_whole(text, entry.name)) return std::move(*error);
     const std::string_view tag = std::string_view(text).substr(element, text.find('>', element) - element);
     if (auto error = why_not_read(tag, entry.name)) return std::move(*error);
     const std::string_view said = attribute(tag, "unit");

@@ -295,6 +295,11 @@ TEST(AssimpMesh, DamageIsNamed) {
       has(error_of(threemf(quarter_turn, "requiredextensions=\"p\" xmlns:p=\"http://x/production/2015/06\""),
                    AssimpFormat::threemf),
           "3D/3dmodel.model: found that the extension \"p\" is required"));
+  EXPECT_TRUE(has(error_of(zip({{"3D/3dmodel.model", "<model xmlns:p=\"http://x/production/2015/06\"><resources><object id=\"2\"><components><component "
+                                                     "p:path=\"/3D/Objects/o.model\" objectid=\"1\"/></components></object></resources><build>"
+                                                     "<item objectid=\"2\"/></build></model>"}}),
+                           AssimpFormat::threemf),
+                  "3D/3dmodel.model: found a component in another part, \"/3D/Objects/o.model\""));
 }
 
 // Whatever assimp does with it, this program goes on.
