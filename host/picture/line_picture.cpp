@@ -177,7 +177,7 @@ class Spokes {
 
   const scene::PolyScene& scene_;
   std::vector<VertexIndex> first_at_;
-  std::vector<bool> drawn_;                 // the vertex is at an end of an edge of the picture
+  std::vector<bool> drawn_;                 // an edge of the picture ends at the vertex
   std::vector<LineEdge> edges_;             // ascending
   std::vector<std::uint32_t> first_edge_;  // of each vertex
   std::vector<Spoke> spokes_;

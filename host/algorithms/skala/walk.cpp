@@ -319,7 +319,8 @@ class Walker {
   };
 
   void contour(std::uint32_t level, const std::array<ContourEnd, 2>& ends) {
-    const auto& [from, to] = ends;
+    const ContourEnd& from = ends[0];
+    const ContourEnd& to = ends[1];
     if (!view_.visibility) {
       unhidden_.assign(1, {from.at, to.at});
     } else if (pass_ == Pass::usual) {
