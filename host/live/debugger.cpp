@@ -400,8 +400,8 @@ Halted Debugger::run(const Goal& goal) {
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
     const bool key_due = stop.name == end_of_input && !keys_.empty();
     if (part_done || key_due) stop = {guests::run::stopped_by_probe, {}};
-    const bool in_vain = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
-    if (!in_vain) answered_at = machine_.ticks();
+    const bool unanswered = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
+    if (!unanswered) answered_at = machine_.ticks();
     if (stop.name == guests::run::stopped_by_probe && machine_.ticks() - answered_at >= patience_seconds * machine_.ticks_a_second()) {
       stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
                                         "`run for TIME` runs on without",

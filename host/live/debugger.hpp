@@ -33,7 +33,7 @@ struct RunHost {
   std::function<bool()> interrupted;
   // What the program has printed, outside `run`.
   std::function<void(std::string_view)> print;
-  // Keys come from send() alone: a run without a goal ends when the program has long asked for one in vain.
+  // Keys come from send() alone: a run without a goal ends when the program has long asked for one and got none.
   bool nobody_types = false;
 };
 
@@ -178,7 +178,7 @@ class Debugger {
   // Where the words are that the conditions look at; nothing: they look at something else, too, or one holds already.
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> places_of_conditions(const std::string& goal);
   // Lets the probe look at the conditions between instructions, at those that can make one true alone if possible; false: they must
-  // be looked at from here, instruction by instruction.
+  // be evaluated here, instruction by instruction.
   [[nodiscard]] bool look_at_conditions(const std::string& goal);
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
   [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,

@@ -276,7 +276,7 @@ Sign turned(Sign sign) {
   }
 }
 
-// A name, or what there is of it, is true when it is not 0.
+// A name, or bits of it, is true when not 0.
 std::optional<Range> truth_of(const Known& known) {
   return known.truth ? known.truth : known.name ? compared(*known.name, unequal, 0) : std::nullopt;
 }

@@ -36,7 +36,7 @@ class Expression {
   // If it has nothing in it that changes but words of memory at fixed addresses: these.
   [[nodiscard]] const std::optional<std::vector<std::int64_t>>& places() const { return places_; }
 
-  // The names that are read anew each time.
+  // The names that are read again each time.
   [[nodiscard]] const std::vector<std::string>& names() const { return read_names_; }
   // While it is true, (name & mask) - first <= span, in 32 bits, for one of names().
   struct Range {

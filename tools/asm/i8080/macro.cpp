@@ -184,7 +184,7 @@ class Replacer {
     expansion_.origins.emplace_back(expansion_.text.size(), at_);
   }
 
-  // MAC reads what it has put for a name once more, but for the name itself.
+  // MAC reads the text that it has put for a name again, and looks for the other names in it.
   [[nodiscard]] std::string text_for(std::size_t number) const {
     if (!rules_.arguments_are_scanned) return texts_[number];
     std::vector<std::string> others = names_;

@@ -149,7 +149,7 @@ TEST(I8080MacManual, TestsOfEmptyParameters) {
   EXPECT_EQ(bytes(mac, text), expected);
 }
 
-// Figure 23: A, the value of C, is replaced by that of A.
+// Figure 23: A, the value of C, gives way to the value of A.
 TEST(I8080MacManual, EvaluationOfParameters) {
   const std::string text =
       "MAC1 MACRO A,B,C,D,S\n DB '&A &B &C &D'\n DB S\nA: NOP\n MVI B,1\nC&1: NOP\nL&A&D: NOP\n ENDM\n"
