@@ -1,6 +1,7 @@
 #include "host/algorithms/skala/horizon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -43,6 +44,17 @@ Floats either(Ints first, Floats a, Floats b) {
   return std::bit_cast<Floats>((first & std::bit_cast<Ints>(a)) | (~first & std::bit_cast<Ints>(b)));
 }
 
+// The sum of four numbers that do not add up to more than 32 bits.
+std::uint32_t sum_of(Ints numbers) {
+  const auto pairs = std::bit_cast<std::array<std::uint64_t, 2>>(numbers);
+  const std::uint64_t sum = pairs[0] + pairs[1];
+  return static_cast<std::uint32_t>(sum) + static_cast<std::uint32_t>(sum >> 32);
+}
+bool any_of(Ints mask) {
+  const auto pairs = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
+  return (pairs[0] | pairs[1]) != 0;
+}
+
 class Line {
  public:
   Line(Vertex left, Vertex right) : left_(left), slope_((right.y - left.y) / (right.x - left.x)) {}
@@ -69,7 +81,7 @@ void Horizon::add(Vertex from, Vertex to) {
   if (pieces_.size() > first_own_ && pieces_.back().to == from) {
     pieces_.back().to = to;
   } else {
-    pieces_.push_back({from, to});
+    see(from, to);
   }
 }
 
@@ -134,7 +146,7 @@ void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, 
 }
 
 // Those in (left, right], so that of two joined segments one has the column of their joint.
-Horizon::Columns Horizon::columns_of(Vertex left, Vertex right) const {
+inline Horizon::Columns Horizon::columns_of(Vertex left, Vertex right) const {
   const auto last = static_cast<float>(columns_ - 1);
   return {column_before(left.x, last) + 1, column_before(right.x, last)};
 }
@@ -167,7 +179,7 @@ Horizon::Columns Horizon::look(Vertex from, Vertex to, float slack, const Wake& 
   if (either == 0) return columns;
   const int count = columns.last - columns.first + 1;
   if (above == count || below == count) {
-    pieces_.push_back({from, to});
+    see(from, to);
   } else {
     mixed(left, right, columns, leftwards, slack);
   }
@@ -190,7 +202,7 @@ void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
 // look() and raise() for a segment in at most a block of columns. Most segments of a net are so short, and how many
 // columns they have is as good as random: a block is worked on as a whole, without a branch on it, and what is beyond the
 // segment is left out of the sums and as it was in the masks.
-void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
+inline void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
   const bool leftwards = to.x < from.x;
   const Vertex left = leftwards ? to : from;
   const Vertex right = leftwards ? from : to;
@@ -205,10 +217,10 @@ void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
   const Ints under = (bottom - heights > usual_slack) & own;
   constexpr std::int32_t below_bottom = 1 << 8;  // above any sum of ones
   const Ints flags = (over & 1) | (under & below_bottom);
-  const std::int32_t seen = flags[0] + flags[1] + flags[2] + flags[3];
-  if (seen != 0) {
-    if (seen % below_bottom == count || seen / below_bottom == count) {
-      pieces_.push_back({from, to});
+  if (const std::uint32_t seen = sum_of(flags); seen != 0) {
+    const auto all = static_cast<std::uint32_t>(count);
+    if (seen % below_bottom == all || seen / below_bottom == all) {
+      see(from, to);
     } else {
       store(heights, &heights_[first]);
       mixed(left, right, columns, leftwards, usual_slack);
@@ -216,8 +228,11 @@ void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
   }
   const auto end = static_cast<std::size_t>(leftwards ? columns.first : columns.last);
   wake = {static_cast<int>(end), top_[end], bottom_[end]};
-  store(either((top < heights) & own, heights, top), &top_[first]);
-  store(either((heights < bottom) & own, heights, bottom), &bottom_[first]);
+  // The next segment loads some of these columns: it must not wait for what was stored unchanged.
+  const Ints higher = (top < heights) & own;
+  const Ints lower = (heights < bottom) & own;
+  if (any_of(higher)) store(either(higher, heights, top), &top_[first]);
+  if (any_of(lower)) store(either(lower, heights, bottom), &bottom_[first]);
 }
 
 bool Horizon::draw(Vertex from, Vertex to, Wake& wake) {

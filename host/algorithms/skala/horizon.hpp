@@ -55,15 +55,22 @@ class Horizon {
     int first;
     int last;
   };
-  [[nodiscard]] Columns columns_of(Vertex left, Vertex right) const;
+  // What nearly every segment goes through is one function; the rest stays out of its way.
+  [[nodiscard, gnu::always_inline]] Columns columns_of(Vertex left, Vertex right) const;
   [[nodiscard]] Outside outside(Vertex vertex, float slack, const Wake& wake) const;
-  Columns look(Vertex from, Vertex to, float slack, const Wake& wake);
+  [[gnu::noinline]] Columns look(Vertex from, Vertex to, float slack, const Wake& wake);
   void narrow(Vertex from, Vertex to, float slack, const Wake& wake);
-  void mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack);
+  [[gnu::noinline]] void mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack);
   void gap(Vertex from, Vertex to, Outside at_from, Outside at_to);
   void add(Vertex from, Vertex to);
-  void raise(Columns columns, bool leftwards, Wake& wake);
-  void draw_short(Vertex from, Vertex to, Columns columns, Wake& wake);
+  // By halves: a piece put together first would be loaded before both halves are stored.
+  void see(Vertex from, Vertex to) {
+    Piece& piece = pieces_.emplace_back();
+    piece.from = from;
+    piece.to = to;
+  }
+  [[gnu::noinline]] void raise(Columns columns, bool leftwards, Wake& wake);
+  [[gnu::always_inline]] void draw_short(Vertex from, Vertex to, Columns columns, Wake& wake);
 
   void measure_chain(std::span<const Vertex> chain);
   void trace_chain(std::span<const Vertex> chain, bool leftwards);

@@ -95,7 +95,7 @@ void Horizon::ink_chain(std::span<const Vertex> chain, bool leftwards, const Wak
     if (seen == 0) continue;
     const auto count = static_cast<std::uint32_t>(last - before);
     if (seen % below_bottom == count || seen / below_bottom == count) {
-      pieces_.push_back({from, to});
+      see(from, to);
     } else {
       first_own_ = pieces_.size();
       mixed(leftwards ? to : from, leftwards ? from : to, {before + 1, last}, leftwards, usual_slack);
