@@ -214,7 +214,7 @@ bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
          std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
-         (!guest || guest->difference.empty()) && stripes_difference.empty();
+         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!turn || turn->difference.empty());
 }
 
 base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,
@@ -241,6 +241,14 @@ base::Result<SceneComparison> compare_poly_scene(const scene::PolyScene& scene,
   comparison.camera = camera;
   if (auto error = compare_algorithms(scene, progress, std::nullopt, comparison)) return *error;
   compare_faces(scene, progress, comparison);
+  if (const auto angle = turn_angle_of(camera)) {
+    progress("turn");
+    auto checked = check_turn(scene, *angle);
+    if (checked)
+      comparison.turn = std::move(*checked);
+    else
+      comparison.not_applicable.emplace_back("turn", checked.error().message());
+  }
   return comparison;
 }
 

@@ -17,6 +17,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/faces.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/turning.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -49,8 +50,9 @@ struct SceneComparison {
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
   std::optional<GuestCheck> guest;                                  // of cell scenes
   std::string stripes_difference;  // where the 8080's stripes are not their twin's; empty: nowhere
+  std::optional<TurnCheck> turn;  // of polyhedra in parallel projection, along the plane of a turn, that the machine can hold
 
-  // The exact algorithms are exact, and the guest is its twin.
+  // The exact algorithms are exact, and the guests are their twins.
   [[nodiscard]] bool agrees() const;
 };
 
@@ -67,7 +69,7 @@ struct CompareOptions {
 [[nodiscard]] base::Result<SceneComparison> compare_cell_scene(
     const scene::CellScene& scene, const CompareOptions& options,
     const CompareProgress& progress = [](std::string_view) {});
-// Of a checked scene, without guest and twin. Error: the eye is inside a solid or on a face.
+// Of a checked scene, without Jones's program. Error: the eye is inside a solid or on a face.
 [[nodiscard]] base::Result<SceneComparison> compare_poly_scene(
     const scene::PolyScene& scene, const scene::PolyCamera& camera,
     const CompareProgress& progress = [](std::string_view) {});

@@ -108,6 +108,13 @@ std::string guest_text(const compare::GuestCheck& guest) {
                      guest.words, jones::name(guest.status), seconds(guest.time));
 }
 
+std::string turn_text(const compare::TurnCheck& turn) {
+  if (!turn.difference.empty()) return "turn on the PDP-7 and its twin differ: " + turn.difference + "\n";
+  return fmt::format("turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact\n",
+                     turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest,
+                     turn.distance.usual);
+}
+
 std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {
   std::string text;
   for (const auto& [name, reason] : reasons) text += fmt::format("{} not compared: {}\n", name, reason);
@@ -206,6 +213,7 @@ std::string compare_table(const SceneComparison& comparison) {
   if (comparison.guest) text += guest_text(*comparison.guest);
   if (!comparison.stripes_difference.empty())
     text += "the 8080's stripes and their twin differ: " + comparison.stripes_difference + "\n";
+  if (comparison.turn) text += turn_text(*comparison.turn);
   return text + reasons_text(comparison.not_applicable);
 }
 
@@ -259,6 +267,17 @@ Json compare_json(const SceneComparison& comparison) {
                          {"status", jones::name(comparison.guest->status)},
                          {"display_words", comparison.guest->words},
                          {"emulated_ns", comparison.guest->time.count()}};
+  }
+  if (comparison.turn) {
+    const compare::TurnCheck& turn = *comparison.turn;
+    document["turn"] = {{"identical_to_twin", turn.difference.empty()},
+                        {"difference", turn.difference},
+                        {"angle", turn.angle},
+                        {"display_words", turn.words},
+                        {"emulated_ns", turn.time.count()},
+                        {"flashes", turn.flashes},
+                        {"hausdorff", turn.distance.greatest},
+                        {"hausdorff_99_9", turn.distance.usual}};
   }
   document["not_compared"] = reasons_json(comparison.not_applicable);
   return document;

@@ -120,6 +120,8 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
   const auto turned = nlohmann::json::parse(parallel.out)["scenes"][0];
   EXPECT_EQ(names_of(turned["pictures"]), names(line_algorithms(), compared));
   EXPECT_EQ(names_of(turned["not_compared"]), std::vector<std::string>{"willis-8080"});
+  EXPECT_EQ(turned["turn"]["identical_to_twin"], true);
+  EXPECT_LT(turned["turn"]["hausdorff"], 3.7);
   EXPECT_EQ(names_of(turned["faces"]), parallel_faces);
   for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }

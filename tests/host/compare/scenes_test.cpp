@@ -238,6 +238,37 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
   }
 }
 
+TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
+  const auto along = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+    scene::PolyCamera camera{false, {0, 0, 0}, {x, y, z}, {z, 0, -x}, {0, 1, 0}};
+    return turn_angle_of(camera);
+  };
+  EXPECT_EQ(along(0, 0, 7), 0U);
+  EXPECT_EQ(along(5, 0, 0), 1U << 16);
+  EXPECT_EQ(along(0, 0, -1), 1U << 17);
+  EXPECT_EQ(along(-1, 0, 0), 3U << 16);
+  EXPECT_EQ(along(-2, 0, 2), 7U << 15);
+  scene::PolyCamera down{false, {0, 0, 0}, {0, -1, 1}, {1, 0, 0}, {0, 1, 1}};
+  EXPECT_FALSE(turn_angle_of(down));
+  EXPECT_FALSE(turn_angle_of(scene::PolyCamera{}));  // in perspective
+}
+
+// A flash is within the 1.6 points that the vector generator wanders and one of rounding, along both axes.
+TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
+  for (const std::uint32_t angle : {0U, 26843U, 40000U, 123456U, 262143U}) {
+    const auto check = check_turn(scene::generate_boxes(5, 3), angle);
+    ASSERT_TRUE(check) << check.error().message();
+    EXPECT_EQ(check->angle, angle);
+    EXPECT_EQ(check->difference, "");
+    EXPECT_GT(check->flashes, 1000U);
+    EXPECT_LT(check->distance.greatest, 3.7) << angle;
+    EXPECT_LT(check->distance.usual, 3) << angle;
+  }
+  const auto large = check_turn(scene::generate_boxes(60, 3), 0);
+  ASSERT_FALSE(large);
+  EXPECT_NE(large.error().message().find("720 edges"), std::string::npos) << large.error().message();
+}
+
 TEST(ComparePolyScene, HasNoFacesOfAnImageTooSmallForItsDepth) {
   scene::PolyScene scene;
   scene.vertices = {{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 100'000}, {0, 2, 100'000}, {2, 0, 100'000}};
