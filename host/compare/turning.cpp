@@ -108,7 +108,7 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   if (!lines) return lines.error();
   std::vector<picture::PixelSegment> flashes;
   for (const core::Stroke& stroke : strokes) {
-    const picture::PixelPoint point{double{stroke.x}, double{stroke.y}};
+    const picture::PixelPoint point{static_cast<double>(stroke.x), static_cast<double>(stroke.y)};
     flashes.push_back({point, point});
   }
   check.flashes = flashes.size();

@@ -238,16 +238,17 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
   }
 }
 
+// At angle 0 the machine shows what a viewer on the positive z axis sees, at a quarter turn one on the positive x axis.
 TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
   const auto along = [](std::int32_t x, std::int32_t y, std::int32_t z) {
     scene::PolyCamera camera{false, {0, 0, 0}, {x, y, z}, {z, 0, -x}, {0, 1, 0}};
     return turn_angle_of(camera);
   };
-  EXPECT_EQ(along(0, 0, 7), 0U);
-  EXPECT_EQ(along(5, 0, 0), 1U << 16);
-  EXPECT_EQ(along(0, 0, -1), 1U << 17);
-  EXPECT_EQ(along(-1, 0, 0), 3U << 16);
-  EXPECT_EQ(along(-2, 0, 2), 7U << 15);
+  EXPECT_EQ(along(0, 0, -7), 0U);
+  EXPECT_EQ(along(-5, 0, 0), 1U << 16);
+  EXPECT_EQ(along(0, 0, 1), 1U << 17);
+  EXPECT_EQ(along(1, 0, 0), 3U << 16);
+  EXPECT_EQ(along(2, 0, -2), 7U << 15);
   scene::PolyCamera down{false, {0, 0, 0}, {0, -1, 1}, {1, 0, 0}, {0, 1, 1}};
   EXPECT_FALSE(turn_angle_of(down));
   EXPECT_FALSE(turn_angle_of(scene::PolyCamera{}));  // in perspective

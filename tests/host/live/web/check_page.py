@@ -31,6 +31,7 @@ for word in ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=sw
 options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
 driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
 driver.set_page_load_timeout(60)
+driver.set_script_timeout(180)  # a lesson is played in one piece
 
 failures = []
 checks = 0

@@ -107,6 +107,24 @@ for (const [n, device] of ['ef9365', 'alt256', 'calcomp', 'minigraf'].entries())
   }
 }
 
+// --- Scenes in stripes: to their halt, on both devices.
+const {camera} = await import(new URL('camera.js', pathToFileURL(script)));
+for (const [n, scene] of ['boxes-5', 'house', 'roberts', 'crossed.off'].entries()) {
+  for (let view = 0; view < views; ++view) {
+    const device = (n + view) % 2 ? 'ef9365' : 'calcomp';
+    const request = {do: 'stripes', scene, device, camera: camera(dice(360) - 180, dice(50))};
+    const made = ask(request);
+    const limit = 3e6 * 4;
+    module.run(made.id, limit);
+    writeFileSync(join(folder, 'program.bin'), file('.stripes.bin'));
+    writeFileSync(join(folder, 'stream'), file('.stripes.stream'));
+    native('run', 'i8080', 'program.bin', '--parallel', 'stream', ...(device === 'ef9365' ? ['--board', device] : ['--plotter', device]), '--max-states', String(limit), '--start', made.start.toString(16), '--save', 'native.snap', '--json');
+    ask({do: 'save', id: made.id});
+    check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${JSON.stringify(request)}: the snapshot after ${module.ticks(made.id)} T-states`);
+    ask({do: 'drop', id: made.id});
+  }
+}
+
 // --- Lessons: the algorithms themselves, step by step.
 for (const lesson of ask({do: 'lists'}).lessons) {
   const subjects = lesson.heights ? [{function: 'sinc'}, {function: 'peaks'}] : [{scene: 'house'}, {scene: 'boxes-5'}, {scene: 'roberts'}];
