@@ -34,7 +34,9 @@ constexpr std::uint32_t largest_step = 077777;
 constexpr std::size_t most_edges = 512;  // as many slots as a tape has
 
 base::Result<std::vector<picture::PixelSegment>> exact_lines(const scene::PolyScene& standing, std::uint32_t angle) {
-  const auto prepared = registry::line_algorithms().front().prepare(standing);
+  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
+  if (const auto reason = exact.why_not(standing)) return base::Error(*reason);
+  const auto prepared = exact.prepare(standing);
   if (!prepared) return prepared.error();
   const auto view = prepared->view(turn::ScreenView::camera(angle));
   if (!view) return view.error();

@@ -22,7 +22,7 @@ namespace sightline::live::web {
 // A file of the page of that name, else a built-in or generated scene.
 [[nodiscard]] base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name);
 
-// Three whole numbers below 32768; nothing if it is something else.
+// Three whole numbers below 32768; empty if it is something else.
 [[nodiscard]] std::optional<scene::PolyPoint> point_of(const Json* json);
 // The scene's own camera, turned as the request's "camera" says: "eye", "forward", "right" and "up" arrays, "perspective" a boolean.
 [[nodiscard]] base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const Json& request);
