@@ -14,8 +14,13 @@ namespace sightline::scene {
 class PolyBuilder {
  public:
   PolyBuilder() : pool_(scene_.vertices) {}
-  PolyBuilder(const PolyBuilder&) = delete;  // the pool refers to the scene's vertices
-  PolyBuilder& operator=(const PolyBuilder&) = delete;
+  // The pool refers to the vertices of its own scene.
+  PolyBuilder(const PolyBuilder& other) : scene_(other.scene_), pool_(scene_.vertices) { pool_.place_as(other.pool_); }
+  PolyBuilder& operator=(const PolyBuilder& other) {
+    scene_ = other.scene_;
+    pool_.place_as(other.pool_);
+    return *this;
+  }
 
   // Room for so many bodies and vertices.
   void reserve(std::size_t bodies, std::size_t vertices) {

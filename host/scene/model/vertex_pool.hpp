@@ -32,6 +32,9 @@ class VertexPool {
     return number;
   }
 
+  // Of another pool's vertices these are a copy.
+  void place_as(const VertexPool& other) { places_ = other.places_; }
+
   [[nodiscard]] std::optional<VertexIndex> find(Point point) const {
     for (Number& c : point) c += Number{0};
     const VertexIndex found = places_[place_of(point)];
