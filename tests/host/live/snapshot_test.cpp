@@ -73,7 +73,7 @@ TEST(Snapshot, ReadsWhatItWrites) {
   EXPECT_LT(bytes.size(), 20'000U);
 }
 
-// A file of version 1, the same from every compiler, and what it becomes after 500 instructions. Another
+// A file of the version there is, the same from every compiler, and what it becomes after 500 instructions. Another
 // format needs another version and another file: SIGHTLINE_APPROVE=1 writes it.
 TEST(Snapshot, ReadsAFileOfThisVersion) {
   const std::string name = "snapshot/pdp7-4k.snap";
