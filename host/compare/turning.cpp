@@ -35,7 +35,7 @@ constexpr std::size_t most_edges = 512;  // as many slots as a tape has
 
 base::Result<std::vector<picture::PixelSegment>> exact_lines(const scene::PolyScene& standing, std::uint32_t angle) {
   const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(standing)) return base::Error{*reason};
+  if (const auto reason = exact.why_not(standing)) return base::Error{.found = *reason};
   const auto prepared = exact.prepare(standing);
   if (!prepared) return prepared.error();
   const auto view = prepared->view(turn::ScreenView::camera(angle));
