@@ -45,9 +45,6 @@ struct I8080Setup {
   bool grey = false;                       // --png
 };
 
-// What --vcd shows of it.
-[[nodiscard]] std::span<const VcdSignal> i8080_signals();
-
 // The registers of the description are A F B C D E H L SP PC INTE.
 [[nodiscard]] std::unique_ptr<Machine> make_i8080(I8080Setup setup);
 

@@ -7,6 +7,7 @@
 #include "emulators/devices/calcomp565.hpp"
 #include "host/base/number.hpp"
 #include "host/guests/run/i8080.hpp"
+#include "host/guests/run/i8080_vcd.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/disasm/i8080.hpp"
 #include "tools/image/binary.hpp"

@@ -13,6 +13,7 @@
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
+#include "host/guests/run/pdp7_vcd.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
@@ -70,117 +71,6 @@ class Tracer {
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
 };
 
-// The rows of pdp7_signals(), by number.
-namespace signal {
-enum : std::size_t {
-  fetch, defer, execute, eae, brk, tick, interrupt, address, data, write, device, pulses, pc, ac, link, mq, ion, request, edge, pen,
-  stop, count
-};
-}
-
-constexpr std::array<VcdSignal, signal::count> signals{{
-    {"cycle", "fetch", 1, "the cycle that takes an instruction"},
-    {"cycle", "defer", 1, "of an indirect address"},
-    {"cycle", "execute", 1, "of the operand, and of an instruction that XCT leads to"},
-    {"cycle", "eae", 1, "time of the EAE without a cycle"},
-    {"cycle", "brk", 1, "a data break of the display or the disk"},
-    {"cycle", "tick", 1, "a break of the clock"},
-    {"cycle", "interrupt", 1, "the break cycle of the program interrupt"},
-    {"memory", "address", 15, "in the memory address register, while a cycle lasts"},
-    {"memory", "data", 18, "in the memory buffer register: read, or written"},
-    {"memory", "write", 1, "the cycle replaces the word"},
-    {"iot", "device", 6, "bits 6-11 of an IOT, in the last 500 ns of its fetch"},
-    {"iot", "pulses", 3, "its pulses 4, 2, 1, likewise"},
-    {"registers", "pc", 15, "after each instruction, as all of these"},
-    {"registers", "ac", 18, "the accumulator"},
-    {"registers", "link", 1, "the link"},
-    {"registers", "mq", 18, "the multiplier-quotient register"},
-    {"registers", "ion", 1, "interrupts are on"},
-    {"display", "request", 1, "the display asks for a word, as of the end of an instruction, as all of these"},
-    {"display", "edge", 1, "its beam has left the screen"},
-    {"display", "pen", 1, "its light pen has seen light"},
-    {"display", "stop", 1, "its file has stopped it"},
-}};
-
-// Bus events and registers into a VCD. Of the display the registers are read when an instruction ends.
-class VcdTracer {
- public:
-  VcdTracer(VcdWriter writer, const type340::Registers* display) : writer_(std::move(writer)), display_(display) {}
-  void take(TextTaker taker) { writer_.take(std::move(taker)); }
-  void finish(core::Instant now) { writer_.finish(core::nanoseconds_of(now)); }
-
-  void cycle(const pdp7::Cycle& cycle) {
-    const std::int64_t at = core::nanoseconds_of(cycle.time);
-    if (cycle.verb == pdp7::Verb::iot) return iot(cycle, at);
-    clear_pulses(at);
-    const std::size_t kind = kind_of(cycle);
-    for (std::size_t each = signal::fetch; each <= signal::interrupt; ++each) writer_.show(at, each, each == kind ? 1 : 0);
-    const bool asynchronous = cycle.verb == pdp7::Verb::idle;
-    writer_.show(at, signal::address, asynchronous ? VcdWriter::floating : cycle.address);
-    writer_.show(at, signal::data, asynchronous ? VcdWriter::floating : cycle.data.value());
-    const bool writes = cycle.verb == pdp7::Verb::write || cycle.verb == pdp7::Verb::modify ||
-                        cycle.verb == pdp7::Verb::interrupt || cycle.verb == pdp7::Verb::break_write ||
-                        cycle.verb == pdp7::Verb::break_modify;
-    if (cycle.verb == pdp7::Verb::interrupt) writer_.show(at, signal::ion, 0);
-    writer_.show(at, signal::write, writes ? 1 : 0);
-  }
-  void instruction(const machines::InstructionRecord& record) {
-    const std::int64_t at = core::nanoseconds_of(record.end);
-    clear_pulses(at);
-    writer_.show(at, signal::pc, record.after.pc);
-    writer_.show(at, signal::ac, record.after.ac.value());
-    writer_.show(at, signal::link, record.after.link ? 1 : 0);
-    writer_.show(at, signal::mq, record.after.mq.value());
-    writer_.show(at, signal::ion, record.after.interrupts_on ? 1 : 0);
-    if (display_ == nullptr) return;
-    writer_.show(at, signal::request, display_->request ? 1 : 0);
-    writer_.show(at, signal::edge, display_->edge() ? 1 : 0);
-    writer_.show(at, signal::pen, display_->pen_flag ? 1 : 0);
-    writer_.show(at, signal::stop, display_->stop ? 1 : 0);
-  }
-
- private:
-  std::size_t kind_of(const pdp7::Cycle& cycle) {
-    switch (cycle.verb) {
-      case pdp7::Verb::idle: return signal::eae;
-      case pdp7::Verb::break_read:
-      case pdp7::Verb::break_write: return signal::brk;
-      case pdp7::Verb::break_modify: return signal::tick;
-      case pdp7::Verb::interrupt: return signal::interrupt;
-      case pdp7::Verb::fetch: follow(cycle.data.value()); return signal::fetch;
-      default: break;
-    }
-    if (defers_) {
-      defers_ = false;
-      return signal::defer;
-    }
-    if (executes_another_) follow(cycle.data.value());
-    return signal::execute;
-  }
-  // What the cycles after this instruction are for: those of what XCT leads to are distinguished, too.
-  void follow(std::uint32_t word) {
-    const pdp7::Operation operation = pdp7::instruction_of(word).operation;
-    defers_ = operation <= pdp7::Operation::jmp && (word & pdp7::indirect_bit) != 0;
-    executes_another_ = operation == pdp7::Operation::xct;
-  }
-  void iot(const pdp7::Cycle& cycle, std::int64_t end) {
-    constexpr std::int64_t shown = 500;
-    writer_.show(end - shown, signal::device, (cycle.address >> 6) & 077U);
-    writer_.show(end - shown, signal::pulses, cycle.address & 7U);
-    pulses_ = true;
-  }
-  void clear_pulses(std::int64_t at) {
-    if (pulses_) writer_.show(at, signal::pulses, 0);
-    pulses_ = false;
-  }
-
-  VcdWriter writer_;
-  const type340::Registers* display_;
-  bool defers_ = false;            // the next cycle takes an indirect address
-  bool executes_another_ = false;  // the cycle after that takes an instruction
-  bool pulses_ = false;
-};
-
 // A trace, a VCD, or both.
 class Recorder {
  public:
@@ -188,7 +78,7 @@ class Recorder {
   static constexpr bool cycles = true;
   static constexpr bool stops = false;
 
-  Recorder(Tracer* tracer, VcdTracer& vcd) : tracer_(tracer), vcd_(vcd) {}
+  Recorder(Tracer* tracer, Pdp7Vcd& vcd) : tracer_(tracer), vcd_(vcd) {}
   [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
     if (tracer_ != nullptr) tracer_->instruction(record);
     vcd_.instruction(record);
@@ -197,7 +87,7 @@ class Recorder {
 
  private:
   Tracer* tracer_;
-  VcdTracer& vcd_;
+  Pdp7Vcd& vcd_;
 };
 
 // What a monitor's marks leave of the boundaries and cycles of a run.
@@ -975,7 +865,7 @@ class Pdp7Machine final : public Machine {
   Sink sink_;
   machines::NoObserver nobody_;
   std::optional<Tracer> tracer_;
-  std::optional<VcdTracer> vcd_;
+  std::optional<Pdp7Vcd> vcd_;
   std::optional<Probe> probe_;
   machines::Pdp7<Sink> machine_;
   static constexpr std::uint32_t most_frames = 750;
@@ -994,10 +884,6 @@ class Pdp7Machine final : public Machine {
 };
 
 }  // namespace
-
-std::span<const VcdSignal> pdp7_signals() {
-  return signals;
-}
 
 std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
   if constexpr (!few_observers) {

@@ -42,9 +42,6 @@ struct Pdp7Setup {
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
 };
 
-// What --vcd shows of it.
-[[nodiscard]] std::span<const VcdSignal> pdp7_signals();
-
 // The registers of the description are PC AC L MQ SC SR ION.
 [[nodiscard]] std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup);
 

@@ -10,6 +10,7 @@
 #include "host/base/number.hpp"
 #include "host/guests/run/disk_image.hpp"
 #include "host/guests/run/pdp7.hpp"
+#include "host/guests/run/pdp7_vcd.hpp"
 #include "tools/asm/pdp7.hpp"
 #include "tools/disasm/disasm.hpp"
 #include "tools/image/octal.hpp"
