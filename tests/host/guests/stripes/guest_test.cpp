@@ -126,7 +126,9 @@ TEST(StripesGuest, IsItsTwinOnRandomFaces) {
     full += picture.twin.status == Status::full ? 1 : 0;
   }
   EXPECT_GT(cut, scenes / 10);
-  if (scenes >= 96) EXPECT_GT(full, 0);  // one in some fifty scenes
+  if (scenes >= 96) {
+    EXPECT_GT(full, 0);  // one in some fifty scenes
+  }
 }
 
 // The drawing is the border lines between dots that show different faces, each drawn once: found here from the dots, walked here from the
