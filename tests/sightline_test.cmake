@@ -12,7 +12,7 @@
 # What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
   set(SIGHTLINE_TEST_OPTIONS -O0)
-  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -Og)
+  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
 elseif(SIGHTLINE_SANITIZE)
   set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
 endif()
