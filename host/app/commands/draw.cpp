@@ -19,7 +19,6 @@
 #include "host/app/command_line.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/draw_view.hpp"
-#include "host/app/commands/face_shades.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
@@ -27,6 +26,7 @@
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
+#include "host/picture/face_shades.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/line_picture_image.hpp"
@@ -64,10 +64,10 @@ std::vector<registry::FaceCount> write_outlines(const registry::PreparedFaces& p
       registry::face_window(picture.source.scene, picture.camera, micrometres(paper.width),
                            micrometres(paper.height), picture.field);
   auto seen = value_of(prepared.regions(picture.camera, window), picture.source.name);
-  const std::vector<Shade> shades = face_shades(picture.source.scene);
+  const std::vector<picture::Shade> shades = picture::face_shades(picture.source.scene);
   std::vector<picture::FilledArea> areas;
   for (registry::FaceRegion& region : seen.regions) {
-    const Shade& shade = shades[region.face - 1];
+    const picture::Shade& shade = shades[region.face - 1];
     areas.push_back({{shade[0], shade[1], shade[2]}, std::move(region.loops)});
   }
   file.write(std::string_view(picture::svg_of(areas, paper, picture.source.name)));
@@ -80,7 +80,7 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
   const registry::FaceWindow window =
       registry::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
-  const auto bytes = picture::encode_png(shaded_image(seen.faces, face_shades(picture.source.scene)),
+  const auto bytes = picture::encode_png(picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene)),
                                          {{"Title", picture.source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));

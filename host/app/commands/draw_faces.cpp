@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/algorithms/willis/spans.hpp"
 #include "host/app/commands/draw.hpp"
-#include "host/app/commands/face_shades.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
@@ -16,6 +16,7 @@
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/apng.hpp"
+#include "host/picture/face_shades.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -95,11 +96,21 @@ scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene:
   return start;  // the flight names the frame
 }
 
+// Black where the number changes, white elsewhere.
+picture::Image outline_image(const picture::PixelGrid& faces) {
+  const picture::PixelGrid lines = algorithms::willis::outlines(faces);
+  picture::Image image(faces.width, faces.height, 1);
+  for (int row = 0; row < faces.height; ++row)
+    for (int column = 0; column < faces.width; ++column)
+      image.pixels[image.index(column, faces.height - 1 - row)] = lines.at(column, row) != 0 ? 0 : 0xFF;
+  return image;
+}
+
 base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& source,
                 const registry::PreparedFaces& prepared, const scene::PolyCamera& start,
                 const registry::FaceWindow& window) {
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
-  const auto shades = face_shades(source.scene);
+  const auto shades = picture::face_shades(source.scene);
   picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
   for (int i = 0; i < arguments.frames; ++i) {
     const scene::PolyCamera camera = turned_about(frame, source.scene, start, i, arguments.frames);
@@ -109,7 +120,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
     }
     const auto view = value_of(prepared.view(camera, window), source.name);
     const auto added = writer.add(arguments.picture == "lines" ? outline_image(view.faces)
-                                                               : shaded_image(view.faces, shades));
+                                                               : picture::shaded_image(view.faces, shades));
     if (!added) throw Failure(ExitCode::io, added.error().message());
   }
   auto bytes = writer.finish();
@@ -121,7 +132,7 @@ base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedS
                        const registry::FaceView& view) {
   const auto bytes =
       picture::encode_png(arguments.picture == "lines" ? outline_image(view.faces)
-                                                       : shaded_image(view.faces, face_shades(source.scene)),
+                                                       : picture::shaded_image(view.faces, picture::face_shades(source.scene)),
                           {{"Title", source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   return *bytes;

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/face_shades.hpp"
 #include "host/app/commands/flight_session.hpp"
 #include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/picture/apng.hpp"
+#include "host/picture/face_shades.hpp"
 
 namespace sightline::app {
 
@@ -92,13 +92,13 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   Output animation(made.files[0]);
   Output still(made.files[1]);
   Output table(made.files[2]);
-  const auto shades = face_shades(source.scene);
+  const auto shades = picture::face_shades(source.scene);
   std::vector<picture::Image> pictures;
   flight::FlightOptions options;
   options.count_points = true;
   options.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
-    pictures.push_back(shaded_image(faces_shown(shown), shades));
-    if (frame == arguments.frames / 3) write_png(still, shaded_image(whole_shown(shown), shades), {{"Title", title}, {"Software", "sightline"}});
+    pictures.push_back(picture::shaded_image(faces_shown(shown), shades));
+    if (frame == arguments.frames / 3) write_png(still, picture::shaded_image(whole_shown(shown), shades), {{"Title", title}, {"Software", "sightline"}});
   };
   made.run = checked_flight(session, planned, packed, arguments.scene, options);
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "emulators/machines/flight_ports.hpp"
 #include "emulators/machines/i8080_machine.hpp"
@@ -12,10 +13,12 @@ namespace {
 
 namespace display = devices::priority_display;
 
+}  // namespace
+
 // Those of the machine, noting every frame and how long the program looked for the display to be free.
-class NotingPorts : private core::NoStrokes, public machines::FlightPorts {
+class Guest::Ports : private core::NoStrokes, public machines::FlightPorts {
  public:
-  NotingPorts(const machines::FlightConfiguration& configuration, const GuestOptions& options, GuestFlight& flight)
+  Ports(const machines::FlightConfiguration& configuration, const GuestOptions& options, GuestFlight& flight)
       : FlightPorts(configuration, static_cast<core::NoStrokes&>(*this)), options_(options), flight_(flight) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
@@ -82,34 +85,68 @@ class NotingPorts : private core::NoStrokes, public machines::FlightPorts {
   std::size_t handed_ = 0;
 };
 
-}  // namespace
+struct Guest::Machine {
+  static machines::FlightConfiguration configuration_of(std::span<const std::uint8_t> stream, const GuestOptions& options) {
+    machines::FlightConfiguration configuration;
+    configuration.priority_display = options.display;
+    configuration.parallel = stream;
+    configuration.clock = options.clock;
+    return configuration;
+  }
+  Machine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options, GuestFlight& flight)
+      : ports(configuration_of(stream, options), options, flight), machine(ports, observer), status(program.status) {
+    std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
+    machine.registers().pc = program.start;
+  }
 
-GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
-  GuestFlight flight;
-  machines::FlightConfiguration configuration;
-  configuration.priority_display = options.display;
-  configuration.parallel = stream;
-  configuration.clock = options.clock;
-  const auto ports = std::make_unique<NotingPorts>(configuration, options, flight);
+  Ports ports;
   machines::NoI8080Observer observer;
-  machines::I8080Machine<NotingPorts> machine(*ports, observer);
-  std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
-  machine.registers().pc = program.start;
-  // More than any stream can take: tables and silence, each byte, and for a frame of so many bytes all pieces in the opposite order.
+  machines::I8080Machine<Ports> machine;
+  i8080::Address status;
+};
+
+Guest::Guest(const Program& program, std::span<const std::uint8_t> stream, GuestOptions options)
+    : options_(std::move(options)), machine_(std::make_unique<Machine>(program, stream, options_, flight_)) {}
+Guest::~Guest() = default;
+
+void Guest::run(core::TStateInstant until) {
+  Machine& it = *machine_;
+  if (!flight_.ended) {
+    machines::I8080Limits limits;
+    limits.until = until;
+    flight_.ended = it.machine.run(limits) == machines::I8080StopReason::halt;
+    if (flight_.ended) it.ports.end();
+  }
+  flight_.total = it.machine.now().time_since_epoch();
+  flight_.status = static_cast<Status>(it.machine.peek(it.status));
+  if (it.ports.priority() != nullptr) {
+    flight_.priorities = it.ports.priority()->counts().priorities;
+    flight_.writes_lost = it.ports.priority()->counts().writes_lost;
+  }
+  flight_.unanswered = 0;
+  for (const machines::UnansweredPort& port : it.ports.unanswered()) flight_.unanswered += port.reads + port.writes;
+}
+
+core::TStateInstant Guest::now() const { return machine_->machine.now(); }
+
+std::span<const std::uint32_t> Guest::picture() {
+  devices::PriorityBoard* const board = machine_->ports.priority();
+  if (board == nullptr) return {};
+  if (!flight_.ended) board->advance(now());
+  return board->display().picture();
+}
+
+core::TStateInstant latest_end(std::span<const std::uint8_t> stream) {
+  // Tables and silence, each byte, and for a frame of so many bytes all pieces in the opposite order.
   constexpr std::int64_t once = 20'000'000;
   constexpr std::int64_t a_byte = 2'000'000;
-  machines::I8080Limits limits;
-  limits.until = core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));
-  flight.ended = machine.run(limits) == machines::I8080StopReason::halt;
-  flight.total = machine.now().time_since_epoch();
-  ports->end();
-  flight.status = static_cast<Status>(machine.peek(program.status));
-  if (ports->priority() != nullptr) {
-    flight.priorities = ports->priority()->counts().priorities;
-    flight.writes_lost = ports->priority()->counts().writes_lost;
-  }
-  for (const machines::UnansweredPort& port : ports->unanswered()) flight.unanswered += port.reads + port.writes;
-  return flight;
+  return core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));
+}
+
+GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
+  Guest guest(program, stream, options);
+  guest.run(latest_end(stream));
+  return guest.flight();
 }
 
 }  // namespace sightline::guests::flight

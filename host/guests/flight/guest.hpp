@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,34 @@ struct GuestOptions {
   std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> scanned = {};
 };
 
+// A flight that is run from time to time, while somebody looks.
+class Guest {
+ public:
+  // The program's memory is copied; the stream outlives this.
+  Guest(const Program& program, std::span<const std::uint8_t> stream, GuestOptions options = {});
+  ~Guest();
+  Guest(const Guest&) = delete;
+  Guest& operator=(const Guest&) = delete;
+
+  // To that time, or to the program's end, which `flight().ended` tells. The last frame is then shown, too.
+  void run(core::TStateInstant until);
+  // So far; what is in the display is as of the last run.
+  [[nodiscard]] const GuestFlight& flight() const { return flight_; }
+  [[nodiscard]] core::TStateInstant now() const;
+  // What the display shows by now, as `scanned` has it.
+  [[nodiscard]] std::span<const std::uint32_t> picture();
+
+ private:
+  class Ports;
+  struct Machine;
+  GuestOptions options_;
+  GuestFlight flight_;
+  std::unique_ptr<Machine> machine_;
+};
+
+// More than any program can take for that stream.
+[[nodiscard]] core::TStateInstant latest_end(std::span<const std::uint8_t> stream);
+// The whole flight at once.
 [[nodiscard]] GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options = {});
 
 }  // namespace sightline::guests::flight

@@ -16,51 +16,17 @@ namespace willis = algorithms::willis;
 
 constexpr double field = 60;  // degrees across the picture
 
-// What the host knows of each frame: exact order, and where its pieces are on the screen.
-class Host {
- public:
-  Host(const willis::Model& model, std::span<const scene::PolyCamera> cameras) : model_(model), cameras_(cameras), frames_(model) {}
-
-  [[nodiscard]] std::span<const std::uint32_t> order(std::size_t frame) { return frames_.order(cameras_[frame]); }
-
-  void give(std::size_t frame, devices::PriorityBoard& board) {
-    make(frame, order(frame), spans_);
-    surfaces_.clear();
-    for (const willis::SurfaceSpans& surface : spans_.surfaces)
-      surfaces_.push_back({static_cast<std::uint8_t>(surface.piece + 1), surface.face + 1, surface.first_line, surface.first_span, surface.line_count});
-    covered_.clear();
-    for (const willis::Span& span : spans_.spans) covered_.push_back({span.from, span.to});
-    board.give(surfaces_, covered_);
+// Of the frames that both have.
+std::string first_wrong_frame(const GuestFlight& guest, const TwinFlight& twin) {
+  for (std::size_t frame = 0; frame < std::min(guest.frames.size(), twin.frames.size()); ++frame) {
+    const Priorities& here = guest.frames[frame].priorities;
+    const Priorities& there = twin.frames[frame].priorities;
+    const auto [at, other] = std::mismatch(here.begin(), here.end(), there.begin());
+    if (at != here.end())
+      return fmt::format("frame {}: piece {} has the priority {}, the twin's {}", frame, at - here.begin(), *at, *other);
   }
-
-  void count(std::size_t frame, const Priorities& priorities, bool points, FlightFrame& result) {
-    const auto exact = order(frame);
-    result.facing = static_cast<std::uint32_t>(exact.size());
-    const ShownOrder shown = shown_order(model_, cameras_[frame], exact, priorities);
-    result.wrong_orders = shown.wrong;
-    if (!points || shown.wrong == 0) return;
-    make(frame, exact, spans_);
-    const auto right = willis::resolved(spans_, window(frame));
-    make(frame, shown.pieces, spans_);
-    const auto made = willis::resolved(spans_, window(frame));
-    for (std::size_t i = 0; i < right.values.size(); ++i) result.wrong_points += right.values[i] != made.values[i] ? 1 : 0;
-  }
-
- private:
-  [[nodiscard]] willis::ImageWindow window(std::size_t frame) const {
-    return willis::window_ahead(cameras_[frame], devices::priority_display::columns, devices::priority_display::lines, field);
-  }
-  void make(std::size_t frame, std::span<const std::uint32_t> order, willis::FrameSpans& spans) const {
-    willis::make_spans(model_, order, cameras_[frame], window(frame), spans);
-  }
-
-  const willis::Model& model_;
-  std::span<const scene::PolyCamera> cameras_;
-  willis::Frames frames_;
-  willis::FrameSpans spans_;
-  std::vector<devices::PriorityBoard::HostSurface> surfaces_;
-  std::vector<devices::PriorityBoard::HostSpan> covered_;
-};
+  return "";
+}
 
 FlightSummary summary_of(const FlightRun& run, std::size_t pieces, core::ClockRate clock) {
   FlightSummary sum;
@@ -117,13 +83,7 @@ ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& came
 }
 
 std::string difference_of(const GuestFlight& guest, const TwinFlight& twin) {
-  for (std::size_t frame = 0; frame < std::min(guest.frames.size(), twin.frames.size()); ++frame) {
-    const Priorities& here = guest.frames[frame].priorities;
-    const Priorities& there = twin.frames[frame].priorities;
-    const auto [at, other] = std::mismatch(here.begin(), here.end(), there.begin());
-    if (at != here.end())
-      return fmt::format("frame {}: piece {} has the priority {}, the twin's {}", frame, at - here.begin(), *at, *other);
-  }
+  if (std::string wrong = first_wrong_frame(guest, twin); !wrong.empty()) return wrong;
   if (guest.frames.size() != twin.frames.size())
     return fmt::format("{} frames, the twin's {}", guest.frames.size(), twin.frames.size());
   if (guest.status != twin.status) return fmt::format("status \"{}\", the twin's \"{}\"", text_of(guest.status), text_of(twin.status));
@@ -133,31 +93,119 @@ std::string difference_of(const GuestFlight& guest, const TwinFlight& twin) {
   return "";
 }
 
+// What the host knows of each frame: exact order, and where its pieces are on the screen.
+class FlightInProgress::Host {
+ public:
+  Host(const willis::Model& model, std::span<const scene::PolyCamera> cameras) : model_(model), cameras_(cameras), frames_(model) {}
+
+  [[nodiscard]] std::span<const std::uint32_t> order(std::size_t frame) { return frames_.order(cameras_[frame]); }
+
+  void give(std::size_t frame, devices::PriorityBoard& board) {
+    make(frame, order(frame), spans_);
+    surfaces_.clear();
+    for (const willis::SurfaceSpans& surface : spans_.surfaces)
+      surfaces_.push_back({static_cast<std::uint8_t>(surface.piece + 1), surface.face + 1, surface.first_line, surface.first_span, surface.line_count});
+    covered_.clear();
+    for (const willis::Span& span : spans_.spans) covered_.push_back({span.from, span.to});
+    board.give(surfaces_, covered_);
+  }
+
+  void count(std::size_t frame, const Priorities& priorities, bool points, FlightFrame& result) {
+    const auto exact = order(frame);
+    result.facing = static_cast<std::uint32_t>(exact.size());
+    const ShownOrder shown = shown_order(model_, cameras_[frame], exact, priorities);
+    result.wrong_orders = shown.wrong;
+    if (!points || shown.wrong == 0) return;
+    make(frame, exact, spans_);
+    const auto right = willis::resolved(spans_, window(frame));
+    make(frame, shown.pieces, spans_);
+    const auto made = willis::resolved(spans_, window(frame));
+    for (std::size_t i = 0; i < right.values.size(); ++i) result.wrong_points += right.values[i] != made.values[i] ? 1 : 0;
+  }
+
+ private:
+  [[nodiscard]] willis::ImageWindow window(std::size_t frame) const {
+    return willis::window_ahead(cameras_[frame], devices::priority_display::columns, devices::priority_display::lines, field);
+  }
+  void make(std::size_t frame, std::span<const std::uint32_t> order, willis::FrameSpans& spans) const {
+    willis::make_spans(model_, order, cameras_[frame], window(frame), spans);
+  }
+
+  const willis::Model& model_;
+  std::span<const scene::PolyCamera> cameras_;
+  willis::Frames frames_;
+  willis::FrameSpans spans_;
+  std::vector<devices::PriorityBoard::HostSurface> surfaces_;
+  std::vector<devices::PriorityBoard::HostSpan> covered_;
+};
+
+struct FlightInProgress::Parts {
+  static GuestOptions guest_options(Host& host, const FlightOptions& options) {
+    GuestOptions machine;
+    machine.clock = options.clock;
+    machine.scanned = options.picture;
+    if (options.picture || options.shown)
+      machine.give = [&host](std::uint32_t frame, devices::PriorityBoard& board) { host.give(frame, board); };
+    return machine;
+  }
+  Parts(const Program& program, const willis::Model& model, std::span<const scene::PolyCamera> cameras, const Packed& packed,
+        const FlightOptions& given)
+      : options(given), pieces(model.pieces.size()), host(model, cameras), guest(program, packed.stream, guest_options(host, given)),
+        twin(run_twin(packed.stream)) {}
+
+  void take_frames() {
+    const auto& frames = guest.flight().frames;
+    while (run.frames.size() < std::min(frames.size(), twin.frames.size())) {
+      const std::size_t i = run.frames.size();
+      FlightFrame frame;
+      frame.waiting = frames[i].waiting;
+      if (i > 0) frame.computing = frames[i].told - frames[i - 1].told - frames[i].waiting;
+      frame.shown = frames[i].shown;
+      frame.moved = twin.frames[i].moved;
+      frame.exchanges = twin.frames[i].exchanges;
+      host.count(i, frames[i].priorities, options.count_points, frame);
+      run.frames.push_back(frame);
+    }
+  }
+
+  FlightOptions options;
+  std::size_t pieces;
+  Host host;
+  Guest guest;
+  TwinFlight twin;
+  FlightRun run;
+};
+
+FlightInProgress::FlightInProgress(const Program& program, const willis::Model& model, std::span<const scene::PolyCamera> cameras,
+                                   const Packed& packed, const FlightOptions& options)
+    : parts_(std::make_unique<Parts>(program, model, cameras, packed, options)) {}
+FlightInProgress::~FlightInProgress() = default;
+
+void FlightInProgress::run(core::TStateInstant until) {
+  parts_->guest.run(until);
+  const std::size_t before = parts_->run.frames.size();
+  parts_->take_frames();
+  if (parts_->run.frames.size() > before) parts_->run.summary = summary_of(parts_->run, parts_->pieces, parts_->options.clock);
+}
+
+core::TStateInstant FlightInProgress::now() const { return parts_->guest.now(); }
+bool FlightInProgress::ended() const { return parts_->guest.flight().ended; }
+
+const FlightRun& FlightInProgress::so_far() const {
+  FlightRun& run = parts_->run;
+  run.guest = parts_->guest.flight();
+  run.difference = run.guest.ended ? difference_of(run.guest, parts_->twin) : first_wrong_frame(run.guest, parts_->twin);
+  return run;
+}
+
+std::span<const std::uint32_t> FlightInProgress::picture() { return parts_->guest.picture(); }
+
 FlightRun Session::run(const willis::Model& model, std::span<const scene::PolyCamera> cameras, const Packed& packed,
                        const FlightOptions& options) const {
-  Host host(model, cameras);
-  GuestOptions machine;
-  machine.clock = options.clock;
-  if (options.picture) {
-    machine.give = [&host](std::uint32_t frame, devices::PriorityBoard& board) { host.give(frame, board); };
-    machine.scanned = options.picture;
-  }
-  FlightRun run;
-  run.guest = run_guest(program_, packed.stream, machine);
-  const TwinFlight twin = run_twin(packed.stream);
-  run.difference = difference_of(run.guest, twin);
-  for (std::size_t i = 0; i < std::min(run.guest.frames.size(), twin.frames.size()); ++i) {
-    const GuestFrame& guest = run.guest.frames[i];
-    FlightFrame frame;
-    frame.waiting = guest.waiting;
-    if (i > 0) frame.computing = guest.told - run.guest.frames[i - 1].told - guest.waiting;
-    frame.shown = guest.shown;
-    frame.moved = twin.frames[i].moved;
-    frame.exchanges = twin.frames[i].exchanges;
-    host.count(i, guest.priorities, options.count_points, frame);
-    run.frames.push_back(frame);
-  }
-  run.summary = summary_of(run, model.pieces.size(), options.clock);
+  FlightInProgress flight(program_, model, cameras, packed, options);
+  flight.run(latest_end(packed.stream));
+  FlightRun run = flight.so_far();
+  if (!run.guest.ended && run.difference.empty()) run.difference = "the program did not end";
   return run;
 }
 

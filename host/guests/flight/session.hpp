@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,6 +57,7 @@ struct FlightRun {
 
 struct FlightOptions {
   bool count_points = false;
+  bool shown = false;  // the display has something to show, though nobody takes its pictures
   core::ClockRate clock{};
   // The display's pictures, each when it has been scanned: 512 lines of 512 numbers of faces from 1, 0 for none; the top line first.
   std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {};
@@ -69,6 +71,30 @@ struct ShownOrder {
 };
 [[nodiscard]] ShownOrder shown_order(const algorithms::willis::Model& model, const scene::PolyCamera& camera,
                                      std::span<const std::uint32_t> exact, const Priorities& priorities);
+
+// A flight that is run from time to time, while somebody looks: all that is known of a frame is known when the display has been told to show it.
+class FlightInProgress {
+ public:
+  // `packed` is made of the model and the cameras; all of them outlive this.
+  FlightInProgress(const Program& program, const algorithms::willis::Model& model, std::span<const scene::PolyCamera> cameras,
+                   const Packed& packed, const FlightOptions& options);
+  ~FlightInProgress();
+  FlightInProgress(const FlightInProgress&) = delete;
+  FlightInProgress& operator=(const FlightInProgress&) = delete;
+
+  void run(core::TStateInstant until);
+  [[nodiscard]] core::TStateInstant now() const;
+  [[nodiscard]] bool ended() const;
+  // So far; the difference at the end, too, if the flight has ended.
+  [[nodiscard]] const FlightRun& so_far() const;
+  // What the display shows by now, as FlightOptions::picture has it.
+  [[nodiscard]] std::span<const std::uint32_t> picture();
+
+ private:
+  class Host;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 class Session {
  public:

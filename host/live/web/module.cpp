@@ -7,20 +7,17 @@
 #include <memory>
 #include <string>
 
-#include "host/live/web/stripes.hpp"
-#include "host/live/web/studio.hpp"
-#include "host/live/web/turning.hpp"
-#include "host/live/web/workbench.hpp"
+#include "host/live/web/rooms.hpp"
 
 #define SIGHTLINE_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 
 using sightline::live::web::Desk;
-using sightline::live::web::Workbench;
+using sightline::live::web::Rooms;
 
 struct Page {
-  Workbench workbench;
+  Rooms rooms;
   std::string room;
   std::string answer;
 };
@@ -46,27 +43,18 @@ SIGHTLINE_EXPORT(answer_data) const char* answer_data() { return page().answer.d
 // A request in JSON of so many bytes; gives the length of its answer, JSON as well.
 SIGHTLINE_EXPORT(request) int request(int bytes) {
   const std::string_view text = std::string_view(page().room).substr(0, static_cast<std::size_t>(bytes));
-  const auto request = sightline::base::parse_json(text, "request");
-  if (!request) return give(sightline::live::web::refusal(request.error().message()).dump());
-  const auto* const what = request->find("do");
-  if (what != nullptr && what->text() != nullptr) {
-    for (const auto answers : {sightline::live::web::studio_answer, sightline::live::web::stripes_answer, sightline::live::web::turning_answer}) {
-      const auto answer = answers(page().workbench, *what->text(), *request);
-      if (!answer.is_null()) return give(answer.dump());
-    }
-  }
-  return give(page().workbench.answer(*request).dump());
+  return give(page().rooms.answer(text).dump());
 }
 // The bytes that the last request has made; 0: none.
 SIGHTLINE_EXPORT(made) int made() {
-  const auto& bytes = page().workbench.made();
+  const auto& bytes = page().rooms.workbench.made();
   return give(std::string(bytes.begin(), bytes.end()));
 }
 // A file: so many bytes of its name, then its content.
 SIGHTLINE_EXPORT(file_put) void file_put(int name, int bytes) {
   const std::string& room = page().room;
   const auto begin = room.begin() + name;
-  page().workbench.put_file(room.substr(0, static_cast<std::size_t>(name)), {begin, room.begin() + bytes});
+  page().rooms.workbench.put_file(room.substr(0, static_cast<std::size_t>(name)), {begin, room.begin() + bytes});
 }
 
 // --- A machine by its number; 0 and nothing for one that there is not.
@@ -74,7 +62,7 @@ SIGHTLINE_EXPORT(file_put) void file_put(int name, int bytes) {
 // To a time in the machine's unit and at most so many instructions; 0: come there, 1: a breakpoint, 2: the machine has
 // stopped. The reason is the answer.
 SIGHTLINE_EXPORT(run) int run(int id, double until, double instructions) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   if (desk == nullptr) return 2;
   const auto halted = desk->run(static_cast<std::int64_t>(until), static_cast<std::uint64_t>(instructions));
   std::string reason = halted.reason;
@@ -84,31 +72,31 @@ SIGHTLINE_EXPORT(run) int run(int id, double until, double instructions) {
 }
 SIGHTLINE_EXPORT(answer_size) int answer_size() { return static_cast<int>(page().answer.size()); }
 SIGHTLINE_EXPORT(ticks) double ticks(int id) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   return desk != nullptr ? static_cast<double>(desk->machine().ticks()) : 0;
 }
 SIGHTLINE_EXPORT(instructions) double instructions(int id) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   return desk != nullptr ? static_cast<double>(desk->machine().instructions()) : 0;
 }
 SIGHTLINE_EXPORT(get) std::uint32_t get(int id, int number) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   return desk != nullptr ? desk->machine().get(static_cast<std::size_t>(number)) : 0;
 }
 SIGHTLINE_EXPORT(set) void set(int id, int number, std::uint32_t value) {
-  if (Desk* const desk = page().workbench.desk(id)) desk->debugger().set(static_cast<std::size_t>(number), value);
+  if (Desk* const desk = page().rooms.workbench.desk(id)) desk->debugger().set(static_cast<std::size_t>(number), value);
 }
 SIGHTLINE_EXPORT(word) std::uint32_t word(int id, std::uint32_t at) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   return desk != nullptr && at < desk->machine().words() ? desk->machine().word(at) : 0;
 }
 // A key as the teletype of that machine sends it.
 SIGHTLINE_EXPORT(type) void type(int id, int key) {
-  if (Desk* const desk = page().workbench.desk(id)) desk->type(static_cast<char>(key));
+  if (Desk* const desk = page().rooms.workbench.desk(id)) desk->type(static_cast<char>(key));
 }
 // What has been printed since the last call: its length; the text is the answer.
 SIGHTLINE_EXPORT(printed) int printed(int id) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   return desk != nullptr ? give(desk->take_printed()) : 0;
 }
 // What has been drawn since the last call: how many flashes of 16 bytes (nanoseconds in 64 bits; x and y of 16; the intensity of 8) lie at
@@ -119,7 +107,7 @@ static_assert(sizeof(Stroke) == 16 && offsetof(Stroke, x) == 8 && offsetof(Strok
 const Stroke* taken_flashes = nullptr;
 }
 SIGHTLINE_EXPORT(flashes) int flashes(int id) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   if (desk == nullptr) return 0;
   const auto taken = desk->take_flashes();
   taken_flashes = taken.data();
@@ -128,7 +116,15 @@ SIGHTLINE_EXPORT(flashes) int flashes(int id) {
 SIGHTLINE_EXPORT(flashes_data) const void* flashes_data() { return taken_flashes; }
 // 256 by 256 bytes, the bottom row first; null without a raster board.
 SIGHTLINE_EXPORT(raster) const void* raster(int id) {
-  Desk* const desk = page().workbench.desk(id);
+  Desk* const desk = page().rooms.workbench.desk(id);
   const auto* const shown = desk != nullptr ? desk->machine().raster() : nullptr;
   return shown != nullptr ? shown->points().data() : nullptr;
 }
+
+// --- The flight.
+
+// To that T-state; 1 if there is more to fly.
+SIGHTLINE_EXPORT(fly) int fly(double until) { return page().rooms.flying.run(static_cast<std::int64_t>(until)) ? 1 : 0; }
+SIGHTLINE_EXPORT(flown) double flown() { return static_cast<double>(page().rooms.flying.t_states()); }
+// 512 by 512 numbers of faces of 32 bits, the top line first; null without a flight.
+SIGHTLINE_EXPORT(flight_picture) const void* flight_picture() { return page().rooms.flying.picture().data(); }

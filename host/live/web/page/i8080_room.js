@@ -1,16 +1,15 @@
-// Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re. A picture grows on the raster board, or under a pen,
-// at the machine's own speed.
+// Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A picture grows
+// on the raster board, under a pen, or is shown by the priority display, at the machine's own speed.
 
 import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
+import {Flight} from './flight.js';
+import {COLOURS, GREYS, RasterImage} from './raster.js';
 
 const CLOCK = 3e6;  // T-states a second
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
 const SCENES = [['boxes-5', 'five boxes'], ['boxes-8', 'eight boxes'], ['house', 'house'], ['roberts', 'notched block'], ['town-2', 'two houses of a town'], ['star.off', 'star'], ['crossed.off', 'two bars that interlock']];
-// Pixels of the values 0 to 7: as a monitor shows three planes, and as levels of light.
-const COLOURS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
-const GREYS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
 
 export class I8080Room {
   constructor(module, functions, remember) {
@@ -19,6 +18,7 @@ export class I8080Room {
     this.remember = remember;
     this.options = {program: 'skala', scene: 'boxes-5', function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
       points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
+    this.flight = new Flight(module, () => this.restart());
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.root = this.build();
@@ -28,8 +28,7 @@ export class I8080Room {
     const o = this.options;
     this.canvas = element('canvas', {className: 'raster', width: 256, height: 256, role: 'img', 'aria-label': 'Picture of the 8080', tabIndex: 0});
     this.context = this.canvas.getContext('2d');
-    this.image = this.context.createImageData(256, 256);
-    this.pixels = new Uint32Array(this.image.data.buffer);
+    this.image = new RasterImage();
     this.message = notice();
     this.facts = element('dl', {className: 'facts'});
     const again = name => value => { o[name] = value; this.restart(); };
@@ -39,7 +38,7 @@ export class I8080Room {
       this.words.hidden = value !== '';
       if (value !== '' || o.text) this.restart();
     });
-    this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes']], o.program, value => { o.program = value; this.offer(); this.restart(); });
+    this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes'], ['flight', 'Willis: a flight by priorities']], o.program, value => { o.program = value; this.offer(); this.restart(); });
     this.scene = choice('Scene', SCENES, o.scene, again('scene'));
     this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28});
     this.words.hidden = true;
@@ -50,9 +49,9 @@ export class I8080Room {
     const screen = element('div', {className: 'screen'}, this.canvas);
     this.drag();
     return element('div', {className: 'room'},
-      element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, 'Drag the picture to turn the surface. ', this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
+      element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
-        group('Picture', this.program, this.scene, this.pick, this.words,
+        group('Picture', this.program, this.scene, this.pick, this.words, ...this.flight.controls,
           this.kind = choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture')),
           this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', PENS.calcomp], ['minigraf', PENS.minigraf]], o.device, again('device')),
           this.turn, this.tilt, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}),
@@ -62,8 +61,8 @@ export class I8080Room {
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); })),
         this.cost8080 = group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
         group('State', this.facts,
-          element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${o.function || 'expression'}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
-            button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
+          element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${this.name}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
+            this.saver = button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
             fileTaker(screen, 'Open a grid (CSV), a scene or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
   }
 
@@ -77,6 +76,7 @@ export class I8080Room {
       this.tilt.input.value = o.elevation;
     };
     this.canvas.addEventListener('pointerdown', event => {
+      if (this.flies) return;
       from = {x: event.clientX, y: event.clientY, rotation: o.rotation, elevation: o.elevation};
       this.canvas.setPointerCapture(event.pointerId);
     });
@@ -91,7 +91,7 @@ export class I8080Room {
     this.canvas.addEventListener('pointercancel', end);
     this.canvas.addEventListener('keydown', event => {
       const step = {ArrowLeft: [-10, 0], ArrowRight: [10, 0], ArrowUp: [0, 12.5], ArrowDown: [0, -12.5]}[event.key];
-      if (!step) return;
+      if (!step || this.flies) return;
       event.preventDefault();
       event.stopPropagation();
       turn(...step);
@@ -99,14 +99,23 @@ export class I8080Room {
     });
   }
 
+  get flies() { return this.options.program === 'flight'; }
+  // Of what is drawn, for files.
+  get name() {
+    const o = this.options;
+    return o.program === 'skala' ? o.function || 'expression' : this.flies ? this.flight.options.scene : o.scene;
+  }
   // Which controls belong to the program.
   offer() {
-    const skala = this.options.program === 'skala';
+    const {program} = this.options;
+    const skala = program === 'skala';
     for (const each of [this.pick, this.kind, this.cost8080, ...this.ofSkala]) each.hidden = !skala;
     this.words.hidden = !skala || this.options.function !== '';
-    this.scene.hidden = skala;
-    for (const option of this.device.select.options) option.hidden = option.disabled = !skala && !['ef9365', 'calcomp'].includes(option.value);
-    if (!skala && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
+    this.scene.hidden = program !== 'stripes';
+    for (const each of this.flight.controls) each.hidden = !this.flies;
+    for (const each of [this.device, this.turn, this.tilt, this.hint, this.saver]) each.hidden = this.flies;
+    for (const option of this.device.select.options) option.hidden = option.disabled = program === 'stripes' && !['ef9365', 'calcomp'].includes(option.value);
+    if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
   }
 
   request(what) {
@@ -121,14 +130,15 @@ export class I8080Room {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;
     let made;
-    try { made = this.module.ask(this.request(this.options.program)); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
+    try { made = this.flies ? this.flight.make() : this.module.ask(this.request(this.options.program)); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
+    this.made = null;
     if (made.error) return this.message.say(made.error, true);
     this.message.say('');
     this.costs.textContent = '';
-    this.id = made.id;
+    this.id = made.id ?? 0;
     this.stream = made.stream;
     this.made = made;
-    this.ended = false;
+    this.ended = this.shown = false;
     this.clearPaper();
     this.go(true);
     if (this.fast) this.picture(0);
@@ -137,18 +147,19 @@ export class I8080Room {
   saveState() {
     const done = this.module.ask({do: 'save', id: this.id});
     if (done.error) return this.message.say(done.error, true);
-    download(`${this.options.function || 'expression'}.snap`, this.module.made());
+    download(`${this.name}.snap`, this.module.made());
   }
   take(name, bytes) {
     this.module.putFile(name, bytes);
     if (bytes[0] === 0x89 && bytes[1] === 0x53) {
+      if (this.flies) return this.message.say(`${name}: a snapshot of a machine; a flight has none. Choose another program first.`, true);
       const done = this.module.ask({do: 'restore', id: this.id, file: name});
       this.message.say(done.error ?? '', Boolean(done.error));
-      this.ended = false;
+      this.ended = this.shown = false;
       return this.go(true);
     }
     const add = (box, value) => { if (![...box.select.options].some(each => each.value === value)) box.select.append(element('option', {value, textContent: value})); box.select.value = value; };
-    if (this.options.program === 'stripes') { this.options.scene = name; add(this.scene, name); } else { this.options.function = name; add(this.pick, name); }
+    if (this.flies) { this.flight.options.scene = name; add(this.flight.scene, name); } else if (this.options.program === 'stripes') { this.options.scene = name; add(this.scene, name); } else { this.options.function = name; add(this.pick, name); }
     this.restart();
   }
   cost() {
@@ -163,69 +174,66 @@ export class I8080Room {
     this.on = on;
     this.running.textContent = on ? 'Pause' : 'Run';
   }
-  enter() { this.offer(); if (!this.id) this.restart(); this.clock.start(); }
+  enter() { this.offer(); if (!this.made) this.restart(); this.clock.start(); }
   leave() { this.clock.stop(); }
   key() { return false; }
 
   clearPaper() {
-    const plotter = this.options.device in PENS;
-    this.canvas.width = this.canvas.height = plotter ? 768 : 256;
+    const plotter = !this.flies && this.options.device in PENS;
+    this.canvas.width = this.canvas.height = plotter ? 768 : this.flies ? this.flight.side : 256;
     this.canvas.classList.toggle('plotter', plotter);
-    this.pen = null;
+    this.penDown = false;
     if (plotter) { this.context.fillStyle = '#fbfaf4'; this.context.fillRect(0, 0, 768, 768); }
   }
 
   picture(seconds) {
-    if (!this.id) return;
+    if (!this.made || this.shown) return;
     if (this.on && !this.ended) {
       const wanted = this.fast || !this.options.speed ? 1e12 : seconds * CLOCK * this.options.speed;
-      const result = runFor(this.module, this.id, wanted, 30000, this.fast ? 60 : this.clock.frames ? 1e9 : 12);
+      const result = runFor(this.flies ? this.flight : this.module, this.id, wanted, 30000, this.fast ? 60 : this.clock.frames ? 1e9 : 12);
       if (result) {
         this.ended = true;
-        this.reason = this.module.reason();
+        this.reason = this.flies ? this.flight.status : this.module.reason();
         if (this.made.texts) this.reason = this.made.texts[this.module.word(this.id, this.made.status)];
       }
     }
-    if (this.options.device in PENS) this.drawPen(); else this.drawRaster();
+    if (this.flies) this.flight.draw(this.context);
+    else if (this.options.device in PENS) this.drawPen();
+    else this.drawRaster();
     this.sinceState = (this.sinceState ?? 1) + seconds;
     if (this.sinceState > 0.2 || this.ended) { this.sinceState = 0; this.showState(); }
+    this.shown = this.ended;  // nothing changes any more
   }
   drawRaster() {
     const dots = this.module.raster(this.id);
-    if (!dots) return;
-    const colours = this.options.program === 'stripes' ? GREYS : COLOURS;
-    const pixels = this.pixels;
-    for (let y = 0; y < 256; ++y) {
-      for (let x = 0; x < 256; ++x) {
-        pixels[256 * (255 - y) + x] = colours[dots[256 * y + x] & 7];
-      }
-    }
-    this.context.putImageData(this.image, 0, 0);
+    if (dots) this.image.draw(this.context, dots, this.options.program === 'stripes' ? GREYS : COLOURS);
   }
   drawPen() {
     const marks = this.module.flashes(this.id);
-    const context = this.context;
-    context.fillStyle = '#20304f';
-    for (let at = 0; at < marks.byteLength; at += 16) {
-      const x = 3 * marks.getUint16(at + 8, true) + 1;
-      const y = 766 - 3 * marks.getUint16(at + 10, true);
-      if (this.pen && Math.abs(this.pen[0] - x) <= 3 && Math.abs(this.pen[1] - y) <= 3) {
-        context.strokeStyle = '#20304f';
-        context.lineWidth = 1.6;
+    const {context} = this;
+    context.fillStyle = context.strokeStyle = '#20304f';
+    context.lineWidth = 1.6;
+    for (let i = 0; i < marks.count; ++i) {
+      const x = 3 * marks.x(i) + 1;
+      const y = 766 - 3 * marks.y(i);
+      if (this.penDown && Math.abs(this.penX - x) <= 3 && Math.abs(this.penY - y) <= 3) {
         context.beginPath();
-        context.moveTo(...this.pen);
+        context.moveTo(this.penX, this.penY);
         context.lineTo(x, y);
         context.stroke();
       } else {
         context.fillRect(x - 0.8, y - 0.8, 1.6, 1.6);
       }
-      this.pen = [x, y];
+      this.penDown = true;
+      this.penX = x;
+      this.penY = y;
     }
   }
   showState() {
-    const states = this.module.ticks(this.id);
-    const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['T-states', states.toLocaleString('en')],
-      ['Instructions', this.module.instructions(this.id).toLocaleString('en')], ['From the host computer', `${this.stream.toLocaleString('en')} bytes`]];
+    const states = this.flies ? this.flight.ticks() : this.module.ticks(this.id);
+    const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['T-states', states.toLocaleString('en')]];
+    if (this.flies) rows.push(...this.flight.facts()); else rows.push(['Instructions', this.module.instructions(this.id).toLocaleString('en')]);
+    rows.push(['From the host computer', `${this.stream.toLocaleString('en')} bytes`]);
     if (this.made.faces) rows.push(['Faces', String(this.made.faces)]);
     if (this.ended) rows.push(['Done', this.reason]);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
@@ -233,6 +241,7 @@ export class I8080Room {
 
   link() {
     const o = this.options;
+    if (this.flies) return `skala/${this.flight.link()}`;
     if (o.program === 'stripes') return `skala/stripes ${o.scene}?${new URLSearchParams({device: o.device, rotation: o.rotation, elevation: o.elevation})}`;
     const parts = new URLSearchParams({picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation});
     if (o.function === '') parts.set('f', o.text);
@@ -240,11 +249,12 @@ export class I8080Room {
   }
   open(path, query) {
     const o = this.options;
-    o.program = path.startsWith('stripes ') ? 'stripes' : 'skala';
-    if (o.program === 'stripes' && SCENES.some(([name]) => name === path.slice(8))) o.scene = path.slice(8);
+    o.program = ['stripes', 'flight'].find(each => path.startsWith(each + ' ')) ?? 'skala';
+    if (this.flies) this.flight.open(path.slice(7), query);
+    else if (o.program === 'stripes' && SCENES.some(([name]) => name === path.slice(8))) o.scene = path.slice(8);
     if (query.get('f')) { o.function = ''; o.text = query.get('f'); }
     else if (this.functions.some(each => each.name === path)) o.function = path;
-    for (const name of ['picture', 'device']) if (query.get(name)) o[name] = query.get(name);
+    for (const [name, {select}] of [['picture', this.kind], ['device', this.device]]) if ([...select.options].some(each => each.value === query.get(name))) o[name] = query.get(name);
     for (const name of ['rotation', 'elevation']) if (Number.isFinite(parseFloat(query.get(name)))) o[name] = parseFloat(query.get(name));
     this.pick.select.value = o.function;
     this.program.select.value = o.program;
@@ -252,6 +262,7 @@ export class I8080Room {
     this.offer();
     this.words.input.value = o.text;
     this.device.select.value = o.device;
+    this.kind.select.value = o.picture;
     this.turn.input.value = o.rotation;
     this.tilt.input.value = o.elevation;
     this.restart();

@@ -31,8 +31,17 @@ function system(memory) {
   };
 }
 
-// Nanoseconds of the machine's time of the flash that begins at this byte of a view.
-export function flashTime(flashes, at) { return flashes.getInt32(at + 4, true) * 2 ** 32 + flashes.getUint32(at, true); }
+// Flashes in the module's memory, 16 bytes each: nanoseconds of the machine's time, where on the screen, and how bright, 0 to 7. One object is used
+// again and again, so that a picture leaves nothing to be collected.
+class Flashes {
+  count = 0;
+  at = 0;
+  view = null;
+  time(i) { return this.view.getInt32(this.at + 16 * i + 4, true) * 2 ** 32 + this.view.getUint32(this.at + 16 * i, true); }
+  x(i) { return this.view.getUint16(this.at + 16 * i + 8, true); }
+  y(i) { return this.view.getUint16(this.at + 16 * i + 10, true); }
+  level(i) { return this.view.getUint8(this.at + 16 * i + 12); }
+}
 
 // `wasm`: a WebAssembly.Module.
 export async function openModule(wasm) {
@@ -48,12 +57,22 @@ export async function openModule(wasm) {
   };
   const taken = size => new Uint8Array(exports.memory.buffer, exports.answer_data(), size);
   const text = size => decoder.decode(taken(size));
+  const flashes = new Flashes();
+  // Views of the memory are made again when it has grown or what they show has moved.
+  const shows = (Kind, length) => {
+    let view = null;
+    return at => {
+      if (!at) return null;
+      if (!view || view.buffer !== exports.memory.buffer || view.byteOffset !== at) view = new Kind(exports.memory.buffer, at, length);
+      return view;
+    };
+  };
+  const rasterAt = shows(Uint8Array, 65536), flightAt = shows(Uint32Array, 262144);
 
   return {
     // A request (host/manual/page.md) and its answer; `error` in it is a text for a person.
-    ask(request) {
-      return JSON.parse(text(exports.request(put(encoder.encode(JSON.stringify(request))))));
-    },
+    ask(request) { return JSON.parse(this.askForText(request)); },
+    askForText: request => text(exports.request(put(encoder.encode(JSON.stringify(request))))),
     putFile(name, content) {
       const bytes = typeof content === 'string' ? encoder.encode(content) : content;
       const title = encoder.encode(name);
@@ -77,15 +96,18 @@ export async function openModule(wasm) {
     type: (id, key) => exports.type(id, key),
     // Codes of eight bits, a character each.
     printed: id => { const size = exports.printed(id); return size ? String.fromCharCode(...taken(size)) : ''; },
-    // A view of the flashes since the last call, 16 bytes each: flashTime, x and y of 16 bits, the intensity of 8. Valid until the next
-    // call of anything here.
+    // The flashes since the last call. Valid until the next call of anything here.
     flashes(id) {
-      const count = exports.flashes(id);
-      return new DataView(exports.memory.buffer, count ? exports.flashes_data() : 0, 16 * count);
+      flashes.count = exports.flashes(id);
+      flashes.at = exports.flashes_data();
+      if (flashes.view?.buffer !== exports.memory.buffer) flashes.view = new DataView(exports.memory.buffer);
+      return flashes;
     },
-    raster(id) {
-      const at = exports.raster(id);
-      return at ? new Uint8Array(exports.memory.buffer, at, 65536) : null;
-    },
+    raster: id => rasterAt(exports.raster(id)),
+
+    // The flight: to a T-state, whether there is more of it; the T-state reached; what the priority display shows, 512 by 512 numbers of faces.
+    fly: until => exports.fly(until) !== 0,
+    flown: () => exports.flown(),
+    flightPicture: () => flightAt(exports.flight_picture()),
   };
 }

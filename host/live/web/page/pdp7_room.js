@@ -2,7 +2,6 @@
 
 import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
-import {flashTime} from './module.js';
 import {SIDE, PHOSPHOR, makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
@@ -28,6 +27,7 @@ export class Pdp7Room {
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
     this.lights = [];
+    this.next = [0, 0, 0, 0];
     this.root = this.build();
     this.slow = 0;
   }
@@ -164,6 +164,8 @@ export class Pdp7Room {
     this.id = 0;
     this.labels = null;
     this.view = null;
+    this.lastViews = -1;
+    this.begun = false;
     this.litAt.fill(-1e18);
     this.paper.textContent = '';
     const o = this.options;
@@ -258,8 +260,7 @@ export class Pdp7Room {
     const passed = (this.module.ticks(this.id) - from) / 1e9;
     const flashes = this.module.flashes(this.id);
     if (this.lines) {
-      for (let at = 0; at < flashes.byteLength; at += 16)
-        this.litAt[256 * (flashes.getUint16(at + 10, true) >> 2) + (flashes.getUint16(at + 8, true) >> 2)] = flashTime(flashes, at);
+      for (let i = 0; i < flashes.count; ++i) this.litAt[256 * (flashes.y(i) >> 2) + (flashes.x(i) >> 2)] = flashes.time(i);
     }
     this.tube.picture(flashes, this.on ? passed : seconds);
     const printed = this.module.printed(this.id);
@@ -299,20 +300,29 @@ export class Pdp7Room {
   watchViews() {
     if (!this.labels) return;
     const {module, id, labels} = this;
-    const signed = word => word & 0o400000 ? word - 0o1000000 : word;
     const views = module.word(id, labels.views);
-    const eye = [labels.ex, labels.ey, labels.ez].map(at => signed(module.word(id, at)));
-    const scale = module.word(id, labels.scale);
     // The program computes without a pause; the lamp goes out for a moment when a view is complete.
     if (views !== this.lastViews) this.viewAt = performance.now();
     this.lamp.classList.toggle('on', this.on && performance.now() - this.viewAt > 120);
     if (views !== this.lastViews) {
-      this.view = {eye: this.nextEye ?? eye, scale: this.nextScale ?? scale, views};
+      // The program has set out for the next view: this one was seen from where it was a picture ago.
+      this.view = {eye: (this.begun ? this.next : this.where()).slice(0, 3), scale: this.begun ? this.next[3] : this.where()[3], views};
       this.lastViews = views;
       this.sight();
     }
-    this.nextEye = eye;
-    this.nextScale = scale;
+    this.where();
+    this.begun = true;
+  }
+
+  // The eye and the scale that the program computes with, in `next`.
+  where() {
+    const {module, id, labels, next} = this;
+    const signed = at => { const word = module.word(id, at); return word & 0o400000 ? word - 0o1000000 : word; };
+    next[0] = signed(labels.ex);
+    next[1] = signed(labels.ey);
+    next[2] = signed(labels.ez);
+    next[3] = module.word(id, labels.scale);
+    return next;
   }
 
   sight() {

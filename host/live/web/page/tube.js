@@ -181,7 +181,7 @@ class GlowTube {
     this.nothing = gl.createVertexArray();
   }
 
-  // What was drawn in the last `seconds` of emulated time: a view of flashes (module.js).
+  // What was drawn in the last `seconds` of emulated time: the flashes of module.js.
   picture(flashes, seconds) {
     if (this.lost || seconds <= 0) return;
     const gl = this.gl;
@@ -193,10 +193,10 @@ class GlowTube {
     const {gl, sums, side} = this;
     const scale = side / SIDE;
     sums.fill(0);
-    for (let at = 0; at < flashes.byteLength; at += 16) {
-      const x = (flashes.getUint16(at + 8, true) + PHOSPHOR.margin + 0.5) * scale | 0;
-      const y = (flashes.getUint16(at + 10, true) + PHOSPHOR.margin + 0.5) * scale | 0;
-      sums[y * side + x] += LEVELS[flashes.getUint8(at + 12) & 7] * scale * scale;
+    for (let i = 0; i < flashes.count; ++i) {
+      const x = (flashes.x(i) + PHOSPHOR.margin + 0.5) * scale | 0;
+      const y = (flashes.y(i) + PHOSPHOR.margin + 0.5) * scale | 0;
+      sums[y * side + x] += LEVELS[flashes.level(i) & 7] * scale * scale;
     }
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.fresh);
@@ -204,7 +204,7 @@ class GlowTube {
   }
   spread(flashes) {
     const gl = this.gl;
-    const count = flashes.byteLength / 16;
+    const {count} = flashes;
     gl.viewport(0, 0, this.side, this.side);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.freshTarget);
     gl.clearColor(0, 0, 0, 0);
@@ -219,10 +219,9 @@ class GlowTube {
     for (let from = 0; from < count;) {
       const part = Math.min(count - from, 65536);
       for (let i = 0; i < part; ++i) {
-        const at = 16 * (from + i);
-        this.room[3 * i] = flashes.getUint16(at + 8, true);
-        this.room[3 * i + 1] = flashes.getUint16(at + 10, true);
-        this.room[3 * i + 2] = flashes.getUint8(at + 12);
+        this.room[3 * i] = flashes.x(from + i);
+        this.room[3 * i + 1] = flashes.y(from + i);
+        this.room[3 * i + 2] = flashes.level(from + i);
       }
       gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.room, 0, 3 * part);
       gl.drawArrays(gl.POINTS, 0, part);
@@ -235,8 +234,7 @@ class GlowTube {
     const before = this.states[this.now];
     const after = this.states[this.now = 1 - this.now];
     const {places} = this.glow;
-    const fading = PHOSPHOR.yellow.map(([, tau]) => Math.exp(-seconds / tau));
-    const half = PHOSPHOR.yellow.map(([, tau]) => Math.exp(-seconds / 2 / tau));
+    const [[share0, tau0], [share1, tau1], [share2, tau2]] = PHOSPHOR.yellow;
     const eye = Math.exp(-seconds / PHOSPHOR.eye);
     gl.useProgram(this.glow.made);
     gl.viewport(0, 0, this.side, this.side);
@@ -246,9 +244,9 @@ class GlowTube {
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
     this.use(2, before.film, places.film);
-    gl.uniform3f(places.keep, ...fading);
-    gl.uniform3f(places.keepHalf, ...half);
-    gl.uniform3f(places.share, ...PHOSPHOR.yellow.map(([share]) => share));
+    gl.uniform3f(places.keep, Math.exp(-seconds / tau0), Math.exp(-seconds / tau1), Math.exp(-seconds / tau2));
+    gl.uniform3f(places.keepHalf, Math.exp(-seconds / 2 / tau0), Math.exp(-seconds / 2 / tau1), Math.exp(-seconds / 2 / tau2));
+    gl.uniform3f(places.share, share0, share1, share2);
     gl.uniform1f(places.eye, eye);
     gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -292,6 +290,7 @@ class PlainTube {
     this.context = canvas.getContext('2d');
     this.light = new Float32Array(this.side * this.side);
     this.image = this.context?.createImageData(this.side, this.side);
+    if (this.image) this.pixels = new Uint32Array(this.image.data.buffer);
   }
   coarser() { return false; }
   picture(flashes, seconds) {
@@ -299,12 +298,12 @@ class PlainTube {
     const {side, light} = this;
     const keep = Math.exp(-seconds / 0.12);
     for (let i = 0; i < light.length; ++i) light[i] *= keep;
-    for (let at = 0; at < flashes.byteLength; at += 16) {
-      const x = flashes.getUint16(at + 8, true) + PHOSPHOR.margin >> 1;
-      const y = flashes.getUint16(at + 10, true) + PHOSPHOR.margin >> 1;
+    for (let i = 0; i < flashes.count; ++i) {
+      const x = flashes.x(i) + PHOSPHOR.margin >> 1;
+      const y = flashes.y(i) + PHOSPHOR.margin >> 1;
       light[(side - 1 - y) * side + x] += 0.4;
     }
-    const pixels = new Uint32Array(this.image.data.buffer);
+    const {pixels} = this;
     for (let i = 0; i < light.length; ++i) {
       const v = light[i] > 1 ? 1 : light[i];
       pixels[i] = 0xff000000 | 21 + 119 * v << 16 | 26 + 214 * v << 8 | 20 + 193 * v;

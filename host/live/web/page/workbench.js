@@ -1,6 +1,7 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
 import {Clock, button, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 
 const MACHINES = {
@@ -160,6 +161,7 @@ export class Workbench {
     const fresh = element('canvas', {className: 'small', role: 'img', 'aria-label': 'Screen of the program'});
     this.canvas.replaceWith(fresh);
     this.canvas = fresh;
+    this.context = null;
     this.tube = machine === 'pdp7' ? makeTube(fresh) : null;
     if (!this.tube) { fresh.width = fresh.height = 256; fresh.hidden = !options['--board']; }
     this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
@@ -222,28 +224,23 @@ export class Workbench {
         this.message.say(this.waits ? 'The program waits for a key.' : `Stopped: ${reason}`);
         this.go(false);
       }
-      this.status.textContent = `${(this.module.ticks(this.id) / this.second).toFixed(3)} s, ${this.module.instructions(this.id).toLocaleString('en')} instructions`;
+      this.sinceStatus = (this.sinceStatus ?? 1) + seconds;
+      if (this.on && this.sinceStatus > 0.2) { this.sinceStatus = 0; this.showProgress(); }
     }
     const flashes = this.module.flashes(this.id);
     if (this.tube) this.tube.picture(flashes, this.on ? (this.module.ticks(this.id) - from) / this.second : seconds);
     else this.showRaster();
     this.hear();
   }
+  showProgress() {
+    this.status.textContent = `${(this.module.ticks(this.id) / this.second).toFixed(3)} s, ${this.module.instructions(this.id).toLocaleString('en')} instructions`;
+  }
   showRaster() {
     const dots = this.module.raster(this.id);
     if (!dots) return;
     this.canvas.hidden = false;
-    const context = this.canvas.getContext('2d');
-    const image = context.createImageData(256, 256);
-    for (let i = 0; i < 65536; ++i) {
-      const value = dots[i];
-      const at = 4 * (256 * (255 - (i >> 8)) + (i & 255));
-      image.data[at] = value & 4 ? 255 : 0;
-      image.data[at + 1] = value & 2 ? 255 : 0;
-      image.data[at + 2] = value & 1 ? 255 : 0;
-      image.data[at + 3] = 255;
-    }
-    context.putImageData(image, 0, 0);
+    this.raster ??= new RasterImage();
+    this.raster.draw(this.context ??= this.canvas.getContext('2d'), dots);
   }
   hear() {
     const printed = this.module.printed(this.id);

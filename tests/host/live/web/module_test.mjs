@@ -1,6 +1,6 @@
 // The module of the page in Node, compared with the command, which is compiled by another compiler for another machine:
-// whole machines by their snapshots, byte for byte, with every stroke and its time; lessons by their JSON; hostile requests
-// by an answer.
+// whole machines by their snapshots, byte for byte, with every stroke and its time; flights by their frames and a picture; lessons by their
+// JSON; hostile requests by an answer. views.mjs compares all scenes in a hundred views.
 //
 //   node module_test.mjs MODULE.wasm MODULE.js SIGHTLINE
 //
@@ -11,9 +11,10 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
+import {inflateSync} from 'node:zlib';
 
 const [wasm, script, sightline] = process.argv.slice(2);
-const {openModule, flashTime} = await import(pathToFileURL(script));
+const {openModule} = await import(pathToFileURL(script));
 const module = await openModule(new WebAssembly.Module(readFileSync(wasm)));
 const folder = mkdtempSync(join(tmpdir(), 'sightline-page-'));
 process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
@@ -48,8 +49,7 @@ function comparePdp7(what, made, core, start, milliseconds, options) {
     const until = Math.min(t + 49, milliseconds);
     module.run(made.id, until * 1e6);
     const flashes = module.flashes(made.id);
-    for (let at = 0; at < flashes.byteLength; at += 16)
-      strokes += `${flashTime(flashes, at)} ${flashes.getUint16(at + 8, true)} ${flashes.getUint16(at + 10, true)} ${flashes.getUint8(at + 12)}\n`;
+    for (let i = 0; i < flashes.count; ++i) strokes += `${flashes.time(i)} ${flashes.x(i)} ${flashes.y(i)} ${flashes.level(i)}\n`;
   }
   writeFileSync(join(folder, 'core.oct'), file(core));
   native('run', 'pdp7', 'core.oct', '--display', ...options, '--start', start.toString(8),
@@ -123,6 +123,58 @@ for (const [n, scene] of ['boxes-5', 'house', 'roberts', 'crossed.off'].entries(
     check(same(module.made(), readFileSync(join(folder, 'native.snap'))), `${JSON.stringify(request)}: the snapshot after ${module.ticks(made.id)} T-states`);
     ask({do: 'drop', id: made.id});
   }
+}
+
+// --- A flight: every frame's times and orders, and one picture, point by point.
+// Rows of a PNG of 8-bit colours, as numbers of 24 bits.
+function pointsOf(png) {
+  const parts = [];
+  let width = 0;
+  for (let at = 8; at < png.length;) {
+    const size = png.readUInt32BE(at), kind = png.toString('latin1', at + 4, at + 8);
+    if (kind === 'IHDR') width = png.readUInt32BE(at + 8);
+    if (kind === 'IDAT') parts.push(png.subarray(at + 8, at + 8 + size));
+    at += size + 12;
+  }
+  const bytes = inflateSync(Buffer.concat(parts)), row = 3 * width;
+  const points = new Uint32Array(bytes.length / (row + 1) * width);
+  const paeth = (a, b, c) => { const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c); return pa <= pb && pa <= pc ? a : pb <= pc ? b : c; };
+  let above = new Uint8Array(row);
+  for (let y = 0; y * (row + 1) < bytes.length; ++y) {
+    const kind = bytes[y * (row + 1)], here = new Uint8Array(row);
+    for (let i = 0; i < row; ++i) {
+      const left = i < 3 ? 0 : here[i - 3], corner = i < 3 ? 0 : above[i - 3];
+      here[i] = bytes[y * (row + 1) + 1 + i] + [0, left, above[i], (left + above[i]) >> 1, paeth(left, above[i], corner)][kind];
+    }
+    for (let x = 0; x < width; ++x) points[y * width + x] = here[3 * x] << 16 | here[3 * x + 1] << 8 | here[3 * x + 2];
+    above = here;
+  }
+  return points;
+}
+for (const [n, scene] of ['town-9', 'prisms-9', 'town-20'].entries()) {
+  const bits = [8, 16, 12][n], plan = n === 1, frames = 12;
+  const what = `a flight through ${scene}, ${bits} bits`;
+  const made = ask({do: 'flight', scene, bits, plan, frames});
+  const out = `flight-${n}`;
+  const report = JSON.parse(native('flight', scene, '--bits', String(bits), ...(plan ? ['--plan'] : []), '--frames', String(frames), '-o', out, '--json'));
+  const rows = readFileSync(join(folder, out, `${scene}-flight.csv`), 'utf8').trim().split('\n').slice(1);
+  const shown = pointsOf(readFileSync(join(folder, out, `${scene}-flight.png`)));
+  const still = frames / 3;
+  let told = [], differing = -1, at = 0;
+  for (let more = true; more;) {
+    const last = told[still] ? (Number(told[still].split(',')[1]) + 36) * 3000 : 0;
+    const looks = differing < 0 && last && at + 20000 >= last;  // the display has scanned it, and begins no other
+    more = module.fly(at = looks ? last : at + 20000);
+    const {frame, frames: count} = ask({do: 'flight_state'});
+    if (count > told.length) told.push([count - 1, frame.shown_ms, frame.t_states, frame.waiting, frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points].join(','));
+    if (looks) differing = module.flightPicture().reduce((sum, face, i) => sum + (made.shades[face] === shown[i] ? 0 : 1), 0);
+  }
+  const state = ask({do: 'flight_state'});
+  check(told.join('\n') === rows.join('\n'), `${what}: the frames`);
+  check(differing === 0, `${what}: ${differing} points of a picture`);
+  check(state.status === 'complete' && state.difference === '', `${what}: ${state.status}, ${state.difference}`);
+  for (const key of ['pieces', 'surfaces', 'coordinate_step', 'distance_error']) check(made[key] === report[key], `${what}: ${key}`);
+  for (const key of ['frames', 'frames_per_second_mean', 't_states_worst', 'wrong_orders', 'wrong_points', 'pairs']) check(state[key] === report[key], `${what}: ${key}`);
 }
 
 // --- Lessons: the algorithms themselves, step by step.

@@ -26,10 +26,10 @@ const value = depth => {
     default: return Object.fromEntries(Array.from({length: dice(4)}, () => [one(keys), value(depth + 1)]));
   }
 };
-const whats = ['make', 'assemble', 'jones', 'skala', 'turn', 'turn_sight', 'stripes', 'firmware', 'state', 'step', 'over', 'out', 'back', 'back_to_breakpoint', 'break', 'watch', 'breaks', 'unbreak', 'rows', 'memory', 'put', 'set', 'start', 'history', 'stack', 'who', 'evaluate',
+const whats = ['make', 'assemble', 'jones', 'skala', 'turn', 'turn_sight', 'stripes', 'flight', 'flight_state', 'firmware', 'state', 'step', 'over', 'out', 'back', 'back_to_breakpoint', 'break', 'watch', 'breaks', 'unbreak', 'rows', 'memory', 'put', 'set', 'start', 'history', 'stack', 'who', 'evaluate',
   'symbols', 'attach', 'load', 'save', 'restore', 'drop', 'draw', 'explain', 'scene', 'sight', 'cost', 'lists', 'file'];
 const keys = ['machine', 'options', 'sources', 'name', 'text', 'id', 'at', 'count', 'before', 'word', 'register', 'value', 'instruction', 'device', 'file', 'scene', 'algorithm', 'camera', 'eye', 'forward', 'right', 'up', 'perspective', 'eae', 'stereo', 'immediate',
-  'switches', 'memory', 'level', 'seconds', 'angle', 'priority_by_host', 'scale', 'function', 'heights', 'range', 'points', 'slices', 'domain', 'picture', 'rotation', 'elevation', 'zoom', 'levels', 'visibility', 'condition', 'number', 'symbols', 'listing', 'lines', 'start'];
+  'switches', 'memory', 'level', 'seconds', 'angle', 'priority_by_host', 'bits', 'plan', 'pieces', 'frames', 'scale', 'function', 'heights', 'range', 'points', 'slices', 'domain', 'picture', 'rotation', 'elevation', 'zoom', 'levels', 'visibility', 'condition', 'number', 'symbols', 'listing', 'lines', 'start'];
 const options = {
   pdp7: ['--load', '--start', '--memory', '--eae', '--no-eae', '--set', '--switches', '--display', '--display-option', '--light-pen', '--timing', '--reader', '--disk', '--keyboard', '--console', '--max-instructions', '--max-time', '--strict', '--restore', '--trace', '--vcd'],
   i8080: ['--load', '--start', '--cpm', '--cpm-drive', '--cpm-args', '--clock', '--set', '--max-states', '--strict', '--board', '--plotter', '--terminal', '--baud', '--plotter-start', '--hold', '--parallel', '--serial', '--console', '--interrupt', '--restore', '--bus'],
@@ -64,12 +64,13 @@ for (let n = 0; n < Number(count); ++n) {
     request.sources = [{name: 'a.s', text: Array.from({length: dice(20)}, () => `${one(['', 'x,', 'L:', 'begin,'])}\t${one(['lac', 'MVI', 'ORG', 'DB', 'hlt', 'REPT', 'IF', 'MACRO', '100/', 'start', 'END', one(texts)])} ${one(texts).slice(0, 30)}`).join('\n')}];
     request.options = dice(2) ? {'--dialect': one(['dec', 'bell', 'mac', 'm80', 'intel', 'common', 'no'])} : undefined;
   }
-  if (['turn', 'turn_sight', 'stripes'].includes(request.do)) request.scene = one(['roberts', 'boxes-2', 'mesh.off', 'rubbish', 'triangles-3-7']);
+  if (['turn', 'turn_sight', 'stripes', 'flight'].includes(request.do)) request.scene = one(['roberts', 'boxes-2', 'mesh.off', 'rubbish', 'triangles-3-7']);
   if ((request.do === 'jones' || request.do === 'explain') && dice(2)) request.scene = one(['house', 'roberts', 'boxes-2', 'mesh.off']);
   if (request.do === 'explain' && dice(2)) request.algorithm = one(['exact', 'jones', 'skala', 'montani-re', 'willis', 'plantinga']);
   let answer;
   try {
     answer = module.ask(request);
+    if (request.do === 'flight' && !answer.error) { module.fly(1e6); module.flightPicture(); }
     if (answer.id) ids = [...ids.slice(-3), answer.id];
     if (ids.length) {
       const id = one(ids);

@@ -51,7 +51,7 @@ for (const each of machines) {
     while ((spent = process.cpuUsage(begun).user / 1e6) < host) {
       for (let n = 0; n < 30; ++n) {  // to ask for the time takes some
         module.run(made.id, module.ticks(made.id) + slice);
-        flashes += module.flashes(made.id).byteLength / 16;
+        flashes += module.flashes(made.id).count;
       }
     }
     return {instructions: (module.instructions(made.id) - before[0]) / spent, ticks: (module.ticks(made.id) - before[1]) / spent, emulated: module.ticks(made.id) - before[1]};

@@ -1,18 +1,15 @@
-// See face_shades.hpp.
-#include "host/app/commands/face_shades.hpp"
+#include "host/picture/face_shades.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "host/algorithms/willis/spans.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
-namespace sightline::app {
+namespace sightline::picture {
 
 namespace {
 
-constexpr Shade sky{0xD8, 0xE6, 0xF2};
 // Muted, so that light and shade tell more than hue.
 constexpr std::array<Shade, 7> hues{{{0xD9, 0x8C, 0x6A},
                                      {0x8F, 0xB0, 0x79},
@@ -22,7 +19,7 @@ constexpr std::array<Shade, 7> hues{{{0xD9, 0x8C, 0x6A},
                                      {0x78, 0xB5, 0xAE},
                                      {0xC7, 0x92, 0xA0}}};
 
-double brightness(const std::array<std::int64_t, 3>& normal) {
+double face_brightness(const std::array<std::int64_t, 3>& normal) {
   const auto x = static_cast<double>(normal[0]);
   const auto y = static_cast<double>(normal[1]);
   const auto z = static_cast<double>(normal[2]);
@@ -37,7 +34,7 @@ std::vector<Shade> face_shades(const scene::PolyScene& scene) {
   std::vector<Shade> shades;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (const scene::PolyFace& face : scene.bodies[b].faces) {
-      const double light = brightness(scene::ring_normal(scene.vertices, face.outline));
+      const double light = face_brightness(scene::ring_normal(scene.vertices, face.outline));
       Shade shade = hues[b % hues.size()];
       for (std::uint8_t& part : shade)
         part = static_cast<std::uint8_t>(std::min(255.0, std::round(part * light)));
@@ -47,8 +44,8 @@ std::vector<Shade> face_shades(const scene::PolyScene& scene) {
   return shades;
 }
 
-picture::Image shaded_image(const picture::PixelGrid& faces, const std::vector<Shade>& shades) {
-  picture::Image image(faces.width, faces.height, 3);
+Image shaded_image(const PixelGrid& faces, const std::vector<Shade>& shades) {
+  Image image(faces.width, faces.height, 3);
   for (int row = 0; row < faces.height; ++row) {
     for (int column = 0; column < faces.width; ++column) {
       const std::uint32_t face = faces.at(column, row);
@@ -61,13 +58,4 @@ picture::Image shaded_image(const picture::PixelGrid& faces, const std::vector<S
   return image;
 }
 
-picture::Image outline_image(const picture::PixelGrid& faces) {
-  const picture::PixelGrid lines = algorithms::willis::outlines(faces);
-  picture::Image image(faces.width, faces.height, 1);
-  for (int row = 0; row < faces.height; ++row)
-    for (int column = 0; column < faces.width; ++column)
-      image.pixels[image.index(column, faces.height - 1 - row)] = lines.at(column, row) != 0 ? 0 : 0xFF;
-  return image;
-}
-
-}  // namespace sightline::app
+}  // namespace sightline::picture

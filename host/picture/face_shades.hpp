@@ -9,16 +9,15 @@
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::app {
+namespace sightline::picture {
 
 using Shade = std::array<std::uint8_t, 3>;  // red, green, blue
 
 // By face number over all bodies: a hue for every body, lit from above and one side.
 [[nodiscard]] std::vector<Shade> face_shades(const scene::PolyScene& scene);
 
+inline constexpr Shade sky{0xD8, 0xE6, 0xF2};
 // Of face numbers + 1; 0 is sky.
-[[nodiscard]] picture::Image shaded_image(const picture::PixelGrid& faces, const std::vector<Shade>& shades);
-// Black where the number changes, white elsewhere.
-[[nodiscard]] picture::Image outline_image(const picture::PixelGrid& faces);
+[[nodiscard]] Image shaded_image(const PixelGrid& faces, const std::vector<Shade>& shades);
 
-}  // namespace sightline::app
+}  // namespace sightline::picture

@@ -1,0 +1,116 @@
+#include "host/live/web/flying.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "host/guests/flight/packing.hpp"
+#include "host/guests/flight/path.hpp"
+#include "host/guests/flight/session.hpp"
+#include "host/live/web/requests.hpp"
+#include "host/picture/face_shades.hpp"
+
+namespace sightline::live::web {
+
+namespace flight = guests::flight;
+
+struct Flying::Journey {
+  Journey(const flight::Program& program, algorithms::willis::Model&& a_model, std::vector<scene::PolyCamera>&& a_path, flight::Precision precision)
+      : model(std::move(a_model)), path(std::move(a_path)), packed(flight::pack(model, path, precision)), end(flight::latest_end(packed.stream)),
+        run(program, model, path, packed, {.count_points = true, .shown = true}) {}
+
+  algorithms::willis::Model model;
+  std::vector<scene::PolyCamera> path;
+  flight::Packed packed;
+  core::TStateInstant end;  // whatever the program does
+  flight::FlightInProgress run;
+};
+
+Flying::Flying() = default;
+Flying::~Flying() = default;
+
+Json Flying::make(const Workbench& workbench, const Json& request) {
+  journey_.reset();
+  const auto loaded = scene_named(workbench, text_of(request, "scene"));
+  if (!loaded) return refusal(loaded.error().message());
+  const bool plan = flag_of(request, "plan");
+  const auto frames = static_cast<std::uint32_t>(std::clamp(number_of(request, "frames", 100), 2.0, 2000.0));
+  const auto pieces = static_cast<std::size_t>(std::clamp(number_of(request, "pieces", flight::most_pieces), 1.0, double{flight::most_pieces}));
+  const scene::SceneFrame frame = scene::frame_of(loaded->scene.camera);
+  auto path = flight::path_through(loaded->scene, frame, frames, plan);
+  if (!path) return refusal(path.error().message());
+  algorithms::willis::ModelOptions options;
+  options.plan = plan;
+  options.vertical = frame.vertical;
+  auto model = flight::flight_model(loaded->scene, options, path->front().eye, pieces);
+  if (!model) return refusal(model.error().message());
+  const double bits = number_of(request, "bits", 8);
+  const auto precision = bits > 12 ? flight::Precision::bits_16 : bits > 8 ? flight::Precision::bits_12 : flight::Precision::bits_8;
+  static const flight::Program program = flight::assemble_program();
+  journey_ = std::make_unique<Journey>(program, std::move(*model), std::move(*path), precision);
+
+  Json shades = Json::array();
+  const auto number = [](const picture::Shade& shade) { return shade[0] << 16 | shade[1] << 8 | shade[2]; };
+  shades.push_back(number(picture::sky));
+  for (const picture::Shade& shade : picture::face_shades(loaded->scene)) shades.push_back(number(shade));
+  const Journey& made = *journey_;
+  return Json{{"pieces", made.model.pieces.size()},
+              {"surfaces", made.model.surfaces},
+              {"frames", made.path.size()},
+              {"stream", made.packed.stream.size()},
+              {"coordinate_step", made.packed.step_in_units},
+              {"distance_error", made.packed.error_in_units},
+              {"shades", std::move(shades)}};
+}
+
+// Counts of all frames so far, and of the last one.
+Json Flying::state() const {
+  if (journey_ == nullptr) return refusal("nothing flies");
+  const flight::FlightRun& run = journey_->run.so_far();
+  const flight::FlightSummary& sum = run.summary;
+  Json state{{"ended", run.guest.ended},
+             {"status", flight::text_of(run.guest.status)},
+             {"difference", run.difference},
+             {"t_states", run.guest.total.count()},
+             {"frames", run.frames.size()},
+             {"frames_per_second_mean", sum.frames_per_second_mean},
+             {"frames_per_second_worst", sum.frames_per_second_worst},
+             {"t_states_mean", sum.t_states_mean},
+             {"t_states_worst", sum.t_states_worst},
+             {"pairs_exchanged_mean", sum.exchanges_mean},
+             {"wrong_orders", sum.wrong_orders},
+             {"pairs", sum.pairs},
+             {"wrong_points", sum.wrong_points},
+             {"frames_with_wrong_points", sum.frames_wrong}};
+  if (!run.frames.empty()) {
+    const flight::FlightFrame& frame = run.frames.back();
+    state["frame"] = Json{{"shown_ms", frame.shown.time_since_epoch().count() / 1'000'000}, {"t_states", frame.computing.count()},
+                          {"waiting", frame.waiting.count()},   {"moved", frame.moved},
+                          {"exchanges", frame.exchanges},       {"facing", frame.facing},
+                          {"wrong_orders", frame.wrong_orders}, {"wrong_points", frame.wrong_points}};
+  }
+  return state;
+}
+
+Json Flying::answer(const Workbench& workbench, std::string_view what, const Json& request) {
+  if (what == "flight") return make(workbench, request);
+  if (what == "flight_state") return state();
+  return {};
+}
+
+bool Flying::run(std::int64_t t_states) {
+  if (journey_ == nullptr) return false;
+  const auto until = std::min(core::at_t_state(t_states), journey_->end);
+  journey_->run.run(until);
+  return !journey_->run.ended() && journey_->run.now() < journey_->end;
+}
+
+std::int64_t Flying::t_states() const { return journey_ != nullptr ? journey_->run.now().time_since_epoch().count() : 0; }
+
+std::span<const std::uint32_t> Flying::picture() {
+  if (journey_ == nullptr) return {};
+  return journey_->run.picture();
+}
+
+}  // namespace sightline::live::web

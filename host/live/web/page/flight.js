@@ -1,0 +1,87 @@
+// A flight on the 8080 with Willis's priority display (firmware/i8080/flight): its scenes, its picture, and what can be said of it.
+
+import {check, choice, field} from './ui.js';
+
+const SCENES = [['prisms-9', 'nine turned houses'], ['prisms-25', '25 turned houses'], ['town-4', 'four houses of a town'], ['town-9', 'nine houses'], ['town-20', 'twenty houses'], ['town-60', 'sixty houses, the nearest pieces']];
+const SIDE = 512;
+
+export class Flight {
+  // `again`: begins anew.
+  constructor(module, again) {
+    this.module = module;
+    this.options = {scene: 'town-20', bits: 8, plan: false, pieces: 255, frames: 200};
+    const o = this.options;
+    const set = name => value => { o[name] = value; again(); };
+    const number = name => value => { if (value !== '' && Number.isFinite(Number(value))) { o[name] = Number(value); again(); } };
+    this.scene = choice('Scene', SCENES, o.scene, set('scene'));
+    this.bits = choice('Coordinates', [[8, '8 bits'], [12, '12 bits'], [16, '16 bits']], o.bits, number('bits'));
+    this.plan = check('Measured in plan', o.plan, set('plan'));
+    this.pieces = field('Pieces at most', o.pieces, number('pieces'), {type: 'number', min: 1, max: 255});
+    this.controls = [this.scene, this.bits, this.pieces, this.plan];
+    this.colours = new Uint32Array(1);
+    this.image = new ImageData(SIDE, SIDE);
+    this.pixels = new Uint32Array(this.image.data.buffer);
+  }
+
+  make() {
+    const o = this.options;
+    const made = this.module.ask({do: 'flight', scene: o.scene, bits: o.bits, plan: o.plan, pieces: o.pieces, frames: o.frames});
+    this.made = made.error ? null : made;
+    if (!this.made) return made;
+    // Red is the lowest byte of a pixel.
+    this.colours = Uint32Array.from(made.shades, shade => 0xff000000 | (shade & 0xff) << 16 | shade & 0xff00 | shade >> 16);
+    this.before = null;
+    this.rate = 0;
+    return made;
+  }
+
+  // As a machine, for runFor.
+  ticks() { return this.module.flown(); }
+  run(id, until) { return this.module.fly(until) ? 0 : 2; }
+
+  draw(context) {
+    const shown = this.module.flightPicture();
+    if (!shown) return;
+    const {pixels, colours} = this;
+    for (let i = 0; i < SIDE * SIDE; ++i) pixels[i] = colours[shown[i]];
+    context.putImageData(this.image, 0, 0);
+  }
+  get side() { return SIDE; }
+
+  get status() { return this.module.ask({do: 'flight_state'}).status; }
+  // Rows of the room's facts.
+  facts() {
+    const state = this.state = this.module.ask({do: 'flight_state'});
+    const {frame} = state;
+    if (!this.made || !frame) return [];
+    const count = number => number.toLocaleString('en');
+    if (this.before && frame.shown_ms > this.before.ms) this.rate = (state.frames - this.before.frames) / (frame.shown_ms - this.before.ms) * 1000;
+    this.before = {frames: state.frames, ms: frame.shown_ms};
+    return [
+      ['Frames', `${state.frames} of ${this.made.frames}; ${this.rate.toFixed(1)} a second, on average ${state.frames_per_second_mean.toFixed(1)}, at worst ${state.frames_per_second_worst.toFixed(1)}`],
+      ['Computing', `${count(frame.t_states)} T-states for this frame, then ${count(frame.waiting)} waiting for the display`],
+      ['Pieces', `${this.made.pieces}, of ${this.made.surfaces} surfaces; ${frame.facing} turned to the eye`],
+      ['Order', `${count(frame.moved)} pieces moved, ${count(frame.exchanges)} pairs exchanged since the last frame`],
+      ['Wrong orders', `${count(frame.wrong_orders)} in this frame, ${count(state.wrong_orders)} of ${count(state.pairs)} pairs so far`],
+      ['Wrong points', `${count(frame.wrong_points)} in this picture, ${count(state.wrong_points)} in ${state.frames_with_wrong_points} pictures so far`],
+      ['Coordinates', `a step is ${this.made.coordinate_step.toPrecision(3)} of the scene's units; distances that differ by more than ${this.made.distance_error.toPrecision(3)} are in order`],
+      ['Native twin', state.difference || 'the same priorities']];
+  }
+
+  link() {
+    const o = this.options;
+    return `flight ${o.scene}?${new URLSearchParams({bits: o.bits, plan: o.plan ? 1 : 0, pieces: o.pieces})}`;
+  }
+  open(scene, query) {
+    const o = this.options;
+    if (SCENES.some(([name]) => name === scene)) o.scene = scene;
+    if (['8', '12', '16'].includes(query.get('bits'))) o.bits = Number(query.get('bits'));
+    if (query.has('plan')) o.plan = query.get('plan') === '1';
+    const pieces = parseInt(query.get('pieces'));
+    if (pieces >= 1 && pieces <= 255) o.pieces = pieces;
+    this.scene.select.value = o.scene;
+    this.bits.select.value = o.bits;
+    this.plan.box.checked = o.plan;
+    this.pieces.input.value = o.pieces;
+  }
+}

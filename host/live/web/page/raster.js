@@ -1,0 +1,19 @@
+// What a raster board shows: 256 by 256 values of 0 to 7, the bottom row first, on a canvas.
+
+// Pixels of the values: as a monitor shows three planes, and as levels of light.
+export const COLOURS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
+export const GREYS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
+
+export class RasterImage {
+  constructor() {
+    this.image = new ImageData(256, 256);
+    this.pixels = new Uint32Array(this.image.data.buffer);
+  }
+  draw(context, dots, colours = COLOURS) {
+    const {pixels} = this;
+    for (let y = 0; y < 256; ++y) {
+      for (let x = 0; x < 256; ++x) pixels[256 * (255 - y) + x] = colours[dots[256 * y + x] & 7];
+    }
+    context.putImageData(this.image, 0, 0);
+  }
+}

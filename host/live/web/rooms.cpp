@@ -1,0 +1,23 @@
+#include "host/live/web/rooms.hpp"
+
+#include "host/live/web/stripes.hpp"
+#include "host/live/web/studio.hpp"
+#include "host/live/web/turning.hpp"
+
+namespace sightline::live::web {
+
+Json Rooms::answer(std::string_view text) {
+  const auto request = base::parse_json(text, "request");
+  if (!request) return refusal(request.error().message());
+  const Json* const what = request->find("do");
+  if (what != nullptr && what->text() != nullptr) {
+    for (const auto answers : {studio_answer, stripes_answer, turning_answer}) {
+      Json answer = answers(workbench, *what->text(), *request);
+      if (!answer.is_null()) return answer;
+    }
+    if (Json answer = flying.answer(workbench, *what->text(), *request); !answer.is_null()) return answer;
+  }
+  return workbench.answer(*request);
+}
+
+}  // namespace sightline::live::web

@@ -1,0 +1,131 @@
+// What the page shows, by a native build of what is in its module (host/live/web): views.mjs asks this program and the module the same and compares
+// all that comes of it.
+//
+// A line of standard input is {"put": NAME, "text": TEXT}, a file of the page, or a view: {"request": {...}, "until": T}, a machine to be made and the time
+// of its unit to which it runs; a flight is flown to its end. Each view is answered by a line: the answer to the request, then what the machine has
+// done and hashes of what it shows.
+#include <cstdint>
+#include <cstring>
+#include <iostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/base/json.hpp"
+#include "host/live/web/requests.hpp"
+#include "host/live/web/rooms.hpp"
+
+namespace {
+
+using sightline::base::Json;
+using sightline::live::web::Desk;
+using sightline::live::web::Rooms;
+
+// Two sums of 32 bits, as views.mjs computes them.
+class Hash {
+ public:
+  void add(std::uint32_t word) {
+    a_ = (a_ ^ word) * 0x01000193U;
+    a_ ^= a_ >> 15U;
+    b_ = (b_ + word) * 0x85EBCA6BU;
+    b_ ^= b_ >> 13U;
+  }
+  void add_bytes(std::span<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) add(byte);
+  }
+  void add_words(std::span<const std::uint32_t> words) {
+    for (const std::uint32_t word : words) add(word);
+  }
+  [[nodiscard]] std::uint32_t a() const { return a_; }
+  [[nodiscard]] std::uint32_t b() const { return b_; }
+
+ private:
+  std::uint32_t a_ = 0x9E3779B9U;
+  std::uint32_t b_ = 0x7F4A7C15U;
+};
+
+Json sums(const Hash& hash) { return Json::array({hash.a(), hash.b()}); }
+
+Json fly(Rooms& rooms) {
+  constexpr std::int64_t frame = 120'000;  // of the display, at 3 MHz
+  Hash shown;
+  Json states = Json::array();
+  Json result = Json::object();
+  std::int64_t at = 0;
+  bool more = true;
+  while (more) {
+    more = rooms.flying.run(at += frame);
+    shown.add_words(rooms.flying.picture());
+    states.push_back(rooms.answer(R"({"do":"flight_state"})"));
+  }
+  const std::string text = states.dump();
+  Hash told;
+  told.add_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  result["ticks"] = rooms.flying.t_states();
+  result["frames"] = *states[states.size() - 1].find("frames");
+  result["shown"] = sums(shown);
+  result["told"] = sums(told);
+  return result;
+}
+
+Json run(Rooms& rooms, const Json& made, std::int64_t until) {
+  Desk* const desk = sightline::live::web::desk_of(rooms.workbench, made);
+  if (desk == nullptr) return Json::object();
+  const std::int64_t slice = desk->machine().ticks_a_second() / 20;
+  constexpr std::uint64_t no_limit = std::uint64_t{1} << 50U;
+  Hash strokes;
+  std::int64_t count = 0;
+  bool running = true;
+  for (std::int64_t at = 0; running && at < until;) {
+    at = std::min(at + slice, until);
+    running = desk->run(at, no_limit).why == sightline::live::Halted::Why::goal;
+    for (const auto& stroke : desk->take_flashes()) {
+      std::array<std::uint32_t, 4> words{};
+      std::memcpy(words.data(), &stroke, sizeof words);
+      words[3] &= 0xFFU;  // the rest is room between strokes
+      strokes.add_words(words);
+      ++count;
+    }
+  }
+  Json result = Json::object();
+  result["ticks"] = desk->machine().ticks();
+  result["instructions"] = desk->machine().instructions();
+  result["flashes"] = count;
+  result["strokes"] = sums(strokes);
+  Hash raster;
+  if (const auto* const shown = desk->machine().raster()) raster.add_bytes(shown->points());
+  result["raster"] = sums(raster);
+  const auto snapshot = desk->debugger().save();
+  Hash state;
+  state.add_bytes(snapshot);
+  result["state"] = sums(state);
+  static_cast<void>(rooms.workbench.answer(Json{{"do", "drop"}, {"id", *made.find("id")}}));
+  return result;
+}
+
+}  // namespace
+
+int main() {
+  Rooms rooms;
+  std::string line;
+  while (std::getline(std::cin, line)) {
+    const auto asked = sightline::base::parse_json(line, "a view");
+    if (!asked) {
+      std::cerr << asked.error().message() << '\n';
+      return 1;
+    }
+    if (asked->find("put") != nullptr) {
+      const std::string text = sightline::live::web::text_of(*asked, "text");
+      rooms.workbench.put_file(sightline::live::web::text_of(*asked, "put"), {text.begin(), text.end()});
+      continue;
+    }
+    const Json* const request = asked->find("request");
+    const Json made = rooms.answer(request->dump());
+    Json result = made.find("error") != nullptr ? Json::object()
+                  : sightline::live::web::text_of(*request, "do") == "flight"
+                      ? fly(rooms)
+                      : run(rooms, made, static_cast<std::int64_t>(sightline::live::web::number_of(*asked, "until", 0)));
+    result["answer"] = made;
+    std::cout << result.dump() << std::endl;
+  }
+}
