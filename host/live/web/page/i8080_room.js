@@ -1,7 +1,7 @@
 // Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A picture grows
 // on the raster board, under a pen, or is shown by the priority display, at the machine's own speed.
 
-import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
@@ -30,7 +30,7 @@ export class I8080Room {
     this.context = this.canvas.getContext('2d');
     this.image = new RasterImage();
     this.message = notice();
-    this.facts = element('dl', {className: 'facts'});
+    this.facts = factList();
     const again = name => value => { o[name] = value; this.restart(); };
     const number = name => value => { const v = Number(value); if (Number.isFinite(v)) { o[name] = v; this.restart(); } };
     this.pick = choice('Function', [...this.functions.map(f => [f.name, f.name]), ['', 'an expression']], o.function, value => {
@@ -236,7 +236,7 @@ export class I8080Room {
     rows.push(['From the host computer', `${this.stream.toLocaleString('en')} bytes`]);
     if (this.made.faces) rows.push(['Faces', String(this.made.faces)]);
     if (this.ended) rows.push(['Done', this.reason]);
-    this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
+    this.facts.show(rows);
   }
 
   link() {

@@ -1,6 +1,6 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
 import {SIDE, PHOSPHOR, makeTube} from './tube.js';
 
@@ -28,6 +28,7 @@ export class Pdp7Room {
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
     this.lights = [];
     this.next = [0, 0, 0, 0];
+    this.covered = new Uint8Array(65536);
     this.root = this.build();
     this.slow = 0;
   }
@@ -63,7 +64,7 @@ export class Pdp7Room {
     const set = name => value => { o[name] = value; this.restart(); };
     this.running = button('Pause', () => this.toggle(), 'Run or pause');
     this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
-    this.facts = element('dl', {className: 'facts'});
+    this.facts = factList();
 
     return element('div', {className: 'room'},
       element('div', {className: 'stage'}, screen,
@@ -335,11 +336,13 @@ export class Pdp7Room {
     this.drawGlass();
   }
   drawGlass() {
-    const context = this.glass.getContext('2d');
-    context.clearRect(0, 0, SIDE, SIDE);
+    const context = this.glassContext ??= this.glass.getContext('2d');
+    if (!this.glass.hidden) context.clearRect(0, 0, SIDE, SIDE);
     this.tube.pair = this.options.redCyan && this.options.stereo;
     this.glass.hidden = !this.lines;
-    if (!this.lines) return;
+    if (this.lines) this.drawLines(context);
+  }
+  drawLines(context) {
     // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
     // Of what moves, other places were lit a moment ago than are to be lit now: there the lines alone are drawn.
     const now = this.module.ticks(this.id) - (this.turns ? 1e8 : 3e8);
@@ -352,7 +355,7 @@ export class Pdp7Room {
       }
       return false;
     };
-    const covered = new Uint8Array(65536);
+    const covered = this.covered.fill(0);
     const X = x => x + PHOSPHOR.margin, Y = y => SIDE - (y + PHOSPHOR.margin);
     context.lineWidth = 2;
     this.missing = this.extra = 0;
@@ -396,7 +399,7 @@ export class Pdp7Room {
     if (this.turns) rows.push(...this.turning.facts(now.time));
     if (this.lines) rows.push(['Exact lines', this.turns && this.turning.moves ? 'of this angle; where they differ is shown when it stands still' : `${this.missing ?? 0} places of 4 points missing (red), ${this.extra ?? 0} lit beside them (magenta)`]);
     if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
-    this.facts.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {textContent: name}), element('dd', {textContent: value})]));
+    this.facts.show(rows);
   }
 
   // --- Links: #jones/street4?switches=400000&eae=0

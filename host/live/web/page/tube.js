@@ -11,6 +11,7 @@ export const PHOSPHOR = {
   blueColour: [0.10, 0.22, 1.0], yellowColour: [0.55, 0.80, 0.10], haloShare: 0.03,
   ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
 };
+const [[SHARE_0, TAU_0], [SHARE_1, TAU_1], [SHARE_2, TAU_2]] = PHOSPHOR.yellow;
 const POINTS = 1024;
 const LEVELS = Array.from({length: 8}, (_, i) => PHOSPHOR.floor + (1 - PHOSPHOR.floor) * (i / 7) ** 1.5);
 export const SIDE = POINTS + 2 * PHOSPHOR.margin;
@@ -234,7 +235,6 @@ class GlowTube {
     const before = this.states[this.now];
     const after = this.states[this.now = 1 - this.now];
     const {places} = this.glow;
-    const [[share0, tau0], [share1, tau1], [share2, tau2]] = PHOSPHOR.yellow;
     const eye = Math.exp(-seconds / PHOSPHOR.eye);
     gl.useProgram(this.glow.made);
     gl.viewport(0, 0, this.side, this.side);
@@ -244,9 +244,9 @@ class GlowTube {
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
     this.use(2, before.film, places.film);
-    gl.uniform3f(places.keep, Math.exp(-seconds / tau0), Math.exp(-seconds / tau1), Math.exp(-seconds / tau2));
-    gl.uniform3f(places.keepHalf, Math.exp(-seconds / 2 / tau0), Math.exp(-seconds / 2 / tau1), Math.exp(-seconds / 2 / tau2));
-    gl.uniform3f(places.share, share0, share1, share2);
+    gl.uniform3f(places.keep, Math.exp(-seconds / TAU_0), Math.exp(-seconds / TAU_1), Math.exp(-seconds / TAU_2));
+    gl.uniform3f(places.keepHalf, Math.exp(-seconds / 2 / TAU_0), Math.exp(-seconds / 2 / TAU_1), Math.exp(-seconds / 2 / TAU_2));
+    gl.uniform3f(places.share, SHARE_0, SHARE_1, SHARE_2);
     gl.uniform1f(places.eye, eye);
     gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

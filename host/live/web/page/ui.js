@@ -38,6 +38,22 @@ export function group(title, ...children) {
   return element('section', {className: 'group', 'aria-label': title}, element('h3', {textContent: title}), ...children);
 }
 
+// Names and values that change a few times a second: `show` writes rows of both, and keeps the elements that are there.
+export function factList() {
+  const box = element('dl', {className: 'facts'});
+  box.show = rows => {
+    while (box.childElementCount > 2 * rows.length) box.lastElementChild.remove();
+    while (box.childElementCount < 2 * rows.length) box.append(element('dt'), element('dd'));
+    for (let i = 0; i < rows.length; ++i) {
+      for (let part = 0; part < 2; ++part) {
+        const shown = box.children[2 * i + part];
+        if (shown.textContent !== rows[i][part]) shown.textContent = rows[i][part];
+      }
+    }
+  };
+  return box;
+}
+
 // What went wrong, in a place that screen readers announce.
 export function notice() {
   const box = element('p', {className: 'notice', role: 'status', hidden: true});
