@@ -34,6 +34,7 @@ void IntervalSet::intersect(const Rational& low, const Rational& high) {
 
 void IntervalSet::unite(const Rational& low, const Rational& high) {
   if (!(low < high)) return;
+  if (intervals_.empty() || intervals_.back().high < low) return intervals_.push_back({low, high});
   Interval grown{low, high};
   std::vector<Interval> all;
   all.reserve(intervals_.size() + 1);

@@ -94,12 +94,10 @@ class PairTests {
  public:
   explicit PairTests(const FaceSet& set) : set_(set) {}
 
-  // Tests 3 to 6 of a pair whose X and Y overlap.
+  // Tests 4 to 6 of a pair whose X, Y and Z overlap.
   void decide(std::uint32_t i, std::uint32_t j) {
     const Face& f = set_.faces[i];
     const Face& g = set_.faces[j];
-    if (f.nearest > g.farthest) return relate(j, i, 3);
-    if (f.farthest < g.nearest) return relate(i, j, 3);
     const Sides f_of_g = sides_of(set_.image, f, g);
     if (f_of_g.near && f_of_g.far) return decided(4);  // coplanar
     const Sides g_of_f = sides_of(set_.image, g, f);
@@ -115,42 +113,56 @@ class PairTests {
     for (HiddenPart& part : overlap.parts) result.hidden.push_back(std::move(part));
   }
   void decided(std::size_t test, std::uint64_t pairs = 1) { result.decided_by[test] += pairs; }
-
-  DepthRelations result;
-
- private:
   void relate(std::uint32_t near, std::uint32_t far, std::uint8_t test) {
     decided(test);
     result.relations.push_back({near, far, test});
   }
 
+  DepthRelations result;
+
+ private:
   const FaceSet& set_;
 };
 
-// Tests 1 and 2 in floating point, side by side: they decide nearly all pairs. Where they find numbers equal
-// the exact ones are looked up.
+// Tests 1 to 3 in floating point and integers, of all faces side by side: they decide nearly all pairs. Where they find
+// numbers equal the exact ones are looked up. By lowest X.
 struct Extents {
-  std::uint32_t face = 0;
-  std::array<double, 2> low{};
-  std::array<double, 2> high{};
-};
-
-std::vector<Extents> extents_by_lowest_x(const FaceSet& set) {
-  std::vector<Extents> extents;
-  extents.reserve(set.faces.size());
-  for (std::uint32_t i = 0; i < set.faces.size(); ++i) {
-    const Face& face = set.faces[i];
-    extents.push_back({i,
-                       {face.low[0].approximate, face.low[1].approximate},
-                       {face.high[0].approximate, face.high[1].approximate}});
+  explicit Extents(const FaceSet& set) {
+    const std::size_t count = set.faces.size();
+    struct Key {
+      double low_x = 0;
+      std::uint32_t face = 0;
+    };
+    std::vector<Key> keys(count);
+    for (std::uint32_t i = 0; i < count; ++i) keys[i] = {set.faces[i].low[0].approximate, i};
+    std::sort(keys.begin(), keys.end(), [&set](const Key& a, const Key& b) {
+      if (a.low_x != b.low_x) return a.low_x < b.low_x;
+      const int x = compare(set.faces[a.face].low[0], set.faces[b.face].low[0]);
+      return x != 0 ? x < 0 : a.face < b.face;
+    });
+    face.resize(count);
+    for (auto* numbers : {&low_x, &high_x, &low_y, &high_y}) numbers->resize(count);
+    for (auto* depths : {&nearest, &farthest}) depths->resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Face& of = set.faces[keys[i].face];
+      face[i] = keys[i].face;
+      low_x[i] = of.low[0].approximate;
+      high_x[i] = of.high[0].approximate;
+      low_y[i] = of.low[1].approximate;
+      high_y[i] = of.high[1].approximate;
+      nearest[i] = of.nearest;
+      farthest[i] = of.farthest;
+    }
   }
-  std::sort(extents.begin(), extents.end(), [&set](const Extents& a, const Extents& b) {
-    if (a.low[0] != b.low[0]) return a.low[0] < b.low[0];
-    const int x = compare(set.faces[a.face].low[0], set.faces[b.face].low[0]);
-    return x != 0 ? x < 0 : a.face < b.face;
-  });
-  return extents;
-}
+
+  std::vector<std::uint32_t> face;
+  std::vector<double> low_x;
+  std::vector<double> high_x;
+  std::vector<double> low_y;
+  std::vector<double> high_y;
+  std::vector<std::int64_t> nearest;
+  std::vector<std::int64_t> farthest;
+};
 
 }  // namespace
 
@@ -158,7 +170,7 @@ Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second
   Overlap overlap;
   const Face& f = set.faces[first];
   const Face& g = set.faces[second];
-  if (placement_of(set.image, f, g) == Placement::apart) return overlap;
+  if (placement_of(set, f, g) == Placement::apart) return overlap;
   const TrapezoidPcs common = combine(set.image, f.pcs, g.pcs, Operation::intersect);
   if (common.empty()) return overlap;
   overlap.overlaps = true;
@@ -178,29 +190,46 @@ Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second
 }
 
 DepthRelations depth_relations(const FaceSet& set) {
-  const std::vector<Extents> extents = extents_by_lowest_x(set);
-  // The first ends on an axis before the second begins.
-  const auto before = [&set](const Extents& a, const Extents& b, std::size_t axis) {
-    if (a.high[axis] != b.low[axis]) return a.high[axis] < b.low[axis];
-    return compare(set.faces[a.face].high[axis], set.faces[b.face].low[axis]) <= 0;
+  const Extents extents(set);
+  const std::size_t count = extents.face.size();
+  // The first ends on an axis before the second begins, or where it does; in floating point they are equal there.
+  const auto ends_before = [&](std::size_t first, std::size_t second, std::size_t axis) {
+    return compare(set.faces[extents.face[first]].high[axis], set.faces[extents.face[second]].low[axis]) <= 0;
   };
   PairTests tests(set);
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    const Extents& a = extents[i];
-    std::uint64_t apart_in_y = 0;
-    for (std::size_t j = i + 1; j < extents.size(); ++j) {
-      const Extents& b = extents[j];
-      if (before(a, b, 0)) {
-        tests.decided(1);
-        break;  // and so for all that follow
-      }
-      if (before(a, b, 1) || before(b, a, 1)) {
-        ++apart_in_y;
+  std::vector<std::uint32_t> near_in_y(count + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    // Most pairs are apart in Y, which is no branch here.
+    const double high_x = extents.high_x[i];
+    const double low_y = extents.low_y[i];
+    const double high_y = extents.high_y[i];
+    std::size_t found = 0;
+    std::size_t j = i + 1;
+    const auto keep_if_near = [&] {
+      near_in_y[found] = static_cast<std::uint32_t>(j);
+      found += static_cast<std::size_t>(static_cast<unsigned>(extents.low_y[j] <= high_y) &
+                                        static_cast<unsigned>(extents.high_y[j] >= low_y));
+    };
+    for (; j < count && extents.low_x[j] < high_x; ++j) keep_if_near();
+    for (; j < count && extents.low_x[j] == high_x && !ends_before(i, j, 0); ++j) keep_if_near();
+    if (j < count) tests.decided(1);  // and so for all that follow
+    std::uint64_t together = 0;
+    for (std::size_t k = 0; k < found; ++k) {
+      const std::size_t other = near_in_y[k];
+      if (extents.low_y[other] == high_y && ends_before(i, other, 1)) continue;
+      if (extents.high_y[other] == low_y && ends_before(other, i, 1)) continue;
+      ++together;
+      const std::uint32_t face = extents.face[i];
+      const std::uint32_t with = extents.face[other];
+      if (extents.nearest[i] > extents.farthest[other]) {
+        tests.relate(with, face, 3);
+      } else if (extents.farthest[i] < extents.nearest[other]) {
+        tests.relate(face, with, 3);
       } else {
-        tests.decide(a.face, b.face);
+        tests.decide(face, with);
       }
     }
-    tests.decided(2, apart_in_y);
+    tests.decided(2, j - i - 1 - together);
   }
   return std::move(tests.result);
 }

@@ -1,7 +1,9 @@
 #include "host/algorithms/montani_re/faces.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -24,53 +26,52 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vertex& v = image.vertices()[ring[i]];
       const Vertex& w = image.vertices()[ring[i + 1 == ring.size() ? 0 : i + 1]];
-      const std::array<Int128, 3> p{v.x - about.x, v.y - about.y, v.z - about.z};
-      const std::array<Int128, 3> q{w.x - about.x, w.y - about.y, w.z - about.z};
-      for (std::size_t k = 0; k < 3; ++k)
-        normal[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+      const Vertex p{v.x - about.x, v.y - about.y, v.z - about.z};
+      const Vertex q{w.x - about.x, w.y - about.y, w.z - about.z};
+      normal[0] += Int128{p.y} * q.z - Int128{p.z} * q.y;
+      normal[1] += Int128{p.z} * q.x - Int128{p.x} * q.z;
+      normal[2] += Int128{p.x} * q.y - Int128{p.y} * q.x;
     }
   }
   return normal;
 }
 
-// Some corner of another face, or all of them, or none, on the side of a line where the line's own face is.
-class Half {
- public:
-  Half(const Image& image, const Face& face, std::size_t k)
-      : image_(image), line_(face.lines[k]), east_(face.inner_side[k] > 0) {}
+// Some corner of another face, or all of them, on the side of a line where the line's own face is.
+bool holds_any(const Image& image, const Face& face, std::size_t k, const Face& other) {
+  return std::any_of(other.vertices.begin(), other.vertices.end(), [&](std::uint32_t v) {
+    return face.inner_side[k] * image.side_of(face.lines[k], v) > 0;
+  });
+}
+bool holds_all(const Image& image, const Face& face, std::size_t k, const Face& other) {
+  return std::all_of(other.vertices.begin(), other.vertices.end(), [&](std::uint32_t v) {
+    return face.inner_side[k] * image.side_of(face.lines[k], v) >= 0;
+  });
+}
 
-  [[nodiscard]] bool holds_any(const Face& other) const {
-    return std::any_of(other.vertices.begin(), other.vertices.end(),
-                       [this](std::uint32_t v) { return inward(v) > 0; });
-  }
-  [[nodiscard]] bool holds_all(const Face& other) const {
-    return std::all_of(other.vertices.begin(), other.vertices.end(),
-                       [this](std::uint32_t v) { return inward(v) >= 0; });
-  }
-
- private:
-  [[nodiscard]] Int128 inward(std::uint32_t vertex) const {
-    const Int128 at = image_.value_at(line_, vertex);
-    return east_ ? at : -at;
-  }
-
-  const Image& image_;
-  std::uint32_t line_;
-  bool east_;
+// What the lines of a face tell of another one.
+struct Seen {
+  bool beside = false;    // all of it is beyond a line of the face
+  bool may_cover = true;  // no corner of it is, for certain, outside
 };
 
-// All of the other face is beyond a line of the face.
-bool beside(const Image& image, const Face& face, const Face& other) {
-  for (std::size_t k = 0; k < face.lines.size(); ++k) {
-    if (face.inner_side[k] != 0 && !Half(image, face, k).holds_any(other)) return true;
+Seen seen_from(const FaceSet& set, const Face& face, const Face& other) {
+  const std::span corners = set.outline_of(other);
+  Seen seen;
+  for (std::size_t q = 0; q < face.quads; ++q) {
+    const LineSides sides = sides_of_lines(set.outlines[face.first_quad + q], corners);
+    if (sides.all_outside != 0) return {true, false};
+    seen.may_cover = seen.may_cover && sides.any_outside == 0;
+    for (unsigned open = ~sides.any_inside & 0b1111; open != 0; open &= open - 1) {
+      const std::size_t k = std::min(4 * q + static_cast<std::size_t>(std::countr_zero(open)), face.lines.size() - 1);
+      if (face.inner_side[k] != 0 && !holds_any(set.image, face, k, other)) return {true, false};
+    }
   }
-  return false;
+  return seen;
 }
 
 bool covers(const Image& image, const Face& face, const Face& other) {
-  for (std::size_t k = 0; k < face.lines.size(); ++k) {
-    if (face.inner_side[k] == 0 || !Half(image, face, k).holds_all(other)) return false;
-  }
+  for (std::size_t k = 0; k < face.lines.size(); ++k)
+    if (!holds_all(image, face, k, other)) return false;
   return true;
 }
 
@@ -83,9 +84,11 @@ int compare(const ImageNumber& a, const ImageNumber& b) {
   return (left > right ? 1 : 0) - (left < right ? 1 : 0);
 }
 
-Placement placement_of(const Image& image, const Face& first, const Face& second) {
-  if (beside(image, second, first) || beside(image, first, second)) return Placement::apart;
-  return covers(image, second, first) ? Placement::covered : Placement::mixed;
+Placement placement_of(const FaceSet& set, const Face& first, const Face& second) {
+  if (first.quads == 0 || second.quads == 0) return Placement::mixed;
+  const Seen seen = seen_from(set, second, first);
+  if (seen.beside || seen_from(set, first, second).beside) return Placement::apart;
+  return seen.may_cover && second.convex && covers(set.image, second, first) ? Placement::covered : Placement::mixed;
 }
 
 std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
@@ -105,6 +108,14 @@ std::uint32_t FaceSetBuilder::line_between(std::uint32_t v, std::uint32_t w) {
   return line;
 }
 
+void FaceSetBuilder::reserve(std::size_t vertices, std::size_t faces) {
+  set_.image.reserve(vertices, 3 * faces);
+  set_.faces.reserve(faces);
+  set_.edges.reserve(3 * faces);
+  last_line_at_.reserve(vertices);
+  line_before_.reserve(3 * faces);
+}
+
 void FaceSetBuilder::clip_to(const WindowBounds& bounds) {
   set_.window = add_window(set_.image, bounds);
   for (const std::uint32_t line : {set_.window->west, set_.window->east})
@@ -121,8 +132,9 @@ void FaceSetBuilder::measure(Face& face) const {
     if (set_.image.weight(v) <= 0) {
       past_eye = true;
     } else {
-      const std::array<ImageNumber, 2> at{number(p.x, set_.image.weight(v)),
-                                          number(p.y, set_.image.weight(v))};
+      const std::int64_t weight = set_.image.weight(v);
+      const std::array<ImageNumber, 2> at{ImageNumber{p.x, weight, set_.image.approximate_x(v)},
+                                          ImageNumber{p.y, weight, set_.image.approximate_y(v)}};
       for (std::size_t axis = 0; axis < 2; ++axis) {
         if (first || compare(at[axis], face.low[axis]) < 0) face.low[axis] = at[axis];
         if (first || compare(at[axis], face.high[axis]) > 0) face.high[axis] = at[axis];
@@ -140,43 +152,75 @@ void FaceSetBuilder::measure(Face& face) const {
   }
 }
 
+// Positive: the sum of the line is positive or 0 for all corners.
 void FaceSetBuilder::find_inner_sides(Face& face) const {
-  face.inner_side.resize(face.lines.size());
-  if (set_.window) return;
-  for (std::size_t k = 0; k < face.lines.size(); ++k) {
+  for (const std::uint32_t line : face.lines) {
     bool east = false;
     bool west = false;
+    const ImageLine& ends = set_.image.lines()[line];
     for (const std::uint32_t v : face.vertices) {
-      const Int128 at = set_.image.value_at(face.lines[k], v);
-      east = east || at > 0;
-      west = west || at < 0;
+      if (set_.window) break;
+      if (v == ends.from || v == ends.to) continue;
+      const int side = set_.image.side_of(line, v);
+      east = east || side > 0;
+      west = west || side < 0;
       if (east && west) break;
     }
-    face.inner_side[k] = static_cast<std::int8_t>(east == west ? 0 : east ? 1 : -1);
+    face.inner_side.push_back(static_cast<std::int8_t>(east == west ? 0 : east ? 1 : -1));
+    face.convex = face.convex && east != west;
   }
 }
 
+// All vertices are added by now, so that the errors hold for all of them.
+void FaceSetBuilder::add_outline(Face& face) {
+  const auto& sides = face.inner_side;
+  if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side == 0; })) return;
+  const std::size_t most = std::max(face.vertices.size(), face.lines.size());
+  face.first_quad = static_cast<std::uint32_t>(set_.outlines.size());
+  face.quads = static_cast<std::uint32_t>((most + 3) / 4);
+  for (std::size_t q = 0; q < face.quads; ++q) {
+    OutlineQuad& quad = set_.outlines.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) {
+      quad.set_corner(k, set_.image, face.vertices[std::min(4 * q + k, face.vertices.size() - 1)]);
+      const std::size_t line = std::min(4 * q + k, face.lines.size() - 1);
+      // A line that has the face on both sides tells nothing: all corners are inside.
+      if (sides[line] == 0) {
+        quad.c[k] = 1;
+      } else {
+        quad.set_line(k, set_.image, face.lines[line], sides[line]);
+      }
+    }
+  }
+}
+
+// Without a window.
+TrapezoidPcs FaceSetBuilder::whole_pcs(const Face& face) const {
+  const std::span<const std::uint32_t> lines(face.lines.data(), face.lines.size());
+  if (!face.convex) return trapezoid_pcs(set_.image, lines);
+  return convex_pcs(set_.image, lines, {face.inner_side.data(), face.inner_side.size()});
+}
+
 bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint32_t index) {
-  Face face;
-  face.body = body;
-  face.index = index;
-  face.normal = normal_of(set_.image, rings);
+  std::array<Int128, 3> normal = normal_of(set_.image, rings);
   const Vertex& p = set_.image.vertices()[rings[0][0]];
-  face.offset = face.normal[0] * p.x + face.normal[1] * p.y + face.normal[2] * p.z;
+  Int128 offset = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z;
   // The eye is at the origin in perspective, at z = -infinity else.
-  const Int128 turned = set_.image.perspective() ? face.offset : face.normal[2];
+  const Int128 turned = set_.image.perspective() ? offset : normal[2];
   if (turned == 0) {
     ++set_.edge_on;
     return false;
   }
   if (turned < 0) {
-    for (Int128& part : face.normal) part = -part;
-    face.offset = -face.offset;
+    for (Int128& part : normal) part = -part;
+    offset = -offset;
   }
-  std::size_t corners = 0;
-  for (const auto& ring : rings) corners += ring.size();
-  face.vertices.reserve(corners);
-  face.lines.reserve(corners);
+  Face& face = set_.faces.emplace_back();
+  face.body = body;
+  face.index = index;
+  face.normal = normal;
+  face.offset = offset;
+  face.approximate_plane = {static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2]),
+                            static_cast<double>(offset)};
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t next = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -190,13 +234,17 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
   if (set_.window) {
     // Where the plane comes near the eye beside it, normal . direction is greatest.
     const int far_side = (face.normal[0] > 0 ? 1 : 0) - (face.normal[0] < 0 ? 1 : 0);
-    face.pcs = clipped_pcs(set_.image, face.lines, *set_.window, far_side);
-    if (face.pcs.empty()) return false;
+    const std::span<const std::uint32_t> lines(face.lines.data(), face.lines.size());
+    face.pcs = clipped_pcs(set_.image, lines, *set_.window, far_side);
+    if (face.pcs.empty()) {
+      set_.faces.pop_back();
+      return false;
+    }
+    find_inner_sides(face);
   } else {
-    face.pcs = trapezoid_pcs(set_.image, face.lines);
+    find_inner_sides(face);
+    face.pcs = whole_pcs(face);
   }
-  find_inner_sides(face);
-  set_.faces.push_back(std::move(face));
   return true;
 }
 
@@ -206,6 +254,8 @@ void FaceSetBuilder::add_isolated_edge(std::uint32_t v, std::uint32_t w) {
 }
 
 FaceSet FaceSetBuilder::take() {
+  set_.outlines.reserve(set_.faces.size());
+  for (Face& face : set_.faces) add_outline(face);
   return std::move(set_);
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,9 +16,11 @@
 #include <vector>
 
 #include "host/algorithms/montani_re/image.hpp"
+#include "host/algorithms/montani_re/outline.hpp"
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
 #include "host/algorithms/montani_re/window.hpp"
 #include "host/base/result.hpp"
+#include "host/base/short_list.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -35,10 +38,13 @@ struct ImageNumber {
 struct Face {
   std::uint32_t body = 0;
   std::uint32_t index = 0;  // in its body
-  std::vector<std::uint32_t> vertices;
-  std::vector<std::uint32_t> lines;
+  base::ShortList<std::uint32_t, 6> vertices;
+  base::ShortList<std::uint32_t, 6> lines;
   // Of each line, the sign of a X + b Y + c on the whole image; 0 if it has both, or there is a window.
-  std::vector<std::int8_t> inner_side;
+  base::ShortList<std::int8_t, 8> inner_side;
+  std::uint32_t first_quad = 0;  // into FaceSet::outlines
+  std::uint32_t quads = 0;       // 0 if no line has the image on one side
+  bool convex = true;            // all lines have
   // normal . p = offset, turned so that the near side is negative. A part of the normal is twice an area of
   // the face, which lies in a square of 2^38: below 2^77. So an offset, or a vertex times the normal, is
   // below 3 * 2^(77 + 37), less than 2^116.
@@ -46,6 +52,7 @@ struct Face {
   static constexpr unsigned offset_bits = normal_bits + vertex_bits + 2;
   std::array<geometry::Int128, 3> normal{};
   geometry::Int128 offset = 0;
+  std::array<double, 4> approximate_plane{};  // the normal and the offset, each within one part in 2^53
   std::array<ImageNumber, 2> low;  // X, Y
   std::array<ImageNumber, 2> high;
   std::int64_t nearest = 0;  // Z
@@ -54,6 +61,14 @@ struct Face {
 
   // Negative on the near side of the plane, 0 in it.
   [[nodiscard]] int side(const Vertex& p) const {
+    const std::array<double, 3> parts{approximate_plane[0] * static_cast<double>(p.x),
+                                      approximate_plane[1] * static_cast<double>(p.y),
+                                      approximate_plane[2] * static_cast<double>(p.z)};
+    const double near_to = parts[0] + parts[1] + parts[2] - approximate_plane[3];
+    // Less than six roundings of at most 2^-53 of the terms; more than twice that, to be on the safe side.
+    const double error = 0x1p-49 * (std::abs(parts[0]) + std::abs(parts[1]) + std::abs(parts[2]) +
+                                    std::abs(approximate_plane[3]));
+    if (std::abs(near_to) > error) return near_to > 0 ? 1 : -1;
     const geometry::Int128 at = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z - offset;
     return (at > 0 ? 1 : 0) - (at < 0 ? 1 : 0);
   }
@@ -62,10 +77,15 @@ struct Face {
 struct FaceSet {
   Image image{false};
   std::vector<Face> faces;
+  std::vector<OutlineQuad> outlines;
   std::vector<picture::LineEdge> edges;  // of each line of the image: vertices of the image
   std::uint64_t edge_on = 0;             // faces left out
   std::vector<std::uint32_t> lone;       // lines of edges compared with the faces one by one
   std::optional<Window> window;          // what the regions are clipped to
+
+  [[nodiscard]] std::span<const OutlineQuad> outline_of(const Face& face) const {
+    return {outlines.data() + face.first_quad, face.quads};
+  }
 };
 
 // What can be told of the images of two faces from the sides of lines that corners are on. Of convex faces,
@@ -75,7 +95,7 @@ enum class Placement {
   covered,  // the second has all of the first
   mixed     // not known, else
 };
-[[nodiscard]] Placement placement_of(const Image& image, const Face& first, const Face& second);
+[[nodiscard]] Placement placement_of(const FaceSet& set, const Face& first, const Face& second);
 
 // Rings of vertices of the image, each ring a closed polygon in the plane of all.
 using Rings = std::vector<std::vector<std::uint32_t>>;
@@ -84,6 +104,8 @@ class FaceSetBuilder {
  public:
   explicit FaceSetBuilder(bool perspective) { set_.image = Image(perspective); }
 
+  // Room for so many; more can be added.
+  void reserve(std::size_t vertices, std::size_t faces);
   std::uint32_t add_vertex(const Vertex& v) { return set_.image.add_vertex(v); }
   // From here on faces are clipped to a window, and may reach behind the eye. All vertices are added by then.
   void clip_to(const WindowBounds& bounds);
@@ -99,6 +121,8 @@ class FaceSetBuilder {
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
   void find_inner_sides(Face& face) const;
+  void add_outline(Face& face);
+  [[nodiscard]] TrapezoidPcs whole_pcs(const Face& face) const;
 
   FaceSet set_;
   std::vector<std::uint32_t> last_line_at_;  // by the lower vertex

@@ -1,5 +1,6 @@
 #include "host/algorithms/montani_re/image.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,8 +24,27 @@ Estimate difference_of_products(double p, double q, double r, double s) {
 
 }  // namespace
 
+void Image::reserve(std::size_t vertices, std::size_t lines) {
+  vertices_.reserve(vertices);
+  points_.reserve(vertices);
+  lines_.reserve(lines);
+  slants_.reserve(lines);
+}
+
 std::uint32_t Image::add_vertex(const Vertex& v) {
   vertices_.push_back(v);
+  Point p;
+  p.x = static_cast<double>(v.x);
+  p.y = static_cast<double>(v.y);
+  p.weight = perspective_ ? static_cast<double>(v.z) : 1;
+  if (p.weight > 0) {
+    p.image_x = p.x / p.weight;
+    p.image_y = p.y / p.weight;
+  }
+  points_.push_back(p);
+  largest_.x = std::max(largest_.x, std::abs(p.x));
+  largest_.y = std::max(largest_.y, std::abs(p.y));
+  largest_.weight = std::max(largest_.weight, std::abs(p.weight));
   return static_cast<std::uint32_t>(vertices_.size() - 1);
 }
 
@@ -44,24 +64,25 @@ std::uint32_t Image::add_line(std::uint32_t from, std::uint32_t to) {
   line.a = Int128{p.y} * weight(to) - Int128{q.y} * weight(from);
   line.b = Int128{q.x} * weight(from) - Int128{p.x} * weight(to);
   line.c = Int128{p.x} * q.y - Int128{q.x} * p.y;
-  Int128 divisor = geometry::common_divisor(geometry::common_divisor(line.a, line.b), line.c);
-  if (line.a < 0 || (line.a == 0 && line.b < 0)) divisor = -divisor;
-  line.a /= divisor;
-  line.b /= divisor;
-  line.c /= divisor;
+  if (line.a < 0 || (line.a == 0 && line.b < 0)) {
+    line.a = -line.a;
+    line.b = -line.b;
+    line.c = -line.c;
+  }
   line.approximate = {static_cast<double>(line.a), static_cast<double>(line.b), static_cast<double>(line.c)};
+  Slant slant;
   if (!line.horizontal()) {
-    line.slope = -line.approximate[1] / line.approximate[0];
-    line.intercept = -line.approximate[2] / line.approximate[0];
+    slant.slope = -line.approximate[1] / line.approximate[0];
+    slant.intercept = -line.approximate[2] / line.approximate[0];
   }
   lines_.push_back(line);
+  slants_.push_back(slant);
   return static_cast<std::uint32_t>(lines_.size() - 1);
 }
 
-Ordinate Image::ordinate_of(std::uint32_t vertex) const {
-  const double value = static_cast<double>(vertices_[vertex].y) / static_cast<double>(weight(vertex));
-  const double error = std::abs(value) * unit;
-  return {value - error, value + error, vertex, none};
+int Image::exact_side_of(std::uint32_t line, std::uint32_t vertex) const {
+  if (lines_[line].from == vertex || lines_[line].to == vertex) return 0;
+  return geometry::sign(value_at(line, vertex));
 }
 
 Image::Quotient Image::exact(const Ordinate& y) const {

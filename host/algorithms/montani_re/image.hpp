@@ -38,14 +38,12 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-// a X + b Y + c = 0, a > 0, or a = 0 and b > 0 for a line of one ordinate; no common factor.
+// a X + b Y + c = 0, a > 0, or a = 0 and b > 0 for a line of one ordinate.
 struct ImageLine {
   geometry::Int128 a = 0;
   geometry::Int128 b = 0;
   geometry::Int128 c = 0;
   std::array<double, 3> approximate{};
-  double slope = 0;  // X = slope Y + intercept, unless it is horizontal: each wrong by at most one part in
-  double intercept = 0;    // 2^51
   std::uint32_t from = 0;  // vertices
   std::uint32_t to = 0;
 
@@ -62,10 +60,26 @@ struct Ordinate {
   [[nodiscard]] double middle() const { return low + (high - low) / 2; }
 };
 
+// The middle of an ordinate's bounds, and how far apart they are.
+struct Middle {
+  explicit Middle(const Ordinate& y) : y(y.middle()), spread(y.high - y.low) {}
+
+  double y;
+  double spread;
+};
+
+// Bounds of the abscissa of a line at an ordinate.
+struct Abscissa {
+  double low = 0;
+  double high = 0;
+};
+
 class Image {
  public:
   explicit Image(bool perspective) : perspective_(perspective) {}
 
+  // Room for so many; more can be added.
+  void reserve(std::size_t vertices, std::size_t lines);
   std::uint32_t add_vertex(const Vertex& v);
   // Two vertices whose images differ (precondition: distinct_images).
   std::uint32_t add_line(std::uint32_t from, std::uint32_t to);
@@ -91,8 +105,33 @@ class Image {
     return l.a * v.x + l.b * v.y + l.c * weight(vertex);
   }
 
+  // The sign of that.
+  [[nodiscard]] int side_of(std::uint32_t line, std::uint32_t vertex) const {
+    const double at = approximate_value_at(line, vertex);
+    if (std::abs(at) > error_of(line)) return at > 0 ? 1 : -1;
+    return exact_side_of(line, vertex);
+  }
+  // value_at, wrong by no more than error_of the line.
+  [[nodiscard]] double approximate_value_at(std::uint32_t line, std::uint32_t vertex) const {
+    const auto& l = lines_[line].approximate;
+    const Point& p = points_[vertex];
+    return l[0] * p.x + l[1] * p.y + l[2] * p.weight;
+  }
+  // Six roundings of at most 2^-53 of the largest terms there are; twice that and more.
+  [[nodiscard]] double error_of(std::uint32_t line) const {
+    const auto& l = lines_[line].approximate;
+    return 0x1p-49 * (std::abs(l[0]) * largest_.x + std::abs(l[1]) * largest_.y + std::abs(l[2]) * largest_.weight);
+  }
+  // X and Y of the image of a vertex before the eye, each within one part in 2^52.
+  [[nodiscard]] double approximate_x(std::uint32_t vertex) const { return points_[vertex].image_x; }
+  [[nodiscard]] double approximate_y(std::uint32_t vertex) const { return points_[vertex].image_y; }
+
   // Of a vertex before the eye.
-  [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const;
+  [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const {
+    const double value = points_[vertex].image_y;
+    const double error = std::abs(value) * 0x1p-52;
+    return {value - error, value + error, vertex, none};
+  }
   // Of two lines that are neither parallel nor horizontal.
   [[nodiscard]] Ordinate crossing(std::uint32_t line, std::uint32_t other) const;
 
@@ -104,18 +143,25 @@ class Image {
   }
   // Negative, zero or positive: at y, `line` is to the west of, on, to the east of `other`. None horizontal.
   [[nodiscard]] int order_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const {
-    const ImageLine& l = lines_[line];
-    const ImageLine& m = lines_[other];
-    const double middle = y.middle();
-    const double apart = l.slope - m.slope;
-    const double value = apart * middle + (l.intercept - m.intercept);
-    const double size = (std::abs(l.slope) + std::abs(m.slope)) * std::abs(middle) + std::abs(l.intercept) +
-                        std::abs(m.intercept);
-    // Less than eight roundings of at most 2^-53 of `size`, and what y is not known by; twice that, to be on
-    // the safe side.
-    const double error = 0x1p-49 * size + std::abs(apart) * (y.high - y.low);
-    if (std::abs(value) > error) return value > 0 ? 1 : -1;
+    return order_at(line, abscissa_at(line, y), other, abscissa_at(other, y), y);
+  }
+  // The same, of lines whose bounds at y are known.
+  [[nodiscard]] int order_at(std::uint32_t line, const Abscissa& at, std::uint32_t other, const Abscissa& other_at,
+                             const Ordinate& y) const {
+    if (at.high < other_at.low) return -1;
+    if (at.low > other_at.high) return 1;
     return order_exactly_at(line, other, y);
+  }
+  // Of a line that is not horizontal: two roundings of at most 2^-51 and three of 2^-53, less than 2^-50 of the terms; twice
+  // that, to be on the safe side, and what y is not known by.
+  [[nodiscard]] Abscissa abscissa_at(std::uint32_t line, const Ordinate& y) const { return abscissa_at(line, Middle(y)); }
+  [[nodiscard]] Abscissa abscissa_at(std::uint32_t line, const Middle& middle) const {
+    const Slant& slant = slants_[line];
+    const double part = slant.slope * middle.y;
+    const double x = part + slant.intercept;
+    const double error =
+        0x1p-49 * (std::abs(part) + std::abs(slant.intercept)) + std::abs(slant.slope) * middle.spread;
+    return {x - error, x + error};
   }
   // The abscissa of a line there, in floating point.
   [[nodiscard]] double abscissa(std::uint32_t line, double y) const;
@@ -135,9 +181,29 @@ class Image {
   // The line passes the point of which y is the ordinate, its end or its crossing with another.
   [[nodiscard]] bool made_by(std::uint32_t line, const Ordinate& y) const;
 
+  [[nodiscard]] int exact_side_of(std::uint32_t line, std::uint32_t vertex) const;
+
+  // A vertex in floating point, without rounding but for its image.
+  struct Point {
+    double x = 0;
+    double y = 0;
+    double weight = 0;
+    double image_x = 0;
+    double image_y = 0;
+  };
+  // X = slope Y + intercept, each wrong by at most one part in 2^51; 0 of a horizontal line. What most questions
+  // are answered from lies apart from the rest.
+  struct Slant {
+    double slope = 0;
+    double intercept = 0;
+  };
+
   bool perspective_;
   std::vector<Vertex> vertices_;
+  std::vector<Point> points_;  // by vertex
+  Point largest_;              // of each coordinate, its magnitude in any vertex
   std::vector<ImageLine> lines_;
+  std::vector<Slant> slants_;  // by line
 };
 
 }  // namespace sightline::algorithms::montani_re

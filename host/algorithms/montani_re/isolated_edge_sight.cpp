@@ -46,8 +46,7 @@ class IsolatedEdge {
   // What is beside a border is known on one side only.
   [[nodiscard]] bool on_border(const Window& window) const {
     const auto same = [this](std::uint32_t border) {
-      const ImageLine& l = image_.lines()[border];
-      return l.a == edge_.a && l.b == edge_.b && l.c == edge_.c;
+      return image_.side_of(border, edge_.from) == 0 && image_.side_of(border, edge_.to) == 0;
     };
     if (same(window.west) || same(window.east)) return true;
     if (!edge_.horizontal()) return false;

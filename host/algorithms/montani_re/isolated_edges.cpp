@@ -103,30 +103,26 @@ bool may_run_inside(const scene::PolyScene& scene, const Occluder& occluder, con
 
 class IsolatedEdges {
  public:
-  IsolatedEdges(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      const scene::PolyBody& body = scene.bodies[b];
+  IsolatedEdges(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene), camera_(camera) {
+    for (const scene::PolyBody& body : scene.bodies) {
+      if (!body.sheet) continue;
       for (const scene::PolyFace& face : body.faces) {
-        Occluder occluder{b, &face, plane_of(face), 0};
-        occluder.eye_side = eye_side_of(occluder.plane, camera);
-        if (body.sheet && occluder.eye_side == 0)
+        if (eye_side_of(plane_of(face), camera) == 0)
           for_each_edge(face, [this](VertexIndex from, VertexIndex to) { add(from, to); });
-        if (occluder.eye_side == 0 || (!body.sheet && occluder.eye_side < 0)) continue;
-        occluders_.push_back(occluder);
-        boxes_.push_back(box_of(scene, face.outline));
       }
     }
   }
 
-  // Most bodies touch few faces of others, or none.
+  // Most bodies touch no other one: only faces of those that do are compared.
   void add_behind_faces() {
+    const std::vector<std::uint32_t> bodies = bodies_that_touch();
+    for (const std::uint32_t b : bodies) add_occluders(b);
     constexpr std::size_t few = 8;
     const geometry::BoxTree tree(boxes_);
     std::vector<Box> face_boxes;
     std::vector<std::uint32_t> near;
-    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    for (const std::uint32_t b : bodies) {
       const scene::PolyBody& body = scene_.bodies[b];
-      if (body.faces.empty()) continue;
       const auto may_hide = [&](std::uint32_t number) { return occluders_[number].body != b || body.sheet; };
       face_boxes.clear();
       for (const scene::PolyFace& face : body.faces) face_boxes.push_back(box_of(scene_, face.outline));
@@ -167,6 +163,46 @@ class IsolatedEdges {
     for (const auto& hole : face.holes) walk(hole);
   }
 
+  // Those whose box touches that of another one, and all sheets, whose faces may touch each other.
+  [[nodiscard]] std::vector<std::uint32_t> bodies_that_touch() const {
+    std::vector<Box> body_boxes;
+    std::vector<std::uint32_t> with_faces;
+    for (std::uint32_t b = 0; b < scene_.bodies.size(); ++b) {
+      const scene::PolyBody& body = scene_.bodies[b];
+      if (body.faces.empty()) continue;
+      Box around = box_of(scene_, body.faces[0].outline);
+      for (const scene::PolyFace& face : body.faces) {
+        for (const VertexIndex v : face.outline) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            around.low[a] = std::min(around.low[a], scene_.vertices[v][a]);
+            around.high[a] = std::max(around.high[a], scene_.vertices[v][a]);
+          }
+        }
+      }
+      body_boxes.push_back(around);
+      with_faces.push_back(b);
+    }
+    const geometry::BoxTree tree(body_boxes);
+    std::vector<std::uint32_t> bodies;
+    for (std::uint32_t k = 0; k < with_faces.size(); ++k) {
+      bool touches = scene_.bodies[with_faces[k]].sheet;
+      tree.for_each_touching(body_boxes[k], [&](std::uint32_t other) { touches = touches || other != k; });
+      if (touches) bodies.push_back(with_faces[k]);
+    }
+    return bodies;
+  }
+
+  void add_occluders(std::size_t b) {
+    const scene::PolyBody& body = scene_.bodies[b];
+    for (const scene::PolyFace& face : body.faces) {
+      Occluder occluder{b, &face, plane_of(face), 0};
+      occluder.eye_side = eye_side_of(occluder.plane, camera_);
+      if (occluder.eye_side == 0 || (!body.sheet && occluder.eye_side < 0)) continue;
+      occluders_.push_back(occluder);
+      boxes_.push_back(box_of(scene_, face.outline));
+    }
+  }
+
   [[nodiscard]] geometry::Plane plane_of(const scene::PolyFace& face) const {
     const geometry::Vector3 normal = scene::ring_normal(scene_.vertices, face.outline);
     return {normal, geometry::dot(normal, geometry::vector_of(scene_.vertices[face.outline[0]]))};
@@ -196,6 +232,7 @@ class IsolatedEdges {
   }
 
   const scene::PolyScene& scene_;
+  const scene::PolyCamera& camera_;
   std::vector<Occluder> occluders_;
   std::vector<Box> boxes_;  // of the occluders
   std::vector<picture::LineEdge> edges_;

@@ -32,46 +32,62 @@ bool turned_away(const scene::PolyScene& scene, const scene::PolyCamera& camera,
   return geometry::dot(normal, sight) >= 0;
 }
 
-std::size_t corners_behind(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                           const scene::PolyFace& face) {
-  return static_cast<std::size_t>(
-      std::count_if(face.outline.begin(), face.outline.end(),
-                    [&](scene::VertexIndex v) { return !before_eye(scene, camera, v); }));
-}
+// A face that may be seen and is not wholly behind the eye.
+struct SeenFace {
+  std::size_t body = 0;
+  std::size_t index = 0;
+  bool past_eye = false;  // but partly
+};
 
-// Visits (body, face) of all that may be seen and is not wholly behind the eye.
-template <class Visit>
-void for_each_face(const scene::PolyScene& scene, const scene::PolyCamera& camera, const Visit& visit) {
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const scene::PolyBody& body = scene.bodies[b];
-    for (std::size_t f = 0; f < body.faces.size(); ++f) {
-      if (!body.sheet && turned_away(scene, camera, body.faces[f])) continue;
-      if (corners_behind(scene, camera, body.faces[f]) == body.faces[f].outline.size()) continue;
-      visit(b, f);
+// What of a scene is before the eye, in the camera's frame.
+struct SeenScene {
+  SeenScene(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
+    const geometry::Vector3 right = geometry::vector_of(camera.right);
+    const geometry::Vector3 up = geometry::vector_of(camera.up);
+    const geometry::Vector3 forward = geometry::vector_of(camera.forward);
+    vertices.reserve(scene.vertices.size());
+    for (const scene::PolyPoint& point : scene.vertices) {
+      const geometry::Vector3 d = geometry::difference(point, camera.eye);
+      vertices.push_back({geometry::dot(right, d), geometry::dot(up, d), geometry::dot(forward, d)});
+    }
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      const scene::PolyBody& body = scene.bodies[b];
+      for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        if (!body.sheet && turned_away(scene, camera, body.faces[f])) continue;
+        const auto& outline = body.faces[f].outline;
+        std::size_t behind = 0;
+        for (const scene::VertexIndex v : outline) behind += camera.perspective && vertices[v][2] <= 0 ? 1 : 0;
+        if (behind != outline.size()) faces.push_back({b, f, behind != 0});
+      }
     }
   }
-}
 
-FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera, const PyramidFrame& frame,
-                 const WindowBounds* window, const std::vector<picture::LineEdge>& lone) {
+  [[nodiscard]] const SeenFace* past_eye() const {
+    const auto found = std::find_if(faces.begin(), faces.end(), [](const SeenFace& face) { return face.past_eye; });
+    return found == faces.end() ? nullptr : &*found;
+  }
+
+  std::vector<std::array<std::int64_t, 3>> vertices;
+  std::vector<SeenFace> faces;
+};
+
+FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera, const SeenScene& seen,
+                 const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& lone) {
   FaceSetBuilder builder(camera.perspective);
-  for (const scene::PolyPoint& point : scene.vertices) {
-    const geometry::Vector3 d = geometry::difference(point, camera.eye);
-    const std::array<std::int64_t, 3> p{geometry::dot(geometry::vector_of(camera.right), d),
-                                        geometry::dot(geometry::vector_of(camera.up), d),
-                                        geometry::dot(geometry::vector_of(camera.forward), d)};
+  builder.reserve(seen.vertices.size(), seen.faces.size());
+  for (const std::array<std::int64_t, 3>& p : seen.vertices) {
     const std::int64_t depth = p[frame.axes[2]];
     builder.add_vertex({p[frame.axes[0]], p[frame.axes[1]], frame.turned ? -depth : depth});
   }
   if (window != nullptr) builder.clip_to(*window);
   Rings rings;  // their room is kept from face to face
-  for_each_face(scene, camera, [&](std::size_t b, std::size_t f) {
-    const scene::PolyFace& face = scene.bodies[b].faces[f];
+  for (const SeenFace& one : seen.faces) {
+    const scene::PolyFace& face = scene.bodies[one.body].faces[one.index];
     rings.resize(1 + face.holes.size());
     rings[0] = face.outline;
     std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
-    builder.add_face(rings, static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(f));
-  });
+    builder.add_face(rings, static_cast<std::uint32_t>(one.body), static_cast<std::uint32_t>(one.index));
+  }
   for (const picture::LineEdge& edge : lone) builder.add_isolated_edge(edge.from, edge.to);
   return builder.take();
 }
@@ -85,28 +101,28 @@ bool before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera, 
 
 std::optional<std::array<std::size_t, 2>> face_past_eye(const scene::PolyScene& scene,
                                                         const scene::PolyCamera& camera) {
-  std::optional<std::array<std::size_t, 2>> found;
-  if (!camera.perspective) return found;
-  for_each_face(scene, camera, [&](std::size_t b, std::size_t f) {
-    if (!found && corners_behind(scene, camera, scene.bodies[b].faces[f]) != 0) found = {b, f};
-  });
-  return found;
+  if (!camera.perspective) return std::nullopt;
+  const SeenScene seen(scene, camera);
+  const SeenFace* face = seen.past_eye();
+  if (face == nullptr) return std::nullopt;
+  return std::array{face->body, face->index};
 }
 
 FaceSet faces_seen(const scene::PolyScene& scene, const scene::PolyCamera& camera, const PyramidFrame& frame,
                    const WindowBounds* window) {
-  return make_set(scene, camera, frame, window, isolated_edges(scene, camera));
+  return make_set(scene, camera, SeenScene(scene, camera), frame, window, isolated_edges(scene, camera));
 }
 
 std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   std::vector<FaceSet> sets;
-  if (!face_past_eye(scene, camera)) {
-    sets.push_back(faces_seen(scene, camera));
+  const std::vector<picture::LineEdge> lone = isolated_edges(scene, camera);
+  const SeenScene seen(scene, camera);
+  if (seen.past_eye() == nullptr) {
+    sets.push_back(make_set(scene, camera, seen, {}, nullptr, lone));
     return sets;
   }
-  const std::vector<picture::LineEdge> lone = isolated_edges(scene, camera);
   for (const Pyramid& pyramid : pyramids) {
-    FaceSet set = make_set(scene, camera, pyramid.frame, &pyramid.window, lone);
+    FaceSet set = make_set(scene, camera, seen, pyramid.frame, &pyramid.window, lone);
     if (!set.faces.empty() || !set.lone.empty()) sets.push_back(std::move(set));
   }
   return sets;

@@ -1,9 +1,12 @@
 #include "host/algorithms/montani_re/trapezoid_pcs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
+
+#include "host/base/short_list.hpp"
 
 namespace sightline::algorithms::montani_re {
 
@@ -16,46 +19,64 @@ void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
   result_.bands.clear();
   result_.sides.clear();
   run(a, b);
-  std::swap(a, result_);
+  // Copied, not exchanged: the room of the result is kept for the next one.
+  a.bands.assign(result_.bands.begin(), result_.bands.end());
+  a.sides.assign(result_.sides.begin(), result_.sides.end());
 }
 
+// From one end of a band to the next.
 void Combiner::run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs) {
+  const bool keeps_a = operation_ != Operation::intersect;
+  const bool keeps_b = operation_ == Operation::unite;
+  const std::vector<Band>& a = a_pcs.bands;
+  const std::vector<Band>& b = b_pcs.bands;
   std::size_t i = 0;
   std::size_t j = 0;
-  const Ordinate* reached = nullptr;
-  while (i < a_pcs.bands.size() || j < b_pcs.bands.size()) {
-    const bool need_a = operation_ != Operation::unite && i == a_pcs.bands.size();
-    const bool need_b = operation_ == Operation::intersect && j == b_pcs.bands.size();
-    if (need_a || need_b) break;
-    const Band* a = i < a_pcs.bands.size() ? &a_pcs.bands[i] : nullptr;
-    const Band* b = j < b_pcs.bands.size() ? &b_pcs.bands[j] : nullptr;
-    const Ordinate* from_a = a == nullptr ? nullptr : later(a->low, reached);
-    const Ordinate* from_b = b == nullptr ? nullptr : later(b->low, reached);
-    const int first = from_a == nullptr ? 1 : from_b == nullptr ? -1 : image_.compare(*from_a, *from_b);
-    const bool in_a = first <= 0;
-    const bool in_b = first >= 0;
-    const Ordinate* low = in_a ? from_a : from_b;
-    const Ordinate* high = earlier(a == nullptr ? nullptr
-                                   : in_a       ? &a->high
-                                                : &a->low,
-                                   b == nullptr ? nullptr
-                                   : in_b       ? &b->high
-                                                : &b->low);
-    append(*low, *high, in_a ? a_pcs.sides_of(*a) : std::span<const Side>{},
-           in_b ? b_pcs.sides_of(*b) : std::span<const Side>{});
-    if (in_a && image_.compare(a->high, *high) == 0) ++i;
-    if (in_b && image_.compare(b->high, *high) == 0) ++j;
-    reached = high;
+  if (!b.empty())
+    while (i < a.size() && image_.compare(a[i].high, b[0].low) <= 0) ++i;
+  if (!a.empty())
+    while (j < b.size() && image_.compare(b[j].high, a[0].low) <= 0) ++j;
+  if (keeps_a) copy(a_pcs, 0, i);
+  if (keeps_b) copy(b_pcs, 0, j);
+  const Ordinate* low = nullptr;
+  bool in_a = false;
+  bool in_b = false;
+  while (i < a.size() && j < b.size()) {
+    if (!in_a && !in_b) {
+      const int order = image_.compare(a[i].low, b[j].low);
+      in_a = order <= 0;
+      in_b = order >= 0;
+      low = in_a ? &a[i].low : &b[j].low;
+    }
+    const Ordinate* const end_a = in_a ? &a[i].high : &a[i].low;
+    const Ordinate* const end_b = in_b ? &b[j].high : &b[j].low;
+    const int order = image_.compare(*end_a, *end_b);
+    const Ordinate* const high = order <= 0 ? end_a : end_b;
+    append(*low, *high, in_a ? a_pcs.sides_of(a[i]) : std::span<const Side>{},
+           in_b ? b_pcs.sides_of(b[j]) : std::span<const Side>{});
+    if (order <= 0) {
+      if (in_a) ++i;
+      in_a = i < a.size() && (!in_a || image_.compare(a[i].low, *high) == 0);
+    }
+    if (order >= 0) {
+      if (in_b) ++j;
+      in_b = j < b.size() && (!in_b || image_.compare(b[j].low, *high) == 0);
+    }
+    low = high;
+  }
+  if (keeps_a && i < a.size()) {
+    if (in_a) append_band(image_, result_, *low, a[i].high, a_pcs.sides_of(a[i]));
+    copy(a_pcs, in_a ? i + 1 : i, a.size());
+  }
+  if (keeps_b && j < b.size()) {
+    if (in_b) append_band(image_, result_, *low, b[j].high, b_pcs.sides_of(b[j]));
+    copy(b_pcs, in_b ? j + 1 : j, b.size());
   }
 }
 
-const Ordinate* Combiner::later(const Ordinate& low, const Ordinate* reached) const {
-  return reached != nullptr && image_.compare(*reached, low) > 0 ? reached : &low;
-}
-
-const Ordinate* Combiner::earlier(const Ordinate* one, const Ordinate* other) const {
-  if (one == nullptr || other == nullptr) return one == nullptr ? other : one;
-  return image_.compare(*one, *other) <= 0 ? one : other;
+void Combiner::copy(const TrapezoidPcs& pcs, std::size_t begin, std::size_t end) {
+  for (std::size_t k = begin; k < end; ++k)
+    append_band(image_, result_, pcs.bands[k].low, pcs.bands[k].high, pcs.sides_of(pcs.bands[k]));
 }
 
 void Combiner::append(const Ordinate& low, const Ordinate& high, std::span<const Side> a,
@@ -66,72 +87,121 @@ void Combiner::append(const Ordinate& low, const Ordinate& high, std::span<const
     append_band(image_, result_, low, high, a.empty() ? b : a);
     return;
   }
+  a_count_ = a.size();
+  count_ = a.size() + b.size();
+  if (apart_.size() < count_) {
+    apart_.resize(count_);
+    row_.resize(count_);
+    out_.resize(count_);
+  }
+  const Middle at_low(low);
+  const Middle at_high(high);
+  const auto set_member = [&](Member& member, const Side& side, bool of_a) {
+    member = {side, of_a, image_.abscissa_at(side.line, at_low), image_.abscissa_at(side.line, at_high)};
+  };
+  Member* const of_a = apart_.data();
+  Member* const of_b = apart_.data() + a.size();
+  set_member(of_a[0], a[0], true);
+  set_member(of_a[a.size() - 1], a.back(), true);
+  set_member(of_b[0], b[0], false);
+  set_member(of_b[b.size() - 1], b.back(), false);
+  if (operation_ == Operation::subtract) {
+    // The outermost sides tell whether all of a is beside b, or in it.
+    const auto west_of = [](const Member& one, const Member& other) {
+      return one.at_from.high < other.at_from.low && one.at_high.high < other.at_high.low;
+    };
+    if (west_of(of_a[a.size() - 1], of_b[0]) || west_of(of_b[b.size() - 1], of_a[0])) {
+      append_band(image_, result_, low, high, a);
+      return;
+    }
+    if (b.size() == 2 && west_of(of_b[0], of_a[0]) && west_of(of_a[a.size() - 1], of_b[1])) return;
+  }
+  for (std::size_t k = 1; k + 1 < a.size(); ++k) set_member(of_a[k], a[k], true);
+  for (std::size_t k = 1; k + 1 < b.size(); ++k) set_member(of_b[k], b[k], false);
   Ordinate from = low;
   for (;;) {
-    merge(from, high, a, b);
-    const Ordinate* crossing = nullptr;
+    merge(from, high);
     Ordinate lowest;
-    for (std::size_t k = 0; k + 1 < row_.size(); ++k) {
-      const std::uint32_t west = row_[k].side.line;
-      const std::uint32_t east = row_[k + 1].side.line;
-      if (row_[k].of_a == row_[k + 1].of_a || image_.order_at(west, east, high) <= 0) continue;
-      const Ordinate here = image_.crossing(west, east);
-      if (crossing == nullptr || image_.compare(here, lowest) < 0) lowest = here;
-      crossing = &lowest;
-    }
-    toggle(from, high);
-    append_band(image_, result_, from, crossing != nullptr ? lowest : high, out_);
-    if (crossing == nullptr) return;
+    const bool crossing = find_crossing(high, lowest);
+    append_band(image_, result_, from, crossing ? lowest : high, toggle(from, high));
+    if (!crossing) return;
     from = lowest;
+    const Middle at_from(from);
+    for (std::size_t k = 0; k < count_; ++k) apart_[k].at_from = image_.abscissa_at(apart_[k].side.line, at_from);
   }
 }
 
-// Both rows in the order just above `from`.
-void Combiner::merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a,
-                     std::span<const Side> b) {
-  row_.resize(a.size() + b.size());
+// Both rows in the order just above `from`, and which of them coincide with the one before, of the other region.
+void Combiner::merge(const Ordinate& from, const Ordinate& high) {
   std::size_t i = 0;
-  std::size_t j = 0;
-  bool coincide = false;
-  while (i < a.size() || j < b.size()) {
-    bool take_a = j == b.size();
-    bool equal = false;
-    if (!take_a && i < a.size()) {
-      int order = image_.order_at(a[i].line, b[j].line, from);
-      if (order == 0) order = image_.order_at(a[i].line, b[j].line, high);
+  std::size_t j = a_count_;
+  std::size_t k = 0;
+  std::uint32_t coincides = 0;
+  while (i < a_count_ && j < count_) {
+    const Member& a = apart_[i];
+    const Member& b = apart_[j];
+    bool take_a = a.at_from.high < b.at_from.low;
+    std::uint32_t next_coincides = 0;
+    if (static_cast<int>(take_a) == static_cast<int>(a.at_from.low > b.at_from.high)) {
+      int order = order_at_from(a, b, from);
+      if (order == 0) order = order_at_high(a, b, high);
       take_a = order <= 0;
-      equal = order == 0;
+      if (order == 0) next_coincides = coincides_bit;
     }
-    row_[i + j] = {take_a ? a[i] : b[j], take_a, coincide};
-    ++(take_a ? i : j);
-    coincide = equal;
+    row_[k++] = static_cast<std::uint32_t>(take_a ? i : j) | coincides;
+    i += static_cast<std::size_t>(take_a);
+    j += static_cast<std::size_t>(!take_a);
+    coincides = next_coincides;
   }
+  for (; i < a_count_; ++i, coincides = 0) row_[k++] = static_cast<std::uint32_t>(i) | coincides;
+  for (; j < count_; ++j, coincides = 0) row_[k++] = static_cast<std::uint32_t>(j) | coincides;
+}
+
+bool Combiner::find_crossing(const Ordinate& high, Ordinate& lowest) const {
+  bool found = false;
+  const Member* west = &member(0);
+  for (std::size_t k = 1; k < count_; ++k) {
+    const Member* const east = &member(k);
+    const bool ordered = west->at_high.high < east->at_high.low;
+    const Member& one = *west;
+    west = east;
+    if (ordered || one.of_a == east->of_a || order_at_high(one, *east, high) <= 0) continue;
+    const Ordinate here = image_.crossing(one.side.line, east->side.line);
+    if (!found || image_.compare(here, lowest) < 0) lowest = here;
+    found = true;
+  }
+  return found;
 }
 
 // The sides of the result: sides that coincide are passed at once.
-void Combiner::toggle(const Ordinate& from, const Ordinate& high) {
-  out_.clear();
+std::span<const Side> Combiner::toggle(const Ordinate& from, const Ordinate& high) {
+  std::size_t kept = 0;
   std::size_t in = 0;
-  for (std::size_t k = 0; k < row_.size(); ++k) {
+  for (std::size_t k = 0; k < count_; ++k) {
     const bool before = kept_[in];
-    Side side{row_[k].side.line, row_[k].of_a && row_[k].side.own};
-    in ^= row_[k].of_a ? inside_a : inside_b;
-    for (; k + 1 < row_.size() && coincides(k + 1, from, high); ++k) {
-      const Member& next = row_[k + 1];
+    const Member& first = member(k);
+    Side side{first.side.line, first.of_a && first.side.own};
+    in ^= first.of_a ? inside_a : inside_b;
+    const Member* west = &first;
+    for (; k + 1 < count_; ++k) {
+      const Member& next = member(k + 1);
+      if (west->at_from.high < next.at_from.low || !coincides(k, from, high)) break;
       in ^= next.of_a ? inside_a : inside_b;
       if (next.of_a) side = {next.side.line, side.own || next.side.own};
+      west = &next;
     }
-    if (kept_[in] != before) out_.push_back(side);
+    out_[kept] = side;
+    kept += static_cast<std::size_t>(kept_[in] != before);
   }
+  return {out_.data(), kept};
 }
 
-// A side with the one before it.
+// The next of the row with this one.
 bool Combiner::coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const {
-  const Member& west = row_[k - 1];
-  const Member& east = row_[k];
-  if (west.of_a != east.of_a) return east.coincides;
-  return image_.order_at(west.side.line, east.side.line, from) == 0 &&
-         image_.order_at(west.side.line, east.side.line, high) == 0;
+  const Member& west = member(k);
+  const Member& east = member(k + 1);
+  if (west.of_a != east.of_a) return (row_[k + 1] & coincides_bit) != 0;
+  return order_at_from(west, east, from) == 0 && order_at_high(west, east, high) == 0;
 }
 
 void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
@@ -192,6 +262,48 @@ TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> li
       return order != 0 ? order < 0 : image.order_at(a.line, b.line, levels[k + 1]) < 0;
     });
     append_band(image, pcs, levels[k], levels[k + 1], sides);
+  }
+  return pcs;
+}
+
+// Its west and its east border, each from its lowest side to its highest, side by side.
+TrapezoidPcs convex_pcs(const Image& image, std::span<const std::uint32_t> lines,
+                        std::span<const std::int8_t> inner_sides) {
+  struct Edge {
+    std::uint32_t line = 0;
+    std::uint32_t low = 0;  // vertices
+    std::uint32_t high = 0;
+  };
+  const auto compare = [&image](std::uint32_t v, std::uint32_t w) {
+    return v == w ? 0 : image.compare(image.ordinate_of(v), image.ordinate_of(w));
+  };
+  std::array<base::ShortList<Edge, 6>, 2> borders;  // west, east
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const ImageLine& line = image.lines()[lines[k]];
+    if (line.horizontal()) continue;
+    Edge edge{lines[k], line.from, line.to};
+    if (compare(edge.low, edge.high) > 0) std::swap(edge.low, edge.high);
+    auto& border = borders[inner_sides[k] > 0 ? 0 : 1];
+    border.push_back(edge);
+    for (std::size_t i = border.size() - 1; i > 0 && compare(border[i].low, border[i - 1].low) < 0; --i)
+      std::swap(border[i], border[i - 1]);
+  }
+  const auto& [west, east] = borders;
+  TrapezoidPcs pcs;
+  if (west.empty() || east.empty()) return pcs;
+  const std::size_t most = west.size() + east.size() - 1;
+  pcs.bands.reserve(most);
+  pcs.sides.reserve(2 * most);
+  Ordinate low = image.ordinate_of(west[0].low);
+  for (std::size_t w = 0, e = 0; w < west.size() && e < east.size();) {
+    const int order = compare(west[w].high, east[e].high);
+    const Ordinate high = image.ordinate_of(order <= 0 ? west[w].high : east[e].high);
+    pcs.bands.push_back({low, high, static_cast<std::uint32_t>(pcs.sides.size()), 2});
+    pcs.sides.push_back({west[w].line, true});
+    pcs.sides.push_back({east[e].line, true});
+    low = high;
+    if (order <= 0) ++w;
+    if (order >= 0) ++e;
   }
   return pcs;
 }

@@ -51,6 +51,11 @@ void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, con
 // The region of rings of lines, those that are horizontal left out, by the even-odd rule. All sides are own.
 [[nodiscard]] TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines);
 
+// The same of a convex polygon of which the inside is to the east of the lines whose inner side is positive, and to the west
+// of the others.
+[[nodiscard]] TrapezoidPcs convex_pcs(const Image& image, std::span<const std::uint32_t> lines,
+                                      std::span<const std::int8_t> inner_sides);
+
 enum class Operation { unite, intersect, subtract };
 
 // Whether a point that is in a or not, in b or not, is in the result.
@@ -72,28 +77,45 @@ class Combiner {
   void operator()(TrapezoidPcs& a, const TrapezoidPcs& b);
 
  private:
+  // A side, and where it is at the lower and the upper end of what is merged.
   struct Member {
     Side side;
     bool of_a = false;
-    bool coincides = false;  // with the one before, if that is of the other region
+    Abscissa at_from;
+    Abscissa at_high;
   };
 
   static constexpr std::size_t inside_a = 1;
   static constexpr std::size_t inside_b = 2;
+  static constexpr std::uint32_t coincides_bit = std::uint32_t{1} << 31;
 
   void run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs);
+  // The bands of one region where the other one has none.
+  void copy(const TrapezoidPcs& pcs, std::size_t begin, std::size_t end);
   void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
-  void merge(const Ordinate& from, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
-  void toggle(const Ordinate& from, const Ordinate& high);
+  void merge(const Ordinate& from, const Ordinate& high);
+  // The lowest crossing of two sides between the ends, if there is one.
+  [[nodiscard]] bool find_crossing(const Ordinate& high, Ordinate& lowest) const;
+  [[nodiscard]] std::span<const Side> toggle(const Ordinate& from, const Ordinate& high);
   [[nodiscard]] bool coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const;
-  [[nodiscard]] const Ordinate* later(const Ordinate& low, const Ordinate* reached) const;
-  [[nodiscard]] const Ordinate* earlier(const Ordinate* one, const Ordinate* other) const;
+  // Of the row.
+  [[nodiscard]] const Member& member(std::size_t k) const { return apart_[row_[k] & ~coincides_bit]; }
+  [[nodiscard]] int order_at_from(const Member& one, const Member& other, const Ordinate& from) const {
+    return image_.order_at(one.side.line, one.at_from, other.side.line, other.at_from, from);
+  }
+  [[nodiscard]] int order_at_high(const Member& one, const Member& other, const Ordinate& high) const {
+    return image_.order_at(one.side.line, one.at_high, other.side.line, other.at_high, high);
+  }
 
   const Image& image_;
   Operation operation_;
   std::array<bool, 4> kept_{};  // by inside_a and inside_b
   TrapezoidPcs result_;
-  std::vector<Member> row_;
+  std::size_t a_count_ = 0;
+  std::size_t count_ = 0;
+  // Their room grows and is kept; what is in use are the first `count_`.
+  std::vector<Member> apart_;       // the sides of a, then those of b
+  std::vector<std::uint32_t> row_;  // into apart_, from west to east; `coincides_bit`: with the one before, of the other region
   std::vector<Side> out_;
 };
 [[nodiscard]] TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b,

@@ -64,7 +64,7 @@ class Subtraction {
   // What is left of a face, and another face.
   void operator()(TrapezoidPcs& region, std::uint32_t face, std::uint32_t near) {
     if (region.empty()) return;
-    const Placement placement = placement_of(set_.image, set_.faces[face], set_.faces[near]);
+    const Placement placement = placement_of(set_, set_.faces[face], set_.faces[near]);
     if (placement == Placement::mixed) return (*this)(region, set_.faces[near].pcs);
     ++counts_.subtractions;
     if (placement == Placement::covered) region = {};
