@@ -1,12 +1,11 @@
 #include "host/algorithms/skala/horizon.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <utility>
+
+#include "host/algorithms/skala/horizon_edge.hpp"
 
 namespace sightline::algorithms::skala {
 namespace {
@@ -16,57 +15,10 @@ constexpr float untouched = 1e30F;
 // A point between columns is compared with masks that cut the corners of what was drawn there.
 constexpr float corner_slack = 1.0F / 64;
 
-// The last column not right of x, -1 if none. Without a branch: where lines go is as good as random.
-int column_before(float x, float last) {
-  const float within = std::max(x < last ? x : last, -0.5F);
-  return static_cast<int>(within) - static_cast<int>(within < 0);
-}
-
 Vertex between(Vertex from, Vertex to, float t) {
   if (t == 1) return to;
   return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
 }
-
-// Four columns at once, for which any of the compilers has instructions or makes them up.
-using Floats = float __attribute__((vector_size(16)));
-using Ints = std::int32_t __attribute__((vector_size(16)));
-
-Floats load(const float* from) {
-  Floats values;
-  std::memcpy(&values, from, sizeof values);
-  return values;
-}
-void store(const Floats& values, float* to) {
-  std::memcpy(to, &values, sizeof values);
-}
-// By masks of ones or zeros.
-Floats either(Ints first, Floats a, Floats b) {
-  return std::bit_cast<Floats>((first & std::bit_cast<Ints>(a)) | (~first & std::bit_cast<Ints>(b)));
-}
-
-// The sum of four numbers that do not add up to more than 32 bits.
-std::uint32_t sum_of(Ints numbers) {
-  const auto pairs = std::bit_cast<std::array<std::uint64_t, 2>>(numbers);
-  const std::uint64_t sum = pairs[0] + pairs[1];
-  return static_cast<std::uint32_t>(sum) + static_cast<std::uint32_t>(sum >> 32);
-}
-bool any_of(Ints mask) {
-  const auto pairs = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
-  return (pairs[0] | pairs[1]) != 0;
-}
-
-class Line {
- public:
-  Line(Vertex left, Vertex right) : left_(left), slope_((right.y - left.y) / (right.x - left.x)) {}
-  [[nodiscard]] float at(int column) const {
-    return left_.y + (static_cast<float>(column) - left_.x) * slope_;
-  }
-  [[nodiscard]] Floats at(Floats columns) const { return left_.y + (columns - left_.x) * slope_; }
-
- private:
-  Vertex left_;
-  float slope_;
-};
 
 }  // namespace
 
@@ -100,7 +52,7 @@ void Horizon::gap(Vertex from, Vertex to, Outside a, Outside b) {
 
 Horizon::Outside Horizon::outside(Vertex vertex, float slack, const Wake& wake) const {
   const int last = static_cast<int>(columns_) - 1;
-  const int left = column_before(vertex.x, static_cast<float>(last));
+  const int left = edge::column_before(vertex.x, static_cast<float>(last));
   const auto top = [&](int column) {
     return column == wake.column ? wake.top : top_[static_cast<std::size_t>(column)];
   };
@@ -145,24 +97,19 @@ void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, 
   std::for_each(own, pieces_.end(), [](Piece& piece) { std::swap(piece.from, piece.to); });
 }
 
-// Those in (left, right], so that of two joined segments one has the column of their joint.
-inline Horizon::Columns Horizon::columns_of(Vertex left, Vertex right) const {
-  const auto last = static_cast<float>(columns_ - 1);
-  return {column_before(left.x, last) + 1, column_before(right.x, last)};
-}
-
 // Adds the visible pieces and leaves the segment's height in every column it crosses.
 Horizon::Columns Horizon::look(Vertex from, Vertex to, float slack, const Wake& wake) {
   first_own_ = pieces_.size();
   const bool leftwards = to.x < from.x;
   const Vertex left = leftwards ? to : from;
   const Vertex right = leftwards ? from : to;
-  const Columns columns = columns_of(left, right);
+  const auto last = static_cast<float>(columns_ - 1);
+  const Columns columns{edge::column_before(left.x, last) + 1, edge::column_before(right.x, last)};
   if (columns.first > columns.last) {
     narrow(from, to, slack, wake);
     return columns;
   }
-  const Line line(left, right);
+  const edge::Line line(left, right);
   int above = 0;
   int below = 0;
   int either = 0;
@@ -199,53 +146,26 @@ void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
   }
 }
 
-// look() and raise() for a segment in at most a block of columns. Most segments of a net are so short, and how many
-// columns they have is as good as random: a block is worked on as a whole, without a branch on it, and what is beyond the
-// segment is left out of the sums and as it was in the masks.
-inline void Horizon::draw_short(Vertex from, Vertex to, Columns columns, Wake& wake) {
-  const bool leftwards = to.x < from.x;
-  const Vertex left = leftwards ? to : from;
-  const Vertex right = leftwards ? from : to;
-  const Line line(left, right);
-  const auto first = static_cast<std::size_t>(columns.first);
-  const int count = columns.last - columns.first + 1;
-  const Floats top = load(&top_[first]);
-  const Floats bottom = load(&bottom_[first]);
-  const Floats heights = line.at(Floats{0, 1, 2, 3} + static_cast<float>(columns.first));
-  const Ints own = Ints{0, 1, 2, 3} < count;
-  const Ints over = (heights - top > usual_slack) & own;
-  const Ints under = (bottom - heights > usual_slack) & own;
-  constexpr std::int32_t below_bottom = 1 << 8;  // above any sum of ones
-  const Ints flags = (over & 1) | (under & below_bottom);
-  if (const std::uint32_t seen = sum_of(flags); seen != 0) {
-    const auto all = static_cast<std::uint32_t>(count);
-    if (seen % below_bottom == all || seen / below_bottom == all) {
-      see(from, to);
-    } else {
-      store(heights, &heights_[first]);
-      mixed(left, right, columns, leftwards, usual_slack);
-    }
-  }
-  const auto end = static_cast<std::size_t>(leftwards ? columns.first : columns.last);
-  wake = {static_cast<int>(end), top_[end], bottom_[end]};
-  // The next segment loads some of these columns: it must not wait for what was stored unchanged.
-  const Ints higher = (top < heights) & own;
-  const Ints lower = (heights < bottom) & own;
-  if (any_of(higher)) store(either(higher, heights, top), &top_[first]);
-  if (any_of(lower)) store(either(lower, heights, bottom), &bottom_[first]);
+// Of a segment that has no column, or more than a block.
+Horizon::Sight Horizon::draw_long(Vertex from, Vertex to, bool leftwards, Wake& wake) {
+  pieces_.clear();
+  raise(look(from, to, usual_slack, wake), leftwards, wake);
+  return pieces_.empty() ? Sight::hidden : Sight::parts;
 }
 
 bool Horizon::draw(Vertex from, Vertex to, Wake& wake) {
   pieces_.clear();
-  const bool leftwards = to.x < from.x;
-  const Columns columns = leftwards ? columns_of(to, from) : columns_of(from, to);
-  if (columns.first <= columns.last && columns.last - columns.first < static_cast<int>(block)) {
-    first_own_ = 0;
-    draw_short(from, to, columns, wake);
-  } else {
-    raise(look(from, to, usual_slack, wake), leftwards, wake);
-  }
+  const auto last = static_cast<float>(columns_ - 1);
+  const Sight seen =
+      draw_edge(from, to, edge::column_before(from.x, last), edge::column_before(to.x, last), wake);
+  if (seen == Sight::whole) see(from, to);
   return !pieces_.empty();
+}
+
+void Horizon::find_columns(std::span<const Vertex> vertices, std::vector<std::int32_t>& columns) const {
+  columns.resize(vertices.size());
+  const auto last = static_cast<float>(columns_ - 1);
+  for (std::size_t i = 0; i < vertices.size(); ++i) columns[i] = edge::column_before(vertices[i].x, last);
 }
 
 bool Horizon::test(Vertex from, Vertex to, float slack, Wake wake) {

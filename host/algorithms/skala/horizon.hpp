@@ -40,6 +40,12 @@ class Horizon {
   // draw() from each vertex to the next, all pieces in one; vertices go to one side and never turn back.
   bool draw_chain(std::span<const Vertex> chain, Wake& wake);
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  // draw() of a segment of which the last columns not right of its ends (find_columns) are known; only of parts there are
+  // pieces. horizon_edge.hpp has it.
+  enum class Sight : std::uint8_t { hidden, whole, parts };
+  [[gnu::always_inline]] Sight draw_edge(Vertex from, Vertex to, int before_from, int before_to, Wake& wake);
+  // -1 of a vertex to the left of all columns.
+  void find_columns(std::span<const Vertex> vertices, std::vector<std::int32_t>& columns) const;
   // By column.
   [[nodiscard]] std::span<const float> top() const { return std::span(top_).first(columns_); }
   [[nodiscard]] std::span<const float> bottom() const { return std::span(bottom_).first(columns_); }
@@ -56,7 +62,6 @@ class Horizon {
     int last;
   };
   // What nearly every segment goes through is one function; the rest stays out of its way.
-  [[nodiscard, gnu::always_inline]] Columns columns_of(Vertex left, Vertex right) const;
   [[nodiscard]] Outside outside(Vertex vertex, float slack, const Wake& wake) const;
   [[gnu::noinline]] Columns look(Vertex from, Vertex to, float slack, const Wake& wake);
   void narrow(Vertex from, Vertex to, float slack, const Wake& wake);
@@ -70,7 +75,7 @@ class Horizon {
     piece.to = to;
   }
   [[gnu::noinline]] void raise(Columns columns, bool leftwards, Wake& wake);
-  [[gnu::always_inline]] void draw_short(Vertex from, Vertex to, Columns columns, Wake& wake);
+  [[gnu::noinline]] Sight draw_long(Vertex from, Vertex to, bool leftwards, Wake& wake);
 
   void measure_chain(std::span<const Vertex> chain);
   void trace_chain(std::span<const Vertex> chain, bool leftwards);

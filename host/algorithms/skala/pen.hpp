@@ -30,14 +30,15 @@ class Sheet {
 class Pen {
  public:
   void draw(Sheet& sheet, std::uint32_t layer, const std::vector<Piece>& pieces) {
-    for (const Piece& piece : pieces) {
-      if (corners_.empty() || corners_.back() != piece.from || layer != layer_) {
-        lift(sheet);
-        layer_ = layer;
-        corners_.push_back(piece.from);
-      }
-      corners_.push_back(piece.to);
+    for (const Piece& piece : pieces) draw(sheet, layer, piece.from, piece.to);
+  }
+  void draw(Sheet& sheet, std::uint32_t layer, Vertex from, Vertex to) {
+    if (corners_.empty() || corners_.back() != from || layer != layer_) {
+      lift(sheet);
+      layer_ = layer;
+      corners_.push_back(from);
     }
+    corners_.push_back(to);
   }
   void lift(Sheet& sheet) {
     if (!corners_.empty()) sheet.line(layer_, corners_);

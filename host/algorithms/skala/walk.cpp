@@ -10,6 +10,7 @@
 
 #include "host/algorithms/skala/facing.hpp"
 #include "host/algorithms/skala/gapped_horizon.hpp"
+#include "host/algorithms/skala/horizon_edge.hpp"
 #include "host/algorithms/skala/passing.hpp"
 
 namespace sightline::algorithms::skala {
@@ -63,12 +64,20 @@ class Walker {
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),
+        net_only_(!gapped && std::is_same_v<Listener, Unwatched> && lines_ && net_ && !view_.silhouette && view_.visibility && surface_.whole() &&
+                  surface_.columns() > 1),
         slices_only_(!gapped && lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
         dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
   Walked go() {
     begin();
-    for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) slices_only_ ? strip_of_slices(row) : strip(row);
+    for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
+      if (net_only_) {
+        strip_of_net(row);
+      } else {
+        slices_only_ ? strip_of_slices(row) : strip(row);
+      }
+    }
     return end();
   }
 
@@ -172,6 +181,38 @@ class Walker {
     column_edge(row, last);
     row_edge(row + 1, last - 1);
     end_row();
+  }
+
+  // strip() without what a net does not have.
+  void strip_of_net(std::size_t row) {
+    if constexpr (!gapped) {
+      const std::span<const Vertex> near = surface_.row(row);
+      const std::span<const Vertex> far = surface_.row(row + 1);
+      if (row == 0) horizon_.find_columns(near, far_columns_);
+      std::swap(near_columns_, far_columns_);
+      horizon_.find_columns(far, far_columns_);
+      const auto across = [&](std::size_t column) {
+        Wake wake;
+        const auto sight = horizon_.draw_edge(near[column], far[column], near_columns_[column], far_columns_[column], wake);
+        ink(sight, column_pens_[column], layer(along_columns), near[column], far[column]);
+      };
+      const std::uint32_t row_layer = layer(along_rows);
+      Wake wake;
+      across(0);
+      for (std::size_t column = 0; column + 1 < far.size(); ++column) {
+        across(column + 1);
+        const auto sight = horizon_.draw_edge(far[column], far[column + 1], far_columns_[column], far_columns_[column + 1], wake);
+        ink(sight, row_pen_, row_layer, far[column], far[column + 1]);
+      }
+    }
+    end_row();
+  }
+  [[gnu::always_inline]] void ink(Horizon::Sight sight, Pen& pen, std::uint32_t of_layer, Vertex from, Vertex to) {
+    if (sight == Horizon::Sight::whole) {
+      pen.draw(sheet_, of_layer, from, to);
+    } else if (sight == Horizon::Sight::parts) {
+      pen.draw(sheet_, of_layer, horizon_.pieces());
+    }
   }
 
   // Neither this cell nor the next is missing, so that no edge of the surface lies between them.
@@ -411,12 +452,15 @@ class Walker {
   bool all_edges_;
   bool diagonals_;
   bool rims_;
+  bool net_only_;     // nothing but edges, each inked
   bool slices_only_;  // and nothing interrupts a slice but its last rim
   bool dots_;
   bool strips_ = false;  // hide as a whole, not cell by cell
   Wake wake_;
   Pen row_pen_;
   std::vector<Pen> column_pens_;
+  std::vector<std::int32_t> near_columns_;  // Horizon::find_columns of the two rows of a strip
+  std::vector<std::int32_t> far_columns_;
   Stitcher stitcher_;
   std::vector<Piece> unhidden_;
   Walked walked_;
