@@ -25,7 +25,12 @@ Rational wide_zero_between(const WideInteger<bits>& p, const WideInteger<bits>& 
 
 Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t other) {
   const ImageLine& line = image.lines()[edge];
-  return zero_between(image.value_at(other, line.from), image.value_at(other, line.to));
+  const Int128 p = image.value_at(other, line.from);
+  const Int128 q = image.value_at(other, line.to);
+  const std::int64_t divisor = image.divisor();
+  const Int128 part_p = p / divisor;
+  const Int128 part_q = q / divisor;
+  return part_p * divisor == p && part_q * divisor == q ? zero_between(part_p, part_q) : zero_between(p, q);
 }
 
 // What is left of an edge after conditions that are linear along it.
@@ -61,6 +66,9 @@ class Part {
 
 Rational zero_between(Int128 p, Int128 q) {
   const Int128 denominator = p - q;
+  constexpr Int128 largest = Int128{1} << 62;
+  if (denominator != 0 && -largest < p && p < largest && -largest < denominator && denominator < largest)
+    return {static_cast<std::int64_t>(p), static_cast<std::int64_t>(denominator)};
   const Int128 divisor = geometry::common_divisor(p, denominator);
   if (divisor == 0) return {0};
   return {static_cast<std::int64_t>(p / divisor), static_cast<std::int64_t>(denominator / divisor)};

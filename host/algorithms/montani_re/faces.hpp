@@ -102,7 +102,7 @@ using Rings = std::vector<std::vector<std::uint32_t>>;
 
 class FaceSetBuilder {
  public:
-  explicit FaceSetBuilder(bool perspective) { set_.image = Image(perspective); }
+  explicit FaceSetBuilder(bool perspective, std::int64_t divisor = 1) { set_.image = Image(perspective, divisor); }
 
   // Room for so many; more can be added.
   void reserve(std::size_t vertices, std::size_t faces);

@@ -76,7 +76,9 @@ struct Abscissa {
 
 class Image {
  public:
-  explicit Image(bool perspective) : perspective_(perspective) {}
+  // The divisor, positive, is what the camera's vectors add to a x + b y + c w of every line of two of the scene's vertices and
+  // every third one: it divides these sums. Where it does not, only time is lost.
+  explicit Image(bool perspective, std::int64_t divisor = 1) : perspective_(perspective), divisor_(divisor) {}
 
   // Room for so many; more can be added.
   void reserve(std::size_t vertices, std::size_t lines);
@@ -86,6 +88,7 @@ class Image {
   [[nodiscard]] bool distinct_images(std::uint32_t v, std::uint32_t w) const;
 
   [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] std::int64_t divisor() const { return divisor_; }
   [[nodiscard]] const std::vector<Vertex>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<ImageLine>& lines() const { return lines_; }
   [[nodiscard]] std::int64_t weight(std::uint32_t v) const { return perspective_ ? vertices_[v].z : 1; }
@@ -199,6 +202,7 @@ class Image {
   };
 
   bool perspective_;
+  std::int64_t divisor_;
   std::vector<Vertex> vertices_;
   std::vector<Point> points_;  // by vertex
   Point largest_;              // of each coordinate, its magnitude in any vertex

@@ -71,9 +71,21 @@ struct SeenScene {
   std::vector<SeenFace> faces;
 };
 
+// A sum of Image is a determinant of vectors in the camera's frame, without perspective one of their images: that of the
+// camera's vectors, or the greatest divisor of the parts of right x up, times one of vectors in the scene.
+std::int64_t divisor_of(const scene::PolyCamera& camera) {
+  const geometry::Vector3 normal = geometry::cross(geometry::vector_of(camera.right), geometry::vector_of(camera.up));
+  const auto divisor =
+      camera.perspective
+          ? geometry::Int128{geometry::dot(geometry::vector_of(camera.forward), normal)}
+          : geometry::common_divisor(geometry::common_divisor(geometry::Int128{normal[0]}, geometry::Int128{normal[1]}),
+                                     geometry::Int128{normal[2]});
+  return static_cast<std::int64_t>(divisor < 0 ? -divisor : divisor);
+}
+
 FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera, const SeenScene& seen,
                  const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& lone) {
-  FaceSetBuilder builder(camera.perspective);
+  FaceSetBuilder builder(camera.perspective, divisor_of(camera));
   builder.reserve(seen.vertices.size(), seen.faces.size());
   for (const std::array<std::int64_t, 3>& p : seen.vertices) {
     const std::int64_t depth = p[frame.axes[2]];

@@ -19,9 +19,7 @@ void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
   result_.bands.clear();
   result_.sides.clear();
   run(a, b);
-  // Copied, not exchanged: the room of the result is kept for the next one.
-  a.bands.assign(result_.bands.begin(), result_.bands.end());
-  a.sides.assign(result_.sides.begin(), result_.sides.end());
+  std::swap(a, result_);
 }
 
 // From one end of a band to the next.

@@ -20,8 +20,12 @@ using geometry::Rational;
 // Collects pieces of edges; those of one edge are joined in the end.
 class EdgePieces {
  public:
-  explicit EdgePieces(const FaceSet& set) : set_(set), seen_(set.edges.size()) {
-    for (const std::uint32_t line : set.lone) seen_[line] = seen_of_isolated_edge(set, line);
+  explicit EdgePieces(const FaceSet& set) : set_(set) {
+    found_.reserve(2 * set.faces.size());
+    for (const std::uint32_t line : set.lone) {
+      const geometry::IntervalSet seen = seen_of_isolated_edge(set, line);
+      for (const geometry::Interval& interval : seen.intervals()) unite(line, interval);
+    }
   }
 
   void add(const Face& face, const TrapezoidPcs& region) {
@@ -32,19 +36,34 @@ class EdgePieces {
   }
 
   [[nodiscard]] picture::LinePicture picture() const {
-    picture::LinePicture picture;
-    std::vector<std::uint32_t> order;
-    order.reserve(seen_.size());
-    for (std::uint32_t line = 0; line < seen_.size(); ++line) {
-      if (!seen_[line].empty()) order.push_back(line);
+    // Keys are sorted, not pieces.
+    struct Key {
+      std::uint64_t edge = 0;
+      std::uint32_t found = 0;
+    };
+    std::vector<Key> keys(found_.size());
+    for (std::uint32_t k = 0; k < keys.size(); ++k) {
+      const picture::LineEdge& edge = set_.edges[found_[k].line];
+      keys[k] = {std::uint64_t{edge.from} << 32 | edge.to, k};
     }
-    picture.pieces.reserve(order.size());
-    std::sort(order.begin(), order.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return set_.edges[a] < set_.edges[b]; });
-    for (const std::uint32_t line : order) {
-      for (const geometry::Interval& interval : seen_[line].intervals()) {
-        picture.pieces.push_back({set_.edges[line], interval.low, interval.high});
+    std::sort(keys.begin(), keys.end(),
+              [](const Key& a, const Key& b) { return a.edge != b.edge ? a.edge < b.edge : a.found < b.found; });
+    picture::LinePicture picture;
+    picture.pieces.reserve(keys.size());
+    for (std::size_t k = 0; k < keys.size();) {
+      const Found& first = found_[keys[k].found];
+      const picture::LineEdge edge = set_.edges[first.line];
+      std::size_t end = k + 1;
+      while (end < keys.size() && keys[end].edge == keys[k].edge) ++end;
+      if (end == k + 1) {
+        picture.pieces.push_back({edge, first.interval.low, first.interval.high});
+      } else {
+        geometry::IntervalSet seen;
+        for (; k < end; ++k) seen.unite(found_[keys[k].found].interval.low, found_[keys[k].found].interval.high);
+        for (const geometry::Interval& interval : seen.intervals())
+          picture.pieces.push_back({edge, interval.low, interval.high});
       }
+      k = end;
     }
     return picture;
   }
@@ -74,7 +93,7 @@ class EdgePieces {
     for (const Run& run : runs_) {
       const Rational low = parameter_at(set_.image, run.line, *run.low);
       const Rational high = parameter_at(set_.image, run.line, *run.high);
-      seen_[run.line].unite(std::min(low, high), std::max(low, high));
+      unite(run.line, low < high ? geometry::Interval{low, high} : geometry::Interval{high, low});
     }
   }
 
@@ -87,13 +106,22 @@ class EdgePieces {
       for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
         if (set_.image.order_at(sides[k].line, sides[k + 1].line, y) >= 0) continue;
         const auto part = part_between(set_.image, line, sides[k].line, sides[k + 1].line);
-        if (part) seen_[line].unite(part->low, part->high);
+        if (part) unite(line, *part);
       }
     }
   }
 
+  void unite(std::uint32_t line, const geometry::Interval& interval) {
+    if (interval.low < interval.high) found_.push_back({line, interval});
+  }
+
+  struct Found {
+    std::uint32_t line = 0;
+    geometry::Interval interval;
+  };
+
   const FaceSet& set_;
-  std::vector<geometry::IntervalSet> seen_;  // by line
+  std::vector<Found> found_;
   std::vector<Run> runs_;
 };
 
@@ -141,11 +169,16 @@ base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene:
       return passing_through(set.faces[seen.interpenetrating->first],
                              set.faces[seen.interpenetrating->second]);
     }
-    const picture::LinePicture part = edges_of_regions(set, seen.regions);
-    view.picture.pieces.insert(view.picture.pieces.end(), part.pieces.begin(), part.pieces.end());
+    picture::LinePicture part = edges_of_regions(set, seen.regions);
+    if (view.picture.pieces.empty()) {
+      view.picture = std::move(part);
+    } else {
+      view.picture.pieces.insert(view.picture.pieces.end(), part.pieces.begin(), part.pieces.end());
+    }
     view.counts += seen.counts;
   }
-  join(view.picture, scene, camera);
+  // Where there is one set without a window, nothing is cut by borders, and all edges are before the eye.
+  if (sets.size() != 1 || sets[0].window) join(view.picture, scene, camera);
   return view;
 }
 

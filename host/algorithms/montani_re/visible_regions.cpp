@@ -76,6 +76,7 @@ class Subtraction {
   Combiner subtract_;
 };
 
+// What is left of every face is worked on in one place, whose room is kept, and copied when it is done.
 // Every face less those before it in the list that are its neighbours in the relations, nearest first.
 void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result, Trace* trace) {
   std::vector<std::uint32_t> rank(set.faces.size());
@@ -97,13 +98,17 @@ void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations,
     if (rank[relation.near] < rank[relation.far]) before[--first[relation.far]] = rank[relation.near];
   }
   Subtraction subtract(set, result.counts);
+  TrapezoidPcs region;
   for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
     const std::span nearer(before.data() + first[face], before.data() + first[face + std::size_t{1}]);
+    if (nearer.empty()) continue;
     std::sort(nearer.begin(), nearer.end());
+    region = result.regions[face];
     for (const std::uint32_t near : nearer) {
-      subtract(result.regions[face], face, by_rank[near]);
-      if (trace != nullptr) trace->subtracted(face, by_rank[near], result.regions[face]);
+      subtract(region, face, by_rank[near]);
+      if (trace != nullptr) trace->subtracted(face, by_rank[near], region);
     }
+    result.regions[face] = region;
   }
 }
 
