@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "host/base/text.hpp"
 #include "host/compare/cross_check_compare.hpp"
 #include "host/compare/stripes.hpp"
+#include "host/compare/turning.hpp"
 #include "host/compare/willis_8080.hpp"
 
 namespace sightline::compare {
@@ -35,6 +38,7 @@ std::vector<Participant> find_participants() {
   at(stripes_name).faces = true;
   at(oracle).faces = true;
   at(willis_on_8080().name).faces = true;
+  at(turn_name).screen = true;
   return found;
 }
 
@@ -51,6 +55,8 @@ constexpr std::array all_not_applicable{
     NotApplicable{stripes_name, "H", NotApplicable::Views::all, "1,922 faces are turned to the eye, the 8080 holds 64"},
     NotApplicable{"plantinga", "C", NotApplicable::Views::perspective,
                   "events of a turn are those of parallel projection"},
+    NotApplicable{turn_name, "C", NotApplicable::Views::perspective, "turns in parallel projection"},
+    NotApplicable{turn_name, "H", NotApplicable::Views::all, "has some 3,000 edges, and the machine holds 512"},
     NotApplicable{"willis-8080", "C1", NotApplicable::Views::all, touching},
     NotApplicable{"willis-8080", "C2", NotApplicable::Views::all, touching},
     NotApplicable{"willis-8080", "C3", NotApplicable::Views::all, touching},
@@ -69,11 +75,81 @@ const auto* find_in(const Table& table, std::string_view name) {
   return found != table.end() ? &*found : nullptr;
 }
 
+// What the PDP-7 shows of the views, before all others: those with lines draw theirs at its angles, too.
+struct TurnedView {
+  std::optional<ScreenPicture> screen;
+  std::string problem;
+};
+struct TurnedViews {
+  std::optional<Turning> turning;
+  std::vector<TurnedView> views;
+};
+
+// The machine's lines in the pixels of a view.
+std::vector<picture::PixelSegment> lines_in_view(const Turning& turning, const CommonScene& scene, const CrossCheckView& view,
+                                                 const TurnPicture& shown) {
+  // The scene was moved to the axis, by as much as any of its vertices.
+  scene::PolyPoint moved = scene.scene.vertices.front();
+  for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.standing().vertices.front()[a];
+  const picture::PixelPoint on_axis = view.place(moved);
+  double lowest = turning.standing().vertices.front()[1];
+  double highest = lowest;
+  for (const scene::PolyPoint& v : turning.standing().vertices) {
+    lowest = std::min<double>(lowest, v[1]);
+    highest = std::max<double>(highest, v[1]);
+  }
+  // A view may have to its left what the machine's screen has to its right.
+  const double turn = shown.angle * 2 * std::numbers::pi / (1 << 18);
+  const auto& right = view.camera.right;
+  const double sign = right[0] * std::cos(turn) - right[2] * std::sin(turn) < 0 ? -1 : 1;
+  const double pixels = view.window().scale / turning.scale();  // in a point of the display
+  const auto placed = [&](const picture::PixelPoint& p) {
+    return picture::PixelPoint{on_axis.x + sign * (p.x - 512) * pixels,
+                               on_axis.y + (p.y - 512) * pixels + (lowest + highest) / 2 * turning.scale() * pixels};
+  };
+  std::vector<picture::PixelSegment> lines;
+  for (const picture::PixelSegment& line : shown.lines) lines.push_back({placed(line.a), placed(line.b)});
+  return lines;
+}
+
+TurnedViews turned_views(const CommonScene& scene) {
+  TurnedViews turned;
+  turned.views.resize(scene.views.size());
+  std::string problem;
+  for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    const CrossCheckView& view = scene.views[v];
+    TurnedView& of = turned.views[v];
+    if (listed_reason(turn_name, scene.name, view.camera.perspective)) continue;
+    if (!turned.turning && problem.empty()) {
+      auto made = Turning::of(scene.scene);
+      if (made)
+        turned.turning.emplace(std::move(*made));
+      else
+        problem = made.error().message();
+    }
+    of.problem = problem;
+    const auto angle = turn_angle_of(view.camera);
+    if (!angle) of.problem = "the view is not one of the turn";
+    if (!of.problem.empty()) continue;
+    auto drawn = turned.turning->draw(*angle, &view.camera);
+    if (!drawn)
+      of.problem = drawn.error().message();
+    else if (!drawn->difference.empty())
+      of.problem = "the program is not its twin: " + drawn->difference;
+    else {
+      of.screen.emplace(ScreenPicture{std::move(*drawn), {}, 0});
+      of.screen->in_view = lines_in_view(*turned.turning, scene, view, of.screen->turn);
+      of.screen->bound_in_view = of.screen->turn.view_bound * view.window().scale / turned.turning->scale();
+    }
+  }
+  return turned;
+}
+
 // The views of one participant that are not listed as not applicable.
 class Drawing {
  public:
-  Drawing(const CommonScene& scene, const Participant& who, const CrossCheckTables& tables)
-      : scene_(scene), who_(who), tables_(tables), pictures_(scene.views.size()) {
+  Drawing(const CommonScene& scene, const Participant& who, const CrossCheckTables& tables, const TurnedViews& turned)
+      : scene_(scene), who_(who), tables_(tables), turned_(turned), pictures_(scene.views.size()) {
     bool any = false;
     for (std::size_t v = 0; v < pictures_.size(); ++v) {
       const bool perspective = scene.views[v].camera.perspective;
@@ -82,6 +158,7 @@ class Drawing {
     }
     if (any && who.lines) draw_lines();
     if (any && who.faces) draw_faces();
+    if (any && who.screen) draw_screen();
   }
 
   [[nodiscard]] std::vector<CrossCheckPicture> take() { return std::move(pictures_); }
@@ -105,6 +182,7 @@ class Drawing {
     if (!made) return fail(made.error().message());
     const auto& prepared = *made;
     for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+      draw_on_screen(*algorithm, prepared, view, picture);
       picture.same_by_image = algorithm->same_by_image;
       if (auto reason = algorithm->why_not_seen(scene_.scene, view.camera)) {
         picture.problem = std::move(*reason);
@@ -116,6 +194,25 @@ class Drawing {
       } else {
         picture.lines = std::move(seen->picture);
       }
+    });
+  }
+
+  // The lines again, at the angle of the machine that turns the scene.
+  void draw_on_screen(const registry::LineAlgorithm& algorithm, const registry::PreparedScene& prepared, const CrossCheckView& view,
+                      CrossCheckPicture& picture) {
+    const TurnedView& turned = turned_.views[static_cast<std::size_t>(&view - scene_.views.data())];
+    if (!turned.screen || algorithm.why_not_seen(scene_.scene, turned.screen->turn.camera)) return;
+    auto seen = prepared.view(turned.screen->turn.camera);
+    if (!seen) return;
+    picture.lines_on_screen = turned_.turning->on_screen(seen->picture, turned.screen->turn.angle);
+    picture.lines_at_angle = std::move(seen->picture);
+  }
+
+  void draw_screen() {
+    for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+      const TurnedView& turned = turned_.views[static_cast<std::size_t>(&view - scene_.views.data())];
+      picture.problem = turned.problem;
+      picture.screen = turned.screen;
     });
   }
 
@@ -169,6 +266,7 @@ class Drawing {
   const CommonScene& scene_;
   const Participant& who_;
   const CrossCheckTables& tables_;
+  const TurnedViews& turned_;
   std::vector<CrossCheckPicture> pictures_;
 };
 
@@ -182,6 +280,14 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   const auto faces = [](const Participant& who, const CrossCheckPicture& picture) {
     return NamedFaces{who.name, &*picture.faces};
   };
+  if (a.screen || b.screen) {
+    const NamedScreen screen = a.screen ? NamedScreen{a.name, &*of_a.screen} : NamedScreen{b.name, &*of_b.screen};
+    const Participant& other = a.screen ? b : a;
+    const CrossCheckPicture& of_other = a.screen ? of_b : of_a;
+    if (!other.lines) return {compare_pictures(screen, faces(other, of_other))};
+    if (!of_other.lines_at_angle) return {{false, "points", fmt::format("{} has no picture at the angle of the machine", other.name)}};
+    return {compare_pictures(screen, {{other.name, &*of_other.lines_at_angle, of_other.same_by_image}, &of_other.lines_on_screen})};
+  }
   std::vector<ViewVerdict> all;
   if (a.lines && b.lines) all.push_back(compare_pictures(scene, view, lines(a, of_a), lines(b, of_b)));
   if (a.faces && b.faces) all.push_back(compare_pictures(scene, view, faces(a, of_a), faces(b, of_b)));
@@ -192,7 +298,8 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
 }
 
 bool is_complete(const Participant& who, const CrossCheckPicture& picture) {
-  return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || picture.faces);
+  return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || picture.faces) &&
+         (!who.screen || picture.screen);
 }
 
 CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
@@ -276,9 +383,11 @@ SceneCrossCheck cross_check(const CommonScene& scene, const CrossCheckTables& ta
                             const std::function<void(std::string_view)>& progress) {
   SceneCrossCheck agreement;
   const std::span<const Participant> all = participants();
+  progress(fmt::format("{} ({}): {}", scene.name, scene.title, turn_name));
+  const TurnedViews turned = turned_views(scene);
   for (const Participant& who : all) {
     progress(fmt::format("{} ({}): {}", scene.name, scene.title, who.name));
-    agreement.pictures.push_back(Drawing(scene, who, tables).take());
+    agreement.pictures.push_back(Drawing(scene, who, tables, turned).take());
   }
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = a + 1; b < all.size(); ++b)

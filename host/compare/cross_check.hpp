@@ -17,6 +17,7 @@
 
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/compare/cross_check_compare.hpp"
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -27,9 +28,10 @@ struct Participant {
   std::string_view name;  // of the algorithm in the registries
   bool lines = false;
   bool faces = false;
+  bool screen = false;  // lines as a machine's display shows them, to its points
 };
 // In the order of the registries: lines, faces, heights; then the 8080's stripes (stripes.hpp). The oracle has faces, too: nearest_faces().
-// Then Willis's priorities from an 8080 (willis_8080.hpp).
+// Then Willis's priorities from an 8080 (willis_8080.hpp), and the solid turning on the PDP-7 (turning.hpp).
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {
@@ -56,6 +58,10 @@ struct CrossCheckPicture {
   std::optional<picture::LinePicture> lines;
   bool same_by_image = false;
   std::optional<picture::PixelGrid> faces;  // number + 1, 0 for none
+  std::optional<ScreenPicture> screen;
+  // Lines again, for the participant with a screen, at the angle of its machine: the picture, and in points of the display.
+  std::optional<picture::LinePicture> lines_at_angle;
+  std::vector<picture::PixelSegment> lines_on_screen;
   std::string_view not_applicable;          // the listed reason
   std::string problem;                      // why something listed is not there
 };

@@ -116,18 +116,16 @@ class DrawnPoints {
     std::uint32_t piece = 0;
   };
 
-  DrawnPoints(const CommonScene& scene, const CrossCheckView& view, const LinePicture& lines)
-      : size_(view.size), buckets_(static_cast<std::size_t>(size_ * size_)) {
+  // Lines are drawn to within `error` pixels.
+  DrawnPoints(int size, const std::vector<PixelSegment>& lines, double error = 0)
+      : size_(size), reach_(1 + error), buckets_(static_cast<std::size_t>(size_ * size_)) {
     std::uint32_t number = 0;
-    for (const LinePiece& piece : lines.pieces) {
-      const auto segment =
-          view.place(scene.scene.vertices[piece.edge.from], scene.scene.vertices[piece.edge.to],
-                     {piece.low.to_double(), piece.high.to_double()});
-      if (segment) add(*segment, number++);
-    }
+    for (const PixelSegment& line : lines) add(line, number++);
   }
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  // How far a line may be from a change of face, in pixels.
+  [[nodiscard]] double reach() const { return reach_; }
   template <class Test>
   [[nodiscard]] bool any_near(const PixelPoint& p, double distance, Test&& test) const {
     const int reach = static_cast<int>(std::ceil(distance)) + 1;
@@ -140,12 +138,12 @@ class DrawnPoints {
             return true;
     return false;
   }
-  // Away from the border, and no other line within two pixels.
+  // Away from the border, and no other line within twice the reach.
   [[nodiscard]] bool alone(const Point& point) const {
-    constexpr double border = 2;
+    const double border = 2 * reach_;
     const auto& [x, y] = point.place;
     if (x < border || y < border || x > size_ - 1 - border || y > size_ - 1 - border) return false;
-    return !any_near(point.place, 2, [&](const Point& other) { return other.piece != point.piece; });
+    return !any_near(point.place, border, [&](const Point& other) { return other.piece != point.piece; });
   }
 
  private:
@@ -165,6 +163,7 @@ class DrawnPoints {
   }
 
   int size_;
+  double reach_;
   std::vector<std::vector<std::uint32_t>> buckets_;
   std::vector<Point> points_;
 };
@@ -176,14 +175,15 @@ double from_step(const PixelPoint& p, int column, int row, bool upwards) {
   return std::hypot(along - std::clamp(along, 0.0, 1.0), aside);
 }
 
-bool changes_near(const PixelGrid& faces, const PixelPoint& p) {
+bool changes_near(const PixelGrid& faces, const PixelPoint& p, double distance) {
   const int column = static_cast<int>(std::floor(p.x));
   const int row = static_cast<int>(std::floor(p.y));
-  for (int r = std::max(0, row - 2); r <= std::min(faces.height - 2, row + 2); ++r)
-    for (int c = std::max(0, column - 2); c <= std::min(faces.width - 2, column + 2); ++c)
+  const int reach = static_cast<int>(std::ceil(distance)) + 1;
+  for (int r = std::max(0, row - reach); r <= std::min(faces.height - 2, row + reach); ++r)
+    for (int c = std::max(0, column - reach); c <= std::min(faces.width - 2, column + reach); ++c)
       for (const bool upwards : {false, true})
         if (faces.at(c, r) != faces.at(c + (upwards ? 0 : 1), r + (upwards ? 1 : 0)) &&
-            from_step(p, c, r, upwards) <= 1)
+            from_step(p, c, r, upwards) <= distance)
           return true;
   return false;
 }
@@ -203,7 +203,7 @@ struct Failures {
 Failures lines_without_change(const DrawnPoints& points, const PixelGrid& faces) {
   Failures failures;
   for (const DrawnPoints::Point& point : points.points())
-    if (points.alone(point)) failures.count(changes_near(faces, point.place), point.place);
+    if (points.alone(point)) failures.count(changes_near(faces, point.place, points.reach()), point.place);
   return failures;
 }
 
@@ -214,7 +214,7 @@ Failures changes_without_line(const DrawnPoints& points, const PixelGrid& faces)
       for (const bool upwards : {false, true}) {
         if (faces.at(column, row) == faces.at(column + (upwards ? 0 : 1), row + (upwards ? 1 : 0))) continue;
         const PixelPoint middle{column + (upwards ? 0 : 0.5), row + (upwards ? 0.5 : 0)};
-        failures.count(points.any_near(middle, 1, [](const DrawnPoints::Point&) { return true; }), middle);
+        failures.count(points.any_near(middle, points.reach(), [](const DrawnPoints::Point&) { return true; }), middle);
       }
     }
   }
@@ -254,12 +254,10 @@ ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& vie
   return {false, "pixels", std::move(text)};
 }
 
-ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view, const NamedLines& a,
-                             const NamedFaces& b) {
+namespace {
+
+ViewVerdict lines_on_pixels(std::string_view name, const DrawnPoints& points, const NamedFaces& b) {
   constexpr std::string_view how = "lines on pixels";
-  if (b.faces->width != view.size || b.faces->height != view.size)
-    return {false, how, fmt::format("{} has no picture of this size", b.name)};
-  const DrawnPoints points(scene, view, *a.lines);
   const Failures lines = lines_without_change(points, *b.faces);
   const Failures changes = changes_without_line(points, *b.faces);
   if (lines.all == 0 || changes.all == 0) return {false, how, "there is nothing to compare"};
@@ -267,11 +265,44 @@ ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& vie
                                  changes.failed, changes.all, lines.failed, lines.all);
   if (changes.failed > 0)
     text += fmt::format("; {} changes at pixel ({}, {}), where {} draws nothing", b.name, changes.first.x,
-                        changes.first.y, a.name);
+                        changes.first.y, name);
   if (lines.failed > 0)
-    text += fmt::format("; {} draws at pixel ({:.1f}, {:.1f}), where {} does not change", a.name,
+    text += fmt::format("; {} draws at pixel ({:.1f}, {:.1f}), where {} does not change", name,
                         lines.first.x, lines.first.y, b.name);
   return {lines.failed == 0 && changes.failed == 0, how, std::move(text)};
+}
+
+}  // namespace
+
+ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view, const NamedLines& a,
+                             const NamedFaces& b) {
+  if (b.faces->width != view.size || b.faces->height != view.size)
+    return {false, "lines on pixels", fmt::format("{} has no picture of this size", b.name)};
+  std::vector<PixelSegment> lines;
+  for (const LinePiece& piece : a.lines->pieces) {
+    const auto segment = view.place(scene.scene.vertices[piece.edge.from], scene.scene.vertices[piece.edge.to],
+                                    {piece.low.to_double(), piece.high.to_double()});
+    if (segment) lines.push_back(*segment);
+  }
+  return lines_on_pixels(a.name, DrawnPoints(view.size, lines), b);
+}
+
+ViewVerdict compare_pictures(const NamedScreen& a, const NamedFaces& b) {
+  if (b.faces->width != b.faces->height)
+    return {false, "lines on pixels", fmt::format("{} has no square picture", b.name)};
+  return lines_on_pixels(a.name, DrawnPoints(b.faces->width, a.screen->in_view, a.screen->bound_in_view), b);
+}
+
+ViewVerdict compare_pictures(const NamedScreen& a, const NamedScreenLines& b) {
+  constexpr std::string_view how = "points";
+  const TurnPicture& turn = a.screen->turn;
+  const picture::HausdorffDistance distance = picture::hausdorff_distance(turn.lines, *b.on_screen);
+  std::string text = fmt::format("{} pieces, lines within {:.2f} points of the display, explained {:.2f}", turn.pieces.size(),
+                                 distance.greatest, turn.bound);
+  if (!b.named.same_by_image)
+    if (const std::string difference = structure_difference(turn, *b.named.lines); !difference.empty())
+      return {false, how, text + "; " + difference};
+  return {distance.greatest <= turn.bound, how, std::move(text)};
 }
 
 namespace {

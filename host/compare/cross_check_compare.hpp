@@ -11,6 +11,7 @@
 
 #include "host/algorithms/registry/heights.hpp"
 #include "host/compare/cross_check_scenes.hpp"
+#include "host/compare/turning.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
@@ -19,7 +20,7 @@ namespace sightline::compare {
 // What came out, in words: of a difference, where it is first.
 struct ViewVerdict {
   bool agrees = false;
-  std::string_view how;  // "pieces", "image", "pixels", "lines on pixels"
+  std::string_view how;  // "pieces", "image", "pixels", "lines on pixels", "points"
   std::string text;
 };
 
@@ -34,8 +35,29 @@ struct NamedFaces {
   const picture::PixelGrid* faces = nullptr;  // number + 1, 0 for none
 };
 
+// What a machine's display shows of a view.
+struct ScreenPicture {
+  TurnPicture turn;
+  std::vector<picture::PixelSegment> in_view;  // its lines in pixels of the view
+  double bound_in_view = 0;                    // of those, in pixels: TurnPicture::view_bound
+};
+
+struct NamedScreen {
+  std::string_view name;
+  const ScreenPicture* screen = nullptr;
+};
+
+// Lines drawn at the angle of the machine.
+struct NamedScreenLines {
+  NamedLines named;
+  const std::vector<picture::PixelSegment>* on_screen = nullptr;  // in points of the display
+};
+
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedLines& b);
+// The structure in the machine's core is that of the pieces, end by end (where pieces are compared), and no line is farther from the
+// other picture's than the machine's words explain.
+[[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedScreenLines& b);
 // Away from all edges they are equal.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedFaces& a, const NamedFaces& b);
@@ -43,6 +65,8 @@ struct NamedFaces {
 // each other there may be no pixel.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedFaces& b);
+// Likewise, within one pixel and the bound of the display's lines.
+[[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedFaces& b);
 
 // What is seen at every pixel of a view of a common scene: by exact sight lines, and by surfaces of heights.
 

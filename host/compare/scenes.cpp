@@ -214,7 +214,7 @@ bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
          std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
-         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!turn || turn->difference.empty());
+         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!turn || turn->agrees());
 }
 
 base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,

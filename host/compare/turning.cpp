@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
+#include "emulators/type340/words.hpp"
 #include "host/algorithms/plantinga/event_list.hpp"
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/guests/turn/guest.hpp"
+#include "host/guests/turn/precision.hpp"
 #include "host/guests/turn/screen_view.hpp"
 #include "host/guests/turn/program.hpp"
 #include "host/guests/turn/session.hpp"
@@ -33,29 +35,63 @@ constexpr std::uint32_t angles_a_turn = 1U << 18;
 constexpr std::uint32_t largest_step = 077777;
 constexpr std::size_t most_edges = 512;  // as many slots as a tape has
 
-base::Result<std::vector<picture::PixelSegment>> exact_lines(const scene::PolyScene& standing, std::uint32_t angle) {
-  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(standing)) return base::Error{.found = *reason};
-  const auto prepared = exact.prepare(standing);
-  if (!prepared) return prepared.error();
-  const auto view = prepared->view(turn::ScreenView::camera(angle));
-  if (!view) return view.error();
-  const turn::ScreenView screen(standing);
+// The vector words of a display file as straight lines.
+std::vector<picture::PixelSegment> lines_of(const std::vector<core::Word18>& file) {
   std::vector<picture::PixelSegment> lines;
-  for (const auto& piece : view->picture.pieces) {
-    picture::PixelSegment& line = lines.emplace_back();
-    for (std::size_t end = 0; end < 2; ++end) {
-      const double t = (end == 0 ? piece.low : piece.high).to_double();
-      std::array<double, 3> point{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double from = standing.vertices[piece.edge.from][a];
-        point[a] = from + (standing.vertices[piece.edge.to][a] - from) * t;
-      }
-      const auto [x, y] = screen.place(point, angle);
-      (end == 0 ? line.a : line.b) = {x, y};
+  picture::PixelPoint beam;
+  auto mode = type340::Mode::parameter;
+  for (const core::Word18 word : file) {
+    if (mode == type340::Mode::point) {
+      const auto point = type340::decode_point(word);
+      (point.y ? beam.y : beam.x) = point.coordinate;
+    } else if (mode == type340::Mode::vector) {
+      const auto vector = type340::decode_vector(word);
+      const picture::PixelPoint from = beam;
+      beam.x += vector.left ? -vector.dx : vector.dx;
+      beam.y += vector.down ? -vector.dy : vector.dy;
+      if (vector.intensify) lines.push_back({from, beam});
     }
+    const auto next = type340::following(mode, word);
+    if (next.stops) break;
+    mode = next.mode;
   }
   return lines;
+}
+
+double radians_of(const scene::PolyCamera& camera) {
+  const auto sight = *plantinga::sight_of(camera);
+  return std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
+}
+
+// Between the events around an angle of the machine: the first of some cameras ever farther from it.
+std::optional<scene::PolyCamera> camera_between_events(const plantinga::EventList& list, std::uint32_t angle) {
+  if (list.events.empty()) return turn::ScreenView::camera(angle);
+  const auto as_signed = [](std::uint32_t word) {
+    return static_cast<std::int64_t>(word) - (word > angles_a_turn / 2 ? angles_a_turn : 0);
+  };
+  // An event holds from its word on.
+  const auto next = std::find_if(list.events.begin(), list.events.end(), [&](const plantinga::Event& event) {
+    return as_signed(turn::event_word(event.direction)) > as_signed(angle);
+  });
+  const plantinga::Direction& after = (next == list.events.end() ? list.events.front() : *next).direction;
+  const plantinga::Direction& before = (next == list.events.begin() ? list.events.back() : *std::prev(next)).direction;
+  const auto between = [&](const scene::PolyCamera& camera) {
+    const auto sight = *plantinga::sight_of(camera);
+    const auto direction = plantinga::rational_direction(sight.x, sight.z);
+    const bool behind = plantinga::less(before, direction);
+    const bool ahead = plantinga::less(direction, after);
+    // Where the turn closes, `after` has the lesser angle.
+    return plantinga::less(before, after) ? behind && ahead : behind || ahead;
+  };
+  const double at = turn::radians(angle);
+  const auto way = [at](const plantinga::Direction& to) { return std::remainder(to.angle - at, 2 * std::numbers::pi); };
+  // A way of nearly a whole turn is none of a half.
+  const double forwards = way(after) > 0 ? way(after) : 0.01;
+  const double backwards = way(before) < 0 ? way(before) : 0;
+  for (const double part : {0.0, 0.02, 0.1, 0.25, 0.5, 0.75, 0.9})
+    for (const double to : {forwards, backwards})
+      if (const auto camera = turn::ScreenView::camera_at(at + part * to); between(camera)) return camera;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -67,7 +103,21 @@ std::optional<std::uint32_t> turn_angle_of(const scene::PolyCamera& camera) {
   return static_cast<std::uint32_t>(std::lround((turns + 1) * angles_a_turn)) % angles_a_turn;
 }
 
-base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle) {
+struct Turning::Parts {
+  scene::PolyScene standing;
+  plantinga::RotationModel model;
+  plantinga::EventList events;
+  turn::Tape tape;
+  turn::Program program;
+  turn::ScreenView screen;
+};
+
+Turning::Turning(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Turning::Turning(Turning&&) noexcept = default;
+Turning& Turning::operator=(Turning&&) noexcept = default;
+Turning::~Turning() = default;
+
+base::Result<Turning> Turning::of(const scene::PolyScene& scene) {
   const auto standing = turn::stand_on_axis(scene, false);
   if (!standing) return standing.error();
   const plantinga::RotationModel model(*standing);
@@ -80,11 +130,41 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   if (!tape) tape = turn::encode(model, *events, turn::Memory::words_32k);
   if (!tape) return tape.error();
   const turn::Program program = turn::assemble_program(true, tape->memory);
-  turn::Guest guest(program, *tape, turn::Guest::Strokes::kept);
-  turn::Twin twin(tape->words, turn::model_base(tape->memory));
+  return Turning(std::make_unique<Parts>(Parts{*standing, model, *events, *tape, program, turn::ScreenView(*standing)}));
+}
 
-  TurnCheck check;
-  check.angle = angle;
+const scene::PolyScene& Turning::standing() const { return parts_->standing; }
+
+double Turning::scale() const { return turn::points_per_unit(parts_->model); }
+
+std::vector<picture::PixelSegment> Turning::on_screen(const picture::LinePicture& lines, std::uint32_t angle) const {
+  std::vector<picture::PixelSegment> segments;
+  for (const auto& piece : lines.pieces) {
+    picture::PixelSegment& line = segments.emplace_back();
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double t = (end == 0 ? piece.low : piece.high).to_double();
+      std::array<double, 3> point{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double from = parts_->standing.vertices[piece.edge.from][a];
+        point[a] = from + (parts_->standing.vertices[piece.edge.to][a] - from) * t;
+      }
+      const auto [x, y] = parts_->screen.place(point, angle);
+      (end == 0 ? line.a : line.b) = {x, y};
+    }
+  }
+  return segments;
+}
+
+base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCamera* view) const {
+  const turn::Tape& tape = parts_->tape;
+  TurnPicture shown;
+  shown.angle = angle;
+  const auto camera = camera_between_events(parts_->events, angle);
+  if (!camera) return base::fail(fmt::format("no camera is between the events around angle {} of the machine", angle));
+  shown.camera = *camera;
+
+  turn::Guest guest(parts_->program, tape, turn::Guest::Strokes::kept);
+  turn::Twin twin(tape.words, turn::model_base(tape.memory));
   const base::Error none{"", "", "the program made no picture at that angle", "one"};
   turn::GuestPicture picture;
   turn::Picture twins;
@@ -93,12 +173,39 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   std::uint32_t step = 0;
   for (std::uint32_t at = 0;; at += step, ++number) {
     if (!guest.next(step, picture) || !twin.next(step, twins)) return none;
-    if (check.difference.empty()) check.difference = turn::difference_of(picture, twins);
+    if (shown.difference.empty()) shown.difference = turn::difference_of(picture, twins);
     if (at == angle) break;
     step = std::min(largest_step, angle - at);
   }
-  check.words = picture.display_file.size();
-  check.time = picture.time;
+  shown.words = picture.display_file.size();
+  shown.time = picture.time;
+  shown.lines = lines_of(picture.display_file);
+
+  std::vector<std::uint32_t> states;
+  for (std::uint32_t slot = 0; slot < tape.slots; ++slot) states.push_back(guest.peek(tape.words[6].value() + 4 * slot).value());
+  const turn::Precision precision(tape);
+  const auto bounds = precision.pieces(states, angle, radians_of(shown.camera));
+  shown.bound = turn::picture_bound(bounds);
+  if (view != nullptr) {
+    constexpr double half_a_word = std::numbers::pi / angles_a_turn;
+    shown.view_bound = turn::picture_bound(precision.pieces(states, angle, radians_of(*view))) + half_a_word * turn::points_to_rim;
+  }
+  shown.flash_bound = shown.bound + turn::flash_bound();
+  for (const turn::PieceBound& bound : bounds) {
+    const turn::Tape::Slot& slot = tape.slot_of[bound.slot];
+    const auto& edge = parts_->model.edges()[slot.edge];
+    const auto [first, second] = bound.ends;
+    TurnPicture::Piece piece{{edge.from, edge.to}, {first.at, second.at}, {first.along, second.along}};
+    if (slot.reversed) {
+      piece.part = {1 - second.at, 1 - first.at};
+      piece.tolerance = {second.along, first.along};
+    }
+    shown.pieces.push_back(piece);
+  }
+  std::sort(shown.pieces.begin(), shown.pieces.end(), [](const auto& a, const auto& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.part.low < b.part.low;
+  });
+
   std::vector<core::Stroke> strokes;
   constexpr int most = 10;
   for (int n = 0; n < most && strokes.empty(); ++n) {
@@ -106,15 +213,45 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
     for (turn::ShownPass& pass : picture.shown)
       if (pass.picture == number) strokes = std::move(pass.strokes);
   }
-  const auto lines = exact_lines(*standing, angle);
-  if (!lines) return lines.error();
-  std::vector<picture::PixelSegment> flashes;
   for (const core::Stroke& stroke : strokes) {
     const picture::PixelPoint point{static_cast<double>(stroke.x), static_cast<double>(stroke.y)};
-    flashes.push_back({point, point});
+    shown.flashes.push_back({point, point});
   }
-  check.flashes = flashes.size();
-  check.distance = picture::hausdorff_distance(*lines, flashes);
+  return shown;
+}
+
+std::string structure_difference(const TurnPicture& turn, const picture::LinePicture& exact) {
+  std::size_t i = 0;
+  for (const picture::LinePiece& piece : exact.pieces) {
+    const auto name = [&piece] { return fmt::format("edge {}-{}", piece.edge.from, piece.edge.to); };
+    if (i == turn.pieces.size() || piece.edge < turn.pieces[i].edge) return name() + ": the machine shows fewer pieces";
+    const TurnPicture::Piece& shown = turn.pieces[i++];
+    if (shown.edge < piece.edge)
+      return fmt::format("edge {}-{}: the machine shows more pieces", shown.edge.from, shown.edge.to);
+    constexpr double noise = 1e-9;  // of the doubles that are compared
+    const double low = piece.low.to_double();
+    const double high = piece.high.to_double();
+    if (std::abs(low - shown.part.low) > shown.tolerance.low + noise || std::abs(high - shown.part.high) > shown.tolerance.high + noise)
+      return name() + fmt::format(": the machine shows {:.6f} to {:.6f}, {:.6f} to {:.6f} is seen", shown.part.low, shown.part.high, low, high);
+  }
+  if (i == turn.pieces.size()) return "";
+  return fmt::format("edge {}-{}: the machine shows more pieces", turn.pieces[i].edge.from, turn.pieces[i].edge.to);
+}
+
+base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle) {
+  const auto turning = Turning::of(scene);
+  if (!turning) return turning.error();
+  const auto shown = turning->draw(angle);
+  if (!shown) return shown.error();
+  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
+  if (const auto reason = exact.why_not(turning->standing())) return base::Error{.found = *reason};
+  const auto prepared = exact.prepare(turning->standing());
+  if (!prepared) return prepared.error();
+  const auto view = prepared->view(shown->camera);
+  if (!view) return view.error();
+  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, shown->difference};
+  if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);
+  check.distance = picture::hausdorff_distance(turning->on_screen(view->picture, angle), shown->flashes);
   return check;
 }
 

@@ -109,10 +109,12 @@ std::string guest_text(const compare::GuestCheck& guest) {
 }
 
 std::string turn_text(const compare::TurnCheck& turn) {
-  if (!turn.difference.empty()) return "turn on the PDP-7 and its twin differ: " + turn.difference + "\n";
-  return fmt::format("turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact\n",
-                     turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest,
-                     turn.distance.usual);
+  if (!turn.difference.empty()) return "turn on the PDP-7 differs: " + turn.difference + "\n";
+  return fmt::format(
+      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}\n",
+      turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest, turn.distance.usual,
+      turn.agrees() ? fmt::format("; its words explain up to {:.2f}", turn.bound)
+                    : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
 }
 
 std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {

@@ -16,8 +16,10 @@ class ScreenView {
   // The scene stands on the axis (stand_on_axis).
   explicit ScreenView(const scene::PolyScene& standing);
 
-  // Looks at the scene as it is turned at this angle. Cameras are whole numbers below 2^15: to 2^-15 of a radian.
-  [[nodiscard]] static scene::PolyCamera camera(std::uint32_t angle);
+  // Looks at the scene as it is turned at this angle. Cameras are whole numbers below 2^15: it is the nearest such direction, some
+  // 10^-9 of a radian away, and at most 2^-16 (beside multiples of an eighth of a turn).
+  [[nodiscard]] static scene::PolyCamera camera(std::uint32_t angle) { return camera_at(radians(angle)); }
+  [[nodiscard]] static scene::PolyCamera camera_at(double turn);  // radians
   // Where a point of the scene, in its own units, is then on the screen, in points of the display.
   [[nodiscard]] std::array<double, 2> place(const std::array<double, 3>& point, std::uint32_t angle) const;
 

@@ -28,15 +28,11 @@ constexpr std::uint32_t header_words = 17;
 constexpr std::uint32_t most_slots = 512;
 constexpr std::size_t most_partners = 62;
 constexpr std::uint32_t most_file_words = 2048;
-// Points from the middle to the farthest vertex: 512 less what rounding moves it.
-constexpr double reach = 505;
-constexpr double form_unit = 128;       // a point of the display, in forms of vertices
-constexpr double form_middle = 65535.5;
 constexpr double largest_form = 65535;
 
 // A' of A.
 std::uint32_t form_word(double value) {
-  return static_cast<std::uint32_t>(std::clamp(std::lround(value + form_middle), 0L, 131071L));
+  return static_cast<std::uint32_t>(std::clamp(std::lround(value + form_word_middle), 0L, 131071L));
 }
 
 // A function A cos + B sin, not yet of any scale.
@@ -203,7 +199,7 @@ void Encoder::put_vertices() {
   const double middle = static_cast<double>(twice_middle(model_)) / 2;
   header(4) = Word18(here() - 1);
   for (const plantinga::Vector3& v : model_.vertices()) {
-    const Form form = form_of(static_cast<double>(v[0]) * scale * form_unit, static_cast<double>(v[2]) * scale * form_unit);
+    const Form form = form_of(static_cast<double>(v[0]) * scale * points_form_unit, static_cast<double>(v[2]) * scale * points_form_unit);
     put(form_word(form.a));
     put(form_word(form.b));
   }
@@ -410,7 +406,7 @@ double points_per_unit(const plantinga::RotationModel& model) {
     most = std::max(most, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])));
     most = std::max(most, std::abs(static_cast<double>(v[1]) - middle));
   }
-  return reach / most;
+  return points_to_rim / most;
 }
 
 std::uint32_t event_word(const plantinga::Direction& direction) {

@@ -64,6 +64,11 @@ struct Tape {
 // coordinates become 13 times as large, and stay whole. Error: they leave the limit of scenes.
 [[nodiscard]] base::Result<scene::PolyScene> stand_on_axis(const scene::PolyScene& scene, bool tilted);
 
+// From the middle of the display to the vertex farthest from it, in points: 512 less what rounding moves it.
+inline constexpr double points_to_rim = 505;
+// A form's words are its coefficients and this; a point of the display has so many units of a vertex's form.
+inline constexpr double form_word_middle = 65535.5;
+inline constexpr double points_form_unit = 128;
 // Points of the display for one unit of the scene.
 [[nodiscard]] double points_per_unit(const algorithms::plantinga::RotationModel& model);
 // The height of the middle, which is at point 512 of the display, in units; twice it.

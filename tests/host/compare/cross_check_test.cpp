@@ -13,6 +13,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/cross_check_compare.hpp"
+#include "host/compare/turning.hpp"
 #include "host/compare/willis_8080.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -62,7 +63,7 @@ TEST(CommonScenes, SightLinesArePixels) {
   }
 }
 
-// The names of all registries, and of the programs on the 8080 that draw scenes.
+// The names of all registries, and of the programs on the 8080 and the PDP-7 that draw scenes.
 std::set<std::string_view> registered() {
   std::set<std::string_view> names;
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) names.insert(algorithm.name);
@@ -71,6 +72,7 @@ std::set<std::string_view> registered() {
     if (!method.algorithm.empty()) names.insert(method.algorithm);
   names.insert(stripes_name);
   names.insert(willis_on_8080().name);
+  names.insert(turn_name);
   return names;
 }
 
