@@ -42,9 +42,6 @@ std::vector<Participant> find_participants() {
   return found;
 }
 
-constexpr std::string_view touching = "its solids touch or are not convex, and their order is no matter of distance";
-constexpr std::string_view no_distance = "in parallel projection the eye has no distance";
-
 constexpr std::array all_not_applicable{
     NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
     NotApplicable{"willis", "H", NotApplicable::Views::all,
@@ -57,14 +54,6 @@ constexpr std::array all_not_applicable{
                   "events of a turn are those of parallel projection"},
     NotApplicable{turn_name, "C", NotApplicable::Views::perspective, "turns in parallel projection"},
     NotApplicable{turn_name, "H", NotApplicable::Views::all, "has some 3,000 edges, and the machine holds 512"},
-    NotApplicable{"willis-8080", "C1", NotApplicable::Views::all, touching},
-    NotApplicable{"willis-8080", "C2", NotApplicable::Views::all, touching},
-    NotApplicable{"willis-8080", "C3", NotApplicable::Views::all, touching},
-    NotApplicable{"willis-8080", "C5", NotApplicable::Views::all, no_distance},
-    NotApplicable{"willis-8080", "C6", NotApplicable::Views::all, no_distance},
-    NotApplicable{"willis-8080", "C7", NotApplicable::Views::all, no_distance},
-    NotApplicable{"willis-8080", "C8", NotApplicable::Views::all, no_distance},
-    NotApplicable{"willis-8080", "C9", NotApplicable::Views::all, "has 293 pieces, and the machine holds 255"},
     NotApplicable{"willis-8080", "H", NotApplicable::Views::all, "has tens of thousands of pieces, and the machine holds 255"},
 };
 

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <memory>
 #include <span>
 #include <utility>
 
@@ -19,8 +18,7 @@ namespace willis = algorithms::willis;
 
 base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyCamera& camera,
                                               const registry::FaceWindow& shown) {
-  if (!camera.perspective) return base::fail("the machine orders by distance, and in parallel projection the eye has none");
-  const auto model = flight::flight_model(scene, options, camera.eye);
+  const auto model = flight::view_model(scene, options, camera);
   if (!model) return model.error();
   if (auto error = willis::plan_error(*model, camera)) return base::fail(*error);
   static const flight::Session session;
@@ -30,7 +28,7 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
     base::give_up(fmt::format("a priority on the 8080 is not the one its native twin computes: {}", difference));
   willis::Frames frames(*model);
   const flight::ShownOrder order = flight::shown_order(*model, camera, frames.order(camera), guest.frames.at(0).priorities);
-  if (order.wrong > 0) return base::fail(fmt::format("rounded to 16 bits, {} pairs of pieces are in another order than by exact distances", order.wrong));
+  if (order.wrong > 0) return base::fail(fmt::format("rounded to 16 bits, {} pairs of pieces are in another order than the exact one", order.wrong));
   const willis::ImageWindow window{shown.width, shown.height, shown.scale, shown.left, shown.top};
   willis::FrameSpans spans;
   willis::make_spans(*model, order.pieces, camera, window, spans);
@@ -44,8 +42,6 @@ base::Result<registry::PreparedFaces> prepare_8080(const scene::PolyScene& scene
   willis::ModelOptions model_options;
   model_options.plan = options.plan;
   model_options.vertical = options.vertical;
-  // Which pieces are nearest changes nothing in whether they fit.
-  if (const auto model = flight::flight_model(scene, model_options, scene.camera.eye); !model) return model.error();
   registry::PreparedFaces prepared;
   prepared.view = [&scene, model_options](const scene::PolyCamera& camera, const registry::FaceWindow& window) {
     return view_on_8080(scene, model_options, camera, window);

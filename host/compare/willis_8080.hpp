@@ -1,7 +1,8 @@
 // Willis's priorities as an 8080 computes them (host/guests/flight), as an algorithm of faces beside those of the registry: a frame is sent to the
 // emulated machine, and the pieces are shown in the order that comes back.
 //
-// Left out: views in parallel, in which the eye has no distance, and scenes that the machine does not hold. Both are errors.
+// The machine is given the pieces that are turned to the eye, and the planes that keep apart what touches; in parallel projection the depth of each.
+// Left out: scenes of which it does not hold that. That is an error.
 #pragma once
 
 #include "host/algorithms/registry/faces.hpp"

@@ -54,8 +54,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t pieces = input.byte() % 40 + 1;
   const std::uint32_t where = input.byte() << 8U | input.byte();
   const auto change = static_cast<std::uint8_t>(input.byte());
-  flight::StreamWriter writer(precision, axes, pieces);
-  for (std::size_t i = 0; i < pieces; ++i) writer.point(point_of(input, precision, axes));
+  const std::size_t planes = input.byte() % 12;
+  flight::StreamWriter writer(precision, axes, pieces, planes);
+  for (std::size_t i = 0; i < pieces + 2 * planes; ++i) writer.point(point_of(input, precision, axes));
+  // A chain of planes, each with two cells of its own.
+  for (std::size_t plane = 1; plane <= planes; ++plane) {
+    writer.place(static_cast<std::uint8_t>(2 * plane));
+    writer.place(static_cast<std::uint8_t>(2 * plane + 1));
+    writer.place(plane < planes ? static_cast<std::uint8_t>(0x81 + plane) : 0);
+  }
+  for (std::size_t i = 0; planes > 0 && i < pieces; ++i) writer.place(static_cast<std::uint8_t>(input.byte() % 127 + 1));
   writer.check();
   for (int eyes = 0; eyes < 4 && input.more(); ++eyes) writer.eye(point_of(input, precision, axes));
   std::vector<std::uint8_t> stream = writer.end();

@@ -45,7 +45,7 @@ KEYB2:  LDA     EYE
         STA     EB2X+1
         LDA     EYE+1
         STA     EB2Y+1
-        LDA     COUNT
+        LDA     TOTAL
         MOV     L,A
         MVI     B,SQHP
 KEYB2L: MVI     H,XBP
@@ -62,7 +62,7 @@ KEYB3:  LDA     EYE
         STA     EB3Y+1
         LDA     EYE+2
         STA     EB3Z+1
-        LDA     COUNT
+        LDA     TOTAL
         MOV     L,A
         MVI     B,SQHP
 KEYB3L: MVI     H,XBP

@@ -6,6 +6,8 @@ STATUS: DB      0               ; 0 running, else why it stopped
 PREC:   DB      0               ; precision 1, 2, 3
 AXES:   DB      0
 COUNT:  DB      0               ; N
+PLANES: DB      0               ; D
+TOTAL:  DB      0               ; points: N + 2 D
 FIRST:  DB      0               ; low byte of the order's first place: 256 - N
 SUMS:   DW      0               ; s, t between packets
 EYE:    DS      6
@@ -46,15 +48,24 @@ START:  DI
         STA     COUNT
         ORA     A
         JZ      STOP
+        MOV     H,A
         CMA
         INR     A
         STA     FIRST
+        CALL    GETB
+        STA     PLANES
+        CPI     127
+        JNC     STOP
+        ADD     A
+        ADD     H
+        JC      STOP
+        STA     TOTAL
         LDA     PREC
         DCR     A
         JNZ     PWORDS
 
 ; Points of bytes: L = number, from N down.
-        LDA     COUNT
+        LDA     TOTAL
         MOV     L,A
 PBYTE1: MVI     H,XBP
         LDA     AXES
@@ -72,14 +83,14 @@ PBYTE2: CALL    GETB
 PWORDS: LDA     AXES
         ADD     A
         MOV     C,A             ; bytes of a point
-        LDA     COUNT
+        LDA     TOTAL
         MOV     B,A
         LXI     H,POINTS
 PWORD1: MOV     A,C
         CALL    ADDHL
         DCR     B
         JNZ     PWORD1
-        LDA     COUNT
+        LDA     TOTAL
         MOV     B,A
 PWORD2: MOV     A,C             ; back by one point
         CMA
@@ -97,7 +108,10 @@ PWORD2: MOV     A,C             ; back by one point
         DCR     B
         JNZ     PWORD2
 
-PDONE:  MVI     B,BADPCS
+PDONE:  LDA     PLANES
+        ORA     A
+        CNZ     GETCEL
+        MVI     B,BADPCS
         CALL    GETCHK
         PUSH    D
         CALL    INIT
@@ -129,6 +143,9 @@ EDONE:  MVI     B,BADPKT
         SHLD    SUMS
         CALL    KEYS            ; the routine of the precision
         CALL    ORDER
+        LDA     PLANES
+        ORA     A
+        CNZ     RANKS
 LOADW:  IN      PDCTL
         ANI     PDWAIT
         JNZ     LOADW

@@ -10,7 +10,12 @@ K2      EQU     0F00H
 K3      EQU     1000H
 LIST    EQU     1100H           ; the order: numbers, the nearest piece first, so placed that the last is at 11FF
 POINTS  EQU     1200H           ; coordinates that are words: piece after piece, number 1 first
-STACK   EQU     1A00H
+NODES   EQU     1800H           ; of each plane what comes of it: before, in, behind
+CELL    EQU     1A00H           ; the cell of each piece, by number
+NEXT    EQU     1B00H           ; by cell: the priority of its next piece
+SIZE    EQU     1C00H           ; by cell: how many pieces
+USED    EQU     1D00H           ; by cell or plane: it stands below another plane
+STACK   EQU     2100H
 SQ4     EQU     8000H           ; squares of -4095..4095, 3 bytes each at SQ4 + 4d, from 4004 to BFFE
 
 SQLP    EQU     SQL SHR 8
@@ -22,6 +27,10 @@ K2P     EQU     K2 SHR 8
 K3P     EQU     K3 SHR 8
 LISTP   EQU     LIST SHR 8
 SQ4P    EQU     SQ4 SHR 8
+CELLP   EQU     CELL SHR 8
+NEXTP   EQU     NEXT SHR 8
+SIZEP   EQU     SIZE SHR 8
+USEDP   EQU     USED SHR 8
 
 ; ---- The link to the host: 8255, port A strobed in
 PARDAT  EQU     0E4H

@@ -10,6 +10,7 @@
         INCLUDE table.asm
         INCLUDE words.asm
         INCLUDE order.asm
+        INCLUDE cells.asm
 
 CODEND  EQU     $               ; may not reach the squares
 

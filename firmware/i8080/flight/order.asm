@@ -101,7 +101,10 @@ LOWCM1: MVI     B,K0P
         RET
 
 ; ---- The nearest piece gets the priority N, the farthest 1.
-LOAD:   LDA     COUNT
+LOAD:   LDA     PLANES
+        ORA     A
+        JNZ     LOADC
+        LDA     COUNT
         MOV     B,A
         LDA     FIRST
         MOV     L,A

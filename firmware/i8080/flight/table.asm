@@ -105,7 +105,7 @@ KEYT2:  EYET    EYE
         STA     ET2YL+1
         MOV     A,H
         STA     ET2YH+1
-        LDA     COUNT
+        LDA     TOTAL
         INR     A
         STA     ET2N+1
         LXI     H,0
@@ -135,7 +135,7 @@ KEYT3:  EYET    EYE
         STA     ET3ZL+1
         MOV     A,H
         STA     ET3ZH+1
-        LDA     COUNT
+        LDA     TOTAL
         INR     A
         STA     ET3N+1
         LXI     H,0

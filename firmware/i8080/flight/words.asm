@@ -126,7 +126,7 @@ LAST:   CPI     0
 BEGINW  MACRO   NUM,LAST
         MVI     A,1
         STA     NUM+1
-        LDA     COUNT
+        LDA     TOTAL
         INR     A
         STA     LAST+1
         LXI     H,0

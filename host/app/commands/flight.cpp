@@ -124,6 +124,7 @@ Json flight_document(const FlightArguments& arguments, const PlannedFlight& plan
               {"bits", std::stoi(arguments.bits)},
               {"pieces", sum.pieces},
               {"surfaces", planned.model.surfaces},
+              {"planes", packed.planes},
               {"residual", planned.model.residual.size()},
               {"frames", sum.frames},
               {"coordinate_step", packed.step_in_units},
@@ -146,8 +147,8 @@ Json flight_document(const FlightArguments& arguments, const PlannedFlight& plan
 std::string flight_text(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made) {
   const flight::FlightSummary& sum = made.run.summary;
   std::string text = fmt::format("{}: a flight on an 8080 at 3 MHz with the priority display{}\n", arguments.scene, arguments.plan ? ", in plan" : "");
-  text += fmt::format("pieces           {}, of {} surfaces; {} pairs left in clusters\n", sum.pieces, planned.model.surfaces,
-                      planned.model.residual.size());
+  text += fmt::format("pieces           {}, of {} surfaces{}; {} pairs left in clusters\n", sum.pieces, planned.model.surfaces,
+                      packed.planes > 0 ? fmt::format(", parted by {} planes", packed.planes) : std::string(), planned.model.residual.size());
   text += fmt::format("coordinates      {} bits, {} axes; a step is {:.3g} of the scene's units\n", arguments.bits, packed.axes, packed.step_in_units);
   text += fmt::format("frames           {}\n", sum.frames);
   text += fmt::format("{:<17}{:>12}{:>12}\n", "", "mean", "worst");

@@ -69,11 +69,16 @@ ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& came
   ShownOrder shown;
   willis::Point eye = willis::on_lattice(camera.eye);
   if (model.plan) eye[model.vertical] = 0;
-  const auto distance = [&](std::uint32_t piece) { return willis::squared_distance(eye, model.pieces[piece].points[0]); };
+  const geometry::Vector3 forward = geometry::vector_of(camera.forward);
+  const auto distance = [&](std::uint32_t piece) {
+    const willis::Point& point = model.pieces[piece].points[0];
+    return camera.perspective ? willis::squared_distance(eye, point) : static_cast<std::uint64_t>(geometry::dot(forward, geometry::vector_of(point)));
+  };
   for (std::size_t near = 0; near < exact.size(); ++near) {
     for (std::size_t far = 0; far < near; ++far) {
       if (priorities[exact[far] + 1] < priorities[exact[near] + 1]) continue;
-      if (distance(exact[far]) != distance(exact[near])) ++shown.wrong;
+      // Cells have no order by distance that could be the same.
+      if (model.pieces[exact[far]].cell != model.pieces[exact[near]].cell || distance(exact[far]) != distance(exact[near])) ++shown.wrong;
     }
   }
   shown.pieces.assign(exact.begin(), exact.end());
@@ -213,25 +218,34 @@ double predicted_t_states(const Packed& packed, std::size_t pieces, const Flight
   const bool space = packed.axes == 3;
   double packet = 0;  // receipt and check of an eye, and what a frame costs besides
   double piece = 0;   // its key, its look at the one before it in the order, its priority
+  double key = 0;     // of that
   switch (packed.precision) {
     case Precision::bits_8:
       packet = space ? 1440 : 980;
       piece = space ? 418 : 336;
+      key = space ? 277 : 196;
       break;
     case Precision::bits_12:
       packet = space ? 2540 : 1570;
       piece = space ? 519 : 375;
+      key = space ? 335 : 233;
       break;
     case Precision::bits_16:
       packet = space ? 2590 : 1690;
       piece = space ? 1231 : 881;
+      key = space ? 1090 : 750;
       break;
   }
   // SHIFT of order.asm takes 60 for a piece that is passed where the upper bytes of the keys differ. The rest is INSERT, and keys
   // that begin alike, as those of neighbours do.
   constexpr double moved = 124;
   constexpr double exchange = 60;
-  return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges;
+  // Both points of a plane have a key; VISIT of cells.asm takes 330, and 86 for each cell. A piece of a cell takes 40 more to be told.
+  constexpr double visit = 440;
+  constexpr double told = 40;
+  const auto planes = static_cast<double>(packed.planes);
+  return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges +
+         (packed.planes > 0 ? planes * (2 * key + visit) + told * static_cast<double>(pieces) : 0);
 }
 
 }  // namespace sightline::guests::flight

@@ -26,7 +26,7 @@ struct FlightFrame {
   std::uint32_t moved = 0;      // pieces that went before another
   std::uint32_t exchanges = 0;  // pairs whose order changed
   std::uint32_t facing = 0;     // pieces turned to the eye
-  // Pairs of pieces turned to the eye, at different distances, that are not in the order of exact distances.
+  // Pairs of pieces turned to the eye, at different distances or in different cells, that are not in the exact order.
   std::uint32_t wrong_orders = 0;
   std::uint64_t wrong_points = 0;  // of the picture: another face than with exact distances; if points are counted
 };
@@ -63,8 +63,8 @@ struct FlightOptions {
   std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {};
 };
 
-// The pieces turned to the eye as the display has them, the least priority first; and how many pairs of them, at different distances, are not in
-// the order of exact distances. `exact` is that order, of willis::Frames.
+// The pieces turned to the eye as the display has them, the least priority first; and how many pairs of them, at different distances or in different
+// cells, are not in the exact order. `exact` is that order, of willis::Frames.
 struct ShownOrder {
   std::vector<std::uint32_t> pieces;
   std::uint32_t wrong = 0;

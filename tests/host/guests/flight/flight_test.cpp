@@ -13,6 +13,8 @@
 #include "host/guests/flight/session.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+#include "host/scene/read/cell_scene.hpp"
 #include "tests/support/effort.hpp"
 
 namespace sightline::guests::flight {
@@ -172,10 +174,37 @@ TEST(Flight, SaysWhatDoesNotFit) {
   const auto some = flight_model(large, {}, large.camera.eye, 40);
   ASSERT_TRUE(some);
   EXPECT_EQ(some->pieces.size(), 40U);
-  const scene::PolyScene touching = scene::generate_touch(2);
-  const auto cells = flight_model(touching, {}, touching.camera.eye);
-  ASSERT_FALSE(cells);
-  EXPECT_NE(cells.error().message().find("cells whose order is no matter of distance"), std::string::npos);
+}
+
+// Solids that touch, and one that is not convex: planes keep them apart, and the order is that of willis::Frames but where distances are rounded.
+TEST(Flight, KeepsApartWhatTouches) {
+  std::vector<Flight> flights;
+  flights.push_back(flight_through("touch-2", scene::generate_touch(2), false, tests::effort(40U, 5U)));
+  flights.push_back(flight_through("roberts", scene::poly_scene_of(*scene::load_cell_scene("roberts")), false, tests::effort(40U, 5U)));
+  for (const Flight& flight : flights) {
+    ASSERT_GT(flight.model.cells.cells, 2U) << flight.name;
+    EXPECT_EQ(flight.model.residual.size(), 0U) << flight.name;
+    for (const Precision precision : all_precisions) {
+      const Packed packed = pack(flight.model, flight.path, precision);
+      ASSERT_GT(packed.planes, 0U) << flight.name;
+      FlightOptions options;
+      options.count_points = true;
+      const auto run = session().run(flight.model, flight.path, packed, options);
+      EXPECT_EQ(run.difference, "") << flight.name;
+      if (precision == Precision::bits_16) {
+        EXPECT_EQ(run.summary.wrong_orders, 0U) << flight.name;
+        EXPECT_EQ(run.summary.wrong_points, 0U) << flight.name;
+      }
+      for (std::size_t i = 1; i < run.frames.size(); ++i) {
+        const auto measured = static_cast<double>(run.frames[i].computing.count());
+        const double predicted = predicted_t_states(packed, flight.model.pieces.size(), run.frames[i]);
+        EXPECT_NEAR(predicted / measured, 1, 0.1) << flight.name << ", precision " << static_cast<int>(precision) << ", frame " << i << ": " << measured;
+      }
+      RecordProperty(flight.name + "_" + std::to_string(static_cast<int>(precision)),
+                     std::to_string(flight.model.pieces.size()) + " pieces " + std::to_string(packed.planes) + " planes, wrong " +
+                         std::to_string(run.summary.wrong_orders) + " of " + std::to_string(run.summary.pairs) + ", T " + std::to_string(run.summary.t_states_mean));
+    }
+  }
 }
 
 }  // namespace
