@@ -159,6 +159,7 @@ wire,   lac jmpfas      / every edge whole: the same loop without its question
         dac wirsw
         lac nedges
 pict1,  dac slotn
+        dzm status      / of this picture
         jms newfil
         jms sines
         jms places

@@ -3,6 +3,7 @@
 // SIGHTLINE_TURNS=10 in the environment runs ten whole turns of every model in both directions, and 1,000 random sequences.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -173,6 +174,21 @@ TEST(TurnGuest, ShowsWhatAFullDisplayFileHolds) {
       EXPECT_GT(picture.display_file.size(), 40U);
     }
   }
+}
+
+// Files of every size from too small for a line on: some pictures of a turn fit and some do not, and each has its own status.
+TEST(TurnGuest, HasAStatusForEachPicture) {
+  const Tape whole = turned(block).tape;
+  bool mixed = false;
+  for (std::uint32_t size = 20; size < whole.file_words; size += tests::effort(3U, 16U)) {
+    Tape tape = whole;
+    tape.words[11] = core::Word18(size);
+    const auto run = Session(tape, size % 2 == 0).run(at_speed(9001, 30));
+    ASSERT_EQ(run.difference, "") << size << " words";
+    const auto full = std::count_if(run.pictures.begin(), run.pictures.end(), [](const GuestPicture& p) { return p.status == Status::file_full; });
+    mixed = mixed || (full > 0 && full < 30);
+  }
+  EXPECT_TRUE(mixed);
 }
 
 // Two display files instead of three: the same pictures, later.

@@ -1,9 +1,11 @@
 // What is on the tape, and which models have none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/host/guests/turn/turned_model.hpp"
 
@@ -48,6 +50,107 @@ TEST(TurnTape, LayoutAddsUp) {
   }
   EXPECT_EQ(turned(star).tape.edges, 100U);
   EXPECT_EQ(turned(block).tape.edges, 24U);
+}
+
+// The bytes of a tape read by another way, from section 2 of the specification alone: what its words say of every vertex, edge and T-junction is
+// where these are on the screen, by plain geometry in doubles.
+TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
+  for (const std::string& name : {block, crossed, lshape, star, std::string("boxes-8")}) {
+    const TurnedModel& of = turned(name);
+    const base::Bytes bytes = punch(of.tape);
+    std::vector<std::uint32_t> words;
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
+      std::uint32_t word = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto line = static_cast<std::uint32_t>(bytes[i + k]);
+        ASSERT_EQ(line & 0300U, 0200U) << name;  // a binary line, its eighth hole punched
+        word = word << 6U | (line & 077U);
+      }
+      words.push_back(word);
+    }
+    ASSERT_EQ(words.size(), words.front() + 2);
+    std::uint32_t sum = 0;
+    for (const std::uint32_t word : words) sum = (sum + word) & 0777777U;
+    EXPECT_EQ(sum, 0U) << name;
+    constexpr std::uint32_t base = 02500;
+    const auto at = [&words](std::uint32_t address) { return words.at(address - base + 1); };
+    const auto negative = [&at](std::uint32_t word) { return (1U << 18U) - at(base + word); };
+    ASSERT_EQ(at(base), 0401U);
+    const auto value = [&at](std::uint32_t address, double turn) {
+      return (at(address) - 65535.5) * std::cos(turn) + (at(address + 1) - 65535.5) * std::sin(turn);
+    };
+    const auto& vertices = of.scene.vertices;
+    // Which vertex of the scene each of the tape is: that with its three coordinates.
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+    const double middle = ((*low)[1] + (*high)[1]) / 2.0;
+    double most = 0;
+    for (const auto& v : vertices) most = std::max({most, std::hypot(v[0], v[2]), std::abs(v[1] - middle)});
+    const double scale = 505 / most;
+    std::vector<std::size_t> scene_vertex;
+    for (std::uint32_t v = 0; v < negative(1); ++v) {
+      const std::uint32_t form = at(base + 4) + 1 + 2 * v;
+      const std::uint32_t place = at(base + 5) + 1 + 2 * v;
+      EXPECT_EQ(at(place) & 0776000U, 0220000U);
+      const auto found = std::find_if(vertices.begin(), vertices.end(), [&](const auto& p) {
+        return std::abs(at(form) - 65535.5 - 128 * scale * p[0]) <= 0.51 && std::abs(at(form + 1) - 65535.5 + 128 * scale * p[2]) <= 0.51 &&
+               std::abs((at(place) & 01777U) - 512.0 - scale * (p[1] - middle)) <= 0.51;
+      });
+      ASSERT_NE(found, vertices.end()) << name << " vertex " << v;
+      scene_vertex.push_back(static_cast<std::size_t>(found - vertices.begin()));
+    }
+    // Two ends of an edge, at an angle.
+    struct Point {
+      double x, y;
+    };
+    const auto image = [&](std::size_t vertex, double turn) {
+      const auto& p = vertices[vertex];
+      return Point{p[0] * std::cos(turn) - p[2] * std::sin(turn), static_cast<double>(p[1])};
+    };
+    std::size_t compared = 0;
+    for (std::uint32_t s = 0; s < negative(3); ++s) {
+      const std::uint32_t slot = at(base + 6) + 4 * s;
+      const auto end = [&](std::uint32_t field) { return scene_vertex.at((at(slot + field) - at(base + 5)) / 2); };
+      const std::size_t first = end(1);
+      const std::size_t second = end(2);
+      const auto& partners = of.tape.partners[of.tape.slot_of[s].edge];
+      for (std::uint32_t code = 2; code < partners.size() + 2; ++code) {
+        const std::uint32_t junction = at(slot + 3) + 9 + 4 * (code - 2);
+        const plantinga::End partner{partners[code - 2]};
+        for (double turn = 0.05; turn < 6.28; turn += 0.37) {
+          const Point p = image(first, turn);
+          const Point q = image(second, turn);
+          double expected = 0;
+          if (partner.kind() == plantinga::EndKind::junction) {
+            const auto& other = of.model.edges()[partner.index()];
+            const Point r = image(other.from, turn);
+            const Point t = image(other.to, turn);
+            const double along = (q.x - p.x) * (t.y - r.y) - (q.y - p.y) * (t.x - r.x);
+            expected = ((r.x - p.x) * (t.y - r.y) - (r.y - p.y) * (t.x - r.x)) / along;
+          } else {
+            expected = (image(partner.index(), turn).x - p.x) / (q.x - p.x);
+          }
+          const double d = value(junction + 2, turn);
+          if (std::abs(d) < 1000 || !(std::abs(expected) < 2)) continue;
+          EXPECT_NEAR(value(junction, turn) / d, expected, 3 / std::abs(d)) << name << " slot " << s << " code " << code;
+          ++compared;
+        }
+      }
+    }
+    EXPECT_GT(compared, 100U) << name;
+    // Events ascend once round, and each has a first and a last change.
+    std::int64_t before = -1;
+    for (std::uint32_t event = at(base + 7); event < at(base + 8);) {
+      const std::int64_t turned_on = (at(event) + 0377777U) & 0777777U;  // 400001 is the first
+      EXPECT_GT(turned_on, before) << name;
+      before = turned_on;
+      EXPECT_EQ(at(event + 1) & 2U, 2U);
+      std::uint32_t change = event + 1;
+      for (; (at(change) & 1U) == 0; ++change) {
+        EXPECT_EQ(at(change + 1) & 2U, 0U);
+      }
+      event = change + 1;
+    }
+  }
 }
 
 // Exclusive-ored all round, the changes leave every state as it was.
