@@ -155,6 +155,7 @@ struct PanelLayout {
   Text title;
   std::string paper;  // whose title stands with it; empty: none
   std::string claim;  // as a ClaimRow's; empty: none
+  std::vector<std::string> also;  // claims of other papers, whose words stand before that one's
   std::vector<std::pair<Text, Text>> facts;
   std::vector<NoteLayout> text;
   std::vector<std::variant<PlotLayout, GalleryLayout>> pictures;

@@ -252,9 +252,10 @@ ListingsLayout listings_of(const Node& node) {
 }
 
 PanelLayout panel_of(const Node& node) {
-  node.object({"panel", "title", "paper", "claim", "facts", "text", "pictures", "host"});
-  PanelLayout panel{node.string("panel"), node.text("title"), node.string_or("paper", ""), node.string_or("claim", ""), {},
+  node.object({"panel", "title", "paper", "claim", "also", "facts", "text", "pictures", "host"});
+  PanelLayout panel{node.string("panel"), node.text("title"), node.string_or("paper", ""), node.string_or("claim", ""), {}, {},
                     notes_of(node, "text"), {}};
+  if (node.has("also")) panel.also = node.strings("also");
   for (const Node& fact : node.elements("facts")) {
     const auto both = fact.elements();
     if (both.size() != 2) refuse(fact.place(), fmt::format("found {} texts, expected a label and a value", both.size()));

@@ -83,6 +83,15 @@ class Renderer {
     return *claim;
   }
 
+  // "Jones, 1971 (performance)"
+  [[nodiscard]] std::string dated(const std::string& name) const {
+    const Paper& paper = *layout_.paper(name.substr(0, name.find('.')));
+    const std::string& author = paper.authors.front();
+    const std::size_t last = author.rfind(' ') + 1;
+    return fmt::format("{}{}, {} ({})", author.substr(last), paper.authors.size() > 1 ? " and others" : "", paper.year,
+                       claim_named(name, place_).place);
+  }
+
   // Texts of a panel may speak of the claim's figure.
   void add(const PanelLayout& layout) {
     const Scope page = page_;
@@ -96,7 +105,10 @@ class Renderer {
     if (claim != nullptr) speak_of(*claim, page_);
     panel.title = layout.title.said(page_);
     for (const auto& [label, value] : layout.facts) panel.facts.emplace_back(label.words(page_), value.words(page_));
-    if (claim != nullptr) panel.facts.emplace_back(fmt::format("The paper ({})", claim->place), claim->says);
+    // With other papers beside it, the paper has its year.
+    for (const std::string& name : layout.also) panel.facts.emplace_back(dated(name), claim_named(name, place_).says);
+    if (claim != nullptr)
+      panel.facts.emplace_back(layout.also.empty() ? fmt::format("The paper ({})", claim->place) : dated(layout.claim), claim->says);
     panel.text = notes_of(layout.text);
     for (const auto& picture : layout.pictures) {
       if (const auto* const plot = std::get_if<PlotLayout>(&picture)) {

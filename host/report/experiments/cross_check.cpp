@@ -61,6 +61,11 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
     const std::string_view name = compare::participants()[who].name;
     if (picture.lines) add(name, "", lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
+    if (picture.screen) {
+      std::vector<picture::DrawnPiece> lines;
+      for (const picture::PixelSegment& line : picture.screen->turn.lines) lines.push_back({0, line});
+      add(name, "", screen_image(lines));
+    }
     if (picture.faces) add(name, picture.lines ? " (faces)" : "", faces_image(*picture.faces, case_image_side));
   }
   if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
