@@ -25,6 +25,7 @@
 #include "delays.hpp"
 #include "quiet_pulses.hpp"
 #include "registers.hpp"
+#include "vector_flashes.hpp"
 
 namespace sightline::type340 {
 

@@ -102,24 +102,38 @@ template <class Sink>
   const int count = pulses_of_vector(w.dx, w.dy);
   const unsigned steps_x = steps_by_stage(w.dx, d);
   const unsigned steps_y = steps_by_stage(w.dy, d);
-  const auto step = static_cast<unsigned>(registers_.step());
-  const unsigned right = w.left ? 0U - step : step;
-  const unsigned up = w.down ? 0U - step : step;
-  std::uint16_t x = registers_.x;
-  std::uint16_t y = registers_.y;
+  const std::int32_t step = registers_.step();
+  const std::int32_t right = w.left ? -step : step;
+  const std::int32_t up = w.down ? -step : step;
+  core::Stroke flash{.time = whole_until_ - count * timing::pulse + timing::settle,
+                     .x = registers_.x,
+                     .y = registers_.y,
+                     .intensity = registers_.intensity,
+                     .address = word_address_};
   bool moves = registers_.move;
-  core::Instant t = whole_until_ - count * timing::pulse + timing::settle;
-  for (unsigned n = 1; n <= static_cast<unsigned>(count); ++n, t += timing::pulse) {
-    const auto stage = static_cast<unsigned>(std::countr_zero(n));
-    const unsigned move_x = steps_x >> stage & 1U;
-    const unsigned move_y = steps_y >> stage & 1U;
-    x = static_cast<std::uint16_t>(x + (right & (0U - move_x)));
-    y = static_cast<std::uint16_t>(y + (up & (0U - move_y)));
-    moves = (move_x | move_y) != 0 || (moves && options_.flash_again);
-    if (moves) sink_->stroke({.time = t, .x = x, .y = y, .intensity = registers_.intensity, .address = word_address_});
+  // If the first pulse moves the beam, all flash.
+  core::Stroke* room = nullptr;
+  if constexpr (requires { sink_->room(std::size_t{}); }) {
+    if (((steps_x | steps_y) & 1U) != 0 && options_.flash_again) room = sink_->room(static_cast<std::size_t>(count));
   }
-  registers_.x = x;
-  registers_.y = y;
+  if (room != nullptr) {
+    VectorFlashes(flash, steps_x, steps_y, right, up).put(room, count);
+    registers_.x = static_cast<std::uint16_t>(end_.x);
+    registers_.y = static_cast<std::uint16_t>(end_.y);
+    moves = true;
+  } else {
+    for (unsigned n = 1; n <= static_cast<unsigned>(count); ++n, flash.time += timing::pulse) {
+      const auto stage = static_cast<unsigned>(std::countr_zero(n));
+      const auto move_x = static_cast<std::int32_t>(steps_x >> stage & 1U);
+      const auto move_y = static_cast<std::int32_t>(steps_y >> stage & 1U);
+      flash.x = static_cast<std::uint16_t>(flash.x + (right & -move_x));
+      flash.y = static_cast<std::uint16_t>(flash.y + (up & -move_y));
+      moves = (move_x | move_y) != 0 || (moves && options_.flash_again);
+      if (moves) sink_->stroke(flash);
+    }
+    registers_.x = flash.x;
+    registers_.y = flash.y;
+  }
   registers_.move = moves;
   registers_.rate.brm = brm_after(d, count);
   last_pulse();

@@ -56,6 +56,13 @@ class PassRecorder {
       ++running_.left_out;
     }
   }
+  // Null: there are too many for the limit, and stroke() leaves some out.
+  [[nodiscard]] core::Stroke* room(std::size_t count) {
+    const std::size_t kept = running_.strokes.size();
+    if (limit_ - kept < count) return nullptr;
+    running_.strokes.resize(kept + count);
+    return running_.strokes.data() + kept;
+  }
   void end_pass(core::Instant t) {
     if (partial_) {
       begin_pass(t);

@@ -60,9 +60,10 @@ class PlotterTaker {
     if (live_) fresh_.push_back(stroke);
   }
   void keep_strokes(bool keep) { live_ = keep; }
-  void take_strokes(std::vector<core::Stroke>& strokes) {
-    strokes.swap(fresh_);
+  [[nodiscard]] std::span<const core::Stroke> take_strokes() {
+    taken_.swap(fresh_);
     fresh_.clear();
+    return taken_;
   }
   void end_pass(core::Instant) {}
 
@@ -139,6 +140,7 @@ class PlotterTaker {
 
   bool live_ = false;
   std::vector<core::Stroke> fresh_;  // since they were last taken
+  std::vector<core::Stroke> taken_;
   bool drawing_;
   TextBlocks log_;
   std::vector<picture::PenPath> paths_;
@@ -837,7 +839,7 @@ class I8080Run final : public Machine {
   }
 
   void keep_strokes(bool keep) override { plotter_.keep_strokes(keep); }
-  void take_strokes(std::vector<core::Stroke>& strokes) override { plotter_.take_strokes(strokes); }
+  std::span<const core::Stroke> take_strokes() override { return plotter_.take_strokes(); }
   [[nodiscard]] const core::Raster* raster() const override {
     const core::Raster* shown = nullptr;
     devices_.each_device([&shown](auto row, const auto& device) {

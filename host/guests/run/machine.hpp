@@ -331,8 +331,8 @@ class Machine {
   // For a screen that is looked at while the machine runs: from now on every stroke of the display or the plotter is kept until
   // it is taken, and for no output. The display of a machine made with --monitor, or with an output of its strokes.
   virtual void keep_strokes(bool) {}
-  // Those since the last call, in the order in which they were drawn, instead of what `strokes` holds.
-  virtual void take_strokes(std::vector<core::Stroke>& strokes) { strokes.clear(); }
+  // Those since the last call, in the order in which they were drawn; valid until the machine runs on.
+  virtual std::span<const core::Stroke> take_strokes() { return {}; }
   // What the raster board shows; null without one.
   [[nodiscard]] virtual const core::Raster* raster() const { return nullptr; }
   // What a run has had from the host's files is kept, so that it can be repeated from a snapshot without touching them.

@@ -312,7 +312,7 @@ struct NoScreen : core::NoStrokes {
   static void forget_after(core::Instant) {}
   static void finish() {}
   static void keep_strokes(bool) {}
-  static void take_strokes(std::vector<core::Stroke>& strokes) { strokes.clear(); }
+  static std::span<const core::Stroke> take_strokes() { return {}; }
 };
 
 std::string seconds_text(core::Instant t) {
@@ -558,7 +558,7 @@ class Pdp7Machine final : public Machine {
   }
 
   void keep_strokes(bool keep) override { sink_.keep_strokes(keep); }
-  void take_strokes(std::vector<core::Stroke>& strokes) override { sink_.take_strokes(strokes); }
+  std::span<const core::Stroke> take_strokes() override { return sink_.take_strokes(); }
 
   void type(std::uint8_t code) override {
     machine_.devices().keyboard.send(machine_.now(), code);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,13 @@ class Screen {
     }
     if (wished_) keep(stroke);
   }
+  [[nodiscard]] core::Stroke* room(std::size_t count) {
+    if (!live_) return of_pass_alone() ? passes_.room(count) : nullptr;
+    if (wished_) return nullptr;
+    if (fresh_.size() - fresh_count_ < count) grow();
+    fresh_count_ += count;
+    return fresh_.data() + (fresh_count_ - count);
+  }
   void end_pass(core::Instant t) {
     if (wishes_.picture) passes_.end_pass(t);
   }
@@ -64,10 +72,8 @@ class Screen {
     if (keep) wishes_ = {};
     look_at_wishes();
   }
-  void take_strokes(std::vector<core::Stroke>& strokes) {
-    strokes.assign(fresh_.begin(), fresh_.begin() + static_cast<std::ptrdiff_t>(fresh_count_));
-    fresh_count_ = 0;
-  }
+  // Valid until the display draws again.
+  [[nodiscard]] std::span<const core::Stroke> take_strokes() { return {fresh_.data(), std::exchange(fresh_count_, 0)}; }
   // Hands out what is left of the log.
   void finish() { log_.finish(); }
 
@@ -85,6 +91,10 @@ class Screen {
 
  private:
   void look_at_wishes() { wished_ = wishes_.picture || wishes_.photograph || log_.wanted(); }
+  // Strokes go to the running pass and nowhere else.
+  [[nodiscard]] bool of_pass_alone() const {
+    return wishes_.picture && !wishes_.photograph && wishes_.window.count() == 0 && passes_.passes() != 0 && !log_.wanted();
+  }
   [[gnu::noinline]] void grow() { fresh_.resize(std::max<std::size_t>(4096, 2 * fresh_.size())); }
   // By value, as nothing may point to a stroke that is on its way: its parts then stay in the host's registers.
   [[gnu::noinline]] void keep(core::Stroke stroke) {

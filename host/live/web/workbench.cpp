@@ -183,10 +183,7 @@ Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
   return debugger_.run(goal);
 }
 
-std::span<const core::Stroke> Desk::take_flashes() {
-  machine().take_strokes(strokes_);
-  return strokes_;
-}
+std::span<const core::Stroke> Desk::take_flashes() { return machine().take_strokes(); }
 
 const Bytes* Workbench::file(const std::string& name) const {
   const auto found = files_.find(name);

@@ -50,7 +50,6 @@ class Desk {
   int slices_ = 0;
   std::uint64_t begun_at_ = 0;  // instructions
   Debugger debugger_;
-  std::vector<core::Stroke> strokes_;
 };
 
 class Workbench {

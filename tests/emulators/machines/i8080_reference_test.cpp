@@ -2,7 +2,7 @@
 // INT and READY, ports, halts and jammed instructions: the same bus cycles, registers, times and memory, in the same pieces.
 // Three ways through the machine take part: with every cycle told, with nothing told, and by the portable loop.
 //
-// SIGHTLINE_LOCKSTEP=N in the environment makes it N instructions of each.
+// How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,8 +57,16 @@ struct RandomPorts {
   }
   void advance(core::TStateInstant at) { now = core::t_states_of(at); }
   [[nodiscard]] core::TStateInstant deadline() const {
+    const bool found = level(now);
     std::int64_t t = now + 1;
-    while (level(t) == level(now)) ++t;
+    // From one T-state at which it may change to the next.
+    while (level(t) == found) {
+      const std::uint64_t h = hash(t / period);
+      const std::int64_t begun = t - t % period;
+      const std::int64_t pulse = begun + static_cast<std::int64_t>(h >> 8) % period;
+      if ((h & 7U) != 0 || t > pulse) t = begun + period;
+      else t = t == pulse ? pulse + 1 : pulse;
+    }
     return core::at_t_state(t);
   }
   [[nodiscard]] bool interrupt() const { return level(now); }
@@ -75,7 +83,19 @@ struct SumCycles {
   static constexpr bool stops = false;
   CycleSum all;
   void cycle(const machines::I8080Cycle& c) {
-    all.add(core::t_states_of(c.time), c.status, c.address, c.data, c.operand);
+    all.add_cycle(static_cast<std::uint64_t>(core::t_states_of(c.time)),
+                  std::uint64_t{c.status} << 32 | std::uint64_t{c.address} << 16 | std::uint64_t{c.data} << 8 | (c.operand ? 1U : 0U));
+  }
+};
+// The same of the reference, and what programs do.
+struct WatchedCycles : SumCycles {
+  tests::WrittenWords words{65536};
+  std::uint64_t waking_fetches = 0;
+  void cycle(const machines::I8080Cycle& c) {
+    SumCycles::cycle(c);
+    if ((c.status & (i8080::status::read | i8080::status::output)) == 0) words.write(c.address);
+    if ((c.status & i8080::status::first) != 0) words.fetch(c.address);
+    if (c.status == 0xAA) ++waking_fetches;
   }
 };
 struct SumCyclesInALoop : SumCycles {
@@ -94,20 +114,29 @@ std::uint8_t random_byte(std::mt19937_64& random) {
   }
 }
 
+struct Done {
+  std::uint64_t programs = 0;
+  std::uint64_t instructions = 0;
+  std::uint64_t cycles = 0;
+  std::uint64_t supplied = 0;  // bytes given in acknowledge cycles
+  std::uint64_t waking_fetches = 0;
+  std::uint64_t modified = 0;
+};
+
 template <bool may_wait>
-bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t& interrupts) {
+bool run_one(std::mt19937_64& random, Done& done) {
   using Ports = RandomPorts<may_wait>;
   std::array<Ports, 4> ports;
   ports[0].seed = random();
   ports[0].period = static_cast<std::int64_t>(5 + random() % 300);
   for (auto& byte : ports[0].supplied) byte = random() % 3 == 0 ? random_byte(random) : std::uint8_t{0xE7};
   for (std::size_t i = 1; i < ports.size(); ++i) ports[i] = ports[0];
-  SumCycles of_reference;
+  WatchedCycles of_reference;
   SumCycles cycles;
   SumCyclesInALoop cycles_in_a_loop;
   machines::NoI8080Observer no_observer;
   const auto reference =
-      std::make_unique<reference_8080::I8080Machine<Ports, SumCycles>>(ports[0], of_reference);
+      std::make_unique<reference_8080::I8080Machine<Ports, WatchedCycles>>(ports[0], of_reference);
   const auto told = std::make_unique<machines::I8080Machine<Ports, SumCycles>>(ports[1], cycles);
   const auto looped = std::make_unique<machines::I8080Machine<Ports, SumCyclesInALoop>>(ports[2], cycles_in_a_loop);
   const auto untold = std::make_unique<machines::I8080Machine<Ports>>(ports[3], no_observer);
@@ -128,7 +157,7 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
     machine.registers() = state;
     std::copy(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
   });
-  for (int piece = 0; piece < 30; ++piece) {
+  for (int piece = 0; piece < 100; ++piece) {
     machines::I8080Limits limits{random() % 2 == 0 ? random() % 30 + 1 : random() % 6000, core::never_t};
     if (random() % 3 == 0) limits.until = told->now() + core::TStates(static_cast<std::int64_t>(random() % 3000));
     const auto reason = reference->run(limits);
@@ -154,25 +183,31 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
     same_memory = same_memory && std::equal(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
   });
   EXPECT_TRUE(same_cycles && same_ports && same_memory) << same_cycles << same_ports << same_memory;
-  instructions += reference->instructions();
-  interrupts += ports[0].given;
+  ++done.programs;
+  done.instructions += reference->instructions();
+  done.cycles += of_reference.all.count;
+  done.supplied += ports[0].given;
+  done.waking_fetches += of_reference.waking_fetches;
+  done.modified += of_reference.words.fetched();
   return same_cycles && same_ports && same_memory;
 }
 
 TEST(I8080Reference, RandomProgramsRunAsOnTheReference) {
   const std::uint64_t wanted = tests::lockstep_instructions(1'000'000);
-  std::uint64_t instructions = 0;
-  std::uint64_t interrupts = 0;
-  for (std::uint64_t seed = 1; instructions < wanted; ++seed) {
+  Done done;
+  for (std::uint64_t seed = tests::lockstep_seed(1); done.instructions < wanted; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    const bool good = seed % 2 == 0 ? run_one<true>(random, instructions, interrupts)
-                                    : run_one<false>(random, instructions, interrupts);
+    const bool good = seed % 2 == 0 ? run_one<true>(random, done) : run_one<false>(random, done);
     if (!good) return;
   }
-  EXPECT_GT(interrupts, wanted / 1000);
-  std::printf("%llu instructions on each machine, %llu bytes given in acknowledge cycles\n",
-              static_cast<unsigned long long>(instructions), static_cast<unsigned long long>(interrupts));
+  EXPECT_GT(done.supplied, wanted / 1000);
+  EXPECT_GT(done.modified, wanted / 1000);
+  std::printf("%llu programs, %llu instructions on each machine, %llu bus cycles, %llu bytes given in acknowledge cycles, "
+              "%llu ends of halts, %llu fetches of bytes that the program had written\n",
+              static_cast<unsigned long long>(done.programs), static_cast<unsigned long long>(done.instructions),
+              static_cast<unsigned long long>(done.cycles), static_cast<unsigned long long>(done.supplied),
+              static_cast<unsigned long long>(done.waking_fetches), static_cast<unsigned long long>(done.modified));
 }
 
 }  // namespace

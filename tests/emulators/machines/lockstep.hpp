@@ -1,14 +1,25 @@
 // What the lockstep tests of both machines share: how much to run, and a sum of all bus cycles.
+//
+//   SIGHTLINE_LOCKSTEP=N         N instructions in each test
+//   SIGHTLINE_LOCKSTEP_SEED=S    the first seed, for a long run in pieces
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace sightline::tests {
 
 // Instructions: SIGHTLINE_LOCKSTEP in the environment, or `otherwise`.
 inline std::uint64_t lockstep_instructions(std::uint64_t otherwise) {
   const char* const asked = std::getenv("SIGHTLINE_LOCKSTEP");  // NOLINT(concurrency-mt-unsafe)
+  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : otherwise;
+}
+
+// The first seed: SIGHTLINE_LOCKSTEP_SEED in the environment, or `otherwise`.
+inline std::uint64_t lockstep_seed(std::uint64_t otherwise) {
+  const char* const asked = std::getenv("SIGHTLINE_LOCKSTEP_SEED");  // NOLINT(concurrency-mt-unsafe)
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : otherwise;
 }
 
@@ -20,6 +31,11 @@ class CycleSum {
     (add_one(static_cast<std::uint64_t>(values)), ...);
     ++count;
   }
+  // A cycle in two words, of which all bits count.
+  void add_cycle(std::uint64_t time, std::uint64_t rest) {
+    add_one(time * 0x9e3779b97f4a7c15U ^ rest);
+    ++count;
+  }
   std::uint64_t sum = 0x9e3779b97f4a7c15U;
   std::uint64_t count = 0;
   friend bool operator==(const CycleSum&, const CycleSum&) = default;
@@ -29,6 +45,19 @@ class CycleSum {
     sum = (sum ^ value) * 0xff51afd7ed558ccdU;
     sum ^= sum >> 29;
   }
+};
+
+// Counts the instructions that a program has written before it runs them.
+class WrittenWords {
+ public:
+  explicit WrittenWords(std::size_t addresses) : written_(addresses) {}
+  void write(std::size_t address) { written_[address] = 1; }
+  void fetch(std::size_t address) { fetched_ += written_[address]; }
+  [[nodiscard]] std::uint64_t fetched() const { return fetched_; }
+
+ private:
+  std::vector<std::uint8_t> written_;
+  std::uint64_t fetched_ = 0;
 };
 
 }  // namespace sightline::tests

@@ -3,13 +3,14 @@
 // bus cycles, registers, times, strokes and core, in the same pieces. Four ways through the machine take part: with every cycle
 // told, with nothing told, with a filter, and by the portable loop.
 //
-// SIGHTLINE_LOCKSTEP=N in the environment makes it N instructions of each.
+// How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "emulators/machines/pdp7.hpp"
 #include "tests/emulators/machines/lockstep.hpp"
@@ -29,13 +30,54 @@ struct SumStrokes {
   void end_pass(core::Instant t) { all.add(2, core::nanoseconds_of(t)); }
 };
 
+// The same of a display that puts the flashes of a vector into memory at once.
+struct SumStoredStrokes : SumStrokes {
+  std::array<core::Stroke, 127> stored;
+  std::size_t count = 0;
+  core::Stroke* room(std::size_t strokes) {
+    sum_stored();
+    count = strokes;
+    vectors += 1;
+    return stored.data();
+  }
+  void sum_stored() {
+    for (std::size_t i = 0; i < count; ++i) SumStrokes::stroke(stored[i]);
+    count = 0;
+  }
+  void begin_pass(core::Instant t) { sum_stored(), SumStrokes::begin_pass(t); }
+  void stroke(const core::Stroke& s) { sum_stored(), SumStrokes::stroke(s); }
+  void end_pass(core::Instant t) { sum_stored(), SumStrokes::end_pass(t); }
+  std::uint64_t vectors = 0;
+};
+
 struct SumCycles {
   static constexpr bool instructions = false;
   static constexpr bool cycles = true;
   static constexpr bool stops = false;
   CycleSum all;
   void cycle(const pdp7::Cycle& c) {
-    all.add(core::nanoseconds_of(c.time), c.length.count(), c.verb, c.address, c.data.value());
+    all.add_cycle(static_cast<std::uint64_t>(core::nanoseconds_of(c.time)),
+                  static_cast<std::uint64_t>(c.length.count()) << 40 | static_cast<std::uint64_t>(c.verb) << 36 |
+                      std::uint64_t{c.address} << 18 | c.data.value());
+  }
+};
+// The same of the reference, and what programs do.
+struct WatchedCycles : SumCycles {
+  tests::WrittenWords words{32768};
+  std::uint64_t interrupts = 0;
+  std::uint64_t breaks = 0;
+  void cycle(const pdp7::Cycle& c) {
+    SumCycles::cycle(c);
+    switch (c.verb) {
+      case pdp7::Verb::fetch: words.fetch(c.address); break;
+      case pdp7::Verb::write:
+      case pdp7::Verb::modify: words.write(c.address); break;
+      case pdp7::Verb::interrupt: ++interrupts; break;
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify: ++breaks; break;
+      default: break;
+    }
   }
 };
 struct SumCyclesInALoop : SumCycles {
@@ -82,19 +124,33 @@ std::uint32_t random_word(std::mt19937_64& random, std::uint32_t core_words) {
   }
 }
 
+// A line of a display file: a parameter word, a point, and vectors, of which the last escapes.
+void append_line(std::mt19937_64& random, std::vector<core::Word18>& words) {
+  const auto below = [&](unsigned n) { return static_cast<std::uint32_t>(random() % n); };
+  words.emplace_back(0020100U | below(0100));
+  words.emplace_back(0200000U | (below(2) << 16) | below(02000));
+  words.emplace_back(0100000U | below(02000));
+  const unsigned longest = 1U << (1 + below(7));
+  for (std::uint32_t left = 1 + below(6); left > 0; --left) {
+    const std::uint32_t lit = below(8) != 0 ? 0200000 : 0;
+    const std::uint32_t escapes = left == 1 ? 0400000 : 0;
+    words.emplace_back(escapes | lit | (below(2) << 15) | (below(longest) << 8) | (below(2) << 7) | below(longest));
+  }
+}
+
 struct Machines {
   Machines(const machines::Configuration& configuration, const type340::Options& display, pdp7::Address stop_at) {
     breakpoint.address = stop_at;
     reference = std::make_unique<Reference>(configuration, of_reference);
     reference->attach_display(display, reference_strokes);
     told = std::make_unique<Told>(machines::Pdp7Options{configuration, display}, strokes, cycles);
-    looped = std::make_unique<Looped>(machines::Pdp7Options{configuration, display}, nobody, cycles_in_a_loop);
+    looped = std::make_unique<Looped>(machines::Pdp7Options{configuration, display}, stored_strokes, cycles_in_a_loop);
     untold = std::make_unique<Untold>(machines::Pdp7Options{configuration, display}, nobody, no_observer);
   }
 
-  using Reference = reference::BasicPdp7<reference_display::Display<SumStrokes>, SumCycles>;
+  using Reference = reference::BasicPdp7<reference_display::Display<SumStrokes>, WatchedCycles>;
   using Told = machines::Pdp7<SumStrokes, SumCycles>;
-  using Looped = machines::Pdp7<core::NoStrokes, SumCyclesInALoop>;
+  using Looped = machines::Pdp7<SumStoredStrokes, SumCyclesInALoop>;
   using Untold = machines::Pdp7<>;
 
   template <class Do>
@@ -105,13 +161,14 @@ struct Machines {
     what(*untold);
   }
 
-  SumCycles of_reference;
+  WatchedCycles of_reference;
   SumCycles cycles;
   SumCyclesInALoop cycles_in_a_loop;
   machines::NoObserver no_observer;
   Breakpoint breakpoint;
   SumStrokes reference_strokes;
   SumStrokes strokes;
+  SumStoredStrokes stored_strokes;
   core::NoStrokes nobody;
   std::unique_ptr<Reference> reference;
   std::unique_ptr<Told> told;
@@ -133,8 +190,19 @@ machines::Configuration random_configuration(std::mt19937_64& random) {
   return configuration;
 }
 
-// One random program on all machines; gives the instructions of the reference. False: they differ.
-bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t& stolen) {
+struct Done {
+  std::uint64_t programs = 0;
+  std::uint64_t instructions = 0;
+  std::uint64_t cycles = 0;
+  std::uint64_t interrupts = 0;
+  std::uint64_t breaks = 0;
+  std::uint64_t flashes = 0;
+  std::uint64_t vectors = 0;  // with their flashes put into memory at once
+  std::uint64_t modified = 0;
+};
+
+// One random program on all machines; one that `draws` has a display file of lines, started again and again. False: they differ.
+bool run_one(std::mt19937_64& random, bool draws, Done& done) {
   const machines::Configuration configuration = random_configuration(random);
   type340::Options display;
   display.subroutines_347 = random() % 2 == 0;
@@ -154,7 +222,16 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
   state.extend = configuration.core_words > 8192 && random() % 2 == 0;
   const core::Word18 file(static_cast<std::uint32_t>(random() % 4096));
   const bool refreshes = random() % 4 != 0;
+  std::vector<core::Word18> lines;
+  if (draws) {
+    while (lines.size() < 300) append_line(random, lines);
+    lines.emplace_back(0003000U);
+  }
+  const auto put_lines = [&](auto& machine) {
+    for (std::size_t i = 0; i < lines.size(); ++i) machine.deposit(static_cast<pdp7::Address>(010000 + i), lines[i]);
+  };
   all.each([&](auto& machine) {
+    put_lines(machine);
     machine.registers() = state;
     if (refreshes) machine.display()->load_address_and_start(machine.now(), file);
   });
@@ -188,6 +265,12 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
                     << alike(*all.looped) << alike(*all.untold);
       return false;
     }
+    if (draws && random() % 2 == 0) {
+      all.each([&](auto& machine) {
+        put_lines(machine);
+        machine.display()->load_address_and_start(machine.now(), core::Word18(010000));
+      });
+    }
     if (random() % 2 == 0 || reason == machines::StopReason::halt) {
       const auto pc = static_cast<pdp7::Address>(0200 + random() % 0600);
       const bool on = random() % 2 == 0;
@@ -204,7 +287,8 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
     ADD_FAILURE() << "bus cycles";
     return false;
   }
-  if (!(all.reference_strokes.all == all.strokes.all)) {
+  all.stored_strokes.sum_stored();
+  if (!(all.reference_strokes.all == all.strokes.all) || !(all.reference_strokes.all == all.stored_strokes.all)) {
     ADD_FAILURE() << "strokes";
     return false;
   }
@@ -215,8 +299,14 @@ bool run_one(std::mt19937_64& random, std::uint64_t& instructions, std::uint64_t
       return false;
     }
   }
-  instructions += all.reference->counts().instructions;
-  stolen += all.reference->counts().stolen_cycles;
+  ++done.programs;
+  done.instructions += all.reference->counts().instructions;
+  done.cycles += all.of_reference.all.count;
+  done.interrupts += all.of_reference.interrupts;
+  done.breaks += all.of_reference.breaks;
+  done.flashes += all.reference_strokes.all.count;
+  done.vectors += all.stored_strokes.vectors;
+  done.modified += all.of_reference.words.fetched();
   return true;
 }
 
@@ -227,24 +317,28 @@ TEST(Pdp7Lockstep, ARequestStopsAVectorThatCounts) {
   for (const unsigned seed : {18490U, 12446U}) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    std::uint64_t instructions = 0;
-    std::uint64_t stolen = 0;
-    EXPECT_TRUE(run_one(random, instructions, stolen));
+    Done done;
+    EXPECT_TRUE(run_one(random, false, done));
   }
 }
 
 TEST(Pdp7Lockstep, RandomProgramsRunAsOnTheReference) {
   const std::uint64_t wanted = tests::lockstep_instructions(1'500'000);
-  std::uint64_t instructions = 0;
-  std::uint64_t stolen = 0;
-  for (std::uint64_t seed = 1; instructions < wanted; ++seed) {
+  Done done;
+  for (std::uint64_t seed = tests::lockstep_seed(1); done.instructions < wanted; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    if (!run_one(random, instructions, stolen)) return;
+    if (!run_one(random, seed % 2 == 0, done)) return;
   }
-  EXPECT_GT(stolen, wanted / 200);
-  std::printf("%llu instructions on each machine, %llu stolen cycles\n", static_cast<unsigned long long>(instructions),
-              static_cast<unsigned long long>(stolen));
+  EXPECT_GT(done.breaks, wanted / 200);
+  EXPECT_GT(done.vectors, wanted / 10000);
+  EXPECT_GT(done.modified, wanted / 200);
+  std::printf("%llu programs, %llu instructions on each machine, %llu bus cycles, %llu interrupts, %llu breaks, "
+              "%llu flashes and passes, %llu vectors at once, %llu fetches of words that the program had written\n",
+              static_cast<unsigned long long>(done.programs), static_cast<unsigned long long>(done.instructions),
+              static_cast<unsigned long long>(done.cycles), static_cast<unsigned long long>(done.interrupts),
+              static_cast<unsigned long long>(done.breaks), static_cast<unsigned long long>(done.flashes),
+              static_cast<unsigned long long>(done.vectors), static_cast<unsigned long long>(done.modified));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "emulators/type340/display.hpp"
+#include "emulators/type340/vector_flashes.hpp"
 #include "emulators/type340/vector_generator.hpp"
 #include "tests/support/effort.hpp"
 
@@ -54,6 +56,47 @@ TEST(RateMultiplier, FollowsTheReferencePaths) {
     ++vectors;
   }
   EXPECT_EQ(vectors, 27);
+}
+
+// Every vector whose first pulse moves the beam, in each direction, with steps of 1 and 8 points, from a corner of the screen that
+// makes one field borrow from the other.
+TEST(VectorFlashes, AreThePulses) {
+  std::size_t compared = 0;
+  for (unsigned dx = 0; dx < 128; ++dx) {
+    for (unsigned dy = 0; dy < 128; ++dy) {
+      const auto d = static_cast<std::uint8_t>(dx | dy);
+      const unsigned steps_x = steps_by_stage(static_cast<std::uint8_t>(dx), d);
+      const unsigned steps_y = steps_by_stage(static_cast<std::uint8_t>(dy), d);
+      if (((steps_x | steps_y) & 1U) == 0) continue;
+      for (unsigned way = 0; way < 8; ++way) {
+        const std::int32_t step = (way & 4U) != 0 ? 8 : 1;
+        const std::int32_t right = (way & 1U) != 0 ? -step : step;
+        const std::int32_t up = (way & 2U) != 0 ? -step : step;
+        const core::Stroke from{.time = core::at_nanoseconds(1'234'567'890'123),
+                                .x = static_cast<std::uint16_t>(right < 0 ? 1023 : 0),
+                                .y = static_cast<std::uint16_t>(up < 0 ? 1023 : 0),
+                                .intensity = static_cast<std::uint8_t>(way),
+                                .address = 017777};
+        std::array<core::Stroke, 129> found;
+        found.fill({.time = core::never});
+        const int count = pulses_of_vector(static_cast<std::uint8_t>(dx), static_cast<std::uint8_t>(dy));
+        VectorFlashes(from, steps_x, steps_y, right, up).put(&found[1], count);
+        RateMultiplier rate;
+        core::Stroke expected = from;
+        for (int n = 1; n <= count; ++n) {
+          const auto passed = rate.count(static_cast<std::uint8_t>(dx), static_cast<std::uint8_t>(dy));
+          if (passed.x) expected.x = static_cast<std::uint16_t>(expected.x + right);
+          if (passed.y) expected.y = static_cast<std::uint16_t>(expected.y + up);
+          ASSERT_EQ(found[static_cast<std::size_t>(n)], expected) << dx << ' ' << dy << " way " << way << " pulse " << n;
+          expected.time += timing::pulse;
+          ++compared;
+        }
+        ASSERT_EQ(found[0].time, core::never) << dx << ' ' << dy;
+        ASSERT_EQ(found[static_cast<std::size_t>(count) + 1].time, core::never) << dx << ' ' << dy;
+      }
+    }
+  }
+  EXPECT_GT(compared, 10'000'000U);
 }
 
 TEST(RateMultiplier, ClosedFormIsThePulses) {
