@@ -6,7 +6,8 @@
 // processor of this kind is a type
 //   using Frame                         what stays in memory: the bus's other half, registers that few instructions use
 //   static constexpr unsigned codes     32 or 256
-//   static Thread resume(Frame&, HostWords)
+//   static constexpr bool has_spare_word    HostWords::e is not used
+//   static Thread resume(Frame&, HostWords)     and, with a spare word, takes the instruction again
 //   HostWords host_words() const        all that is not in the frame
 //   explicit Thread(Frame&)             from what leave() has put there
 //   unsigned code()                     takes the next instruction, gives its code
@@ -55,13 +56,15 @@
 
 namespace sightline::core {
 
-// As much as fits into the host's registers beside the address of the frame.
+// As much as fits into the host's registers beside the address of the frame. Who leaves `e` has a table of functions in its place,
+// which saves more than the instruction there would, as that is quickly taken twice, and `d` in 64 bits, so that an index into memory
+// need not be widened; else `d` has 32.
 struct HostWords {
   std::uint64_t a;
   std::uint64_t b;
   std::uint32_t c;
-  std::uint32_t d;
-  std::uint32_t e;
+  std::uint64_t d;
+  std::uint32_t e = 0;
 };
 
 // The loop: portable C++.
@@ -98,49 +101,69 @@ class Threads {
     Thread thread(frame);
     const unsigned code = thread.code();
     const HostWords words = thread.host_words();
-    functions[code](frame, words.a, words.b, words.c, words.d, words.e);
+    table.functions[code](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, &table));
   }
 
  private:
+  struct Table;
   using Frame = typename Thread::Frame;
   using Long = std::uint64_t;
   using Word = std::uint32_t;
-  using Function = void (*)(Frame&, Long, Long, Word, Word, Word);
+  using Index = std::conditional_t<Thread::has_spare_word, Long, Word>;
+  using Last = std::conditional_t<Thread::has_spare_word, const Table*, Word>;
+  using Function = void (*)(Frame&, Long, Long, Word, Index, Last);
+  struct Table {
+    std::array<Function, Thread::codes> functions;
+  };
+
+  SIGHTLINE_INLINE static HostWords words_of(Long a, Long b, Word c, Index d, Last last) {
+    if constexpr (Thread::has_spare_word) return {a, b, c, d};
+    else return {a, b, c, d, last};
+  }
+  SIGHTLINE_INLINE static Last last_of(const HostWords& words, const Table* of) {
+    if constexpr (Thread::has_spare_word) return of;
+    else return words.e;
+  }
+  SIGHTLINE_INLINE static const Table* table_of(Last last) {
+    if constexpr (Thread::has_spare_word) return last;
+    else return &table;
+  }
 
   template <unsigned code>
-  static void one(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
-    Thread thread = Thread::resume(frame, {a, b, c, d, e});
+  static void one(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
+    Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
     if (thread.template is_rare<code>()) SIGHTLINE_JUMP any(frame, a, b, c, d, e);
     thread.template execute<code>();
+    const Table* const of = table_of(e);
     if (thread.leaves()) [[unlikely]] {
       const HostWords last = thread.host_words();
-      SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, last.d, last.e);
+      SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
     }
     const unsigned next = thread.code();
     const HostWords words = thread.host_words();
-    SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
+    SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
   }
 
-  SIGHTLINE_OUT_OF_LINE static void any(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
-    Thread thread = Thread::resume(frame, {a, b, c, d, e});
+  SIGHTLINE_OUT_OF_LINE static void any(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
+    Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
     thread.execute_any();
     const bool leaves = thread.leaves();
     const unsigned next = thread.code();
     const HostWords words = thread.host_words();
-    if (leaves) SIGHTLINE_JUMP leave(frame, words.a, words.b, words.c, words.d, words.e);
-    SIGHTLINE_JUMP functions[next](frame, words.a, words.b, words.c, words.d, words.e);
+    const Table* const of = table_of(e);
+    if (leaves) SIGHTLINE_JUMP leave(frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
+    SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
   }
 
-  SIGHTLINE_OUT_OF_LINE static void leave(Frame& frame, Long a, Long b, Word c, Word d, Word e) {
-    Thread::resume(frame, {a, b, c, d, e}).leave();
+  SIGHTLINE_OUT_OF_LINE static void leave(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
+    Thread::resume(frame, words_of(a, b, c, d, e)).leave();
   }
 
   template <std::size_t... code>
-  static constexpr auto all(std::index_sequence<code...>) {
-    return std::array<Function, Thread::codes>{&one<code>...};
+  static constexpr Table all(std::index_sequence<code...>) {
+    return {{&one<code>...}};
   }
-  static constexpr std::array<Function, Thread::codes> functions =
-      all(std::make_index_sequence<Thread::codes>{});
+  static constexpr Table table = all(std::make_index_sequence<Thread::codes>{});
 };
 
 #else

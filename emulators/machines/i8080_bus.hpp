@@ -194,6 +194,7 @@ class I8080Thread {
   using Frame = typename Bus::Frame;
   using Execution = i8080::Execution<Bus>;
   static constexpr unsigned codes = Execution::codes;
+  static constexpr bool has_spare_word = false;
 
   SIGHTLINE_INLINE explicit I8080Thread(Frame& frame)
       : frame_(&frame), execution_(Bus(frame), frame.registers, *frame.control) {}
@@ -202,7 +203,7 @@ class I8080Thread {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
     auto* const memory = reinterpret_cast<i8080::Byte*>(static_cast<std::uintptr_t>(words.a));
     const Bus bus(frame, memory, typename Bus::Allowance(words.b));
-    return I8080Thread(frame, Execution(bus, frame.registers, *frame.control, words.c, words.d, words.e));
+    return I8080Thread(frame, Execution(bus, frame.registers, *frame.control, words.c, static_cast<std::uint32_t>(words.d), words.e));
   }
   [[nodiscard]] SIGHTLINE_INLINE core::HostWords host_words() const {
     return {reinterpret_cast<std::uintptr_t>(execution_.bus().memory()), execution_.bus().allowance().host_word(),

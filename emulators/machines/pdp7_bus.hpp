@@ -184,6 +184,7 @@ class Pdp7Thread {
   using Frame = typename Bus::Frame;
   using Execution = pdp7::Execution<Bus>;
   static constexpr unsigned codes = Execution::codes;
+  static constexpr bool has_spare_word = true;
 
   SIGHTLINE_INLINE explicit Pdp7Thread(Frame& frame) : frame_(&frame), execution_(Bus(frame), frame.processor) {}
 
@@ -191,11 +192,12 @@ class Pdp7Thread {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
     auto* const bank = reinterpret_cast<core::Word18*>(static_cast<std::uintptr_t>(words.a));
     const Bus bus(frame, bank, typename Bus::Allowance(words.b));
-    return Pdp7Thread(frame, Execution(bus, frame.processor, pdp7::Accumulator(words.c), words.d), words.e);
+    const auto place = static_cast<pdp7::Address>(words.d);
+    return Pdp7Thread(frame, Execution(bus, frame.processor, pdp7::Accumulator(words.c), place), bank[words.d].value());
   }
   [[nodiscard]] SIGHTLINE_INLINE core::HostWords host_words() const {
     return {reinterpret_cast<std::uintptr_t>(execution_.bus().bank()), execution_.bus().allowance().host_word(),
-            execution_.accumulator().bits(), execution_.next().place, word_};
+            execution_.accumulator().bits(), execution_.next().place};
   }
 
   [[nodiscard]] SIGHTLINE_INLINE unsigned code() {
