@@ -129,8 +129,9 @@ class Threads {
     else return &table;
   }
 
+  // Each begins a line of the host's cache: how fast it is does not depend on what a linker puts before it.
   template <unsigned code>
-  static void one(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
+  [[gnu::aligned(64)]] static void one(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
     Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
     if (thread.template is_rare<code>()) SIGHTLINE_JUMP any(frame, a, b, c, d, e);
     thread.template execute<code>();
