@@ -71,10 +71,13 @@ struct Sector {
   double from = 0;
   double width = -1;
 
+  // Without a branch.
   [[nodiscard]] bool meets(const Sector& other) const {
     const double turn = other.from - from;
-    const double ahead = turn < 0 ? turn + 2 * std::numbers::pi : turn;
-    return ahead <= width || 2 * std::numbers::pi - ahead <= other.width;
+    constexpr std::array<double, 2> round{0, 2 * std::numbers::pi};
+    const double ahead = turn + round[turn < 0 ? 1 : 0];
+    return (static_cast<unsigned>(ahead <= width) |
+            static_cast<unsigned>(2 * std::numbers::pi - ahead <= other.width)) != 0;
   }
 };
 
