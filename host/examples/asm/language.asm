@@ -23,6 +23,6 @@ START:  LXI     H,TABLE+2       ; expressions are known names, numbers and opera
         ENDIF
         HLT ! NOP               ; ! separates statements
 TABLE:  DB      'it''s',0DH,10,0AH,17Q,1010B
-        DW      TABLE,'AB'      ; low byte first: 42 41
+        DW      TABLE,4142H     ; low byte first: 42 41
         DS      3
         END     START

@@ -466,6 +466,8 @@ CpmFiles::Answer CpmFiles::make(Block fcb) {
   if (const auto fault = locked(drive)) return {0, fault};
   const auto name = host_name(fcb.name());
   if (!name || fcb.ambiguous()) return {not_found};
+  // As function 15, CP/M clears the module: MAC leaves other bytes there.
+  fcb[Block::module_at] = 0;
   const bool first = fcb.extent() == 0;
   if (host_->find(drive, fcb.name())) {
     // CP/M would make a second entry of the name, which a folder cannot have. A further extent is there when it is written.

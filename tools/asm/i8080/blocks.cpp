@@ -168,7 +168,7 @@ void I8080Pass::repeat(Directive directive) {
       if (given.list.size() < 2) given = split_arguments(text, 0, rules_);
       for (const Argument& argument : given.list) definition.rows.push_back({argument.text});
     }
-    if (definition.rows.empty()) definition.rows.push_back({""});
+    if (definition.rows.empty() && (directive != Directive::irpc || rules_.empty_irpc_is_one)) definition.rows.push_back({""});
   } else {
     unexpected("',' and what the parameter stands for");
   }

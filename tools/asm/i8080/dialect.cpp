@@ -9,19 +9,24 @@ namespace {
 constexpr I8080Rules common{};
 constexpr I8080Rules mac{.dialect = I8080Dialect::mac,
                          .bang_ends_comment = true,
-                         .location_moves = true,
                          .if_takes_bit_zero = true,
                          .high_is_loosest = true,
                          .arguments_are_scanned = true,
-                         .empty_string_is_nul = false,
+                         .arguments_are_capitals = true,
+                         .first_character_is_low = true,
                          .significant = 16};
 constexpr I8080Rules m80{.dialect = I8080Dialect::m80,
                          .bang_separates = false,
                          .literal = '!',
                          .dollar_in_names = true,
-                         .significant = 6};
+                         .blanks_separate_arguments = true,
+                         .empty_irpc_is_one = false,
+                         .divides_signed = true,
+                         .minus_is_tightest = true,
+                         .significant = 16};
 constexpr I8080Rules intel{.dialect = I8080Dialect::intel,
                            .bang_separates = false,
+                           .location_moves = false,
                            .literal = '!',
                            .if_takes_bit_zero = true,
                            .significant = 6};
@@ -44,10 +49,10 @@ constexpr std::array rows{
                     "ASM, section 3.2: a comment lasts to the next real or logical end of line; MACRO-80, 2.3.1"},
     I8080DialectRow{"`$` behind the first item of DB and DW",
                     [](const I8080Rules& rules) -> std::string {
-                      const std::string all = "the address of the statement";
-                      return is_common(rules) ? all + "; a warning" : rules.location_moves ? "the address of the item" : all;
+                      if (is_common(rules)) return "the address of the item; a warning";
+                      return rules.location_moves ? "the address of the item" : "the address of the statement";
                     },
-                    "MAC; MACRO-80, 2.11: its value at the start of the statement; Intel"},
+                    "MAC 2.0 and MACRO-80 3.44 themselves, though MACRO-80, 2.11, says: at the start of the statement; Intel"},
     I8080DialectRow{"to take the next character of a macro argument as it is",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string sign = std::string("`") + rules.literal + "`";
@@ -70,7 +75,7 @@ constexpr std::array rows{
                       if (is_common(rules)) return "if not 0" + warned + "bit 0 is 1";
                       return rules.if_takes_bit_zero ? "if bit 0 is 1" + warned + "not 0" : "if not 0";
                     },
-                    "MAC, 4.5; MACRO-80, 2.6.26; Intel"},
+                    "MAC, 4.5, and MAC 2.0 itself; MACRO-80, 2.6.26; Intel"},
     I8080DialectRow{"`HIGH` and `LOW`",
                     [](const I8080Rules& rules) -> std::string {
                       if (is_common(rules)) return "of the next operand; a warning if an operator follows it";
@@ -87,15 +92,44 @@ constexpr std::array rows{
                       return rules.arguments_are_scanned ? "`'` is passed" : "is passed as it is";
                     },
                     "MAC, 8.7, figure 25; MACRO-80, 2.7.5"},
-    I8080DialectRow{"`NUL ''`",
-                    [](const I8080Rules& rules) -> std::string { return rules.empty_string_is_nul ? "true" : "false"; },
-                    "MAC, figure 19 (the text beside it says true); of this assembler"},
+    I8080DialectRow{"letters of a macro argument, outside strings",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.arguments_are_capitals ? "become capitals; in a string `&x` is not the parameter X" : "stay as they are";
+                    },
+                    "MAC 2.0 itself"},
+    I8080DialectRow{"`'AB'` as a value, as in `DW 'AB'`",
+                    [](const I8080Rules& rules) -> std::string {
+                      if (is_common(rules)) return "4142; a warning";
+                      return rules.first_character_is_low ? "4241" : "4142";
+                    },
+                    "MAC 2.0 itself, though ASM, 3.3.4, says 4142; MACRO-80 3.44 itself"},
+    I8080DialectRow{"a blank in a macro argument, outside strings and `< >`",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.blanks_separate_arguments ? "ends it as a comma does: `1 , 2` are three" : "belongs to it";
+                    },
+                    "MACRO-80 3.44 itself; MAC 2.0 has it for an error"},
+    I8080DialectRow{"`IRPC` without characters",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.empty_irpc_is_one ? "is expanded once" : "is not expanded";
+                    },
+                    "MAC 2.0 and MACRO-80 3.44 themselves"},
+    I8080DialectRow{"`/` and `MOD` of values above 7FFF",
+                    [](const I8080Rules& rules) -> std::string {
+                      if (is_common(rules)) return "without sign; a warning";
+                      return rules.divides_signed ? "with sign: `-7/2` is -3, `7 MOD -4` is -3" : "without sign";
+                    },
+                    "MACRO-80 3.44 itself; MAC, 3.6, and MAC 2.0 itself; Intel, chapter 2"},
+    I8080DialectRow{"`-1 SHR 4`",
+                    [](const I8080Rules& rules) -> std::string {
+                      return rules.minus_is_tightest ? "0FFF: `-` is of the next operand" : "0: `-` is of the product behind it";
+                    },
+                    "MACRO-80 3.44 itself, though 2.4.1 has `-` below SHR; MAC, 3.6; Intel, chapter 2"},
     I8080DialectRow{"characters of a name that count",
                     [](const I8080Rules& rules) -> std::string {
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "MAC, 2; MACRO-80, 2.3.2; Intel, chapter 2, on labels"},
+                    "MAC, 2; MACRO-80 3.44 itself, though 2.3.2 says 6, which is so for PUBLIC and EXTRN; Intel, chapter 2, on labels"},
 };
 
 }  // namespace

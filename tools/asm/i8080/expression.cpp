@@ -1,5 +1,6 @@
 // Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
 // unsigned.
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -38,6 +39,13 @@ int precedence(Operator operation) {
     case Operator::shr: return tightest_level;
     default: return -1;  // these precede their operand
   }
+}
+
+// MACRO-80 divides amounts; both results have the sign of the quotient.
+std::uint32_t signed_result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
+  const auto amount = [](std::uint32_t value) { return (value & 0x8000U) != 0 ? (0U - value) & word_mask : value; };
+  const std::uint32_t result = operation == Operator::divide ? amount(a) / amount(b) : amount(a) % amount(b);
+  return ((a ^ b) & 0x8000U) != 0 ? 0U - result : result;
 }
 
 std::uint32_t result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
@@ -88,7 +96,8 @@ std::optional<I8080Value> I8080Pass::level(int precedence_level) {
   std::optional<I8080Value> left;
   if (precedence_level == not_level && leading == Operator::not_) {
     left = prefix(Operator::not_, not_level);
-  } else if (precedence_level == sum_level && (leading == Operator::add || leading == Operator::subtract)) {
+  } else if (precedence_level == sum_level && !rules_.minus_is_tightest &&
+             (leading == Operator::add || leading == Operator::subtract)) {
     left = prefix(*leading, tightest_level);
   } else {
     left = level(precedence_level + 1);
@@ -112,9 +121,18 @@ std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Valu
     error(at, "a division by 0", "another divisor");
     return std::nullopt;
   }
+  const bool divides = known && (operation == Operator::divide || operation == Operator::mod);
+  std::uint32_t bits = known ? result_of(operation, a.bits, b.bits) & word_mask : 0;
+  if (divides) {
+    const std::uint32_t with_sign = signed_result_of(operation, a.bits, b.bits) & word_mask;
+    if (with_sign != bits && rules_.dialect == I8080Dialect::common) {
+      warning(at, "a division of values above 7FFF", "--dialect, because they are taken without sign, and in MACRO-80 with it");
+    }
+    if (rules_.divides_signed) bits = with_sign;
+  }
   const bool logical =
       operation == Operator::and_ || operation == Operator::or_ || operation == Operator::xor_;
-  return I8080Value{known ? result_of(operation, a.bits, b.bits) & word_mask : 0, known,
+  return I8080Value{bits, known,
                     a.forward || b.forward, logical && (a.pattern || b.pattern)};
 }
 
@@ -152,7 +170,13 @@ std::optional<I8080Value> I8080Pass::primary() {
   }
   if (token_.kind == I8080TokenKind::string && token_.value.size() <= 2) {
     I8080Value value;
-    for (const char c : token_.value) value.bits = value.bits << 8 | static_cast<std::uint8_t>(c);
+    std::string text = token_.value;
+    if (text.size() == 2 && text[0] != text[1] && rules_.dialect == I8080Dialect::common) {
+      warning(token_.column, quoted(token_.text) + " as a value",
+              "--dialect, because its first character is taken for the high byte, and in MAC it is the low byte");
+    }
+    if (rules_.first_character_is_low) std::reverse(text.begin(), text.end());
+    for (const char c : text) value.bits = value.bits << 8 | static_cast<std::uint8_t>(c);
     advance();
     return value;
   }
@@ -160,7 +184,7 @@ std::optional<I8080Value> I8080Pass::primary() {
     const bool behind = location_ != statement_location_;
     if (behind && rules_.dialect == I8080Dialect::common) {
       warning(token_.column, quoted(token_.text) + " behind the first item",
-              "--dialect, because it is taken for the address of the statement, and in MAC it is that of the item");
+              "--dialect, because it is taken for the address of the item, and in Intel's assembler it is that of the statement");
     }
     advance();
     const std::uint32_t here = behind && rules_.location_moves ? location_ : statement_location_;
@@ -182,7 +206,7 @@ std::optional<I8080Value> I8080Pass::primary() {
   if (operation == Operator::nul) {
     const I8080Token rest = I8080Lexer(lexer_).next();
     const bool nothing =
-        rest.kind == I8080TokenKind::end || (rules_.empty_string_is_nul && rest.kind == I8080TokenKind::string && rest.value.empty());
+        rest.kind == I8080TokenKind::end;
     lexer_ = I8080Lexer();
     advance();
     return I8080Value{nothing ? word_mask : 0U, true, false, false};

@@ -18,7 +18,7 @@ std::size_t end_of_arguments(std::string_view text, std::size_t at, char literal
 class ArgumentSplitter {
  public:
   ArgumentSplitter(std::string_view text, std::size_t at, const I8080Rules& rules)
-      : literal_(rules.literal), pairs_are_one_(rules.arguments_are_scanned), text_(text.substr(0, end_of_arguments(text, at, literal_))), at_(skip_blanks(text_, at)) {}
+      : literal_(rules.literal), pairs_are_one_(rules.arguments_are_scanned), capitals_(rules.arguments_are_capitals), blanks_end_(rules.blanks_separate_arguments), text_(text.substr(0, end_of_arguments(text, at, literal_))), at_(skip_blanks(text_, at)) {}
 
   Arguments split() {
     if (at_ >= text_.size()) return {};
@@ -27,8 +27,8 @@ class ArgumentSplitter {
       arguments.list.push_back(argument());
       arguments.bang = bang_;
       if (unclosed_ != std::string_view::npos) arguments.unclosed = unclosed_;
-      if (at_ >= text_.size()) return arguments;
-      ++at_;  // the comma
+      if (at_ >= text_.size() || (blanks_end_ && skip_blanks(text_, at_) >= text_.size())) return arguments;
+      ++at_;  // the comma or blank
     }
   }
 
@@ -44,18 +44,19 @@ class ArgumentSplitter {
     std::size_t kept = 0;  // blanks in front of this are not trimmed
     while (at_ < text_.size() && text_[at_] != ',') {
       const char c = text_[at_];
+      if (blanks_end_ && is_blank(c) && !argument.evaluate) break;
       if (c == '<' && !argument.evaluate) {
         bracketed(argument.text);
         kept = argument.text.size();
       } else if (c == literal_ && at_ + 1 < text_.size()) {
-        argument.text += text_[at_ + 1];
+        argument.text += letter(text_[at_ + 1]);
         at_ += 2;
         kept = argument.text.size();
       } else if (c == '\'' || c == '"') {
         string(argument.text);
       } else {
         note_bang();
-        argument.text += c;
+        argument.text += letter(c);
         ++at_;
       }
     }
@@ -66,6 +67,7 @@ class ArgumentSplitter {
   void bracketed(std::string& text) {
     const std::size_t opened = at_++;
     bool in_string = false;  // counts where pairs of apostrophes do
+    bool keeps_letters = false;
     for (std::size_t depth = 1; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == '>' && --depth == 0) {
@@ -73,6 +75,12 @@ class ArgumentSplitter {
         return;
       }
       if (c == '<') ++depth;
+      if (c == '\'') keeps_letters = !keeps_letters;
+      if (blanks_end_ && (c == '\'' || c == '"')) {
+        string(text);
+        --at_;
+        continue;
+      }
       if (c == '\'' && depth == 1 && pairs_are_one_) {
         const bool again = at_ + 1 < text_.size() && text_[at_ + 1] == '\'';
         const bool empty = again && !in_string && (at_ + 2 >= text_.size() || text_[at_ + 2] != '\'');
@@ -90,7 +98,7 @@ class ArgumentSplitter {
       } else {
         note_bang();
       }
-      text += text_[at_];
+      text += keeps_letters ? text_[at_] : letter(text_[at_]);
     }
     unclosed_ = opened;
   }
@@ -113,12 +121,18 @@ class ArgumentSplitter {
     text += '\'';
   }
 
+  [[nodiscard]] char letter(char c) const {
+    return capitals_ && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+
   void note_bang() {
     if (text_[at_] == '!' && bang_ == std::string_view::npos) bang_ = at_;
   }
 
   char literal_;
   bool pairs_are_one_;
+  bool capitals_;
+  bool blanks_end_;
   std::string_view text_;
   std::size_t at_;
   std::size_t bang_ = std::string_view::npos;
@@ -173,8 +187,12 @@ class Replacer {
     const bool joined_before = at_ > 0 && line_[at_ - 1] == '&';
     const bool joined_after = end < line_.size() && line_[end] == '&';
     const bool may_be = quote_ == 0 || joined_before || joined_after;
+    const std::string_view written = line_.substr(at_, end - at_);
+    // MAC folds letters outside strings alone, so `&x` in a string is not its parameter X.
+    const bool folds = quote_ == 0 || !rules_.arguments_are_capitals ||
+                       std::none_of(written.begin(), written.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     const auto found =
-        may_be ? std::find(names_.begin(), names_.end(), key_of(line_.substr(at_, end - at_), rules_)) : names_.end();
+        may_be && folds ? std::find(names_.begin(), names_.end(), key_of(written, rules_)) : names_.end();
     if (found == names_.end()) return copy(end);
     if (joined_before && dropped_ != at_) expansion_.text.pop_back();
     expansion_.origins.emplace_back(expansion_.text.size(), at_);

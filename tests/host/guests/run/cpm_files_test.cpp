@@ -106,6 +106,18 @@ TEST_F(CpmDrives, ATextEndsInItsLastRecordWithControlZ) {
   EXPECT_EQ(memory_[fcb + 32], 2);
 }
 
+// BDOS 2.2 clears S2, the module, in functions 15 and 22. MAC and others leave bytes there, which would be megabytes.
+TEST_F(CpmDrives, MakingAFileClearsTheModule) {
+  name("NEW.DAT");
+  memory_[fcb + 13] = 'F';
+  memory_[fcb + 14] = 'T';
+  EXPECT_EQ(call(22), 0);
+  EXPECT_EQ(memory_[fcb + 14], 0);
+  record('x');
+  EXPECT_EQ(call(21), 0);
+  EXPECT_EQ(host_file("a/NEW.DAT"), std::string(128, 'x'));
+}
+
 TEST_F(CpmDrives, WhatIsMadeAndWrittenIsOnTheHostAtOnce) {
   name("NEW.DAT");
   EXPECT_EQ(call(15), not_found);

@@ -1,6 +1,6 @@
 // Where the 8080 assemblers of the time differ. The bytes expected follow from what their manuals say of each construct: Digital
 // Research's of ASM (CP/M Operating System Manual, chapter 3) and MAC, Microsoft's of MACRO-80 (Utility Software Manual, chapter 2),
-// Intel's of the 8080/8085 assembler (9800301).
+// Intel's of the 8080/8085 assembler (9800301). What MAC and MACRO-80 themselves make is in originals_test.cpp.
 #include "tools/asm/i8080/dialect.hpp"
 
 #include <gtest/gtest.h>
@@ -47,13 +47,13 @@ TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
   EXPECT_EQ(first_message(common, " NOP ; go! NEXT: is the label\n").substr(0, 26), "t.asm:1:10: warning: found");
 }
 
-// MACRO-80, 2.11: `$` is the value of the location counter at the start of the statement; that of MAC moves on with each byte.
+// In MAC 2.0 and MACRO-80 3.44 (see originals_test.cpp) `$` moves on with each item, whatever 2.11 of the manual of MACRO-80 says.
 TEST(I8080Dialect, TheLocationOfLaterItems) {
   const std::string text = " ORG 100H\n DB 0,0,LOW $\n DW $,$\n";
   EXPECT_EQ(bytes(mac, text), (Bytes{0, 0, 2, 3, 1, 5, 1}));
-  EXPECT_EQ(bytes(m80, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
+  EXPECT_EQ(bytes(m80, text), (Bytes{0, 0, 2, 3, 1, 5, 1}));
   EXPECT_EQ(bytes(intel, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
-  EXPECT_EQ(bytes(common, text), (Bytes{0, 0, 0, 3, 1, 3, 1}));
+  EXPECT_EQ(bytes(common, text), (Bytes{0, 0, 2, 3, 1, 5, 1}));
   EXPECT_EQ(messages(assembled(common, text)).size(), 2U);
   EXPECT_EQ(first_message(common, " JMP $+3\n DB $\n"), "");
 }
@@ -63,7 +63,7 @@ TEST(I8080Dialect, TheSignOfLiteralCharacters) {
   const std::string macro = "P MACRO X\n DB X\n ENDM\n";
   EXPECT_EQ(bytes(m80, macro + " P <1!+2>\n"), Bytes{3});
   EXPECT_EQ(bytes(m80, "P MACRO X\n DB '&X'\n ENDM\n P !;\n P <;>\n"), (Bytes{';', ';'}));
-  EXPECT_EQ(bytes(m80, macro + " P <'!>'>\n"), Bytes{'>'});
+  EXPECT_EQ(bytes(m80, macro + " P <'!>'>\n"), (Bytes{'!', '>'})) << "a string is passed as it is";
   EXPECT_EQ(bytes(intel, macro + " P <'!>'>\n"), Bytes{'>'});
   EXPECT_EQ(bytes(mac, macro + " P <'^>'>\n"), Bytes{'>'});
   EXPECT_EQ(bytes(mac, macro + " P <'!'>\n"), Bytes{'!'});
@@ -197,10 +197,31 @@ TEST(I8080MacManual, StringsAndEscapesInArguments) {
   EXPECT_EQ(bytes(m80, "Q MACRO Y\n DB Y\n ENDM\n Q 'a''b'\n"), Bytes{} + "a'b");
 }
 
+// --- Warnings of the common language where the bytes of a dialect would be others ---
+
+TEST(I8080Dialect, WordsOfTwoCharacters) {
+  EXPECT_EQ(bytes(mac, " DW 'AB'\n LXI H,'AB'\n"), (Bytes{0x41, 0x42, 0x21, 0x41, 0x42}));
+  EXPECT_EQ(bytes(m80, " DW 'AB'\n LXI H,'AB'\n"), (Bytes{0x42, 0x41, 0x21, 0x42, 0x41}));
+  EXPECT_EQ(bytes(common, " DW 'AB'\n"), (Bytes{0x42, 0x41}));
+  EXPECT_EQ(first_message(common, " DW 'AB'\n"),
+            "t.asm:1:5: warning: found ''AB'' as a value, expected --dialect, because its first character is taken for the high byte, and in "
+            "MAC it is the low byte");
+  EXPECT_EQ(first_message(common, " DW 'AA','A'\n DB 'AB'\n"), "");
+}
+
+TEST(I8080Dialect, DivisionsWithSign) {
+  EXPECT_EQ(bytes(m80, " DW -7/2,7 MOD -4\n"), (Bytes{0xFD, 0xFF, 0xFD, 0xFF}));
+  EXPECT_EQ(bytes(mac, " DW 0FFF9H/2\n"), (Bytes{0xFC, 0x7F}));
+  EXPECT_EQ(bytes(common, " DW 0FFF9H/2\n"), (Bytes{0xFC, 0x7F}));
+  EXPECT_NE(first_message(common, " DW 0FFF9H/2\n").find("warning: found a division of values above 7FFF, expected --dialect"), std::string::npos);
+  EXPECT_EQ(first_message(common, " DW 7/2,7 MOD 4,-7/2\n"), "");
+}
+
 TEST(I8080Dialect, LongNamesAreWarnedOf) {
   EXPECT_EQ(first_message(intel, "SEVENCH: NOP\n"),
             "t.asm:1:1: warning: found 'SEVENCH' of 7 characters, expected at most 6, which are all that count with --dialect intel");
-  EXPECT_EQ(first_message(m80, "SIXCHR: NOP\n"), "");
+  EXPECT_EQ(first_message(m80, "SIXTEENCHARACTER: NOP\n"), "");
+  EXPECT_EQ(first_message(m80, "SEVENTEENCHARACTS: NOP\n").substr(0, 20), "t.asm:1:1: warning: ");
   EXPECT_EQ(first_message(mac, "SEVENTEENCHARACTS: NOP\n").substr(0, 20), "t.asm:1:1: warning: ");
   EXPECT_EQ(first_message(common, "SEVENTEENCHARACTS: NOP\n"), "");
 }

@@ -99,9 +99,9 @@ TEST(I8080Language, SpaceIsNotGiven) {
   EXPECT_EQ(assembly.image.highest(), 0x14);
 }
 
-TEST(I8080Language, LocationIsThatOfTheStatement) {
+TEST(I8080Language, LocationIsThatOfTheStatementOrItem) {
   EXPECT_EQ(bytes8080(" ORG 100H\n DB 0,LOW $,LOW $\n JMP $\n DW $,$"),
-            (Bytes{0, 0, 0, 0xC3, 3, 1, 6, 1, 6, 1}));
+            (Bytes{0, 1, 2, 0xC3, 3, 1, 6, 1, 8, 1}));
 }
 
 TEST(I8080Language, LabelsAndStatements) {
