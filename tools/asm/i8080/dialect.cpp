@@ -14,6 +14,7 @@ constexpr I8080Rules mac{.dialect = I8080Dialect::mac,
                          .arguments_are_scanned = true,
                          .arguments_are_capitals = true,
                          .first_character_is_low = true,
+                         .garbles_prefixes = true,
                          .significant = 16};
 constexpr I8080Rules m80{.dialect = I8080Dialect::m80,
                          .bang_separates = false,
@@ -119,6 +120,12 @@ constexpr std::array rows{
                       return rules.divides_signed ? "with sign: `-7/2` is -3, `7 MOD -4` is -3" : "without sign";
                     },
                     "MACRO-80 3.44 itself; MAC, 3.6, and MAC 2.0 itself; Intel, chapter 2"},
+    I8080DialectRow{"`HIGH`, `LOW`, `NOT`, `-` behind a stronger operator, as in `A-HIGH B`, `1 EQ NOT B`",
+                    [](const I8080Rules& rules) -> std::string {
+                      const std::string all = "of their operand";
+                      return rules.garbles_prefixes ? all + "; a warning: an error there, or other bytes" : all;
+                    },
+                    "MAC 2.0 itself"},
     I8080DialectRow{"`-1 SHR 4`",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.minus_is_tightest ? "0FFF: `-` is of the next operand" : "0: `-` is of the product behind it";

@@ -41,6 +41,7 @@ struct I8080Rules {
   bool empty_irpc_is_one = true;        // IRPC without characters is expanded once, else not at all
   bool first_character_is_low = false;  // of a string of two characters that is a value; else it is the high byte
   bool divides_signed = false;          // `/` and MOD of two's complement; MOD has the sign of the quotient
+  bool garbles_prefixes = false;        // makes nothing of use of HIGH, LOW, NOT or `-` behind an operator that is stronger
   bool minus_is_tightest = false;       // of the next operand, else of the product behind it
   std::size_t significant = 0;          // characters of a name; 0: all
 };

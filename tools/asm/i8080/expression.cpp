@@ -73,6 +73,7 @@ std::uint32_t result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 std::optional<I8080Value> I8080Pass::expression() {
+  behind_operator_ = false;
   return level(0);
 }
 
@@ -107,6 +108,7 @@ std::optional<I8080Value> I8080Pass::level(int precedence_level) {
     if (!operation || precedence(*operation) != precedence_level) return left;
     const std::size_t at = token_.column;
     advance();
+    behind_operator_ = true;
     const auto right = level(precedence_level + 1);
     if (!right) return std::nullopt;
     left = combine(*operation, *left, *right, at);
@@ -146,6 +148,7 @@ bool I8080Pass::go_deeper() {
 std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_level) {
   if (!go_deeper()) return std::nullopt;
   advance();
+  behind_operator_ = operation != Operator::add;
   auto value = level(operand_level);
   --nesting_;
   if (!value) return std::nullopt;
@@ -162,6 +165,7 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
 }
 
 std::optional<I8080Value> I8080Pass::primary() {
+  const bool behind_operator = std::exchange(behind_operator_, false);
   if (token_.kind == I8080TokenKind::number) {
     const I8080Value value{token_.number, true, false, false};
     if (token_.wrapped) warning(token_.column, quoted(token_.text), "at most 65535 (0FFFFH): it is taken modulo 65536");
@@ -213,6 +217,10 @@ std::optional<I8080Value> I8080Pass::primary() {
   }
   if (operation && (precedence(*operation) < 0 || precedence(*operation) == sum_level)) {
     const bool takes_byte = *operation == Operator::high || *operation == Operator::low;
+    if (behind_operator && rules_.garbles_prefixes && *operation != Operator::add) {
+      warning(token_.column, quoted(token_.text) + " behind a stronger operator",
+              "parentheses around it and its operand: MAC refuses it, or makes other bytes");
+    }
     if (takes_byte && rules_.high_is_loosest) return prefix(*operation, 0);
     const std::size_t at = token_.column;
     const std::string written(token_.text);

@@ -220,6 +220,7 @@ class I8080Pass {
   std::uint32_t location_ = 0;
   std::uint32_t statement_location_ = 0;
   std::uint32_t phase_ = 0;  // added to them where they are values
+  bool behind_operator_ = false;  // the next operand of an expression follows one
   unsigned radix_ = 10;
   std::optional<char> comment_end_;  // of .COMMENT, whose end is to come
   Position comment_begun_;

@@ -217,6 +217,18 @@ TEST(I8080Dialect, DivisionsWithSign) {
   EXPECT_EQ(first_message(common, " DW 7/2,7 MOD 4,-7/2\n"), "");
 }
 
+// MAC 2.0 marks all of these with E; what it takes without E has no warning.
+TEST(I8080Dialect, PrefixesBehindStrongerOperatorsOfMac) {
+  for (const char* refused : {"5--3", "5-NOT 3", "5*-3", "6/-3", "1 EQ NOT 0FFFEH", "5-HIGH 300H", "5*LOW 3", "- -5", "2*NOT 1", "1 OR HIGH 300H",
+                              "1 EQ HIGH 100H", "NOT HIGH 100H", "HIGH LOW 5", "-HIGH 300H", "-NOT 1"}) {
+    EXPECT_NE(first_message(mac, std::string(" DW ") + refused + "\n").find("behind a stronger operator"), std::string::npos) << refused;
+    EXPECT_EQ(first_message(m80, std::string(" DW ") + refused + "\n"), "") << refused;
+  }
+  for (const char* taken : {"-5*3", "5 AND NOT 4", "5 XOR NOT 4", "5-+3", "5 OR -1", "5 EQ -1", "5 SHL (-1)", "HIGH 300H+1", "HIGH NOT 0", "HIGH -1",
+                            "NOT -1", "(5)-(-3)", "1 OR (HIGH 300H)"})
+    EXPECT_EQ(first_message(mac, std::string(" DW ") + taken + "\n"), "") << taken;
+}
+
 TEST(I8080Dialect, LongNamesAreWarnedOf) {
   EXPECT_EQ(first_message(intel, "SEVENCH: NOP\n"),
             "t.asm:1:1: warning: found 'SEVENCH' of 7 characters, expected at most 6, which are all that count with --dialect intel");
