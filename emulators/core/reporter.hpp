@@ -8,9 +8,17 @@
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
 //     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
 //
-// An observer that looks at registers has `static constexpr bool looks = true`, and its filter
-//     bool arrives(Address next, const View&) const   with the registers as the processor has them at work, which its bus names
-// Its stop() finds the machine's registers and time up to date.
+// An observer that looks at registers has a value of another kind, which the run keeps, too:
+//   using Look = ...;
+//   Look look() const;
+//     void enter(Address bank)              of the PDP-7: the processor has come to another bank
+//     bool arrives<changes>(Address next, const View&) const   after an instruction that may have changed what the set says (`change`
+//                                           of the processor's isa.hpp). The view has the registers as the processor has them at
+//                                           work; its bus names it. A test of few host instructions that may say true too often.
+//     bool asks(Address next, const View&) const               out of line: asked where arrives() said true and where something is due
+//     bool looks_again() const              devices may have changed what it looks at: it is asked at the next boundary, too
+// stop() is asked where asks() says true, and finds the machine's registers and time up to date; told() says whether a cycle that
+// was told is to end the run.
 #pragma once
 
 #include "inline.hpp"
@@ -21,7 +29,7 @@ template <class Observer>
 concept Filtered = requires { typename Observer::Filter; };
 
 template <class Observer>
-concept Looks = requires { Observer::looks; };
+concept Looks = requires { typename Observer::Look; };
 
 template <class Observer, bool wanted = Observer::cycles>
 class Reporter {
@@ -75,9 +83,12 @@ class Arrivals {
   constexpr bool operator()(Address) const {
     return Observer::stops;
   }
+  template <class Address>
+  static constexpr void enter(Address) {}
 };
 
-template <Filtered Observer>
+template <class Observer>
+  requires(Filtered<Observer> && !Looks<Observer>)
 class Arrivals<Observer> {
  public:
   explicit constexpr Arrivals(const Observer& observer) : filter_(observer.filter()) {}
@@ -85,13 +96,29 @@ class Arrivals<Observer> {
   SIGHTLINE_INLINE constexpr bool operator()(Address next) const {
     return filter_.arrives(next);
   }
-  template <class Address, class View>
-  SIGHTLINE_INLINE constexpr bool operator()(Address next, const View& view) const {
-    return filter_.arrives(next, view);
-  }
+  template <class Address>
+  static constexpr void enter(Address) {}
 
  private:
   typename Observer::Filter filter_;
+};
+
+template <Looks Observer>
+class Arrivals<Observer> {
+ public:
+  explicit constexpr Arrivals(const Observer& observer) : look_(observer.look()) {}
+  template <unsigned changes, class Address, class View>
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool arrives(Address next, const View& view) const {
+    return look_.template arrives<changes>(next, view);
+  }
+  [[nodiscard]] constexpr typename Observer::Look& look() { return look_; }
+  template <class Address>
+  constexpr void enter(Address bank) {
+    look_.enter(bank);
+  }
+
+ private:
+  typename Observer::Look look_;
 };
 
 }  // namespace sightline::core

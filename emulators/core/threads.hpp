@@ -14,7 +14,9 @@
 //   template <unsigned code> bool is_rare() const    the instruction taken has to be executed by execute_any()
 //   template <unsigned code> void execute()          without a call
 //   void execute_any()
-//   bool leaves() const                 at the boundary after it: the run has to be left
+//   template <unsigned code> bool leaves() const     at the boundary after that: the run has to be left
+//   bool leaves() const                 the same after execute_any()
+//   static constexpr bool looks         leaves<code>() may say so too often: leaves() has the last word
 //   void leave()                        puts all into the frame
 //
 // The jump is a call in tail position. clang is made to turn it into a jump by an attribute; g++ does so where it optimises
@@ -72,9 +74,8 @@ template <class Thread>
 struct PlainLoop {
   [[gnu::noinline]] static void run(typename Thread::Frame& frame) {
     Thread thread(frame);
-    do {
-      dispatch<Thread::codes>(thread.code(), Executor{&thread});
-    } while (!thread.leaves());
+    while (!dispatch<Thread::codes>(thread.code(), Executor{&thread})) {
+    }
     thread.leave();
   }
 
@@ -82,12 +83,14 @@ struct PlainLoop {
   struct Executor {
     Thread* thread;
     template <unsigned code>
-    SIGHTLINE_INLINE void execute() const {
+    SIGHTLINE_INLINE bool execute() const {
       if (thread->template is_rare<code>()) {
         thread->execute_any();
-      } else {
-        thread->template execute<code>();
+        return thread->leaves();
       }
+      thread->template execute<code>();
+      if constexpr (Thread::looks) return thread->template leaves<code>() && thread->leaves();
+      else return thread->template leaves<code>();
     }
   };
 };
@@ -136,9 +139,10 @@ class Threads {
     if (thread.template is_rare<code>()) SIGHTLINE_JUMP any(frame, a, b, c, d, e);
     thread.template execute<code>();
     const Table* const of = table_of(e);
-    if (thread.leaves()) [[unlikely]] {
+    if (thread.template leaves<code>()) [[unlikely]] {
       const HostWords last = thread.host_words();
-      SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
+      if constexpr (Thread::looks) SIGHTLINE_JUMP look(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
+      else SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
     }
     const unsigned next = thread.code();
     const HostWords words = thread.host_words();
@@ -153,6 +157,15 @@ class Threads {
     const HostWords words = thread.host_words();
     const Table* const of = table_of(e);
     if (leaves) SIGHTLINE_JUMP leave(frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
+    SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
+  }
+
+  SIGHTLINE_OUT_OF_LINE static void look(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
+    Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
+    if (thread.leaves()) SIGHTLINE_JUMP leave(frame, a, b, c, d, e);
+    const unsigned next = thread.code();
+    const HostWords words = thread.host_words();
+    const Table* const of = table_of(e);
     SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
   }
 

@@ -281,6 +281,49 @@ static_assert(detail::every_opcode_matches_one_row());
   return instructions[detail::row_table[opcode]];
 }
 
+// What an instruction may change besides PC, as bits of a set. Bit 0 is free for those who keep such sets by address.
+namespace change {
+inline constexpr std::uint8_t a = 0x02, f = 0x04, bc = 0x08, de = 0x10, hl = 0x20, memory = 0x80;
+inline constexpr std::uint8_t sp = 0x40;  // or INTE
+inline constexpr std::uint8_t anything = 0xFE;
+}  // namespace change
+
+namespace detail {
+
+// By the codes of registers and pairs.
+inline constexpr std::array<std::uint8_t, 8> changes_of_register{change::bc, change::bc, change::de,     change::de,
+                                                                 change::hl, change::hl, change::memory, change::a};
+inline constexpr std::array<std::uint8_t, 4> changes_of_pair{change::bc, change::de, change::hl, change::sp};
+
+}  // namespace detail
+
+[[nodiscard]] constexpr std::uint8_t changes_of(std::uint8_t opcode) {
+  using enum Operation;
+  const Instruction& row = lookup(opcode);
+  const std::uint8_t flags = row.flags != 0 ? change::f : 0;
+  const std::uint8_t to_register = detail::changes_of_register[opcode >> 3 & 7];
+  const std::uint8_t pair = detail::changes_of_pair[opcode >> 4 & 3];
+  switch (row.operation) {
+    case nop: case hlt: case jmp: case conditional_jump: case pchl: case out: return 0;
+    case lxi: case inx: case dcx: return pair;
+    case mvi: case mov: return to_register;
+    case inr: case dcr: return to_register | flags;
+    case ldax: case lda: case cma: case in: return change::a;
+    case stax: case sta: case shld: return change::memory;
+    case dad: return change::hl | flags;
+    case lhld: return change::hl;
+    case stc: case cmc: case cmp: return flags;
+    case rlc: case rrc: case ral: case rar: case daa: case add: case adc: case sub: case sbb: case ana: case xra: case ora:
+      return change::a | flags;
+    case ret: case conditional_return: case sphl: case ei: case di: return change::sp;
+    case call: case conditional_call: case rst: case push: return change::sp | change::memory;
+    case pop: return change::sp | ((opcode >> 4 & 3) == 3 ? change::a | change::f : pair);
+    case xthl: return change::hl | change::memory;
+    case xchg: return change::de | change::hl;
+  }
+  return change::anything;
+}
+
 // Names of the fields, in the order of their codes.
 inline constexpr std::array<std::string_view, 8> register_names{"b", "c", "d", "e", "h", "l", "m", "a"};
 inline constexpr std::array<std::string_view, 4> pair_names{"b", "d", "h", "sp"};

@@ -194,22 +194,28 @@ class BasicPdp7 {
     const auto pc = [&frame] { return frame.processor.registers.pc(); };
     [[maybe_unused]] bool looked = false;
     for (;;) {
-      if constexpr (Watcher::stops) {
-        if (arrives(frame, watcher)) {
+      if constexpr (core::Looks<Watcher>) {
+        if (asks(frame)) {
+          publish(frame);
+          if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
+        }
+      } else if constexpr (Watcher::stops) {
+        if (frame.arrives(pc())) {
           if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
       }
       if (frame.due()) {
         if (left == 0) return StopReason::instruction_limit;
-        if constexpr (core::Filtered<Watcher>) {
-          if constexpr (core::Looks<Watcher>) publish(frame);
+        if constexpr (core::Looks<Watcher>) {
+          if (watcher.told()) return StopReason::observer;
+        } else if constexpr (core::Filtered<Watcher>) {
           if (watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
         if (frame.now() >= until) return StopReason::time_limit;
         if (attend(frame, until, left)) continue;
         // What the devices have done here an observer that looks sees at the next boundary.
         if constexpr (core::Looks<Watcher>) {
-          looked = !looked;
+          looked = !looked && frame.arrives.look().looks_again();
           if (looked) frame.look_around_at(frame.now(), frame.now(), 1);
         }
       }
@@ -221,17 +227,11 @@ class BasicPdp7 {
     }
   }
 
-  // Whether the observer is to be asked at this boundary; one that looks at registers finds them in the machine then.
-  template <class Frame, class Watcher>
-  bool arrives(Frame& frame, const Watcher&) {
+  // Whether an observer that looks is to be asked at this boundary.
+  template <class Frame>
+  static bool asks(Frame& frame) {
     const pdp7::Registers& registers = frame.processor.registers;
-    if constexpr (core::Looks<Watcher>) {
-      if (!frame.arrives(registers.pc(), Pdp7View{registers.accumulator.bits(), &registers})) return false;
-      publish(frame);
-      return true;
-    } else {
-      return frame.arrives(registers.pc());
-    }
+    return frame.arrives.look().asks(registers.pc(), Pdp7View{registers.accumulator.bits(), &registers, frame.now(), {frame.core, frame.words}});
   }
   template <class Frame>
   void publish(const Frame& frame) {

@@ -21,11 +21,14 @@
 
 namespace sightline::machines {
 
-// What a filter of an observer that looks at registers sees: those in host registers, and the others in the frame.
+// What an observer that looks at registers sees: those in host registers, the time, and what is in the frame.
 struct I8080View {
   std::uint32_t a;
   std::uint32_t hl;
   const i8080::Registers* others;
+  const i8080::Control* control;
+  core::TStateInstant now;
+  const i8080::Byte* memory;
 };
 
 // One run of a machine.
@@ -226,14 +229,23 @@ class I8080Thread {
     execution_.bus().count_instruction();
     execution_.step_rare(static_cast<i8080::Byte>(code()));
   }
+  static constexpr bool looks = core::Looks<Observer>;
+  template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if constexpr (Observer::stops) {
-      if constexpr (core::Looks<Observer>) {
-        const I8080View view{execution_.a(), execution_.hl(), &frame_->registers};
-        if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()), view)) [[unlikely]] return true;
-      } else {
-        if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
-      }
+    if constexpr (looks) {
+      constexpr std::uint8_t changes = i8080::changes_of(static_cast<i8080::Byte>(code));
+      // First what needs no flags of the host but those of the last subtraction.
+      if (execution_.bus().due()) [[unlikely]] return true;
+      return frame_->arrives.template arrives<changes>(static_cast<i8080::Address>(execution_.pc()), view());
+    } else {
+      return leaves();
+    }
+  }
+  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
+    if constexpr (looks) {
+      if (frame_->arrives.look().asks(static_cast<i8080::Address>(execution_.pc()), view())) return true;
+    } else if constexpr (Observer::stops) {
+      if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
     }
     return execution_.bus().due();
   }
@@ -247,6 +259,9 @@ class I8080Thread {
   }
 
  private:
+  [[nodiscard]] SIGHTLINE_INLINE I8080View view() const {
+    return {execution_.a(), execution_.hl(), &frame_->registers, frame_->control, execution_.bus().now(), execution_.bus().memory()};
+  }
   SIGHTLINE_INLINE I8080Thread(Frame& frame, const Execution& execution)
       : frame_(&frame), execution_(execution) {}
 

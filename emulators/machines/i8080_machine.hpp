@@ -115,14 +115,20 @@ class I8080Machine {
   I8080StopReason run_frame(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, const I8080Limits& limits,
                             std::uint64_t& count) {
     while (true) {
-      if constexpr (Watcher::stops) {
-        if (arrives(frame, watcher)) {
+      if constexpr (core::Looks<Watcher>) {
+        if (!state_.halted && asks(frame)) {
+          publish(frame);
+          if (watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
+        }
+      } else if constexpr (Watcher::stops) {
+        if (frame.arrives(frame.registers.pc)) {
           if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
       }
       if (frame.due()) {
-        if constexpr (core::Filtered<Watcher>) {
-          if constexpr (core::Looks<Watcher>) publish(frame);
+        if constexpr (core::Looks<Watcher>) {
+          if (!state_.halted && watcher.told()) return I8080StopReason::observer;
+        } else if constexpr (core::Filtered<Watcher>) {
           if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
         const std::int64_t most = instructions_of(limits, count);
@@ -141,17 +147,11 @@ class I8080Machine {
     }
   }
 
-  // Whether the observer is to be asked at this boundary; one that looks at registers finds them in the machine then.
-  template <class Watcher>
-  bool arrives(I8080Frame<I8080Machine, Watcher>& frame, const Watcher&) {
+  // Whether an observer that looks is to be asked at this boundary.
+  template <class Frame>
+  static bool asks(Frame& frame) {
     const i8080::Registers& registers = frame.registers;
-    if constexpr (core::Looks<Watcher>) {
-      if (!frame.arrives(registers.pc, I8080View{registers.a, registers.hl, &registers})) return false;
-      publish(frame);
-      return true;
-    } else {
-      return frame.arrives(registers.pc);
-    }
+    return frame.arrives.look().asks(registers.pc, I8080View{registers.a, registers.hl, &registers, frame.control, frame.now(), frame.memory});
   }
   template <class Frame>
   void publish(const Frame& frame) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "../core/allowance.hpp"
 #include "../core/inline.hpp"
@@ -20,10 +21,12 @@
 
 namespace sightline::machines {
 
-// What a filter of an observer that looks at registers sees: L and AC as pdp7::Accumulator has them, and what is in the frame.
+// What an observer that looks at registers sees: L and AC as pdp7::Accumulator has them, the time, and what is in the frame.
 struct Pdp7View {
   std::uint32_t accumulator;
   const pdp7::Registers* others;
+  core::Instant now;
+  std::span<const core::Word18> core;
 };
 
 // One run of a machine.
@@ -47,6 +50,7 @@ struct Pdp7Frame {
   // Where the words of a bank lie.
   core::Word18* enter(pdp7::Address first) {
     bank_words = words > first ? words - first : 0;
+    arrives.enter(first);
     return core + first;
   }
   // At the first boundary at or after `deadline`; `instructions` as Allowance wants them.
@@ -217,14 +221,23 @@ class Pdp7Thread {
     execution_.bus().count_instruction();
     take(execution_.step(word_));
   }
+  static constexpr bool looks = core::Looks<Observer>;
+  template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if constexpr (Observer::stops) {
-      if constexpr (core::Looks<Observer>) {
-        const Pdp7View view{execution_.accumulator().bits(), &frame_->processor.registers};
-        if (frame_->arrives(pdp7::Address{execution_.next()}, view)) [[unlikely]] return true;
-      } else {
-        if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
-      }
+    if constexpr (looks) {
+      constexpr std::uint8_t changes = Execution::template changes<code>;
+      // First what needs no flags of the host but those of the last subtraction.
+      if (execution_.bus().due()) [[unlikely]] return true;
+      return frame_->arrives.template arrives<changes>(execution_.next(), view());
+    } else {
+      return leaves();
+    }
+  }
+  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
+    if constexpr (looks) {
+      if (frame_->arrives.look().asks(pdp7::Address{execution_.next()}, view())) return true;
+    } else if constexpr (Observer::stops) {
+      if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
     }
     return execution_.bus().due();
   }
@@ -241,6 +254,9 @@ class Pdp7Thread {
   SIGHTLINE_INLINE Pdp7Thread(Frame& frame, const Execution& execution, std::uint32_t word)
       : frame_(&frame), execution_(execution), word_(word) {}
 
+  [[nodiscard]] SIGHTLINE_INLINE Pdp7View view() const {
+    return {execution_.accumulator().bits(), &frame_->processor.registers, execution_.bus().now(), {frame_->core, frame_->words}};
+  }
   void take(pdp7::Outcome outcome) {
     if (outcome == pdp7::Outcome::completed) return;
     frame_->processor.outcome = outcome;

@@ -135,6 +135,10 @@ class Execution {
     place_ &= in_bank_mask;
   }
 
+  // What those may change that are not rare.
+  template <unsigned code>
+  static constexpr std::uint8_t changes = static_cast<std::uint8_t>(changes_of(code << 13) | changes_of(code << 13 | 0600));
+
   // What leaves PC's bank or the processor, or may not end as usual.
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool is_rare(std::uint32_t word) const {

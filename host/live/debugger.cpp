@@ -178,51 +178,88 @@ std::optional<std::vector<std::uint32_t>> Debugger::places_of_conditions(const s
   return places;
 }
 
+guests::run::Condition Debugger::compiled(const Expression& expression, bool is_true) const {
+  using Step = guests::run::ConditionStep;
+  guests::run::Condition made;
+  made.is_true = is_true;
+  made.steps = expression.steps();
+  made.words = expression.has_words();
+  std::vector<std::string> names;
+  for (const std::string& name : expression.names()) names.push_back(base::lower_case(name));
+  for (Step& step : made.steps) {
+    if (step.kind != Step::Kind::name) continue;
+    const std::string& name = names[static_cast<std::size_t>(step.number)];
+    if (const auto number = register_named(name)) {
+      step = {Step::Kind::register_value, {}, static_cast<std::int64_t>(*number)};
+      made.registers.push_back(*number);
+    } else if (name == "time") {
+      step.kind = Step::Kind::time;
+      made.time = true;
+    } else if (is_state(name)) {
+      made.devices = true;
+    } else {
+      const std::size_t high = *register_named(name.substr(0, 1));
+      step = {Step::Kind::register_pair, {}, static_cast<std::int64_t>(high)};
+      made.registers.insert(made.registers.end(), {high, *register_named(name.substr(1))});
+    }
+  }
+  made.steps = made.devices ? std::vector<Step>{} : guests::run::fused(made.steps);
+  // Nothing: a name that is in no register.
+  const auto place_of = [&](const Expression::Range& part) -> std::optional<guests::run::MaskedRegister> {
+    const std::string& name = names[part.name];
+    if (const auto number = register_named(name)) return guests::run::MaskedRegister{*number, false, part.mask};
+    if (is_state(name)) return std::nullopt;
+    return guests::run::MaskedRegister{*register_named(name.substr(0, 1)), true, part.mask};
+  };
+  if (const auto relation = expression.relation()) {
+    const auto left = place_of(relation->name), right = place_of(relation->other);
+    if (left && right) made.relation = {*left, relation->sign, *right, relation->offset};
+  }
+  auto range = expression.range();
+  if (!range || (is_true && !range->exact)) return made;
+  // Where it becomes false again.
+  if (is_true) {
+    range->first += range->span + 1;
+    range->span = std::uint32_t{0} - range->span - 2;
+  }
+  if (const auto of = place_of(*range)) made.range = {*of, {range->first, range->span}};
+  return made;
+}
+
 bool Debugger::look_at_conditions(const std::string& goal) {
   Probe& probe = *machine_.probe();
   probe.look = nullptr;
-  probe.guard.reset();
-  if (guests::run::few_observers || probe.watches_instructions() || (probe.watches_places() && !probe.watches_arrival())) return false;
-  struct Looked {
-    const Expression* expression;
-    bool was_true;
-  };
-  std::vector<Looked> all;
+  probe.conditions.clear();
+  if (probe.watches_instructions()) return false;
+  std::vector<std::pair<const Expression*, bool>> all;
   const auto add = [&](const std::string& condition, bool was_true) {
     const Expression* const expression = condition_of(condition);
-    if (expression != nullptr) all.push_back({expression, was_true});
-    // The count of instructions is not known while they are obeyed.
-    return expression != nullptr && std::none_of(expression->names().begin(), expression->names().end(),
-                                                 [](const std::string& name) { return base::lower_case(name) == "instructions"; });
+    if (expression == nullptr || !can_be_looked_at(*expression)) return false;
+    all.emplace_back(expression, was_true);
+    return true;
   };
   if (!goal.empty() && !add(goal, false)) return false;
   for (const Breakpoint& each : breakpoints_.all())
     if (each.kind == Breakpoint::Kind::condition && !add(each.condition, each.was_true)) return false;
-  probe.look = [all] {
-    return std::any_of(all.begin(), all.end(), [](const Looked& each) {
-      const auto value = each.expression->value();
-      return (!value || *value != 0) != each.was_true;
+  for (const auto& [expression, was_true] : all) probe.conditions.push_back(compiled(*expression, was_true));
+  probe.look = [all = std::move(all)] {
+    return std::any_of(all.begin(), all.end(), [](const auto& each) {
+      const auto value = each.first->value();
+      return (!value || *value != 0) != each.second;
     });
   };
-  const auto of_devices = [this](const Looked& each) {
-    const auto& names = each.expression->names();
-    return !each.expression->has_words() && std::all_of(names.begin(), names.end(), [this](const std::string& name) {
-             return is_state(name) && base::lower_case(name) != "time";
-           });
-  };
-  if (std::all_of(all.begin(), all.end(), of_devices)) {
-    probe.guard = Probe::Guard{.devices = true};
-    return true;
-  }
-  // One that holds is waited for to end: anything may do that.
-  if (all.size() != 1 || all.front().was_true) return true;
-  const auto range = all.front().expression->range();
-  if (!range) return true;
-  const std::string name = base::lower_case(all.front().expression->names()[range->name]);
-  const bool pair = description_.radix == 16 && name.size() == 2 && !register_named(name);
-  if (const auto number = register_named(pair ? name.substr(0, 1) : name); number && (!pair || register_named(name.substr(1)) == *number + 1))
-    probe.guard = Probe::Guard{false, *number, pair, range->mask, range->first, range->span};
   return true;
+}
+
+// The count of instructions is not known while they are obeyed, and pairs are those of the 8080.
+bool Debugger::can_be_looked_at(const Expression& expression) const {
+  return std::all_of(expression.names().begin(), expression.names().end(), [this](const std::string& text) {
+    const std::string name = base::lower_case(text);
+    if (register_named(name)) return true;
+    if (is_state(name)) return name != "instructions";
+    const auto high = register_named(name.substr(0, 1));
+    return high && name.size() == 2 && register_named(name.substr(1)) == *high + 1;
+  });
 }
 
 bool Debugger::is_state(std::string_view name) const {
@@ -418,6 +455,7 @@ Halted Debugger::run(const Goal& goal) {
     }
   }
   probe.look = nullptr;
+  probe.conditions.clear();
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

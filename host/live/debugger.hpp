@@ -177,9 +177,10 @@ class Debugger {
   [[nodiscard]] const Expression* condition_of(const std::string& text);
   // Where the words are that the conditions look at; nothing: they look at something else, too, or one holds already.
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> places_of_conditions(const std::string& goal);
-  // Lets the probe look at the conditions between instructions, at those that can make one true alone if possible; false: they must
-  // be evaluated here, instruction by instruction.
+  // Lets the run look at the conditions between instructions; false: they must be evaluated here, instruction by instruction.
   [[nodiscard]] bool look_at_conditions(const std::string& goal);
+  [[nodiscard]] bool can_be_looked_at(const Expression& expression) const;
+  [[nodiscard]] guests::run::Condition compiled(const Expression& expression, bool is_true) const;
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
   [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,
                                                       std::optional<Reason>& reason);

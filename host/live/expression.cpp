@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -14,18 +15,15 @@
 
 namespace sightline::live {
 
+using guests::run::applied;
+using guests::run::Sign;
+using guests::run::ConditionStep;
+
 namespace {
 
 bool in_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '$' || c == '?' || c == '@';
 }
-
-// Wraps around where int64_t would overflow.
-std::int64_t wrapped(std::uint64_t value) {
-  return static_cast<std::int64_t>(value);
-}
-
-enum Sign : std::uint8_t { either, both, equal, unequal, shift_left, shift_right, at_most, at_least, bit_or, bit_xor, bit_and, same, less, more, plus, minus, times, divide, remainder };
 
 struct BinaryOperator {
   std::string_view text;
@@ -33,41 +31,12 @@ struct BinaryOperator {
   Sign sign;
 };
 // By length: the longer first.
-constexpr std::array<BinaryOperator, 19> binary_operators{{{"||", 0, either},  {"&&", 1, both},     {"==", 5, equal},     {"!=", 5, unequal},
-                                              {"<<", 7, shift_left}, {">>", 7, shift_right}, {"<=", 6, at_most}, {">=", 6, at_least},
-                                              {"|", 2, bit_or},   {"^", 3, bit_xor},   {"&", 4, bit_and},    {"=", 5, same},
-                                              {"<", 6, less},     {">", 6, more},      {"+", 8, plus},       {"-", 8, minus},
-                                              {"*", 9, times},    {"/", 9, divide},    {"%", 9, remainder}}};
-
-// Nothing: a division by 0.
-std::optional<std::int64_t> applied(Sign sign, std::int64_t a, std::int64_t b) {
-  const auto x = static_cast<std::uint64_t>(a);
-  const auto y = static_cast<std::uint64_t>(b);
-  switch (sign) {
-    case either: return a != 0 || b != 0 ? 1 : 0;
-    case both: return a != 0 && b != 0 ? 1 : 0;
-    case bit_or: return a | b;
-    case bit_xor: return a ^ b;
-    case bit_and: return a & b;
-    case equal:
-    case same: return a == b ? 1 : 0;
-    case unequal: return a != b ? 1 : 0;
-    case at_most: return a <= b ? 1 : 0;
-    case at_least: return a >= b ? 1 : 0;
-    case less: return a < b ? 1 : 0;
-    case more: return a > b ? 1 : 0;
-    case shift_left: return b < 0 || b > 63 ? 0 : wrapped(x << b);
-    case shift_right: return b < 0 || b > 63 ? 0 : wrapped(x >> b);
-    case plus: return wrapped(x + y);
-    case minus: return wrapped(x - y);
-    case times: return wrapped(x * y);
-    case divide:
-    case remainder: break;
-  }
-  if (b == 0) return std::nullopt;
-  if (b == -1) return sign == divide ? wrapped(std::uint64_t{0} - x) : 0;
-  return sign == divide ? a / b : a % b;
-}
+constexpr std::array<BinaryOperator, 19> binary_operators{{
+    {"||", 0, Sign::either},     {"&&", 1, Sign::both},        {"==", 5, Sign::equal},   {"!=", 5, Sign::unequal},
+    {"<<", 7, Sign::shift_left}, {">>", 7, Sign::shift_right}, {"<=", 6, Sign::at_most}, {">=", 6, Sign::at_least},
+    {"|", 2, Sign::bit_or},      {"^", 3, Sign::bit_xor},      {"&", 4, Sign::bit_and},  {"=", 5, Sign::equal},
+    {"<", 6, Sign::less},        {">", 6, Sign::more},         {"+", 8, Sign::plus},     {"-", 8, Sign::minus},
+    {"*", 9, Sign::times},       {"/", 9, Sign::divide},       {"%", 9, Sign::remainder}}};
 
 }  // namespace
 
@@ -88,7 +57,7 @@ class ExpressionReader {
   }
 
  private:
-  using Kind = Expression::Kind;
+  using Kind = ConditionStep::Kind;
   static constexpr int highest_level = 9;
   static constexpr int deepest = 200;
 
@@ -105,7 +74,7 @@ class ExpressionReader {
     error_.expected = expected;
     at_ = text_.size();
   }
-  void add(Kind kind, std::int64_t number = 0, std::uint8_t sign = 0) { made_.steps_.push_back({kind, sign, number}); }
+  void add(Kind kind, std::int64_t number = 0, Sign sign = Sign::either) { made_.steps_.push_back({kind, sign, number}); }
   void nothing_is_fixed() { made_.places_.reset(); }
 
   [[nodiscard]] const BinaryOperator* operator_here() {
@@ -183,7 +152,7 @@ class ExpressionReader {
     Expression address;
     address.names_ = &names_;
     address.steps_.assign(made_.steps_.begin() + static_cast<std::ptrdiff_t>(first), made_.steps_.end());
-    const bool changes = std::any_of(address.steps_.begin(), address.steps_.end(), [](const Expression::Step& step) {
+    const bool changes = std::any_of(address.steps_.begin(), address.steps_.end(), [](const ConditionStep& step) {
       return step.kind == Kind::name || step.kind == Kind::word;
     });
     const auto at = changes ? base::Result<std::int64_t>(base::fail("")) : address.value();
@@ -205,124 +174,146 @@ base::Result<Expression> Expression::read(std::string_view text, const Names& na
 }
 
 base::Result<std::int64_t> Expression::value() const {
-  constexpr std::size_t usual = 64;
-  std::array<std::int64_t, usual> small;
-  std::vector<std::int64_t> large;
-  if (steps_.size() > usual) large.resize(steps_.size());
-  std::int64_t* const stack = large.empty() ? small.data() : large.data();
-  std::size_t top = 0;
-  for (const Step& step : steps_) {
-    switch (step.kind) {
-      case Kind::number: stack[top++] = step.number; break;
-      case Kind::name: stack[top++] = readers_[static_cast<std::size_t>(step.number)](); break;
-      case Kind::word: {
-        const auto word = names_->memory(stack[top - 1]);
-        if (!word) return base::Error{.found = fmt::format("found address {}", stack[top - 1]), .expected = "an address in memory"};
-        stack[top - 1] = *word;
-        break;
-      }
-      case Kind::negative: stack[top - 1] = wrapped(std::uint64_t{0} - static_cast<std::uint64_t>(stack[top - 1])); break;
-      case Kind::complement: stack[top - 1] = ~stack[top - 1]; break;
-      case Kind::no: stack[top - 1] = stack[top - 1] == 0 ? 1 : 0; break;
-      case Kind::binary: {
-        const auto result = applied(static_cast<Sign>(step.sign), stack[top - 2], stack[top - 1]);
-        if (!result) return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
-        stack[--top - 1] = *result;
-        break;
-      }
+  struct Values {
+    const Expression& of;
+    std::optional<std::int64_t>& missing;
+    [[nodiscard]] std::int64_t name(std::size_t n) const { return of.readers_[n](); }
+    static std::int64_t register_value(std::size_t) { return 0; }
+    static std::int64_t register_pair(std::size_t) { return 0; }
+    static std::int64_t time() { return 0; }
+    [[nodiscard]] std::optional<std::int64_t> word(std::int64_t address) const {
+      const auto word = of.names_->memory(address);
+      if (!word) missing = address;
+      return word;
     }
-  }
-  return stack[0];
+  };
+  std::optional<std::int64_t> missing;  // address
+  if (const auto value = guests::run::value_of(steps_, Values{*this, missing})) return *value;
+  if (missing) return base::Error{.found = fmt::format("found address {}", *missing), .expected = "an address in memory"};
+  return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
 }
 
 namespace {
 
 using Range = Expression::Range;
-constexpr std::uint32_t all_ones = ~std::uint32_t{0};
+using NamesRelation = Expression::Relation;
 
-// What is known of a part of an expression: a constant, a name with a mask, or where it can be true.
+// What is known of a part of an expression: a constant; a name with a mask, less another one, and an offset; where it can be true.
 struct Known {
   std::optional<std::int64_t> constant;
   std::optional<Range> name;  // its mask alone counts
+  std::optional<Range> less;  // likewise
+  std::int64_t offset = 0;
   std::optional<Range> truth;
+  std::optional<NamesRelation> relation = {};
+
+  [[nodiscard]] bool plain_name() const { return name && !less && offset == 0; }
 };
 
-// Of NAME sign CONSTANT.
-std::optional<Range> compared(Range name, Sign sign, std::int64_t constant) {
-  if (constant < 0 || constant > std::int64_t{all_ones} - 1) return std::nullopt;
-  const auto c = static_cast<std::uint32_t>(constant);
-  switch (sign) {
-    case equal:
-    case same: name.first = c; name.span = 0; break;
-    case unequal: name.first = c + 1; name.span = all_ones - 1; break;
-    case less:
-      if (c == 0) return std::nullopt;
-      name.first = 0; name.span = c - 1; break;
-    case at_most: name.first = 0; name.span = c; break;
-    case more: name.first = c + 1; name.span = all_ones - name.first; break;
-    case at_least: name.first = c; name.span = all_ones - c; break;
-    default: return std::nullopt;
-  }
-  return name;
+bool is_comparison(Sign sign) {
+  return sign == Sign::equal || sign == Sign::unequal || sign == Sign::less || sign == Sign::at_most || sign == Sign::more || sign == Sign::at_least;
 }
 
-Sign turned(Sign sign) {
-  switch (sign) {
-    case less: return more;
-    case more: return less;
-    case at_most: return at_least;
-    case at_least: return at_most;
-    default: return sign;
-  }
-}
-
-// A name, or bits of it, is true when not 0.
-std::optional<Range> truth_of(const Known& known) {
-  return known.truth ? known.truth : known.name ? compared(*known.name, unequal, 0) : std::nullopt;
-}
-
-Known combined(const Known& a, Sign sign, const Known& b) {
+// Of DIFFERENCE sign 0.
+Known compared(const Known& difference, Sign sign) {
   Known made;
-  if (sign == both) {
-    const auto left = truth_of(a), right = truth_of(b);
-    made.truth = !left || (right && right->span < left->span) ? right : left;
-  } else if (sign == bit_and && (a.name ? b.constant : a.constant) && (a.name || b.name)) {
-    made.name = a.name ? a.name : b.name;
-    made.name->mask &= static_cast<std::uint32_t>(a.name ? *b.constant : *a.constant);
-  } else if (a.name && b.constant) {
-    made.truth = compared(*a.name, sign, *b.constant);
-  } else if (a.constant && b.name) {
-    made.truth = compared(*b.name, turned(sign), *a.constant);
-  } else if (a.constant && b.constant) {
-    made.constant = applied(sign, *a.constant, *b.constant);
+  if (!difference.name) return made;
+  if (difference.less) {
+    made.relation = NamesRelation{*difference.name, sign, *difference.less, -difference.offset};
+  } else if (const auto range = guests::run::range_where(sign, -difference.offset)) {
+    made.truth = difference.name;
+    made.truth->first = range->first;
+    made.truth->span = range->span;
+    made.truth->exact = true;
   }
   return made;
 }
 
-}  // namespace
-
-bool Expression::has_words() const {
-  return std::any_of(steps_.begin(), steps_.end(), [](const Step& step) { return step.kind == Kind::word; });
+// A name, or bits of it, is true when not 0.
+std::optional<Range> truth_of(const Known& known) {
+  return known.truth || !known.plain_name() ? known.truth : compared(known, Sign::unequal).truth;
 }
 
-std::optional<Range> Expression::range() const {
+// Nothing is known where there would be two names to add, or a number that is no offset of a register.
+Known difference(const Known& a, const Known& b) {
+  constexpr std::int64_t most = std::int64_t{1} << 40;
+  Known made;
+  if (a.constant.value_or(0) > most || a.constant.value_or(0) < -most || b.constant.value_or(0) > most || b.constant.value_or(0) < -most) return made;
+  const bool right_is_constant = b.constant && !b.name, left_is_constant = a.constant && !a.name;
+  if (a.name && right_is_constant) {
+    made.name = a.name;
+    made.less = a.less;
+    made.offset = a.offset - *b.constant;
+  } else if (a.name && b.name && !a.less && !b.less) {
+    made.name = a.name;
+    made.less = b.name;
+    made.offset = a.offset - b.offset;
+  } else if (left_is_constant && b.name && b.less) {
+    made.name = b.less;
+    made.less = b.name;
+    made.offset = *a.constant - b.offset;
+  }
+  if (made.offset > most || made.offset < -most) return {};
+  return made;
+}
+
+Known combined(const Known& a, Sign sign, const Known& b) {
+  Known made;
+  if (sign == Sign::both) {
+    const auto left = truth_of(a), right = truth_of(b);
+    made.truth = !left || (right && right->span < left->span) ? right : left;
+    if (made.truth) made.truth->exact = false;
+  } else if (a.constant && b.constant) {
+    made.constant = applied(sign, *a.constant, *b.constant);
+  } else if (sign == Sign::bit_and && ((a.plain_name() && b.constant) || (a.constant && b.plain_name()))) {
+    made.name = a.name ? a.name : b.name;
+    made.name->mask &= static_cast<std::uint32_t>(a.name ? *b.constant : *a.constant);
+  } else if (sign == Sign::minus) {
+    made = difference(a, b);
+  } else if (sign == Sign::plus && (a.constant || b.constant)) {
+    Known constant;
+    constant.constant = applied(Sign::minus, 0, a.constant ? *a.constant : *b.constant);
+    made = difference(a.constant ? b : a, constant);
+  } else if (is_comparison(sign)) {
+    made = a.constant ? compared(difference(b, a), guests::run::turned(sign)) : compared(difference(a, b), sign);
+  }
+  return made;
+}
+
+// Of the whole.
+Known known_of(std::span<const ConditionStep> steps) {
+  using Kind = ConditionStep::Kind;
   std::vector<Known> stack;
-  for (const Step& step : steps_) {
+  for (const ConditionStep& step : steps) {
     Known made;
     if (step.kind == Kind::number) made.constant = step.number;
     if (step.kind == Kind::name) made.name = Range{.name = static_cast<std::size_t>(step.number)};
     if (step.kind == Kind::binary) {
       const Known right = stack.back();
       stack.pop_back();
-      made = combined(stack.back(), static_cast<Sign>(step.sign), right);
+      made = combined(stack.back(), step.sign, right);
       stack.pop_back();
     } else if (step.kind != Kind::number && step.kind != Kind::name) {
-      if (step.kind == Kind::no && stack.back().name) made.truth = compared(*stack.back().name, equal, 0);
+      if (step.kind == Kind::no && stack.back().plain_name()) made = compared(stack.back(), Sign::equal);
       stack.pop_back();
     }
     stack.push_back(made);
   }
-  return truth_of(stack.back());
+  return stack.back();
+}
+
+}  // namespace
+
+bool Expression::has_words() const {
+  return std::any_of(steps_.begin(), steps_.end(), [](const ConditionStep& step) { return step.kind == ConditionStep::Kind::word; });
+}
+
+std::optional<Range> Expression::range() const {
+  return truth_of(known_of(steps_));
+}
+
+std::optional<NamesRelation> Expression::relation() const {
+  return known_of(steps_).relation;
 }
 
 std::optional<std::int64_t> number(std::string_view text, int radix) {

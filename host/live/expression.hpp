@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/guests/run/condition.hpp"
 
 namespace sightline::live {
 
@@ -38,28 +39,32 @@ class Expression {
 
   // The names that are read again each time.
   [[nodiscard]] const std::vector<std::string>& names() const { return read_names_; }
-  // While it is true, (name & mask) - first <= span, in 32 bits, for one of names().
+  // While it is true, (name & mask) - first <= span, in 32 bits, for one of names(); `exact`: and only then.
   struct Range {
     std::size_t name = 0;
+    bool exact = true;
     std::uint32_t mask = ~std::uint32_t{0};
     std::uint32_t first = 0;
     std::uint32_t span = 0;
   };
   // The narrowest that its comparisons with constants tell; nothing: they tell none.
   [[nodiscard]] std::optional<Range> range() const;
+  // All of it is name sign other name + offset; the masks of the names count.
+  struct Relation {
+    Range name;
+    guests::run::Sign sign;
+    Range other;
+    std::int64_t offset;
+  };
+  [[nodiscard]] std::optional<Relation> relation() const;
   [[nodiscard]] bool has_words() const;  // of memory
+  // As a run evaluates it, once each name is one that the run knows.
+  [[nodiscard]] const std::vector<guests::run::ConditionStep>& steps() const { return steps_; }
 
  private:
   friend class ExpressionReader;
-  enum class Kind : std::uint8_t { number, name, word, negative, complement, no, binary };
-  struct Step {
-    Kind kind;
-    std::uint8_t sign = 0;    // of a binary operator, by its number
-    std::int64_t number = 0;  // or which reader
-  };
-
   const Names* names_ = nullptr;
-  std::vector<Step> steps_;  // operands before their operator
+  std::vector<guests::run::ConditionStep> steps_;
   std::vector<std::function<std::int64_t()>> readers_;
   std::vector<std::string> read_names_;  // of them
   std::optional<std::vector<std::int64_t>> places_;

@@ -13,7 +13,7 @@
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
-#include "host/guests/run/pdp7_vcd.hpp"
+#include "host/guests/run/pdp7_observers.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/png.hpp"
@@ -33,277 +33,6 @@ constexpr std::size_t most_warnings = 100;
 constexpr core::Duration shutter_time{200'000'000};
 // A picture of a pass that ended longer ago is not what a person would have seen.
 constexpr core::Duration oldest_picture{200'000'000};
-
-// The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
-class Tracer {
- public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = false;
-  static constexpr bool stops = false;
-
-  // Out of line: it is called from where every instruction ends.
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
-    text_.write([&](std::string& text) {
-      base::append(text, "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
-                   core::nanoseconds_of(record.time), record.pc, record.word.value(),
-                   instruction_text(record), record.after.ac.value(), record.after.link ? 1 : 0,
-                   record.after.mq.value());
-    });
-  }
-  void take(TextTaker taker) { text_.take(std::move(taker)); }
-  void finish() { text_.finish(); }
-
- private:
-  // A loop meets the same words at the same places.
-  struct Remembered {
-    core::Word18 word;
-    std::string text;
-  };
-  const std::string& instruction_text(const machines::InstructionRecord& record) {
-    Remembered& known = remembered_[record.pc & pdp7::address_mask];
-    if (known.text.empty() || known.word != record.word) {
-      known = {record.word, disassembler::disassemble_word(record.word, record.pc)};
-    }
-    return known.text;
-  }
-
-  TextBlocks text_;
-  std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
-};
-
-// A trace, a VCD, or both.
-class Recorder {
- public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = false;
-
-  Recorder(Tracer* tracer, Pdp7Vcd& vcd) : tracer_(tracer), vcd_(vcd) {}
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
-    if (tracer_ != nullptr) tracer_->instruction(record);
-    vcd_.instruction(record);
-  }
-  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) { vcd_.cycle(cycle); }
-
- private:
-  Tracer* tracer_;
-  Pdp7Vcd& vcd_;
-};
-
-// What a monitor's marks leave of the boundaries and cycles of a run.
-struct Marked {
-  const std::uint8_t* places;
-  const std::uint8_t* ports;
-
-  explicit Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
-  SIGHTLINE_INLINE bool arrives(pdp7::Address next) const { return (places[next] & Probe::executed) != 0; }
-  SIGHTLINE_INLINE bool wants(const pdp7::Cycle& cycle) const {
-    switch (cycle.verb) {
-      case pdp7::Verb::fetch:
-      case pdp7::Verb::break_read:
-      case pdp7::Verb::idle: return false;
-      case pdp7::Verb::read: return (places[cycle.address] & Probe::is_read) != 0;
-      case pdp7::Verb::modify: return (places[cycle.address] & (Probe::is_read | Probe::is_written)) != 0;
-      case pdp7::Verb::write:
-      case pdp7::Verb::break_write:
-      case pdp7::Verb::break_modify: return (places[cycle.address] & Probe::is_written) != 0;
-      case pdp7::Verb::interrupt: return (places[0] & (Probe::is_written | Probe::at_interrupt)) != 0;
-      case pdp7::Verb::iot: return (ports[device_of(cycle)] & Probe::executed) != 0;
-    }
-    return true;
-  }
-  static std::uint32_t device_of(const pdp7::Cycle& iot) { return (iot.address >> 6) & 077U; }
-};
-
-// The observer of a monitor that has marked instructions alone: it is asked between them.
-class Breaker {
- public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = false;
-  static constexpr bool stops = true;
-  using Filter = Marked;
-
-  explicit Breaker(Probe& probe) : probe_(probe) {}
-  [[nodiscard]] Marked filter() const { return Marked(probe_); }
-
-  // A run begins here: an instruction at this place is passed over.
-  void begin(core::Instant now) { begun_ = now; }
-  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
-    if (now == begun_ || !filter().arrives(next)) return false;
-    probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
-    return true;
-  }
-
- private:
-  Probe& probe_;
-  core::Instant begun_{};
-};
-
-// What is left of the boundaries of a run that is looked at: marked instructions, and where a register has a value.
-struct Guarded {
-  const std::uint8_t* places;
-  std::uint32_t accumulator = 0;  // masks
-  std::uint32_t mq = 0;
-  std::uint32_t first = 0;
-  std::uint32_t span = ~std::uint32_t{0};
-
-  explicit Guarded(const Probe& probe) : places(probe.marks()) {
-    if (!probe.guard) return;
-    const Probe::Guard& guard = *probe.guard;
-    if (guard.devices) {  // boundaries that are due are asked at in any case
-      first = 1;
-      span = 0;
-      return;
-    }
-    constexpr std::uint32_t word = core::Word18::mask, link = pdp7::Accumulator::carry;
-    constexpr unsigned link_shift = 18;
-    switch (guard.register_number) {
-      case 1: accumulator = word & guard.mask; break;
-      case 3: mq = word & guard.mask; break;
-      case 2:
-        // Nothing lies between the two values of a bit.
-        if (guard.mask % 2 == 0 || guard.first > 1 || guard.span != 0) return;
-        accumulator = link;
-        first = guard.first << link_shift;
-        span = 0;
-        return;
-      default: return;
-    }
-    first = guard.first;
-    span = guard.span;
-  }
-  SIGHTLINE_INLINE bool arrives(pdp7::Address next, const machines::Pdp7View& view) const {
-    const std::uint32_t value = (view.accumulator & accumulator) | (view.others->mq.value() & mq);
-    return value - first <= span || (places[next] & Probe::executed) != 0;
-  }
-};
-
-// The observer of a monitor that looks at the machine between instructions.
-class Looker {
- public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = false;
-  static constexpr bool stops = true;
-  static constexpr bool looks = true;
-  using Filter = Guarded;
-
-  explicit Looker(Probe& probe) : probe_(probe) {}
-  [[nodiscard]] Guarded filter() const { return Guarded(probe_); }
-
-  // A run begins here: an instruction at this place is passed over.
-  void begin(core::Instant now) { begun_ = now; }
-  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
-    if (now == begun_) return false;
-    const std::size_t before = probe_.events().size();
-    if ((probe_.marks()[next] & Probe::executed) != 0) probe_.add({Probe::Kind::execution, core::nanoseconds_of(now), next, 0});
-    if (probe_.look()) probe_.add({Probe::Kind::look, core::nanoseconds_of(now), next, 0});
-    return probe_.events().size() != before;
-  }
-
- private:
-  Probe& probe_;
-  core::Instant begun_{};
-};
-
-// The observer of a monitor that has marked places.
-class Watcher {
- public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-  using Filter = Marked;
-
-  explicit Watcher(Probe& probe) : probe_(probe) {}
-  [[nodiscard]] Marked filter() const { return Marked(probe_); }
-
-  // A run begins here: an instruction at this place is passed over.
-  void begin(core::Instant now) {
-    begun_ = now;
-    stops_ = !probe_.events().empty();
-  }
-  [[gnu::noinline]] bool stop(core::Instant now, pdp7::Address next) {
-    if (now != begun_ && filter().arrives(next)) add(Probe::Kind::execution, now, next, 0);
-    return stops_;
-  }
-  [[gnu::noinline]] void cycle(pdp7::Cycle cycle) {
-    const std::uint8_t marks = probe_.marks()[cycle.address];
-    const std::uint32_t word = cycle.data.value();
-    switch (cycle.verb) {
-      case pdp7::Verb::modify:
-        if ((marks & Probe::is_read) != 0)
-          add(Probe::Kind::read, cycle.time, cycle.address, (cycle.data - core::Word18(1)).value());
-        if ((marks & Probe::is_written) != 0) add(Probe::Kind::write, cycle.time, cycle.address, word);
-        return;
-      case pdp7::Verb::interrupt:
-        if ((marks & Probe::at_interrupt) != 0)
-          add(Probe::Kind::interrupt, cycle.time, word & pdp7::address_mask, 0);
-        if ((marks & Probe::is_written) != 0) add(Probe::Kind::interrupt_write, cycle.time, cycle.address, word);
-        return;
-      case pdp7::Verb::read: return add(Probe::Kind::read, cycle.time, cycle.address, word);
-      case pdp7::Verb::write: return add(Probe::Kind::write, cycle.time, cycle.address, word);
-      case pdp7::Verb::break_write:
-      case pdp7::Verb::break_modify: return add(Probe::Kind::break_write, cycle.time, cycle.address, word);
-      case pdp7::Verb::iot:
-        return add(Probe::Kind::port_write, cycle.time, Marked::device_of(cycle), cycle.address | 0700000U);
-      case pdp7::Verb::fetch:
-      case pdp7::Verb::break_read:
-      case pdp7::Verb::idle: return;
-    }
-  }
-
- private:
-  void add(Probe::Kind kind, core::Instant time, std::uint32_t address, std::uint32_t value) {
-    probe_.add({kind, core::nanoseconds_of(time), address, value});
-    stops_ = true;
-  }
-
-  Probe& probe_;
-  core::Instant begun_{};
-  bool stops_ = false;
-};
-
-// The same, and tells each instruction.
-class Listener {
- public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
-  explicit Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
-
-  void begin(core::Instant now) { watcher_.begin(now); }
-  bool stop(core::Instant now, pdp7::Address next) { return watcher_.stop(now, next); }
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
-    entry_.time = core::nanoseconds_of(record.time);
-    entry_.pc = record.pc;
-    entry_.word = record.word.value();
-    entry_.accumulator = record.after.ac.value();
-    entry_.link = record.after.link ? 1 : 0;
-    if (probe_.on_instruction) probe_.on_instruction(entry_);
-    entry_.has_address = false;
-  }
-  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
-    if (watcher_.filter().wants(cycle)) watcher_.cycle(cycle);
-    if (probe_.on_cycle) tell(cycle);
-    const bool uses = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify || cycle.verb == pdp7::Verb::write;
-    if (!uses) return;
-    entry_.has_address = true;
-    entry_.address = cycle.address;
-    entry_.value = cycle.data.value();
-  }
-
- private:
-  void tell(const pdp7::Cycle& cycle) {
-    constexpr std::array names{"fetch", "read", "write", "read and write", "interrupt", "iot", "EAE", "break, read", "break, write", "clock tick"};
-    const bool has_address = cycle.verb != pdp7::Verb::idle && cycle.verb != pdp7::Verb::iot;
-    probe_.on_cycle({core::nanoseconds_of(cycle.time), cycle.length.count(), names[static_cast<std::size_t>(cycle.verb)], has_address,
-                     cycle.address, cycle.data.value()});
-  }
-
-  Probe& probe_;
-  Watcher watcher_;
-  Probe::Entry entry_;
-};
 
 // A run without a taker of strokes.
 struct NoScreen : core::NoStrokes {
@@ -738,18 +467,21 @@ class Pdp7Machine final : public Machine {
 
  private:
   machines::StopReason run_observed(const machines::Limits& limits) {
-    if constexpr (few_observers) {
-      if (probe_ && (probe_->watches_instructions() || probe_->watches_places())) return run_watched(limits, Listener(*probe_));
-    } else if constexpr (Sink::consumes) {
-      if (vcd_) {
-        Recorder recorder(tracer_ ? &*tracer_ : nullptr, *vcd_);
-        return machine_.run(limits, recorder);
+    if constexpr (Sink::consumes) {
+      if constexpr (!few_observers) {
+        if (vcd_) {
+          Pdp7Recorder recorder(tracer_ ? &*tracer_ : nullptr, *vcd_);
+          return machine_.run(limits, recorder);
+        }
+        if (tracer_) return machine_.run(limits, *tracer_);
       }
-      if (tracer_) return machine_.run(limits, *tracer_);
-      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Listener(*probe_));
-      if (probe_ && probe_->looks()) return run_watched(limits, Looker(*probe_));
-      if (probe_ && probe_->watches_arrival()) return run_watched(limits, Breaker(*probe_));
-      if (probe_ && probe_->watches_places()) return run_watched(limits, Watcher(*probe_));
+      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Pdp7Listener(*probe_));
+      if (probe_ && probe_->watches_accesses()) return run_watched(limits, Pdp7Watcher(*probe_));
+      if constexpr (few_observers) {
+        if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Watcher(*probe_));
+      } else {
+        if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Looker(*probe_));
+      }
     }
     return machine_.run(limits);
   }
@@ -760,6 +492,7 @@ class Pdp7Machine final : public Machine {
     // The last boundary of a run by number is not asked for.
     if (reason == machines::StopReason::instruction_limit)
       static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
+    static_cast<void>(observer.told());
     return reason;
   }
 
@@ -864,7 +597,7 @@ class Pdp7Machine final : public Machine {
   Pdp7Setup setup_;
   Sink sink_;
   machines::NoObserver nobody_;
-  std::optional<Tracer> tracer_;
+  std::optional<Pdp7Tracer> tracer_;
   std::optional<Pdp7Vcd> vcd_;
   std::optional<Probe> probe_;
   machines::Pdp7<Sink> machine_;

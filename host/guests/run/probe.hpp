@@ -1,7 +1,8 @@
 // What a monitor wants to know of a run: where it is to stop, and which instructions it obeys.
 //
 // A machine made with `--monitor` has one and looks at it when a run begins: without marks and listener the run has no
-// observer, with marks each access is compared with them, with a listener each instruction is told. An event ends the run at
+// observer, with marks each access is compared with them, with conditions each instruction that may change one of them is followed
+// by a test, with a listener each instruction is told. An event ends the run at
 // the boundary that follows it. The caller of Machine::run calls resume() first: a run from a place with a breakpoint passes
 // over it once.
 #pragma once
@@ -13,6 +14,8 @@
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "host/guests/run/condition.hpp"
 
 namespace sightline::guests::run {
 
@@ -95,19 +98,11 @@ class Probe {
   std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
   std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
 
-  // Asked between instructions, when registers, memory and time are those of the boundary; true: the run ends there, with an
-  // event. Only execution may be marked beside it; not where there are few_observers. Empty: nobody looks.
+  // What a run waits for, evaluated between its instructions.
+  std::vector<Condition> conditions;
+  // Asked where one of them may have changed, when registers, memory and time are those of the boundary; true: the run ends there,
+  // with an event. Empty: nobody waits for conditions.
   std::function<bool()> look;
-  // Where to ask: only when (register & mask) - first <= span, in 32 bits. A pair of the 8080 has the number of its high register.
-  struct Guard {
-    bool devices = false;  // only where a device may have changed, or the program has touched one
-    std::size_t register_number = 0;
-    bool pair = false;
-    std::uint32_t mask = ~std::uint32_t{0};
-    std::uint32_t first = 0;
-    std::uint32_t span = 0;
-  };
-  std::optional<Guard> guard;  // none, or one of a register that the machine does not guard: everywhere
 
   std::vector<Key> keys;  // all, in order
 
@@ -118,8 +113,8 @@ class Probe {
   // For the machine: what a run is to be watched for.
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
   [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
-  [[nodiscard]] bool watches_arrival() const { return marked_ == executed; }  // and nothing else
-  [[nodiscard]] bool watches_places() const { return marked_ != 0; }
+  [[nodiscard]] bool watches_boundaries() const { return looks() || marked_ != 0; }
+  [[nodiscard]] bool watches_accesses() const { return (marked_ & ~executed) != 0; }  // beside boundaries
   // As many as the machine has, for its observer.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }

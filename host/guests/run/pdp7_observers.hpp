@@ -1,0 +1,266 @@
+// Who hears what happens in a run of the PDP-7: traces and dumps, and what a monitor has asked for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/inline.hpp"
+#include "emulators/machines/observer.hpp"
+#include "emulators/machines/pdp7_bus.hpp"
+#include "emulators/pdp7/bus.hpp"
+#include "emulators/pdp7/isa.hpp"
+#include "emulators/pdp7/registers.hpp"
+#include "host/base/text.hpp"
+#include "host/guests/run/machine.hpp"
+#include "host/guests/run/outlook.hpp"
+#include "host/guests/run/pdp7_vcd.hpp"
+#include "host/guests/run/probe.hpp"
+#include "tools/disasm/disasm.hpp"
+
+namespace sightline::guests::run {
+
+// The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
+class Pdp7Tracer {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = false;
+  static constexpr bool stops = false;
+
+  // Out of line: it is called from where every instruction ends.
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    text_.write([&](std::string& text) {
+      base::append(text, "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
+                   core::nanoseconds_of(record.time), record.pc, record.word.value(),
+                   instruction_text(record), record.after.ac.value(), record.after.link ? 1 : 0,
+                   record.after.mq.value());
+    });
+  }
+  void take(TextTaker taker) { text_.take(std::move(taker)); }
+  void finish() { text_.finish(); }
+
+ private:
+  // A loop meets the same words at the same places.
+  struct Remembered {
+    core::Word18 word;
+    std::string text;
+  };
+  const std::string& instruction_text(const machines::InstructionRecord& record) {
+    Remembered& known = remembered_[record.pc & pdp7::address_mask];
+    if (known.text.empty() || known.word != record.word) {
+      known = {record.word, disassembler::disassemble_word(record.word, record.pc)};
+    }
+    return known.text;
+  }
+
+  TextBlocks text_;
+  std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
+};
+
+// A trace, a VCD, or both.
+class Pdp7Recorder {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = false;
+
+  Pdp7Recorder(Pdp7Tracer* tracer, Pdp7Vcd& vcd) : tracer_(tracer), vcd_(vcd) {}
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    if (tracer_ != nullptr) tracer_->instruction(record);
+    vcd_.instruction(record);
+  }
+  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) { vcd_.cycle(cycle); }
+
+ private:
+  Pdp7Tracer* tracer_;
+  Pdp7Vcd& vcd_;
+};
+
+// Where Outlook finds the registers of the PDP-7. The number of a register is its place in the description.
+struct Pdp7Places {
+  explicit Pdp7Places(const std::uint8_t* places) : all(places), here(places) {}
+  void enter(pdp7::Address bank) { here = all + bank; }
+  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t at(pdp7::Here next) const { return here[next.place]; }
+  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t again(pdp7::Here next) const {
+    return *static_cast<const volatile std::uint8_t*>(here + next.place);
+  }
+
+  const std::uint8_t* all;
+  const std::uint8_t* here;  // of the bank
+};
+
+struct Pdp7Outlook {
+  using Address = pdp7::Address;
+  using View = machines::Pdp7View;
+  using Instant = core::Instant;
+  using Places = Pdp7Places;
+  static constexpr std::size_t addresses = std::size_t{pdp7::address_mask} + 1;
+  static constexpr std::uint8_t memory = pdp7::change::memory;
+  static constexpr std::array parts{pdp7::change::accumulator, pdp7::change::eae, pdp7::change::modes};
+  static constexpr std::size_t program_counter = 0;
+
+  template <std::uint8_t part>
+  [[nodiscard]] SIGHTLINE_INLINE static std::uint32_t value(const View& view) {
+    if constexpr (part == pdp7::change::accumulator) return view.accumulator;
+    else if constexpr (part == pdp7::change::eae) return view.others->mq.value();
+    else return view.others->modes;
+  }
+  [[nodiscard]] static Part part_of(std::size_t number, bool) {
+    constexpr unsigned link = 18, interrupts_on = 1;
+    static_assert(pdp7::Accumulator::carry == 1U << link && pdp7::mode::interrupts_on == 1U << interrupts_on);
+    switch (number) {
+      case 1: return {pdp7::change::accumulator, 0, core::Word18::mask};
+      case 2: return {pdp7::change::accumulator, link, 1};
+      case 3: return {pdp7::change::eae, 0, core::Word18::mask};
+      case 4: return {pdp7::change::eae, 0, 0};  // SC is not compared
+      case 6: return {pdp7::change::modes, interrupts_on, 1};
+      default: return {};
+    }
+  }
+  [[nodiscard]] static std::int64_t register_value(std::size_t number, Address next, const View& view) {
+    const pdp7::Accumulator accumulator(view.accumulator);
+    switch (number) {
+      case 0: return next;
+      case 1: return accumulator.ac().value();
+      case 2: return accumulator.link() ? 1 : 0;
+      case 3: return view.others->mq.value();
+      case 4: return view.others->sc.value();
+      default: return view.others->is(pdp7::mode::interrupts_on) ? 1 : 0;
+    }
+  }
+  [[nodiscard]] static std::optional<std::int64_t> word(std::int64_t address, const View& view) {
+    if (address < 0 || address >= static_cast<std::int64_t>(view.core.size())) return std::nullopt;
+    return view.core[static_cast<std::size_t>(address)].value();
+  }
+  [[nodiscard]] static std::int64_t ticks(Instant at) { return core::nanoseconds_of(at); }
+};
+using Pdp7Looker = Looker<Pdp7Outlook>;
+
+// What a monitor's marks leave of the cycles of a run.
+struct Pdp7Marked {
+  const std::uint8_t* places;
+  const std::uint8_t* ports;
+
+  explicit Pdp7Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
+  SIGHTLINE_INLINE bool wants(const pdp7::Cycle& cycle) const {
+    switch (cycle.verb) {
+      case pdp7::Verb::fetch:
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::idle: return false;
+      case pdp7::Verb::read: return (places[cycle.address] & Probe::is_read) != 0;
+      case pdp7::Verb::modify: return (places[cycle.address] & (Probe::is_read | Probe::is_written)) != 0;
+      case pdp7::Verb::write:
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify: return (places[cycle.address] & Probe::is_written) != 0;
+      case pdp7::Verb::interrupt: return (places[0] & (Probe::is_written | Probe::at_interrupt)) != 0;
+      case pdp7::Verb::iot: return (ports[device_of(cycle)] & Probe::executed) != 0;
+    }
+    return true;
+  }
+  static std::uint32_t device_of(const pdp7::Cycle& iot) { return (iot.address >> 6) & 077U; }
+};
+
+// The observer of a monitor that has marked places, too.
+class Pdp7Watcher : public Pdp7Looker {
+ public:
+  static constexpr bool cycles = true;
+  using Filter = Pdp7Marked;
+
+  explicit Pdp7Watcher(Probe& probe) : Pdp7Looker(probe) {}
+  [[nodiscard]] Pdp7Marked filter() const { return Pdp7Marked(probe()); }
+
+  // Kept until the boundary, without a call: one would cost every instruction the registers that it might spoil.
+  SIGHTLINE_INLINE void cycle(const pdp7::Cycle& cycle) {
+    kept_[kept_count_] = cycle;
+    if (kept_count_ + 1 < kept_.size()) ++kept_count_;
+  }
+  [[nodiscard]] bool told() {
+    for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
+    kept_count_ = 0;
+    return Pdp7Looker::told();
+  }
+  bool stop(core::Instant now, pdp7::Address next) {
+    static_cast<void>(told());
+    return Pdp7Looker::stop(now, next);
+  }
+  void tell(const pdp7::Cycle& cycle) {
+    const std::uint8_t marks = probe().marks()[cycle.address];
+    const std::uint32_t word = cycle.data.value();
+    switch (cycle.verb) {
+      case pdp7::Verb::modify:
+        if ((marks & Probe::is_read) != 0)
+          add(Probe::Kind::read, cycle.time, cycle.address, (cycle.data - core::Word18(1)).value());
+        if ((marks & Probe::is_written) != 0) add(Probe::Kind::write, cycle.time, cycle.address, word);
+        return;
+      case pdp7::Verb::interrupt:
+        if ((marks & Probe::at_interrupt) != 0)
+          add(Probe::Kind::interrupt, cycle.time, word & pdp7::address_mask, 0);
+        if ((marks & Probe::is_written) != 0) add(Probe::Kind::interrupt_write, cycle.time, cycle.address, word);
+        return;
+      case pdp7::Verb::read: return add(Probe::Kind::read, cycle.time, cycle.address, word);
+      case pdp7::Verb::write: return add(Probe::Kind::write, cycle.time, cycle.address, word);
+      case pdp7::Verb::break_write:
+      case pdp7::Verb::break_modify: return add(Probe::Kind::break_write, cycle.time, cycle.address, word);
+      case pdp7::Verb::iot:
+        return add(Probe::Kind::port_write, cycle.time, Pdp7Marked::device_of(cycle), cycle.address | 0700000U);
+      case pdp7::Verb::fetch:
+      case pdp7::Verb::break_read:
+      case pdp7::Verb::idle: return;
+    }
+  }
+
+ private:
+  // More than an instruction and the breaks before it have.
+  std::array<pdp7::Cycle, 64> kept_{};
+  std::size_t kept_count_ = 0;
+};
+
+// The same, and tells each instruction.
+class Pdp7Listener {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  explicit Pdp7Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
+
+  void begin(core::Instant now) { watcher_.begin(now); }
+  bool stop(core::Instant now, pdp7::Address next) { return watcher_.stop(now, next); }
+  bool told() { return watcher_.told(); }
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    entry_.time = core::nanoseconds_of(record.time);
+    entry_.pc = record.pc;
+    entry_.word = record.word.value();
+    entry_.accumulator = record.after.ac.value();
+    entry_.link = record.after.link ? 1 : 0;
+    if (probe_.on_instruction) probe_.on_instruction(entry_);
+    entry_.has_address = false;
+  }
+  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
+    if (watcher_.filter().wants(cycle)) watcher_.tell(cycle);
+    if (probe_.on_cycle) tell(cycle);
+    const bool uses = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify || cycle.verb == pdp7::Verb::write;
+    if (!uses) return;
+    entry_.has_address = true;
+    entry_.address = cycle.address;
+    entry_.value = cycle.data.value();
+  }
+
+ private:
+  void tell(const pdp7::Cycle& cycle) {
+    constexpr std::array names{"fetch", "read", "write", "read and write", "interrupt", "iot", "EAE", "break, read", "break, write", "clock tick"};
+    const bool has_address = cycle.verb != pdp7::Verb::idle && cycle.verb != pdp7::Verb::iot;
+    probe_.on_cycle({core::nanoseconds_of(cycle.time), cycle.length.count(), names[static_cast<std::size_t>(cycle.verb)], has_address,
+                     cycle.address, cycle.data.value()});
+  }
+
+  Probe& probe_;
+  Pdp7Watcher watcher_;
+  Probe::Entry entry_;
+};
+
+}  // namespace sightline::guests::run
