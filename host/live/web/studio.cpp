@@ -11,6 +11,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
+#include "host/guests/flight/program.hpp"
 #include "host/guests/jones/program.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
@@ -295,6 +296,7 @@ Json firmware() {
   const auto add = [&sources](std::string_view folder, auto files) {
     for (const auto& [name, text] : files) sources[fmt::format("{}/{}", folder, name)] = text;
   };
+  add("flight", guests::flight::embedded_sources());
   add("jones", guests::jones::firmware_tapes());
   add("skala", skala::embedded_sources());
   add("stripes", guests::stripes::embedded_sources());

@@ -153,6 +153,7 @@ export class I8080Room {
     this.module.putFile(name, bytes);
     if (bytes[0] === 0x89 && bytes[1] === 0x53) {
       if (this.flies) return this.message.say(`${name}: a snapshot of a machine; a flight has none. Choose another program first.`, true);
+      if (!this.id) return this.message.say(`${name}: a snapshot, and there is no machine to take it: choose the program that it was saved from.`, true);
       const done = this.module.ask({do: 'restore', id: this.id, file: name});
       this.message.say(done.error ?? '', Boolean(done.error));
       this.ended = this.shown = false;

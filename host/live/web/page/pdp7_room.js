@@ -2,7 +2,8 @@
 
 import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
-import {SIDE, PHOSPHOR, makeTube} from './tube.js';
+import {SIDE, PHOSPHOR} from './phosphor.js';
+import {makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
@@ -38,10 +39,11 @@ export class Pdp7Room {
     this.canvas = element('canvas', {className: 'tube', 'aria-label': 'Screen of the Type 340', role: 'img'});
     // Over the tube, only while there is something on it: a layer that is shown costs each picture.
     this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true', hidden: true});
-    this.tube = makeTube(this.canvas, {plain: new URLSearchParams(location.search).has('plain')});
+    const address = new URLSearchParams(location.search);
+    this.tube = makeTube(this.canvas, {plain: address.has('plain'), fine: address.has('frames'), coarse: address.has('coarse')});
     this.message = notice();
     this.note = this.tube.kind !== 'plain' ? '' : 'This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.';
-    const screen = element('div', {className: 'screen'}, this.canvas, this.glass);
+    const screen = element('div', {className: this.tube.kind === 'plain' ? 'screen' : 'screen framed'}, this.canvas, this.glass);
     const point = event => {
       const box = screen.getBoundingClientRect();
       const x = Math.round((event.clientX - box.left) / box.width * SIDE - PHOSPHOR.margin);

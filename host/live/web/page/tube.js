@@ -1,21 +1,17 @@
-// The screen of the Type 340: a P7 phosphor that keeps the beam's energy. The parameters are those of the photograph
-// (host/picture/phosphor.hpp, which gives their sources).
+// The screen of the Type 340: a P7 phosphor that keeps the beam's energy.
 //
 // Each flash is a spot of light in two layers. The blue layer answers at once; the yellow one keeps its energy and gives it off
 // as the sum of three exponentials. What is seen is the light of the last moments, weighted as an eye with some persistence has it;
 // in a steady picture that is the photograph's exposure of 0.2 s.
 
-export const PHOSPHOR = {
-  margin: 24, floor: 0.15, sigmaBase: 0.6, sigmaGrowth: 0.2, cascade: 1.9, blueShare: 0.25,
-  yellow: [[0.0116 / 0.2324, 0.04], [0.0768 / 0.2324, 0.16], [0.144 / 0.2324, 2.4]],
-  blueColour: [0.10, 0.22, 1.0], yellowColour: [0.55, 0.80, 0.10], haloShare: 0.03,
-  ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
-};
-const [[SHARE_0, TAU_0], [SHARE_1, TAU_1], [SHARE_2, TAU_2]] = PHOSPHOR.yellow;
-const POINTS = 1024;
-const LEVELS = Array.from({length: 8}, (_, i) => PHOSPHOR.floor + (1 - PHOSPHOR.floor) * (i / 7) ** 1.5);
-export const SIDE = POINTS + 2 * PHOSPHOR.margin;
+import {CoarsePhosphor, PHOSPHOR, SHARE_0, SHARE_1, SHARE_2, SIDE, TAU_0, TAU_1, TAU_2} from './phosphor.js';
 
+// The corners of the glass are round: what is outside has the colour of the frame (page.css). To clip the canvas would cost another layer in each picture.
+const ROUND = `
+vec3 framed(vec3 colour, vec2 at) {
+  float outside = length(max(abs(at - 0.5) - 0.41, 0.0)) - 0.09;
+  return mix(colour, vec3(43, 45, 48) / 255.0, clamp(outside / fwidth(at.x) + 0.5, 0.0, 1.0));
+}`;
 const FLASH_VERTEX = `#version 300 es
 layout(location=0) in vec2 place; layout(location=1) in float level;
 uniform float scale; uniform vec2 side; out float light; out float sigma;
@@ -40,10 +36,10 @@ const WHOLE_VERTEX = `#version 300 es
 out vec2 at; void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0; at = p; gl_Position = vec4(p * 2.0 - 1.0, 0, 1); }`;
 const GLOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D fresh, glow, film; uniform bool same; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
+in vec2 at; uniform sampler2D fresh, glow, film; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
 layout(location=0) out vec4 glowNext; layout(location=1) out vec4 filmNext;
 void main() {
-  vec2 f = texture(fresh, at).rg; if (same) f.g = f.r; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
+  vec2 f = texture(fresh, at).rg; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
   vec3 come = f.g * ${1 - PHOSPHOR.blueShare} * share;
   float yellow = dot(g, 1.0 - keep) + dot(come, 1.0 - keepHalf);
   glowNext = vec4(g * keep + come * keepHalf, 0);
@@ -60,7 +56,7 @@ void main() {
 }`;
 const SHOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; out vec4 colour;
+in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; out vec4 colour;${ROUND}
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 // The light of a place, as the film answers it.
 vec3 answer(vec2 at) {
@@ -79,18 +75,31 @@ void main() {
     float left = inside ? answer(at - aside).g : 0.0, right = inside ? answer(at + aside).g : 0.0;
     v = vec3(left, right, right);
   }
-  colour = vec4(srgb(v.r), srgb(v.g), srgb(v.b), 1);
+  colour = vec4(framed(vec3(srgb(v.r), srgb(v.g), srgb(v.b)), at), 1);
 }`;
 
+const COPY_FRAGMENT = `#version 300 es
+precision highp float;
+in vec2 at; uniform sampler2D picture; out vec4 colour;${ROUND}
+void main() { colour = vec4(framed(texture(picture, at).rgb, at), 1); }`;
+
 // Draws the flashes of a module on a canvas. Without WebGL2 and float targets it draws dots that fade; `kind` says which.
-export function makeTube(canvas, {plain = false} = {}) {
-  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false, preserveDrawingBuffer: true});
-  if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl);
+// `fine`: with all points, however slow that is; `coarse`: with few of them.
+export function makeTube(canvas, {plain = false, fine = false, coarse = false} = {}) {
+  const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false});
+  if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl, coarse || (!fine && bySoftware(gl)) ? COARSE : SIDE);
   return new PlainTube(canvas);
 }
 
+const COARSE = SIDE / 4;
+// Whether a processor does the work of a graphics card, as far as the browser tells.
+function bySoftware(gl) {
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}
+
 class GlowTube {
-  constructor(canvas, gl) {
+  constructor(canvas, gl, side) {
     this.canvas = canvas;
     this.gl = gl;
     this.kind = 'phosphor';
@@ -98,14 +107,14 @@ class GlowTube {
     this.lost = false;
     canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.lost = true; });
     canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.build(); });
-    this.side = SIDE;
+    this.side = side;
     this.build();
   }
 
   // Fewer pixels, for a computer that is too slow for all of them.
   coarser() {
-    if (this.side <= SIDE / 4) return false;
-    this.side = Math.round(this.side > SIDE / 2 ? SIDE / 2 : this.side > SIDE * 3 / 8 ? SIDE * 3 / 8 : SIDE / 4);
+    if (this.side <= COARSE) return false;
+    this.side = Math.round(this.side > SIDE / 2 ? SIDE / 2 : this.side > SIDE * 3 / 8 ? SIDE * 3 / 8 : COARSE);
     this.build();
     return true;
   }
@@ -152,6 +161,14 @@ class GlowTube {
       return made;
     };
     this.canvas.width = this.canvas.height = this.side;
+    this.nothing = gl.createVertexArray();
+    // With pixels wider than a spot there is nothing to spread, and the processor, which does the work of a graphics card here, does it itself.
+    this.coarse = this.side < SIDE / 2 ? new CoarsePhosphor(this.side) : null;
+    if (this.coarse) {
+      this.copy = program(WHOLE_VERTEX, COPY_FRAGMENT);
+      this.copied = texture(this.side, gl.LINEAR, gl.RGBA8);
+      return;
+    }
     this.flash = program(FLASH_VERTEX, FLASH_FRAGMENT);
     this.glow = program(WHOLE_VERTEX, GLOW_FRAGMENT);
     this.show = program(WHOLE_VERTEX, SHOW_FRAGMENT);
@@ -159,11 +176,8 @@ class GlowTube {
     this.blocks = Math.ceil(this.side / 16);
     this.wide = texture(this.blocks, gl.LINEAR);
     this.wideTarget = target(this.wide);
-    // With pixels wider than a spot there is nothing to spread: flashes are added up here, which is quicker where a processor
-    // does the work of a graphics card.
-    this.sums = this.side < SIDE / 2 ? new Float32Array(this.side * this.side) : null;
-    this.fresh = texture(this.side, gl.NEAREST, this.sums ? gl.R32F : gl.RGBA16F);
-    this.freshTarget = this.sums ? null : target(this.fresh);
+    this.fresh = texture(this.side, gl.NEAREST);
+    this.freshTarget = target(this.fresh);
     this.states = [0, 1].map(() => {
       const glow = texture(this.side, gl.NEAREST);
       const film = texture(this.side, gl.LINEAR);
@@ -179,29 +193,18 @@ class GlowTube {
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 12, 0);
     gl.enableVertexAttribArray(1);
     gl.vertexAttribPointer(1, 1, gl.FLOAT, false, 12, 8);
-    this.nothing = gl.createVertexArray();
   }
 
   // What was drawn in the last `seconds` of emulated time: the flashes of module.js.
   picture(flashes, seconds) {
     if (this.lost || seconds <= 0) return;
-    const gl = this.gl;
-    if (this.sums) this.addUp(flashes); else this.spread(flashes);
-    this.fade(seconds);
-    this.develop();
-  }
-  addUp(flashes) {
-    const {gl, sums, side} = this;
-    const scale = side / SIDE;
-    sums.fill(0);
-    for (let i = 0; i < flashes.count; ++i) {
-      const x = (flashes.x(i) + PHOSPHOR.margin + 0.5) * scale | 0;
-      const y = (flashes.y(i) + PHOSPHOR.margin + 0.5) * scale | 0;
-      sums[y * side + x] += LEVELS[flashes.level(i) & 7] * scale * scale;
+    if (this.coarse) {
+      this.coarse.picture(flashes, seconds);
+    } else {
+      this.spread(flashes);
+      this.fade(seconds);
     }
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.fresh);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, side, side, gl.RED, gl.FLOAT, sums);
+    this.develop();
   }
   spread(flashes) {
     const gl = this.gl;
@@ -239,7 +242,6 @@ class GlowTube {
     gl.useProgram(this.glow.made);
     gl.viewport(0, 0, this.side, this.side);
     gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
-    gl.uniform1i(places.same, this.sums ? 1 : 0);
     gl.bindVertexArray(this.nothing);
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
@@ -253,17 +255,31 @@ class GlowTube {
   }
   develop() {
     const gl = this.gl;
-    const {film} = this.states[this.now];
+    // As many pixels as the page shows: no more are worth their work.
+    const shown = Math.max(64, Math.min(this.side, Math.round(this.canvas.clientWidth * (globalThis.devicePixelRatio || 1)) || this.side));
+    if (this.canvas.width !== shown) this.canvas.width = this.canvas.height = shown;
     gl.bindVertexArray(this.nothing);
+    if (this.coarse) this.showCoarse(shown); else this.showFilm(shown);
+  }
+  showCoarse(shown) {
+    const {gl, coarse} = this;
+    coarse.develop(this.pair);
+    gl.useProgram(this.copy.made);
+    this.use(0, this.copied, this.copy.places.picture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, this.side, this.side, gl.RGBA, gl.UNSIGNED_BYTE, coarse.bytes);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, shown, shown);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+  showFilm(shown) {
+    const gl = this.gl;
+    const {film} = this.states[this.now];
     gl.useProgram(this.halo.made);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.wideTarget);
     gl.viewport(0, 0, this.blocks, this.blocks);
     this.use(0, film, this.halo.places.film);
     gl.uniform2f(this.halo.places.step, 2 / this.side, 2 / this.side);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    // As many pixels as the page shows: no more are worth their work.
-    const shown = Math.max(64, Math.min(this.side, Math.round(this.canvas.clientWidth * (globalThis.devicePixelRatio || 1)) || this.side));
-    if (this.canvas.width !== shown) this.canvas.width = this.canvas.height = shown;
     gl.useProgram(this.show.made);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, shown, shown);
