@@ -18,9 +18,9 @@ export class Flight {
     this.plan = check('Measured in plan', o.plan, set('plan'));
     this.pieces = field('Pieces at most', o.pieces, number('pieces'), {type: 'number', min: 1, max: 255});
     this.controls = [this.scene, this.bits, this.pieces, this.plan];
-    this.colours = new Uint32Array(1);
+    this.colours = new Int32Array(1);
     this.image = new ImageData(SIDE, SIDE);
-    this.pixels = new Uint32Array(this.image.data.buffer);
+    this.pixels = new Int32Array(this.image.data.buffer);
   }
 
   make() {
@@ -28,8 +28,8 @@ export class Flight {
     const made = this.module.ask({do: 'flight', scene: o.scene, bits: o.bits, plan: o.plan, pieces: o.pieces, frames: o.frames});
     this.made = made.error ? null : made;
     if (!this.made) return made;
-    // Red is the lowest byte of a pixel.
-    this.colours = Uint32Array.from(made.shades, shade => 0xff000000 | (shade & 0xff) << 16 | shade & 0xff00 | shade >> 16);
+    // Red is the lowest byte of a pixel; with a sign, because a number as small as that needs no room of its own.
+    this.colours = Int32Array.from(made.shades, shade => 0xff000000 | (shade & 0xff) << 16 | shade & 0xff00 | shade >> 16);
     this.before = null;
     this.rate = 0;
     return made;

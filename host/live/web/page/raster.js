@@ -1,13 +1,13 @@
 // What a raster board shows: 256 by 256 values of 0 to 7, the bottom row first, on a canvas.
 
 // Pixels of the values: as a monitor shows three planes, and as levels of light.
-export const COLOURS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
-export const GREYS = Uint32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
+export const COLOURS = Int32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
+export const GREYS = Int32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
 
 export class RasterImage {
   constructor() {
     this.image = new ImageData(256, 256);
-    this.pixels = new Uint32Array(this.image.data.buffer);
+    this.pixels = new Int32Array(this.image.data.buffer);
   }
   draw(context, dots, colours = COLOURS) {
     const {pixels} = this;
