@@ -19,13 +19,6 @@ using guests::run::Machine;
 using guests::run::Probe;
 using guests::run::Stop;
 
-namespace {
-
-// Of emulated time: a program that has nothing to do but wait for a key has shown so by then.
-constexpr std::int64_t patience_seconds = 60;
-
-}  // namespace
-
 Debugger::Debugger(const guests::run::MachineDescription& description, Machine& machine, const Limits& limits,
                    Symbols symbols, RunHost host)
     : description_(description),
@@ -439,10 +432,10 @@ Halted Debugger::run(const Goal& goal) {
     if (part_done || key_due) stop = {guests::run::stopped_by_probe, {}};
     const bool unanswered = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
     if (!unanswered) answered_at = machine_.ticks();
-    if (stop.name == guests::run::stopped_by_probe && machine_.ticks() - answered_at >= patience_seconds * machine_.ticks_a_second()) {
+    if (stop.name == guests::run::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_a_second()) {
       stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
                                         "`run for TIME` runs on without",
-                                        patience_seconds)};
+                                        host_.patience)};
     }
     if (stop.name == guests::run::stopped_by_probe && host_.interrupted()) stop = {guests::run::interrupted, {}};
     if (!by_instructions) {

@@ -35,6 +35,8 @@ struct RunHost {
   std::function<void(std::string_view)> print;
   // Keys come from send() alone: a run without a goal ends when the program has long asked for one and got none.
   bool nobody_types = false;
+  // So long, in seconds of the program's time: it has shown by then that it has nothing to do but wait for a key.
+  std::int64_t patience = 60;
 };
 
 // Where a run is to stop, besides breakpoints and the limits of the machine.

@@ -99,8 +99,10 @@ TEST(Expression, SaysWhatIsWrong) {
 
 class Session {
  public:
-  Session(const run::MachineDescription& description, MachineRun of, live::Symbols symbols)
-      : prepared_([&of] {
+  // With a patience nobody types.
+  Session(const run::MachineDescription& description, MachineRun of, live::Symbols symbols, std::optional<std::int64_t> patience = {})
+      : patience_(patience),
+        prepared_([&of] {
           of.monitored();
           auto ready = of.prepared();
           EXPECT_TRUE(ready.has_value()) << of.refusal();
@@ -123,6 +125,12 @@ class Session {
 
  private:
   live::MonitorHost host() {
+    live::MonitorHost host = patient_host();
+    host.running.nobody_types = patience_.has_value();
+    host.running.patience = patience_.value_or(host.running.patience);
+    return host;
+  }
+  live::MonitorHost patient_host() {
     return {{[this](run::Machine& machine, const run::Limits& limits,
                    const std::function<void(std::string_view)>& heard) {
               std::optional<run::Stop> stop;
@@ -138,7 +146,10 @@ class Session {
               }
               return *stop;
             },
-             [this] { return most_slices == 0; }, [this](std::string_view text) { printed += text; }},
+             [this] { return most_slices == 0; },
+             [this](std::string_view text) { printed += text; },
+             false,
+             60},
             [this](const std::string& path) -> run::Result<run::Input> {
               const auto found = files.find(path);
               if (found == files.end()) return run::bad_input(path + ": no such file");
@@ -151,11 +162,12 @@ class Session {
             [](const std::string&) -> run::Result<base::Done> { return run::usage("there is no console"); }};
   }
 
+  std::optional<std::int64_t> patience_;
   run::Prepared prepared_;
   live::Monitor monitor_;
 };
 
-std::unique_ptr<Session> pdp7_session(const std::string& source, const char* option = nullptr) {
+std::unique_ptr<Session> pdp7_session(const std::string& source, const char* option = nullptr, std::optional<std::int64_t> patience = {}) {
   const std::vector<assembler::SourceFile> sources{{"test.s", "100/\n" + source}};
   const auto assembly = assembler::assemble_pdp7(sources, {});
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
@@ -166,7 +178,7 @@ std::unique_ptr<Session> pdp7_session(const std::string& source, const char* opt
   MachineRun of(run::pdp7());
   of.set_file("--load", "test.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()}).set("--start", "100");
   if (option != nullptr) of.set(option);
-  return std::make_unique<Session>(run::pdp7(), of, std::move(symbols));
+  return std::make_unique<Session>(run::pdp7(), of, std::move(symbols), patience);
 }
 
 std::unique_ptr<Session> pdp7_program() {
@@ -784,7 +796,7 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
             " jmp i sub\nplace, 0\n start begin\n");
       },
       {"ac==7", "ac>=10 && ac<=14", "ac!=0", "l", "l==0", "!l", "l==1 && ac==12", "ac&4", "(ac&6)==6", "mq==16", "mq>20", "3==mq", "17>ac", "ac==mq",
-       "pc==101", "[place]==5 && ac==7", "sc==0 && ac==5", "ac==7 || mq==7", "printer", "printer==0", "time>3000", "ac==777777", "ac<0", "ac>=0"},
+       "pc==101", "pc>=105 && pc<107", "pc==101 && ac==7", "[place]==5 && ac==7", "ac>mq", "ac<=mq", "mq==ac+3", "ac-mq==4", "10-ac==mq", "ac!=mq", "(ac^mq)==2", "(ac&7)==(mq&7)", "l==(ac&1)", "l && ac==12", "ion", "sc==mq", "(mq&1)+ac>16", "1/(ac-3)", "[ac]==ac", "printer && ac==7", "sc==0 && ac==5", "ac==7 || mq==7", "printer", "printer==0", "time>3000", "ac==777777", "ac<0", "ac>=0"},
       "begin");
 }
 
@@ -795,8 +807,22 @@ TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
             "BEGIN: INR B\n INX H\n DCX D\n MOV A,B\n ADD L\n PUSH PSW\n POP B\n INR C\n JNZ BEGIN\n MVI C,9\n CALL SUB\n JMP BEGIN\nSUB: RET\n");
       },
       {"a==7", "a>=10 && a<=14", "hl==5", "h==0 && l==6", "b==12", "b>0F0", "bc==1213", "de==0FFF8", "d==0FF", "e<4", "c&10", "a==b", "sp==0FFFA",
-       "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8"},
+       "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8", "b!=a", "a==l+3", "b-d==5", "bc==hl+1200", "e<c", "(a^l)==3", "b==c", "h==l", "(b&3)==(l&3)", "inte", "sp<0FFF8 || a==3", "[hl]==l", "time>1000 && a==4", "a", "!(a-b)", "b>=0", "d<0", "f!=46"},
       "BEGIN");
+}
+
+// Without a terminal a program that only asks for a key is stopped when it has asked for long, by its own time. `run for` runs on.
+TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
+  auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\n start begin\n", nullptr, 2);
+  const std::string text = (*m)("go");
+  EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
+  const std::int64_t second = m->machine().ticks_a_second();
+  EXPECT_GE(m->machine().ticks(), 2 * second);
+  EXPECT_LT(m->machine().ticks(), 5 * second);
+  EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);
+  EXPECT_GE(m->machine().ticks(), 6 * second);
+  (*m)("send \"A\"");
+  EXPECT_NE((*m)("go begin").find("stopped by halt"), std::string::npos);
 }
 
 // --- All verbs ---
