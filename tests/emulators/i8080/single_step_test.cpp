@@ -185,7 +185,7 @@ TEST(I8080SingleStep, ChangesAreThoseOfTheTable) {
     EXPECT_EQ(seen[opcode] & ~told, 0U) << hexadecimal(opcode, 2);
     // MOV A,A and its like change nothing.
     const bool to_itself = (opcode & 0xC0U) == 0x40 && (opcode >> 3 & 7U) == (opcode & 7U);
-    if (!to_itself) EXPECT_EQ(told & ~seen[opcode], 0U) << hexadecimal(opcode, 2);
+    if (!to_itself) { EXPECT_EQ(told & ~seen[opcode], 0U) << hexadecimal(opcode, 2); }
   }
 }
 
