@@ -53,7 +53,7 @@ constexpr std::array rows{
                       if (is_common(rules)) return "the address of the item; a warning";
                       return rules.location_moves ? "the address of the item" : "the address of the statement";
                     },
-                    "MAC 2.0 and MACRO-80 3.44 themselves, though MACRO-80, 2.11, says: at the start of the statement; Intel"},
+                    "MAC 2.0 and MACRO-80 3.44 themselves, though MACRO-80, 2.11, says: at the start of the statement; ASM80 4.1 itself"},
     I8080DialectRow{"to take the next character of a macro argument as it is",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string sign = std::string("`") + rules.literal + "`";
@@ -76,7 +76,7 @@ constexpr std::array rows{
                       if (is_common(rules)) return "if not 0" + warned + "bit 0 is 1";
                       return rules.if_takes_bit_zero ? "if bit 0 is 1" + warned + "not 0" : "if not 0";
                     },
-                    "MAC, 4.5, and MAC 2.0 itself; MACRO-80, 2.6.26; Intel"},
+                    "MAC, 4.5, and MAC 2.0 itself; MACRO-80, 2.6.26; ASM80 4.1 itself"},
     I8080DialectRow{"`HIGH` and `LOW`",
                     [](const I8080Rules& rules) -> std::string {
                       if (is_common(rules)) return "of the next operand; a warning if an operator follows it";
@@ -136,7 +136,7 @@ constexpr std::array rows{
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "MAC, 2; MACRO-80 3.44 itself, though 2.3.2 says 6, which is so for PUBLIC and EXTRN; Intel, chapter 2, on labels"},
+                    "MAC, 2; MACRO-80 3.44 itself, though 2.3.2 says 6, which is so for PUBLIC and EXTRN; Intel, chapter 2, on labels, and ASM80 4.1 itself"},
 };
 
 }  // namespace

@@ -7,7 +7,8 @@
 // Sources: Digital Research, "CP/M Operating System Manual", chapter 3 on ASM, and "CP/M MAC Macro Assembler: Language Manual and
 // Applications Guide" (1980), whose listings are those of MAC 2.0; Microsoft, "Utility Software Manual", chapter 2 on MACRO-80;
 // Intel, "8080/8085 Assembly Language Programming Manual" (9800301). MAC 2.0 ("CP/M MACRO ASSEM 2.0") and MACRO-80 3.44 themselves
-// were run by this repository's 8080: where one differs from its manual, the program counts. Rows that name no section and no
+// were run by this repository's 8080: where one differs from its manual, the program counts. What ASM80 4.1 does
+// is read from its port to C by Mark Ogden (c-ports, asm80: asm1m.c, asm3m.c, asm5m.c). Rows that name no section and no
 // program rest on how programs of the time were written.
 #pragma once
 
