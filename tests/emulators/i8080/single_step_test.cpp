@@ -183,9 +183,10 @@ TEST(I8080SingleStep, ChangesAreThoseOfTheTable) {
   for (unsigned opcode = 0; opcode < 256; ++opcode) {
     const unsigned told = i8080::changes_of(static_cast<std::uint8_t>(opcode));
     EXPECT_EQ(seen[opcode] & ~told, 0U) << hexadecimal(opcode, 2);
-    // MOV A,A and its like change nothing.
-    const bool to_itself = (opcode & 0xC0U) == 0x40 && (opcode >> 3 & 7U) == (opcode & 7U);
-    if (!to_itself) { EXPECT_EQ(told & ~seen[opcode], 0U) << hexadecimal(opcode, 2); }
+    // MOV A,A and its like, ANA A and ORA A change nothing; INTE, which EI and DI change, is set later on the pin.
+    const bool to_itself = ((opcode & 0xC0U) == 0x40 && (opcode >> 3 & 7U) == (opcode & 7U)) || opcode == 0xA7 || opcode == 0xB7;
+    const bool of_interrupts = opcode == 0xF3 || opcode == 0xFB;
+    if (!to_itself && !of_interrupts) { EXPECT_EQ(told & ~seen[opcode], 0U) << hexadecimal(opcode, 2); }
   }
 }
 
