@@ -279,6 +279,7 @@ Json compare_json(const SceneComparison& comparison) {
                         {"emulated_ns", turn.time.count()},
                         {"flashes", turn.flashes},
                         {"hausdorff", turn.distance.greatest},
+                        {"hausdorff_bound", turn.bound},
                         {"hausdorff_99_9", turn.distance.usual}};
   }
   document["not_compared"] = reasons_json(comparison.not_applicable);
