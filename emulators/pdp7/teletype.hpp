@@ -40,7 +40,11 @@ class Keyboard {
     return next_ < keys_.size() ? keys_[next_].arrives : core::never;
   }
   [[nodiscard]] bool flag() const { return flag_; }
-  void clear_flag() { flag_ = false; }
+  // As the program does that reads the character: it waits no more, until it tests for the next.
+  void clear_flag() {
+    flag_ = false;
+    asked_ = false;
+  }
   [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
 
   // A skip test that found the flag down: the program waits for a key.
@@ -76,7 +80,7 @@ class Keyboard {
   std::size_t next_ = 0;
   std::uint8_t buffer_ = 0;
   bool flag_ = false;
-  bool asked_ = false;  // since the last key was pressed
+  bool asked_ = false;  // since the last key was pressed or read
 };
 
 class Printer {

@@ -101,6 +101,20 @@ TEST_F(Pdp7Peripherals, KeyboardMarksChannelEightAndSendsTenCharactersASecond) {
   EXPECT_EQ(iot(200'000'000, 0700312), 0302U);
 }
 
+TEST_F(Pdp7Peripherals, AProgramThatHasReadItsKeyAsksForNone) {
+  EXPECT_FALSE(skips(0, 0700301));
+  EXPECT_TRUE(devices_.keyboard.asked());
+  devices_.keyboard.press(at_nanoseconds(0), 'A');
+  EXPECT_FALSE(devices_.keyboard.asked());
+  EXPECT_FALSE(skips(50'000'000, 0700301));
+  EXPECT_TRUE(devices_.keyboard.asked());
+  EXPECT_TRUE(skips(100'000'000, 0700301));
+  EXPECT_EQ(iot(100'000'000, 0700312), 0301U);
+  EXPECT_FALSE(devices_.keyboard.asked());
+  EXPECT_FALSE(skips(100'000'001, 0700301));
+  EXPECT_TRUE(devices_.keyboard.asked());
+}
+
 TEST_F(Pdp7Peripherals, PrinterRaisesItsFlagACharacterTimeLater) {
   iot(0, 0700406, 0301);
   EXPECT_FALSE(skips(99'999'999, 0700401));

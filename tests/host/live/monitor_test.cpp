@@ -813,7 +813,7 @@ TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
 
 // Without a terminal a program that only asks for a key is stopped when it has asked for long, by its own time. `run for` runs on.
 TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
-  auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\n start begin\n", nullptr, 2);
+  auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, 2);
   const std::string text = (*m)("go");
   EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
   const std::int64_t second = m->machine().ticks_a_second();
@@ -823,6 +823,10 @@ TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
   EXPECT_GE(m->machine().ticks(), 6 * second);
   (*m)("send \"A\"");
   EXPECT_NE((*m)("go begin").find("stopped by halt"), std::string::npos);
+  // What has read its key and works waits for none.
+  (*m)("d pc busy");
+  EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);
+  EXPECT_FALSE(m->machine().wants_key());
 }
 
 // --- All verbs ---
