@@ -330,6 +330,7 @@ TEST(Pdp7Lockstep, RandomProgramsRunAsOnTheReference) {
     std::mt19937_64 random(seed);
     if (!run_one(random, seed % 2 == 0, done)) return;
   }
+  EXPECT_GT(done.interrupts, wanted / 1000);
   EXPECT_GT(done.breaks, wanted / 200);
   EXPECT_GT(done.vectors, wanted / 10000);
   EXPECT_GT(done.modified, wanted / 200);

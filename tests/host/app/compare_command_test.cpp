@@ -120,6 +120,7 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
   EXPECT_EQ(names_of(turned["not_compared"]), std::vector<std::string>{});
   EXPECT_EQ(turned["turn"]["identical_to_twin"], true);
   EXPECT_LT(turned["turn"]["hausdorff"], turned["turn"]["hausdorff_bound"]);
+  EXPECT_LT(turned["turn"]["hausdorff"], 3.7);
   EXPECT_EQ(names_of(turned["faces"]), all_faces);
   for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }

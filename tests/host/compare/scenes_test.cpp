@@ -263,6 +263,9 @@ TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
     EXPECT_EQ(check->difference, "");
     EXPECT_GT(check->flashes, 1000U);
     EXPECT_LE(check->distance.greatest, check->bound) << angle;
+    // What was seen before there was a bound, and that the bound says something.
+    EXPECT_LT(check->distance.greatest, 3.7) << angle;
+    EXPECT_LT(check->distance.usual, 3) << angle;
     EXPECT_LT(check->bound, 6) << angle;
     EXPECT_TRUE(check->agrees());
   }

@@ -119,7 +119,7 @@ constexpr std::array rows{
                       if (is_common(rules)) return "without sign; a warning";
                       return rules.divides_signed ? "with sign: `-7/2` is -3, `7 MOD -4` is -3" : "without sign";
                     },
-                    "MACRO-80 3.44 itself; MAC, 3.6, and MAC 2.0 itself; Intel, chapter 2"},
+                    "MACRO-80 3.44 and MAC 2.0 themselves; Intel not confirmed"},
     I8080DialectRow{"`HIGH`, `LOW`, `NOT`, `-` behind a stronger operator, as in `A-HIGH B`, `1 EQ NOT B`",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string all = "of their operand";
