@@ -5,21 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "host/base/nearest_name.hpp"
-#include "host/base/number.hpp"
 #include "host/base/text.hpp"
 #include "host/live/console.hpp"
-#include "host/live/expression.hpp"
-#include "host/live/snapshot.hpp"
+#include "host/live/monitor/arguments.hpp"
+#include "host/live/monitor/listings.hpp"
 
 namespace sightline::live {
 
@@ -28,41 +23,13 @@ namespace {
 using guests::run::Limits;
 using guests::run::Machine;
 using guests::run::MachineDescription;
-using guests::run::Probe;
 using guests::run::Stop;
 using base::without_blanks;
+using monitor::Reader;
+using monitor::take_part;
+using monitor::taken;
+using monitor::Wrong;
 using Kind = Answer::Kind;
-
-constexpr std::uint64_t most_listed = 4096;
-
-// Between quotes blanks belong to the word.
-std::string_view take_part(std::string_view& text) {
-  text = without_blanks(text);
-  if (!text.empty() && text.front() == '"') {
-    const std::size_t end = std::min(text.find('"', 1), text.size());
-    const std::string_view word = text.substr(1, end - 1);
-    text = without_blanks(text.substr(std::min(end + 1, text.size())));
-    return word;
-  }
-  return base::take_word(text);
-}
-
-// Where `word` stands by itself in the text, else npos.
-std::size_t find_word(std::string_view text, std::string_view word) {
-  std::size_t at = 0;
-  while ((at = text.find(word, at)) != std::string_view::npos) {
-    const bool begins = at == 0 || text[at - 1] == ' ';
-    const bool ends = at + word.size() == text.size() || text[at + word.size()] == ' ';
-    if (begins && ends) return at;
-    ++at;
-  }
-  return at;
-}
-
-// A line of the monitor that is wrong; the text is the complaint.
-struct Wrong {
-  std::string text;
-};
 
 }  // namespace
 
@@ -86,7 +53,7 @@ class Monitor::Inside {
     Answer answer;
     std::string rest(line);
     while (answer.kind == Kind::done) {
-      const std::size_t end = end_of_command(rest);
+      const std::size_t end = monitor::end_of_command(rest);
       const Answer one = execute_one(without_blanks(std::string_view(rest).substr(0, end)));
       answer.kind = one.kind;
       answer.text += one.text;
@@ -112,43 +79,8 @@ class Monitor::Inside {
   static const Verb* take_verb(std::string_view& line);
 
  private:
-  [[nodiscard]] std::string address(std::uint32_t value) const { return debugger_.address(value); }
-  [[nodiscard]] std::string word(std::uint32_t value) const { return debugger_.word(value); }
-  [[nodiscard]] std::int64_t evaluated(std::string_view text) const { return take(debugger_.evaluate(text)); }
-  [[nodiscard]] std::uint32_t address_of(std::string_view text) const { return take(debugger_.address_of(text)); }
-  template <class T>
-  static T take(base::Result<T> result) {
-    if (!result) throw Wrong{result.error().message()};
-    return std::move(*result);
-  }
-  // A count is decimal, whatever the radix of words is.
-  [[nodiscard]] static std::uint64_t count_of(std::string_view text) {
-    const auto count = base::count_number(text);
-    if (!count) throw Wrong{fmt::format("found \"{}\", expected a count, decimal", text)};
-    return *count;
-  }
-  // FIRST-LAST or one address; at a - that is followed by an expression of its own.
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> range_of(std::string_view text) const {
-    std::size_t depth = 0;
-    for (std::size_t i = 1; i < text.size(); ++i) {
-      if (text[i] == '(' || text[i] == '[') ++depth;
-      if ((text[i] == ')' || text[i] == ']') && depth > 0) --depth;
-      if (text[i] != '-' || depth != 0) continue;
-      const std::uint32_t first = address_of(text.substr(0, i));
-      const std::uint32_t last = address_of(text.substr(i + 1));
-      if (last < first) throw Wrong{fmt::format("found {}, expected FIRST-LAST with the smaller address first", text)};
-      return {first, last};
-    }
-    const std::uint32_t at = address_of(text);
-    return {at, at};
-  }
 
   Answer answer_of(const Halted& halted) const;
-  // So many cycles, in the machine's unit.
-  [[nodiscard]] std::int64_t cycles_of(std::string_view text) const {
-    constexpr std::uint64_t most = std::uint64_t{1} << 40;
-    return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count_of(text), most)) * description_.ticks_a_cycle;
-  }
   Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
   // Before a medium is taken out of its device.
@@ -193,22 +125,7 @@ class Monitor::Inside {
   Answer help(std::string_view arguments);
   Answer quit(std::string_view) { return {Kind::quit, {}}; }
 
-  static std::size_t end_of_command(std::string_view text) {
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '"') quoted = !quoted;
-      if (text[i] == ';' && !quoted) return i;
-    }
-    return text.size();
-  }
-  static std::string labelled(const std::vector<guests::run::ReportLine>& lines) {
-    std::string text;
-    for (const auto& line : lines) text += fmt::format("{:<12} {}\n", line.label, line.text);
-    return text;
-  }
-  Breakpoint parsed(std::string_view arguments, Breakpoint breakpoint);
   Answer add(Breakpoint breakpoint);
-  [[nodiscard]] std::string memory_lines(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] guests::run::Input file(const std::string& path) const {
     auto input = host_.read(path);
     if (!input) throw Wrong{input.error().message};
@@ -220,6 +137,7 @@ class Monitor::Inside {
   MonitorHost host_;
   std::unique_ptr<Debugger> own_;  // unless it is another's
   Debugger& debugger_;
+  Reader read_{debugger_};
   std::string trace_;  // under way
   std::string trace_file_;
   int depth_ = 0;  // of files that are read
@@ -302,28 +220,6 @@ Answer Monitor::Inside::execute_one(std::string_view line) {
 
 // --- Memory and registers ---
 
-std::string Monitor::Inside::memory_lines(std::uint32_t first, std::uint32_t last) const {
-  std::string text;
-  if (last - first >= most_listed)
-    throw Wrong{fmt::format("found {} words, expected at most {}", last - first + 1, most_listed)};
-  if (description_.radix == 8 || first == last) {
-    for (std::uint32_t at = first; at <= last; ++at)
-      text += fmt::format("{} {}  {}\n", address(at), word(machine_.word(at)), debugger_.instruction_text(at));
-    return text;
-  }
-  for (std::uint32_t line = first; line <= last; line += 16) {
-    std::string bytes;
-    std::string characters;
-    for (std::uint32_t at = line; at <= std::min(line + 15, last); ++at) {
-      const std::uint32_t byte = machine_.word(at);
-      bytes += " " + word(byte);
-      characters.push_back(byte >= ' ' && byte < 0x7F ? static_cast<char>(byte) : '.');
-    }
-    text += fmt::format("{} {:<48}  {}\n", address(line), bytes, characters);
-  }
-  return text;
-}
-
 Answer Monitor::Inside::examine(std::string_view arguments) {
   if (arguments.empty()) return show("registers");
   std::string text;
@@ -332,8 +228,8 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
     if (const auto n = debugger_.register_named(what)) {
       text += debugger_.register_text(*n) + "\n";
     } else {
-      const auto [first, last] = range_of(what);
-      text += memory_lines(first, last);
+      const auto [first, last] = read_.range(what);
+      text += monitor::memory(debugger_, first, last);
     }
   }
   return {Kind::done, text};
@@ -344,24 +240,24 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
   if (where.empty() || arguments.empty()) throw Wrong{"expected ADDRESS WORD..., ADDRESS \"INSTRUCTION\" or REGISTER VALUE"};
   if (const auto n = debugger_.register_named(where)) {
     const auto& each = description_.registers[*n];
-    const std::int64_t value = evaluated(arguments);
+    const std::int64_t value = read_.value(arguments);
     const std::int64_t most = (std::int64_t{1} << each.bits) - 1;
     if (value < 0 || value > most)
       throw Wrong{fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits)};
     debugger_.set(*n, static_cast<std::uint32_t>(value));
     return {};
   }
-  std::uint32_t at = address_of(where);
+  std::uint32_t at = read_.address(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
-    static_cast<void>(take(debugger_.put_instruction(at, text)));
+    static_cast<void>(taken(debugger_.put_instruction(at, text)));
     return {};
   }
   const std::int64_t most = (std::int64_t{1} << description_.word_bits) - 1;
   std::vector<std::uint32_t> words;
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
-    const std::int64_t value = evaluated(text);
+    const std::int64_t value = read_.value(text);
     if (value < 0 || value > most)
       throw Wrong{fmt::format("found {}, expected a word of {} bits", text, description_.word_bits)};
     words.push_back(static_cast<std::uint32_t>(value));
@@ -372,156 +268,43 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::list(std::string_view arguments) {
-  constexpr int instructions = 10;
-  std::uint32_t at = debugger_.pc();
-  std::uint32_t last = machine_.words() - 1;
-  int left = instructions;
-  if (!arguments.empty()) {
-    const auto [first, end] = range_of(take_part(arguments));
-    at = first;
-    if (end != first) {
-      last = end;
-      left = static_cast<int>(most_listed);
-    }
-  }
-  std::string text;
-  for (; left > 0 && at <= last; --left) {
-    const auto instruction = machine_.instruction_at(at);
-    std::string words;
-    for (std::uint32_t n = 0; n < instruction.words && at + n < machine_.words(); ++n)
-      words += (description_.radix == 16 || words.empty() ? "" : " ") + word(machine_.word(at + n));
-    const int width = description_.radix == 16 ? 6 : 0;
-    text += fmt::format("{}{} {:<{}}  {}\n", at == debugger_.pc() ? ">" : " ", address(at), words, width,
-                        debugger_.instruction_text(at));
-    at += std::max(1U, instruction.words);
-  }
-  return {Kind::done, text};
+  constexpr std::uint32_t instructions = 10;
+  const std::uint32_t end_of_memory = machine_.words() - 1;
+  if (arguments.empty()) return {Kind::done, monitor::disassembly(debugger_, debugger_.pc(), end_of_memory, instructions)};
+  const auto [first, last] = read_.range(take_part(arguments));
+  return {Kind::done, first == last ? monitor::disassembly(debugger_, first, end_of_memory, instructions)
+                                    : monitor::disassembly(debugger_, first, last, monitor::most_listed)};
 }
 
 Answer Monitor::Inside::evaluate_verb(std::string_view arguments) {
-  const std::int64_t value = evaluated(arguments);
-  const auto bits = static_cast<std::uint64_t>(value);
-  std::string text = debugger_.radix() == 16  ? fmt::format("{:X} = ", bits)
-                     : debugger_.radix() == 8 ? fmt::format("{:o} = ", bits)
-                                              : std::string();
-  text += fmt::format("{}.", value);
-  const std::int64_t sign = std::int64_t{1} << (description_.word_bits - 1);
-  if (value >= sign && value < 2 * sign) text += fmt::format(" = {}. as a word with a sign", value - 2 * sign);
-  if (value >= 0 && value < machine_.words()) {
-    const std::string near = debugger_.symbols().near(static_cast<std::uint32_t>(value));
-    if (!near.empty()) text += " = " + near;
-  }
-  return {Kind::done, text + "\n"};
+  return {Kind::done, monitor::value(debugger_, read_.value(arguments))};
 }
 
 Answer Monitor::Inside::who_wrote(std::string_view arguments) {
-  const std::uint32_t at = address_of(arguments);
-  const auto writer = debugger_.last_writer(at);
-  if (!writer)
-    return {Kind::done, fmt::format("{}: nothing has written there since the monitor began\n", address(at))};
-  std::string by = fmt::format("{} {}", address(writer->pc), debugger_.instruction_text(writer->pc));
-  if (writer->event.kind == Probe::Kind::break_write) by = fmt::format("a data break while PC was {}", address(writer->pc));
-  if (writer->event.kind == Probe::Kind::interrupt_write) by = fmt::format("the interrupt before {}", address(writer->pc));
-  return {Kind::done, fmt::format("{}: {} was written at {} by {}\n", address(at), word(writer->event.value),
-                                  debugger_.time_text(writer->event.time), by)};
+  return {Kind::done, monitor::writer(debugger_, read_.address(arguments))};
 }
 
 // --- Breakpoints ---
 
-Breakpoint Monitor::Inside::parsed(std::string_view arguments, Breakpoint breakpoint) {
-  breakpoint.text = std::string(arguments);
-  std::string rest(arguments);
-  const auto take_tail = [&rest](std::string_view name) -> std::optional<std::string> {
-    const std::size_t at = find_word(rest, name);
-    if (at == std::string::npos) return std::nullopt;
-    std::string tail(without_blanks(std::string_view(rest).substr(at + name.size())));
-    rest.erase(at);
-    return tail;
-  };
-  if (const auto count = take_tail("count")) breakpoint.count = std::max<std::uint64_t>(1, count_of(*count));
-  if (const auto condition = take_tail("if")) breakpoint.condition = *condition;
-  if (const auto value = take_tail("value")) breakpoint.value = static_cast<std::uint32_t>(evaluated(*value));
-  if (!breakpoint.condition.empty()) static_cast<void>(evaluated(breakpoint.condition));
-  std::string_view what = rest;
-  const std::string first = base::lower_case(take_part(what));
-  if (breakpoint.kind == Breakpoint::Kind::memory) {
-    if (first.empty()) throw Wrong{"expected an address, FIRST-LAST or port N"};
-    std::string place = first;
-    if (first == "port" || first == "iot") {
-      breakpoint.kind = Breakpoint::Kind::port;
-      breakpoint.access = description_.radix == 8 ? Probe::executed : Probe::is_read | Probe::is_written;
-      place = base::lower_case(take_part(what));
-    }
-    const std::string how = base::lower_case(take_part(what));
-    if (how == "r") {
-      breakpoint.access = Probe::is_read;
-    } else if (how == "w") {
-      breakpoint.access = Probe::is_written;
-    } else if (how == "rw") {
-      breakpoint.access = Probe::is_read | Probe::is_written;
-    } else if (!how.empty()) {
-      throw Wrong{fmt::format("found \"{}\", expected r, w, rw, value, if or count", how)};
-    }
-    if (breakpoint.kind == Breakpoint::Kind::port) {
-      const std::int64_t number = evaluated(place);
-      if (number < 0 || number >= static_cast<std::int64_t>(machine_.probe()->ports()))
-        throw Wrong{fmt::format("found port {}, expected one below {:X} (hexadecimal)", place, machine_.probe()->ports())};
-      breakpoint.first = breakpoint.last = static_cast<std::uint32_t>(number);
-      if (description_.radix == 8) breakpoint.access = Probe::executed;
-    } else {
-      std::tie(breakpoint.first, breakpoint.last) = range_of(place);
-    }
-    return breakpoint;
-  }
-  if (first == "interrupt") {
-    breakpoint.kind = Breakpoint::Kind::interrupt;
-  } else if (first == "when") {
-    breakpoint.kind = Breakpoint::Kind::condition;
-    breakpoint.condition = std::string(what);
-    if (breakpoint.condition.empty()) throw Wrong{"expected an expression behind `when`"};
-    breakpoint.was_true = evaluated(breakpoint.condition) != 0;
-  } else if (first == "iot" || first == "port") {
-    return parsed("port " + std::string(what), [&] {
-      Breakpoint port = breakpoint;
-      port.kind = Breakpoint::Kind::memory;
-      return port;
-    }());
-  } else {
-    const auto conditions = machine_.conditions();
-    const bool is_condition = std::any_of(conditions.begin(), conditions.end(),
-                                          [&first](const auto& each) { return each.first == first; });
-    if (is_condition) return parsed("when " + rest, breakpoint);
-    breakpoint.first = breakpoint.last = first.empty() ? debugger_.pc() : address_of(first);
-  }
-  return breakpoint;
-}
-
 Answer Monitor::Inside::add(Breakpoint breakpoint) {
-  if (breakpoint.text.empty()) breakpoint.text = address(breakpoint.first);
+  if (breakpoint.text.empty()) breakpoint.text = debugger_.address(breakpoint.first);
   const std::string text = breakpoint.text;
   return {Kind::done, fmt::format("breakpoint {}: {}\n", debugger_.breakpoints().add(std::move(breakpoint)), text)};
 }
 
 Answer Monitor::Inside::set_break(std::string_view arguments) {
-  Breakpoint breakpoint = parsed(arguments, {});
-  breakpoint.text = std::string(arguments);
-  return add(std::move(breakpoint));
+  return add(read_.breakpoint(arguments));
 }
 
 Answer Monitor::Inside::set_watch(std::string_view arguments) {
-  Breakpoint of_memory;
-  of_memory.kind = Breakpoint::Kind::memory;
-  of_memory.access = Probe::is_written;
-  Breakpoint breakpoint = parsed(arguments, of_memory);
-  breakpoint.text = "watch " + std::string(arguments);
-  return add(std::move(breakpoint));
+  return add(read_.watchpoint(arguments));
 }
 
 Answer Monitor::Inside::remove_break(std::string_view arguments) {
   if (arguments.empty()) debugger_.breakpoints().clear();
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
-    const std::uint64_t number = std::min<std::uint64_t>(count_of(text), std::numeric_limits<int>::max());
+    const std::uint64_t number = std::min<std::uint64_t>(Reader::count(text), std::numeric_limits<int>::max());
     if (!debugger_.breakpoints().remove(static_cast<int>(number)))
       throw Wrong{fmt::format("there is no breakpoint {}; show breaks lists them", text)};
   }
@@ -536,7 +319,7 @@ Answer Monitor::Inside::answer_of(const Halted& halted) const {
 }
 
 Answer Monitor::Inside::back(std::string_view arguments) {
-  static_cast<void>(take(debugger_.back(arguments.empty() ? 1 : count_of(arguments))));
+  static_cast<void>(taken(debugger_.back(arguments.empty() ? 1 : Reader::count(arguments))));
   return {Kind::done, status()};
 }
 
@@ -552,12 +335,12 @@ Answer Monitor::Inside::restore(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file"};
   const guests::run::Input input = file(path);
-  static_cast<void>(take(debugger_.restore(input.bytes, path)));
+  static_cast<void>(taken(debugger_.restore(input.bytes, path)));
   return {Kind::done, status()};
 }
 
 Answer Monitor::Inside::step(std::string_view arguments) {
-  const std::uint64_t n = arguments.empty() ? 1 : count_of(arguments);
+  const std::uint64_t n = arguments.empty() ? 1 : Reader::count(arguments);
   if (n == 0) return {};
   constexpr std::uint64_t most_shown = 100;
   if (n > most_shown) return run({.instructions = n});
@@ -579,25 +362,12 @@ Answer Monitor::Inside::over(std::string_view arguments) {
 
 Answer Monitor::Inside::out(std::string_view arguments) {
   if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
-  return answer_of(take(debugger_.step_out()));
+  return answer_of(taken(debugger_.step_out()));
 }
 
 Answer Monitor::Inside::cycle(std::string_view arguments) {
-  const Debugger::Cycled cycled = take(debugger_.run_cycles(cycles_of(arguments)));
-  if (cycled.cycles.empty()) return answer_of(cycled.halted);
-  std::string text = fmt::format("at {}, inside the instruction that begins at {}:\n", debugger_.time_text(cycled.at),
-                                 debugger_.time_text(machine_.ticks()));
-  for (std::size_t n = 0; n < cycled.cycles.size(); ++n) {
-    const Past::Cycle& each = cycled.cycles[n];
-    const std::int64_t end = n + 1 < cycled.cycles.size() ? cycled.cycles[n + 1].time : std::max(cycled.at + 1, each.time + each.length);
-    const bool begun = each.time < cycled.at;
-    const std::string_view state = !begun ? "to come" : end <= cycled.at ? "done" : "under way";
-    text += fmt::format("{} {:<9}  {:<14}", debugger_.time_text(each.time), state, each.name);
-    if (each.has_address) text += fmt::format(" {} {}", address(each.address), begun ? word(each.value) : std::string());
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += "\n";
-  }
-  return {Kind::done, text + "before it: " + debugger_.status()};
+  const Debugger::Cycled cycled = taken(debugger_.run_cycles(read_.cycles(arguments)));
+  return cycled.cycles.empty() ? answer_of(cycled.halted) : Answer{Kind::done, monitor::cycles(debugger_, cycled)};
 }
 
 Answer Monitor::Inside::resume(std::string_view arguments) {
@@ -606,85 +376,22 @@ Answer Monitor::Inside::resume(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::go(std::string_view arguments) {
-  if (!arguments.empty()) debugger_.start(address_of(arguments));
+  if (!arguments.empty()) debugger_.start(read_.address(arguments));
   return run({});
 }
 
 Answer Monitor::Inside::run_until(std::string_view arguments) {
-  if (arguments.empty()) return run({});
-  std::string_view rest = arguments;
-  const std::string word = base::lower_case(take_part(rest));
-  if ((word != "until" && word != "for") || rest.empty())
-    throw Wrong{fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments)};
-  // "0.5s", "20ms", "100us"
-  const auto ticks = [&](std::string_view text) -> std::optional<std::int64_t> {
-    double unit = 0;
-    for (const auto& [name, seconds] :
-         {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
-      if (unit == 0 && text.ends_with(name)) {
-        unit = seconds;
-        text.remove_suffix(name.size());
-      }
-    }
-    const auto value = base::fixed_number(text, 0, 1e12);
-    if (unit == 0 || !value) return std::nullopt;
-    return static_cast<std::int64_t>(std::llround(
-        std::min(*value * unit * static_cast<double>(machine_.ticks_a_second()), 4e18)));
-  };
-  if (const auto time = ticks(rest)) return run({.until = word == "for" ? machine_.ticks() + *time : *time});
-  if (word == "until") {
-    static_cast<void>(evaluated(rest));
-    return run({.condition = std::string(rest)});
-  }
-  std::string_view unit = rest;
-  const std::string_view count = take_part(unit);
-  if (unit == "cycles" || unit == "cycle") return run({.until = machine_.ticks() + cycles_of(count)});
-  if (unit == "instructions" || unit == "instruction") return run({.instructions = count_of(count)});
-  throw Wrong{fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest)};
+  return run(read_.goal(arguments));
 }
 
 Answer Monitor::Inside::history(std::string_view arguments) {
-  const std::uint64_t n = arguments.empty() ? 20 : count_of(arguments);
-  std::string text;
-  for (const Past::Entry& entry : debugger_.history(static_cast<std::size_t>(std::min<std::uint64_t>(n, Past::most_history))))
-    text += machine_.history_line(entry) + "\n";
-  return {Kind::done, text.empty() ? "no instruction has been obeyed yet\n" : text};
+  return {Kind::done, monitor::history(debugger_, arguments.empty() ? 20 : Reader::count(arguments))};
 }
 
 // --- Descriptions ---
 
 Answer Monitor::Inside::show(std::string_view arguments) {
-  const std::string what = base::lower_case(arguments);
-  std::string text;
-  const auto is = [&what](std::string_view name) { return !what.empty() && name.starts_with(what); };
-  if (is("registers")) {
-    for (std::size_t n = 0; n < description_.registers.size(); ++n) text += debugger_.register_text(n) + "\n";
-  } else if (is("devices")) {
-    text = labelled(machine_.device_lines());
-  } else if (is("display")) {
-    text = labelled(machine_.display_lines());
-    if (text.empty()) text = "no display is attached\n";
-  } else if (is("stack")) {
-    for (const Frame& frame : debugger_.stack())
-      text += fmt::format("{} called from {}  {}\n", address(frame.entry), address(frame.caller),
-                          debugger_.instruction_text(frame.caller));
-    if (text.empty()) text = "no subroutine was called and not left in the last instructions\n";
-  } else if (is("time")) {
-    text = fmt::format("{}, {} instructions\n", debugger_.time_text(machine_.ticks()), machine_.instructions());
-  } else if (is("breaks") || is("breakpoints")) {
-    for (const Breakpoint& each : debugger_.breakpoints().all())
-      text += fmt::format("{}: {}, passed {} times\n", each.number, each.text, each.passed);
-    if (text.empty()) text = "no breakpoints\n";
-  } else if (is("conditions")) {
-    for (const auto& [name, holds] : machine_.conditions()) text += fmt::format("{:<12} {}\n", name, holds ? 1 : 0);
-    if (text.empty()) text = "this machine has none\n";
-  } else if (is("symbols")) {
-    for (const auto& [name, value] : debugger_.symbols().all()) text += fmt::format("{:<16} {}\n", name, address(value));
-    if (text.empty()) text = "no symbols; begin with a source file or --symbols FILE\n";
-  } else {
-    throw Wrong{fmt::format("found \"{}\", expected registers, devices, display, stack, time, breaks, conditions or symbols", arguments)};
-  }
-  return {Kind::done, text};
+  return {Kind::done, monitor::state(debugger_, arguments)};
 }
 
 // --- The world outside ---
@@ -739,7 +446,7 @@ Answer Monitor::Inside::expect(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::assert_verb(std::string_view arguments) {
-  if (evaluated(arguments) != 0) return {};
+  if (read_.value(arguments) != 0) return {};
   return {Kind::failed, fmt::format("assert: {} is not true\n{}", arguments, status())};
 }
 

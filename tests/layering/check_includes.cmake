@@ -33,6 +33,8 @@ set(RULES
   "host/guests/stripes=host/base,host/guests/i8080,host/scene,host/picture/pen_path.hpp,host/picture/pixel_metrics.hpp,host/algorithms/montani_re,emulators,tools/asm"
   "host/guests/stripes/twin=host/guests/stripes/status.hpp,emulators/core/raster.hpp"
   "host/live=host/base,host/guests/run,emulators,tools/asm,tools/disasm,tools/image"
+  "host/live/dap=host/base,host/guests/run,host/live/debugger.hpp,host/live/monitor.hpp"
+  "host/live/monitor=host/base,host/guests/run,host/live/debugger.hpp"
   "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
   "host/live/web=host/base,host/live,host/guests,host/algorithms/registry,host/explain,host/picture,host/scene,emulators"

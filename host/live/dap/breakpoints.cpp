@@ -1,0 +1,169 @@
+// See breakpoints.hpp.
+#include "host/live/dap/breakpoints.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/base/number.hpp"
+#include "host/live/dap/messages.hpp"
+
+namespace sightline::live::dap {
+
+using base::Json;
+using guests::run::Probe;
+
+void ClientBreakpoints::forget(std::vector<int>& numbers) {
+  for (const int number : std::exchange(numbers, {})) {
+    static_cast<void>(debugger_->breakpoints().remove(number));
+    wanted_.erase(number);
+  }
+}
+
+// With the condition and the count of the request; the answer has its number.
+Json ClientBreakpoints::add(Breakpoint breakpoint, const Json& request, std::vector<int>& numbers) {
+  const std::string condition = text_in(request, "condition");
+  const std::string count = text_in(request, "hitCondition");
+  if (!condition.empty()) {
+    const auto value = debugger_->evaluate(condition);
+    if (!value) return Json{{"verified", false}, {"message", value.error().message()}};
+    breakpoint.condition = condition;
+  }
+  if (!count.empty()) {
+    const auto number = base::count_number(count);
+    if (!number || *number == 0) return Json{{"verified", false}, {"message", "expected a count, decimal"}};
+    breakpoint.count = *number;
+  }
+  const int number = debugger_->breakpoints().add(std::move(breakpoint));
+  numbers.push_back(number);
+  return Json{{"id", number}, {"verified", true}};
+}
+
+// One for each element of `list`: `make` throws Refused where there is none to be.
+template <class Make>
+Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Make make) {
+  forget(numbers);
+  Json answers = Json::array();
+  for (const Json& each : list.elements()) {
+    try {
+      answers.push_back(make(each));
+    } catch (const Refused& refused) {
+      answers.push_back(Json{{"verified", false}, {"message", refused.text}});
+    }
+  }
+  return Json{{"breakpoints", std::move(answers)}};
+}
+
+// The first line from there on that makes a word, or the value of the name.
+ClientBreakpoints::Found ClientBreakpoints::place_for(const Wanted& wanted) const {
+  if (!wanted.name.empty()) return {accepted(debugger_->address_of(wanted.name)), 0};
+  const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
+  const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
+    return static_cast<std::int64_t>(known.first.line) >= wanted.line && same_file(known.first.file, wanted.file);
+  });
+  if (found == lines.end()) throw Refused{"no word is made by this line or one that follows"};
+  return {found->second, found->first.line};
+}
+
+Json ClientBreakpoints::add_at(const Wanted& wanted, const Json& request, std::vector<int>& numbers) {
+  const Found found = place_for(wanted);
+  Breakpoint breakpoint;
+  breakpoint.first = breakpoint.last = found.at;
+  Json answer = add(breakpoint, request, numbers);
+  if (!flag_in(answer, "verified")) return answer;
+  wanted_[numbers.back()] = wanted;
+  tell_place(answer, found);
+  return answer;
+}
+
+void ClientBreakpoints::tell_place(Json& breakpoint, const Found& found) const {
+  if (found.line == 0) return;
+  breakpoint["line"] = numbering_.line(found.line);
+  breakpoint["instructionReference"] = reference(found.at);
+}
+
+Json ClientBreakpoints::set_in_source(const Json& arguments) {
+  const std::string path = text_in(member(arguments, "source"), "path");
+  std::vector<int>& numbers = in_files_[path];
+  return set_all(member(arguments, "breakpoints"), numbers, [&](const Json& each) {
+    return add_at({path, integer_in(each, "line", 0) + 1 - numbering_.first_line, {}}, each, numbers);
+  });
+}
+
+Json ClientBreakpoints::set_at_functions(const Json& arguments) {
+  return set_all(member(arguments, "breakpoints"), at_functions_, [&](const Json& each) {
+    const std::string name = text_in(each, "name");
+    if (name.empty()) throw Refused{"found no name, expected a symbol or an expression"};
+    return add_at({{}, 0, name}, each, at_functions_);
+  });
+}
+
+std::vector<Json> ClientBreakpoints::find_places_again() {
+  std::vector<Json> changed;
+  std::erase_if(wanted_, [&](const auto& each) {
+    const auto& [number, wanted] = each;
+    Json breakpoint{{"id", number}, {"verified", false}};
+    try {
+      const Found found = place_for(wanted);
+      if (!debugger_->breakpoints().move(number, found.at)) return true;
+      breakpoint["verified"] = true;
+      tell_place(breakpoint, found);
+    } catch (const Refused& refused) {
+      static_cast<void>(debugger_->breakpoints().remove(number));
+      breakpoint["message"] = refused.text;
+    }
+    const bool lost = !flag_in(breakpoint, "verified");
+    changed.push_back(Json{{"reason", "changed"}, {"breakpoint", std::move(breakpoint)}});
+    return lost;
+  });
+  return changed;
+}
+
+Json ClientBreakpoints::set_at_instructions(const Json& arguments) {
+  return set_all(member(arguments, "breakpoints"), at_instructions_, [&](const Json& each) {
+    Breakpoint breakpoint;
+    breakpoint.first = breakpoint.last = place_of(*debugger_, text_in(each, "instructionReference"), integer_in(each, "offset", 0));
+    return add(breakpoint, each, at_instructions_);
+  });
+}
+
+Json ClientBreakpoints::data_info(const Json& arguments) {
+  const std::string name = text_in(arguments, "name");
+  if (debugger_->register_named(name)) return Json{{"dataId", Json()}, {"description", "a register cannot be watched"}};
+  if (debugger_->is_state(name)) return Json{{"dataId", Json()}, {"description", name + " is no word of memory"}};
+  const auto at = debugger_->address_of(name);
+  if (!at) return Json{{"dataId", Json()}, {"description", at.error().message()}};
+  return Json{{"dataId", reference(*at)},
+              {"description", fmt::format("word at {} {}", debugger_->address(*at), debugger_->symbols().near(*at))},
+              {"accessTypes", Json::array({Json("read"), Json("write"), Json("readWrite")})}};
+}
+
+Json ClientBreakpoints::set_on_data(const Json& arguments) {
+  return set_all(member(arguments, "breakpoints"), on_data_, [&](const Json& each) {
+    const std::string access = text_in(each, "accessType");
+    Breakpoint breakpoint;
+    breakpoint.kind = Breakpoint::Kind::memory;
+    breakpoint.first = breakpoint.last = place_of(*debugger_, text_in(each, "dataId"), 0);
+    breakpoint.access = static_cast<std::uint8_t>(access == "read"        ? Probe::is_read
+                                                  : access == "readWrite" ? Probe::is_read | Probe::is_written
+                                                                          : Probe::is_written);
+    return add(breakpoint, each, on_data_);
+  });
+}
+
+std::vector<Json> ClientBreakpoints::forget_removed() {
+  std::vector<Json> removed;
+  const auto& all = debugger_->breakpoints().all();
+  const auto gone = [&](int number) {
+    if (std::any_of(all.begin(), all.end(), [number](const Breakpoint& each) { return each.number == number; })) return false;
+    removed.push_back(Json{{"reason", "removed"}, {"breakpoint", Json{{"id", number}, {"verified", false}}}});
+    wanted_.erase(number);
+    return true;
+  };
+  for (auto& [path, numbers] : in_files_) std::erase_if(numbers, gone);
+  for (std::vector<int>* const numbers : {&at_functions_, &at_instructions_, &on_data_}) std::erase_if(*numbers, gone);
+  return removed;
+}
+
+}  // namespace sightline::live::dap

@@ -1,0 +1,34 @@
+// How a client names places: addresses, offsets in bytes, and lines of sources.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "host/base/json.hpp"
+#include "host/live/debugger.hpp"
+
+namespace sightline::live::dap {
+
+// The numbers of the first line and column in the client's words, which `initialize` says.
+struct Numbering {
+  std::int64_t first_line = 1;
+  std::int64_t first_column = 1;
+
+  // Of a line that is counted from 1.
+  [[nodiscard]] std::int64_t line(std::size_t number) const { return static_cast<std::int64_t>(number) - 1 + first_line; }
+};
+
+// "0x40"
+[[nodiscard]] std::string reference(std::uint32_t at);
+// Of memory as a row of bytes.
+[[nodiscard]] std::uint32_t bytes_a_word(const Debugger& debugger);
+// The address of "0x40" and an offset in bytes. Throws Refused if memory has none there.
+[[nodiscard]] std::uint32_t place_of(const Debugger& debugger, std::string_view text, std::int64_t offset);
+
+// A file as the protocol's Source.
+[[nodiscard]] base::Json source_of(const std::string& file);
+[[nodiscard]] bool same_file(const std::string& a, const std::string& b);
+
+}  // namespace sightline::live::dap

@@ -1,0 +1,197 @@
+// See arguments.hpp.
+#include "host/live/monitor/arguments.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "host/base/number.hpp"
+#include "host/base/text.hpp"
+
+namespace sightline::live::monitor {
+
+using base::without_blanks;
+using guests::run::Probe;
+
+namespace {
+
+// Where `word` stands by itself in the text, else npos.
+std::size_t find_word(std::string_view text, std::string_view word) {
+  std::size_t at = 0;
+  while ((at = text.find(word, at)) != std::string_view::npos) {
+    const bool begins = at == 0 || text[at - 1] == ' ';
+    const bool ends = at + word.size() == text.size() || text[at + word.size()] == ' ';
+    if (begins && ends) return at;
+    ++at;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::size_t end_of_command(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == ';' && !quoted) return i;
+  }
+  return text.size();
+}
+
+std::string_view take_part(std::string_view& text) {
+  text = without_blanks(text);
+  if (!text.empty() && text.front() == '"') {
+    const std::size_t end = std::min(text.find('"', 1), text.size());
+    const std::string_view word = text.substr(1, end - 1);
+    text = without_blanks(text.substr(std::min(end + 1, text.size())));
+    return word;
+  }
+  return base::take_word(text);
+}
+
+std::uint64_t Reader::count(std::string_view text) {
+  const auto count = base::count_number(text);
+  if (!count) throw Wrong{fmt::format("found \"{}\", expected a count, decimal", text)};
+  return *count;
+}
+
+std::pair<std::uint32_t, std::uint32_t> Reader::range(std::string_view text) const {
+  std::size_t depth = 0;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if ((text[i] == ')' || text[i] == ']') && depth > 0) --depth;
+    if (text[i] != '-' || depth != 0) continue;
+    const std::uint32_t first = address(text.substr(0, i));
+    const std::uint32_t last = address(text.substr(i + 1));
+    if (last < first) throw Wrong{fmt::format("found {}, expected FIRST-LAST with the smaller address first", text)};
+    return {first, last};
+  }
+  const std::uint32_t at = address(text);
+  return {at, at};
+}
+
+std::int64_t Reader::cycles(std::string_view text) const {
+  constexpr std::uint64_t most = std::uint64_t{1} << 40;
+  return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count(text), most)) * debugger_.description().ticks_a_cycle;
+}
+
+Goal Reader::goal(std::string_view arguments) const {
+  if (arguments.empty()) return {};
+  std::string_view rest = arguments;
+  const std::string word = base::lower_case(take_part(rest));
+  if ((word != "until" && word != "for") || rest.empty())
+    throw Wrong{fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments)};
+  // "0.5s", "20ms", "100us"
+  const auto ticks = [&](std::string_view text) -> std::optional<std::int64_t> {
+    double unit = 0;
+    for (const auto& [name, seconds] :
+         {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
+      if (unit == 0 && text.ends_with(name)) {
+        unit = seconds;
+        text.remove_suffix(name.size());
+      }
+    }
+    const auto number = base::fixed_number(text, 0, 1e12);
+    if (unit == 0 || !number) return std::nullopt;
+    return static_cast<std::int64_t>(std::llround(
+        std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_a_second()), 4e18)));
+  };
+  if (const auto time = ticks(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *time : *time};
+  if (word == "until") {
+    static_cast<void>(value(rest));
+    return {.condition = std::string(rest)};
+  }
+  std::string_view unit = rest;
+  const std::string_view number = take_part(unit);
+  if (unit == "cycles" || unit == "cycle") return {.until = debugger_.machine().ticks() + cycles(number)};
+  if (unit == "instructions" || unit == "instruction") return {.instructions = count(number)};
+  throw Wrong{fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest)};
+}
+
+Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) const {
+  breakpoint.text = std::string(arguments);
+  std::string rest(arguments);
+  const auto take_tail = [&rest](std::string_view name) -> std::optional<std::string> {
+    const std::size_t at = find_word(rest, name);
+    if (at == std::string::npos) return std::nullopt;
+    std::string tail(without_blanks(std::string_view(rest).substr(at + name.size())));
+    rest.erase(at);
+    return tail;
+  };
+  if (const auto number = take_tail("count")) breakpoint.count = std::max<std::uint64_t>(1, count(*number));
+  if (const auto condition = take_tail("if")) breakpoint.condition = *condition;
+  if (const auto word = take_tail("value")) breakpoint.value = static_cast<std::uint32_t>(value(*word));
+  if (!breakpoint.condition.empty()) static_cast<void>(value(breakpoint.condition));
+  std::string_view what = rest;
+  const std::string first = base::lower_case(take_part(what));
+  if (breakpoint.kind == Breakpoint::Kind::memory) {
+    if (first.empty()) throw Wrong{"expected an address, FIRST-LAST or port N"};
+    std::string place = first;
+    if (first == "port" || first == "iot") {
+      breakpoint.kind = Breakpoint::Kind::port;
+      breakpoint.access = debugger_.description().radix == 8 ? Probe::executed : Probe::is_read | Probe::is_written;
+      place = base::lower_case(take_part(what));
+    }
+    const std::string how = base::lower_case(take_part(what));
+    if (how == "r") {
+      breakpoint.access = Probe::is_read;
+    } else if (how == "w") {
+      breakpoint.access = Probe::is_written;
+    } else if (how == "rw") {
+      breakpoint.access = Probe::is_read | Probe::is_written;
+    } else if (!how.empty()) {
+      throw Wrong{fmt::format("found \"{}\", expected r, w, rw, value, if or count", how)};
+    }
+    if (breakpoint.kind == Breakpoint::Kind::port) {
+      const std::int64_t number = value(place);
+      if (number < 0 || number >= static_cast<std::int64_t>(debugger_.machine().probe()->ports()))
+        throw Wrong{fmt::format("found port {}, expected one below {:X} (hexadecimal)", place, debugger_.machine().probe()->ports())};
+      breakpoint.first = breakpoint.last = static_cast<std::uint32_t>(number);
+      if (debugger_.description().radix == 8) breakpoint.access = Probe::executed;
+    } else {
+      std::tie(breakpoint.first, breakpoint.last) = range(place);
+    }
+    return breakpoint;
+  }
+  if (first == "interrupt") {
+    breakpoint.kind = Breakpoint::Kind::interrupt;
+  } else if (first == "when") {
+    breakpoint.kind = Breakpoint::Kind::condition;
+    breakpoint.condition = std::string(what);
+    if (breakpoint.condition.empty()) throw Wrong{"expected an expression behind `when`"};
+    breakpoint.was_true = value(breakpoint.condition) != 0;
+  } else if (first == "iot" || first == "port") {
+    return parsed("port " + std::string(what), [&] {
+      Breakpoint port = breakpoint;
+      port.kind = Breakpoint::Kind::memory;
+      return port;
+    }());
+  } else {
+    const auto conditions = debugger_.machine().conditions();
+    const bool is_condition = std::any_of(conditions.begin(), conditions.end(),
+                                          [&first](const auto& each) { return each.first == first; });
+    if (is_condition) return parsed("when " + rest, breakpoint);
+    breakpoint.first = breakpoint.last = first.empty() ? debugger_.pc() : address(first);
+  }
+  return breakpoint;
+}
+
+Breakpoint Reader::breakpoint(std::string_view arguments) const {
+  Breakpoint breakpoint = parsed(arguments, {});
+  breakpoint.text = std::string(arguments);
+  return breakpoint;
+}
+
+Breakpoint Reader::watchpoint(std::string_view arguments) const {
+  Breakpoint of_memory;
+  of_memory.kind = Breakpoint::Kind::memory;
+  of_memory.access = Probe::is_written;
+  Breakpoint breakpoint = parsed(arguments, of_memory);
+  breakpoint.text = "watch " + std::string(arguments);
+  return breakpoint;
+}
+
+}  // namespace sightline::live::monitor
