@@ -25,7 +25,6 @@ namespace {
 using base::Json;
 using dap::accepted;
 using dap::flag_in;
-using dap::integer_in;
 using dap::member;
 using dap::Refused;
 using dap::text_in;
@@ -115,7 +114,7 @@ class Adapter {
   void obey(const Json& message) {
     if (text_in(message, "type") != "request") return;
     const std::string name = text_in(message, "command");
-    Json answer{{"type", "response"}, {"request_seq", integer_in(message, "seq", 0)}, {"success", true}, {"command", name}};
+    Json answer{{"type", "response"}, {"request_seq", member(message, "seq").integer().value_or(0)}, {"success", true}, {"command", name}};
     const auto known = std::find_if(commands().begin(), commands().end(), [&name](const Command& each) { return each.name == name; });
     try {
       if (known == commands().end()) throw Refused{fmt::format("found the request \"{}\", which this adapter does not know", name)};

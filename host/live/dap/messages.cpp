@@ -63,7 +63,8 @@ std::string text_in(const Json& object, std::string_view name) {
   return text == nullptr ? std::string() : *text;
 }
 std::int64_t integer_in(const Json& object, std::string_view name, std::int64_t otherwise) {
-  return member(object, name).integer().value_or(otherwise);
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  return std::clamp(member(object, name).integer().value_or(otherwise), -most, most);
 }
 bool flag_in(const Json& object, std::string_view name) {
   return member(object, name).boolean().value_or(false);

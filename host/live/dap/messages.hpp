@@ -28,7 +28,8 @@ class Framing {
 // A message as it is sent.
 [[nodiscard]] std::string framed(const base::Json& message);
 
-// Members of an object. One that is absent or of another type is null, an empty text, `otherwise`, false.
+// Members of an object. One that is absent or of another type is null, an empty text, `otherwise`, false. An integer beyond 2^53 in
+// magnitude is taken as 2^53, so that adding to it cannot overflow.
 [[nodiscard]] const base::Json& member(const base::Json& object, std::string_view name);
 [[nodiscard]] std::string text_in(const base::Json& object, std::string_view name);
 [[nodiscard]] std::int64_t integer_in(const base::Json& object, std::string_view name, std::int64_t otherwise);

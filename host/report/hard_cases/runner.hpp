@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,30 +11,11 @@
 #include "host/base/result.hpp"
 #include "host/picture/image.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/report/hard_cases/case_input.hpp"
 #include "host/report/hard_cases/manifest.hpp"
-#include "host/scene/heights/grid.hpp"
-#include "host/scene/model/cell_complex.hpp"
-#include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::report {
-
-// Commands of Skala's program and the dots that must come of them.
-struct CommandScreen {
-  std::vector<std::uint8_t> stream;
-  picture::PixelGrid truth;
-};
-
-// An input as every method wants it.
-struct CaseInput {
-  std::optional<scene::CellScene> cells;
-  std::optional<scene::PolyScene> scene;  // of cells, too
-  std::optional<scene::HeightGrid> heights;
-  std::vector<CommandScreen> screens;
-};
-
-// The error is what every reader of such a file says.
-[[nodiscard]] base::Result<CaseInput, std::string> load_input(const HardCase& hard);
 
 struct Finding {
   std::optional<bool> good;  // none: the method does not apply

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
@@ -546,6 +548,30 @@ TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
   int answers = 0;
   for (const json& message : received_) answers += message.at("type") == "response" ? 1 : 0;
   EXPECT_EQ(answers, requests);
+}
+
+// Sums with them must not overflow.
+TEST_F(DapSteps, NumbersAtTheEndsOfTheirRange) {
+  constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t smallest = std::numeric_limits<std::int64_t>::min();
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  request("stepIn");
+  request("stackTrace", {{"startFrame", 1}, {"levels", largest}});
+  request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", largest}}}}});
+  request("readMemory", {{"memoryReference", "0x100"}, {"offset", largest}, {"count", 1}});
+  request("readMemory", {{"memoryReference", "0x100"}, {"offset", smallest}, {"count", 1}});
+  request("readMemory", {{"memoryReference", "0xFFFF"}, {"count", largest}});
+  request("completions", {{"text", "a"}, {"column", smallest}});
+  request("disconnect");
+  hold_with([](const json&) { return i8080_launched("\tORG 100H\n\tCALL SUB\n\tHLT\nSUB:\tRET\n"); });
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").size(), 1U);  // of the caller
+  EXPECT_EQ(answer("setBreakpoints").at("body").at("breakpoints").at(0).at("verified"), false);
+  EXPECT_EQ(answer("readMemory", 0).at("success"), false);
+  EXPECT_EQ(answer("readMemory", 1).at("success"), false);
+  EXPECT_EQ(answer("readMemory", 2).at("body").at("data").get<std::string>().size(), 4U);  // one byte
+  EXPECT_EQ(answer("completions").at("success"), true);
 }
 
 TEST_F(Dap, TheArgumentsOfLaunchAreChecked) {
