@@ -31,7 +31,8 @@ mv "$work/tree" "$work/moved"
 tree=$work/moved
 
 for file in bin/sightline share/man/man1/sightline.1 share/man/man1/sightline-draw-exact.1 \
-            share/bash-completion/completions/sightline share/doc/sightline/LICENSE include/sightline/i8080/pin_bus.hpp; do
+            share/bash-completion/completions/sightline share/doc/sightline/LICENSE share/doc/sightline/host/manual/dap.md \
+            share/doc/sightline/host/examples/hello.asm include/sightline/i8080/pin_bus.hpp; do
   [ -s "$tree/$file" ] || fail "$file is missing"
 done
 "$tree/bin/sightline" --version | grep -q '^sightline [0-9.]*$' || fail "--version"
@@ -58,6 +59,7 @@ if command -v bash > /dev/null; then
   [ "$(complete_line sightline dis)" = disasm ] || fail "completion of a subcommand"
   [ "$(complete_line sightline draw exact --orth)" = --orthographic ] || fail "completion of an option"
   [ "$(complete_line sightline asm pdp7 --format h)" = hri ] || fail "completion of a value"
+  [ "$(complete_line sightline help draw mont)" = montani-re ] || fail "completion of what help explains"
   [ -z "$(complete_line sightline draw exact part.o)" ] || fail "completion of a file name is bash's own"
 fi
 

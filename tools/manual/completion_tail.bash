@@ -1,7 +1,10 @@
 
 _sightline() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=sightline i
-  for ((i = 1; i < COMP_CWORD; ++i)); do
+  # What `help` explains are the same words.
+  i=1
+  if [[ ${COMP_WORDS[1]} == help && $COMP_CWORD -gt 1 ]]; then i=2; fi
+  for ((; i < COMP_CWORD; ++i)); do
     if [[ -n ${_sightline_words["$command ${COMP_WORDS[i]}"]} && ${COMP_WORDS[i]} != -* ]]; then
       command+=" ${COMP_WORDS[i]}"
     fi
