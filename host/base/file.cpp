@@ -50,6 +50,14 @@ std::FILE* open_nameless(const std::string& target) {
   return stream;
 }
 
+// Those of the file that is to be replaced, and its owner where that is allowed.
+void keep_permissions(int file, const std::string& target) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) != 0) return;
+  if (::fchown(file, old.st_uid, old.st_gid) != 0) errno = 0;
+  if (::fchmod(file, old.st_mode & 07777) != 0) errno = 0;
+}
+
 bool is_nameless(int file) {
   struct stat status {};
   return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0;
@@ -97,12 +105,16 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     if (file == nullptr) return system_error(path, "cannot write", errno);
     return AtomicFile(path, std::move(target), std::string(), file);
   }
+  // Renaming would replace a file that its owner has made read-only.
+  if (std::filesystem::exists(status) && ::access(target.c_str(), W_OK) != 0) return system_error(path, "cannot write", errno);
   if (std::FILE* const file = open_nameless(target); file != nullptr) {
+    keep_permissions(::fileno(file), target);
     return AtomicFile(path, std::move(target), std::string(), file);
   }
   for (int attempt = 0; attempt < most_partial_files; ++attempt) {
     std::string partial = partial_name(target, attempt);
     if (std::FILE* file = std::fopen(partial.c_str(), "wbx"); file != nullptr) {
+      keep_permissions(::fileno(file), target);
       return AtomicFile(path, std::move(target), std::move(partial), file);
     }
     if (errno != EEXIST) return system_error(path, "cannot write", errno);

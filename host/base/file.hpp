@@ -1,8 +1,8 @@
 // Reads whole files, and writes files atomically: completely or not at all.
 //
 // An AtomicFile writes beside its target and renames to the target only in commit(); abandoned or destroyed
-// before that it removes what it wrote, and an older file of that name stays as it was. A target that exists
-// and is no regular file (a pipe, /dev/null) cannot be replaced and is written directly.
+// before that it removes what it wrote, and an older file of that name stays as it was. A file that is replaced
+// keeps its permissions; one that may not be written is not replaced. A target that exists and is no regular file (a pipe, /dev/null) cannot be replaced and is written directly.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 
 namespace sightline::base {
 
@@ -19,6 +20,7 @@ constexpr std::array end_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 // What signal handlers need; tcsetattr, signal and raise may be called in one.
 volatile std::sig_atomic_t signal_received = 0;
 volatile std::sig_atomic_t terminal_is_raw = 0;
+timespec received_at;  // written before signal_received is
 termios terminal_before;
 termios terminal_raw;
 
@@ -34,11 +36,28 @@ extern "C" void end_with(int number) {
 }
 
 extern "C" void remember_signal(int number) {
-  if (signal_received != 0) {
-    end_with(number);
+  timespec now{};
+  static_cast<void>(clock_gettime(CLOCK_MONOTONIC, &now));
+  if (signal_received == 0) {
+    received_at = now;
+    signal_received = number;
     return;
   }
-  signal_received = number;
+  constexpr std::int64_t same_press = 250'000'000;
+  const std::int64_t since = std::int64_t{now.tv_sec - received_at.tv_sec} * 1'000'000'000 + (now.tv_nsec - received_at.tv_nsec);
+  if (since >= same_press) {
+    constexpr std::string_view last_words = "\nsightline: ended by a second signal; files that were not complete are as they were before\n";
+    // A terminal that takes no more must not hold it up.
+    const int flags = fcntl(STDERR_FILENO, F_GETFL);
+    static_cast<void>(fcntl(STDERR_FILENO, F_SETFL, flags | O_NONBLOCK));
+    if (write(STDERR_FILENO, last_words.data(), last_words.size()) < 0) signal_received = number;
+    static_cast<void>(fcntl(STDERR_FILENO, F_SETFL, flags));
+    end_with(number);
+  }
+}
+
+extern "C" void remember_pipe(int number) {
+  if (signal_received == 0) signal_received = number;
 }
 
 extern "C" void stop_for_a_while(int) {
@@ -85,14 +104,20 @@ RawTerminal::~RawTerminal() {
 EndSignals::EndSignals() {
   signal_received = 0;
   for (const int number : end_signals) handle(number, &remember_signal);
+  handle(SIGPIPE, &remember_pipe);
 }
 
 EndSignals::~EndSignals() {
   for (const int number : end_signals) static_cast<void>(std::signal(number, SIG_DFL));
+  static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
 }
 
 int EndSignals::received() {
   return signal_received;
+}
+
+void EndSignals::forget() {
+  signal_received = 0;
 }
 
 std::optional<std::string> read_stdin_within(int milliseconds) {

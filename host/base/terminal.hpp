@@ -23,7 +23,9 @@ class RawTerminal {
 };
 
 // While it lives the first SIGINT, SIGTERM, SIGHUP or SIGQUIT is remembered instead of ending the process, so that work
-// can be put away; a second one ends it. One at a time.
+// can be put away; a second one ends it, and says so; a quarter of a second after the first it
+// counts as the same (`timeout` sends two). SIGPIPE, because
+// nobody reads the output any more, is remembered however often it comes. One at a time.
 class EndSignals {
  public:
   EndSignals();
@@ -32,6 +34,7 @@ class EndSignals {
   EndSignals& operator=(const EndSignals&) = delete;
 
   [[nodiscard]] static int received();  // its number; 0: none
+  static void forget();                 // the next one is the first again
 };
 
 // What can be read from standard input within so many milliseconds (-1: as long as it takes), at most 4,096 bytes. Empty

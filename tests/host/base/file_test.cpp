@@ -2,6 +2,9 @@
 #include "host/base/file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <iterator>
@@ -75,6 +78,40 @@ TEST_F(FileTest, ALinkToNothingIsRefused) {
   std::filesystem::create_symlink(path("circle"), path("circle"));
   EXPECT_FALSE(write_file_atomically(path("circle"), std::string_view("x")));
   EXPECT_EQ(files(), 2);
+}
+
+TEST_F(FileTest, AFileThatIsReplacedKeepsItsPermissions) {
+  const std::string name = path("private");
+  ASSERT_TRUE(write_file_atomically(name, std::string_view("old")));
+  ASSERT_EQ(chmod(name.c_str(), 0640), 0);
+  ASSERT_TRUE(write_file_atomically(name, std::string_view("new")));
+  struct stat status {};
+  ASSERT_EQ(stat(name.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777U, 0640U);
+}
+
+// As a user who is not root: in a process of its own if the tests are run by root.
+TEST_F(FileTest, AReadOnlyFileIsNotReplaced) {
+  const std::string name = path("locked");
+  ASSERT_TRUE(write_file_atomically(name, std::string_view("old")));
+  ASSERT_EQ(chmod(name.c_str(), 0444), 0);
+  ASSERT_EQ(chmod(directory_.c_str(), 0777), 0);
+  enum Outcome : int { refused, replaced, other_error, out_of_reach };
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    if (geteuid() == 0 && setuid(nobody) != 0) _exit(out_of_reach);
+    if (!write_file_atomically(path("beside"), std::string_view("new"))) _exit(out_of_reach);
+    const auto done = write_file_atomically(name, std::string_view("new"));
+    if (done) _exit(replaced);
+    _exit(done.error().message() == name + ": cannot write: Permission denied" ? refused : other_error);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  if (WEXITSTATUS(status) == out_of_reach) GTEST_SKIP() << "another user cannot write in the build folder";
+  EXPECT_EQ(WEXITSTATUS(status), refused);
+  EXPECT_EQ(tests::read_whole(name), "old");
 }
 
 TEST_F(FileTest, ErrorsNameFileAndCause) {
