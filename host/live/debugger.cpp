@@ -121,6 +121,21 @@ std::optional<std::size_t> Debugger::register_named(std::string_view name) const
   return std::nullopt;
 }
 
+std::optional<Debugger::Pair> Debugger::pair_named(std::string_view name) const {
+  if (description_.radix != 16) return std::nullopt;
+  const std::string lowered = base::lower_case(name);
+  for (const std::string_view pair : {"bc", "de", "hl", "af"}) {
+    if (lowered != pair) continue;
+    const auto high = register_named(pair.substr(0, 1)), low = register_named(pair.substr(1));
+    if (high && low) return Pair{*high, *low};
+  }
+  return std::nullopt;
+}
+
+std::uint32_t Debugger::pair_value(const Pair& pair) const {
+  return machine_.get(pair.high) << description_.registers[pair.low].bits | machine_.get(pair.low);
+}
+
 std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   if (const auto n = register_named(name)) return machine_.get(*n);
   const std::string lowered = base::lower_case(name);
@@ -128,11 +143,7 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   if (lowered == "instructions") return static_cast<std::int64_t>(machine_.instructions());
   for (const auto& [condition, holds] : machine_.conditions())
     if (condition == lowered) return holds ? 1 : 0;
-  if (lowered.size() == 2 && description_.radix == 16) {
-    const auto high = register_named(lowered.substr(0, 1));
-    const auto low = register_named(lowered.substr(1));
-    if (high && low) return machine_.get(*high) << 8 | machine_.get(*low);
-  }
+  if (const auto pair = pair_named(name)) return pair_value(*pair);
   if (const auto value = symbols_.value(name)) return *value;
   return std::nullopt;
 }
@@ -140,8 +151,8 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
 // Of symbols there is none: their values stay.
 std::function<std::int64_t()> Debugger::reader_of(std::string_view name) const {
   if (const auto n = register_named(name)) return [this, n = *n] { return std::int64_t{machine_.get(n)}; };
-  const bool changes = is_state(name) || (name.size() == 2 && description_.radix == 16 && !symbols_.value(name) && value_of(name));
-  if (!changes) return nullptr;
+  if (const auto pair = pair_named(name); pair && !is_state(name)) return [this, of = *pair] { return std::int64_t{pair_value(of)}; };
+  if (!is_state(name)) return nullptr;
   const auto conditions = machine_.conditions();
   for (std::size_t n = 0; n < conditions.size(); ++n)
     if (conditions[n].first == base::lower_case(name)) return [this, n] { return std::int64_t{machine_.condition(n) ? 1 : 0}; };
@@ -191,9 +202,9 @@ guests::run::Condition Debugger::compiled(const Expression& expression, bool is_
     } else if (is_state(name)) {
       made.devices = true;
     } else {
-      const std::size_t high = *register_named(name.substr(0, 1));
-      step = {Step::Kind::register_pair, {}, static_cast<std::int64_t>(high)};
-      made.registers.insert(made.registers.end(), {high, *register_named(name.substr(1))});
+      const Pair pair = *pair_named(name);
+      step = {Step::Kind::register_pair, {}, static_cast<std::int64_t>(pair.high)};
+      made.registers.insert(made.registers.end(), {pair.high, pair.low});
     }
   }
   made.steps = made.devices ? std::vector<Step>{} : guests::run::fused(made.steps);
@@ -202,7 +213,7 @@ guests::run::Condition Debugger::compiled(const Expression& expression, bool is_
     const std::string& name = names[part.name];
     if (const auto number = register_named(name)) return guests::run::MaskedRegister{*number, false, part.mask};
     if (is_state(name)) return std::nullopt;
-    return guests::run::MaskedRegister{*register_named(name.substr(0, 1)), true, part.mask};
+    return guests::run::MaskedRegister{pair_named(name)->high, true, part.mask};
   };
   if (const auto relation = expression.relation()) {
     const auto left = place_of(relation->name), right = place_of(relation->other);
@@ -244,14 +255,13 @@ bool Debugger::look_at_conditions(const std::string& goal) {
   return true;
 }
 
-// The count of instructions is not known while they are obeyed, and pairs are those of the 8080.
+// The count of instructions is not known while they are obeyed. The machine keeps the halves of a pair together, but those of AF.
 bool Debugger::can_be_looked_at(const Expression& expression) const {
   return std::all_of(expression.names().begin(), expression.names().end(), [this](const std::string& text) {
     const std::string name = base::lower_case(text);
     if (register_named(name)) return true;
     if (is_state(name)) return name != "instructions";
-    const auto high = register_named(name.substr(0, 1));
-    return high && name.size() == 2 && register_named(name.substr(1)) == *high + 1;
+    return pair_named(name) && name != "af";
   });
 }
 

@@ -104,6 +104,13 @@ class Debugger {
   [[nodiscard]] std::uint32_t pc() const { return machine_.get(pc_); }
   [[nodiscard]] std::size_t pc_register() const { return pc_; }
   [[nodiscard]] std::optional<std::size_t> register_named(std::string_view name) const;
+  // BC, DE, HL and AF of the 8080, by the numbers of their halves.
+  struct Pair {
+    std::size_t high;
+    std::size_t low;
+  };
+  [[nodiscard]] std::optional<Pair> pair_named(std::string_view name) const;
+  [[nodiscard]] std::uint32_t pair_value(const Pair& pair) const;
   // Whether a name is one of time, instructions and the conditions: values that are in no register or word.
   [[nodiscard]] bool is_state(std::string_view name) const;
   // All names that expressions know.

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -98,7 +97,6 @@ base::Result<live::Launched> launch(const Json& request) {
 // A signal that ends the process ends the session, as does a client that has gone: what was written on disks is put back.
 ExitCode serve() {
   const base::EndSignals signals;
-  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   live::DapHost host;
   host.read = [](int milliseconds) -> std::optional<std::string> {
     if (base::EndSignals::received() != 0) return std::nullopt;

@@ -77,6 +77,14 @@ std::optional<std::string> read_include(const std::string& path) {
   }
 }
 
+void check_disk(const guests::run::Arguments& arguments) {
+  const std::string& path = arguments.text("--disk");
+  if (path.empty() || arguments.given("--disk-read-only") || base::file_status(path).kind != base::FileStatus::Kind::file) return;
+  const auto image = base::AtomicFile::create(path);
+  if (!image)
+    throw Failure(ExitCode::io, image.error().message() + "; its changes could not be kept: --disk-read-only leaves it as it is");
+}
+
 void write_media_back(const guests::run::Machine& machine) {
   for (const auto& medium : machine.changed_media()) {
     const auto done = base::write_file_atomically(medium.path, medium.content);

@@ -33,6 +33,9 @@ template <class T>
 // The text of a source that another includes; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
+// Failure io if the image of --disk could not be written back after the run, which is better known before it.
+void check_disk(const guests::run::Arguments& arguments);
+
 // Puts what the program has changed on disks back into their files, each whole or not at all. Failure io.
 void write_media_back(const guests::run::Machine& machine);
 

@@ -91,6 +91,7 @@ ExitCode monitor(const MachineDescription& description, const Arguments& argumen
 
 MonitoredMachine make_monitored(const MachineDescription& description, Arguments arguments) {
   arguments.value("--monitor").flag = true;
+  check_disk(arguments);
   Programs programs = assemble_sources(description, arguments);
   auto prepared = accepted(prepare(description, arguments, [&programs](const std::string& path) {
     const auto found = programs.assembled.find(path);

@@ -22,7 +22,6 @@
 
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/outputs.hpp"
-#include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
 #include "host/live/console.hpp"
 #include "host/live/monitor.hpp"
@@ -83,8 +82,6 @@ class Lines {
   virtual ~Lines() = default;
   // nullopt: no more.
   virtual std::optional<std::string> next(const std::string& prompt) = 0;
-  // The signal that has ended them; 0: none.
-  [[nodiscard]] virtual int ended_by() const { return 0; }
 };
 
 class PipedLines final : public Lines {
@@ -95,6 +92,7 @@ class PipedLines final : public Lines {
     return line;
   }
 };
+
 
 class EditedLines final : public Lines {
  public:
@@ -118,24 +116,23 @@ class EditedLines final : public Lines {
   // Ctrl-C drops the line.
   std::optional<std::string> next(const std::string& prompt) override {
     for (;;) {
-      const base::EndSignals signals;
       const std::unique_ptr<char, void (*)(void*)> line(readline(prompt.c_str()), &std::free);
-      ended_by_ = base::EndSignals::received();
-      if (ended_by_ == SIGINT) {
+      if (base::EndSignals::received() == SIGINT) {
         static_cast<void>(base::write_now(STDOUT_FILENO, "^C\n"));
-        ended_by_ = 0;
+        base::EndSignals::forget();
         continue;
       }
-      if (!line || ended_by_ != 0) return std::nullopt;
+      if (base::EndSignals::received() != 0) return std::nullopt;
+      if (!line) {
+        static_cast<void>(base::write_now(STDOUT_FILENO, "\n"));  // behind Ctrl-D
+        return std::nullopt;
+      }
       if (*line != '\0') add_history(line.get());
       return std::string(line.get());
     }
   }
-  [[nodiscard]] int ended_by() const override { return ended_by_; }
-
  private:
   std::filesystem::path file_;
-  int ended_by_ = 0;
 };
 
 // --- A session ---
@@ -146,14 +143,18 @@ class Printer {
   bool print(std::string_view text) {
     if (text.empty()) return true;
     open_ = text.back() != '\n';
-    return base::write_now(STDOUT_FILENO, text);
+    unread_ = unread_ || !base::write_now(STDOUT_FILENO, text);
+    return !unread_;
   }
   void end_line() {
     if (open_) static_cast<void>(print("\n"));
   }
+  // Nobody reads it any more.
+  [[nodiscard]] bool unread() const { return unread_; }
 
  private:
   bool open_ = false;
+  bool unread_ = false;
 };
 
 using Heard = std::function<void(std::string_view)>;
@@ -180,11 +181,20 @@ guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limit
     stop = machine.run(limits, true);
     const std::string text = live::shown_text(machine.take_printed());
     heard(text);
-    static_cast<void>(printer.print(text));
-    if (!stop && base::InterruptKey::pressed()) stop = guests::run::Stop{guests::run::interrupted, {}};
-    if (!stop && machine.waits_for_key()) stop = guests::run::Stop{live::end_of_input, {}};
+    if (!printer.print(text) && !stop) stop = guests::run::Stop{guests::run::interrupted, {}};
+    if (!stop && base::EndSignals::received() != 0) stop = guests::run::Stop{guests::run::interrupted, {}};
+    if (!stop && machine.waits_for_key())
+      stop = guests::run::Stop{live::end_of_input, "the program waits for a key, and there is none: `send` types keys"};
   }
   return *stop;
+}
+
+// Ctrl-C stops what is under way at a prompt; any other signal, and Ctrl-C where there is no prompt, ends the session, and so does
+// the end of those who read what it prints. 0: none has come.
+int ending_signal(const Printer& printer, bool terminal) {
+  const int received = base::EndSignals::received();
+  if (received != 0 && !(terminal && received == SIGINT)) return received;
+  return printer.unread() ? SIGPIPE : 0;  // a terminal that has gone tells no signal
 }
 
 ExitCode exit_code_of(live::Answer::Kind kind) {
@@ -235,21 +245,18 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   if (console) console_options = accepted(live::console_options(arguments, terminal));
 
   Printer printer;
+  const base::EndSignals signals;
   // A command may run the machine in pieces: the terminal is raw until it has ended.
-  struct Live {
-    base::EndSignals signals;
-    base::RawTerminal raw;
-  };
-  std::optional<Live> live_terminal;
+  std::optional<base::RawTerminal> raw_terminal;
   live::MonitorHost host = files_of_commands();
   host.running.run = [&](Machine& running, const guests::run::Limits& limits, const Heard& heard) {
     if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
-    if (!live_terminal) live_terminal.emplace();
+    if (!raw_terminal) raw_terminal.emplace();
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
   };
   host.running.nobody_types = !terminal;
-  host.running.interrupted = [] { return base::InterruptKey::pressed(); };
+  host.running.interrupted = [] { return base::EndSignals::received() != 0; };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
   host.speed = [&](const std::string& text) -> guests::run::Result<base::Done> {
     if (!console_options) return guests::run::usage("there is no console; begin with --console MODE");
@@ -276,7 +283,8 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   const std::string prompt = std::string(setup.description.name) + "> ";
   live::Answer answer;
   const std::vector<std::string> first = arguments.list("--do");
-  for (std::size_t n = 0; answer.kind != live::Answer::Kind::quit; ++n) {
+  for (std::size_t n = 0; answer.kind != live::Answer::Kind::quit && ending_signal(printer, terminal) == 0; ++n) {
+    if (base::EndSignals::received() != 0) base::EndSignals::forget();
     std::optional<std::string> line;
     static_cast<void>(std::fflush(stdout));
     if (n < first.size()) {
@@ -285,20 +293,18 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
       line = lines->next(prompt);
     }
     if (!line) break;
-    {
-      const base::InterruptKey key;
-      answer = session.execute(*line);
-      live_terminal.reset();
-    }
+    answer = session.execute(*line);
+    raw_terminal.reset();
     if (!answer.text.empty()) printer.end_line();
     static_cast<void>(printer.print(answer.text));
     // What goes wrong at a prompt is told; in a file of commands it ends the session.
     const bool failed = answer.kind == live::Answer::Kind::wrong || answer.kind == live::Answer::Kind::failed;
-    if (failed && !terminal) return exit_code_of(answer.kind);
+    if (failed && !terminal && ending_signal(printer, terminal) == 0) return exit_code_of(answer.kind);
   }
   printer.end_line();
   machine.finish();
-  return lines->ended_by() == 0 ? ExitCode::ok : ExitCode::interrupted;
+  const int signal = ending_signal(printer, terminal);
+  return signal == 0 ? ExitCode::ok : static_cast<ExitCode>(128 + signal);
 }
 
 }  // namespace sightline::app

@@ -2,6 +2,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <list>
 #include <optional>
@@ -87,21 +89,23 @@ class RunOutputs {
   bool uses_stdout_ = false;
 };
 
-guests::run::Stop run_to_stop(const guests::run::Prepared& prepared) {
-  const base::InterruptKey key;
-  base::ProgressLine line;
-  return guests::run::run_to_stop(
-      *prepared.machine, prepared.limits, [&line](const guests::run::Progress& progress) {
-        line.show_run(static_cast<std::uint64_t>(core::nanoseconds_of(progress.now)), progress.instructions);
-        return !base::InterruptKey::pressed() &&
-               std::ferror(stdout) == 0;  // nobody reads what the program prints
-      });
-}
-
 struct Ended {
   guests::run::Stop stop;
-  int signal = 0;  // that ended it
+  int signal = 0;  // that ended it; SIGPIPE: nobody reads what the program prints
 };
+
+Ended run_to_stop(const guests::run::Prepared& prepared, const Arguments& arguments) {
+  const base::EndSignals signals;
+  // Without a disk nothing is to be put away when nobody reads the output: it ends at once, as other filters do.
+  if (!arguments.given("--disk")) static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
+  base::ProgressLine line;
+  guests::run::Stop stop = guests::run::run_to_stop(
+      *prepared.machine, prepared.limits, [&line](const guests::run::Progress& progress) {
+        line.show_run(static_cast<std::uint64_t>(core::nanoseconds_of(progress.now)), progress.instructions);
+        return base::EndSignals::received() == 0 && std::ferror(stdout) == 0;  // it may be full
+      });
+  return {std::move(stop), base::EndSignals::received()};
+}
 
 // Whether keys come from a person, and not from a script or a pipe.
 bool person_types(const Arguments& arguments) {
@@ -135,20 +139,28 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
     if (!done) return guests::run::bad_input(done.error().message());
     return base::Done{};
   };
+  check_disk(arguments);
   const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named, restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
   outputs.attach(machine);
   const bool console = arguments.given("--console");
-  const Ended ended = console ? run_on_console(prepared, arguments) : Ended{run_to_stop(prepared)};
+  Ended ended = console ? run_on_console(prepared, arguments) : run_to_stop(prepared, arguments);
   const guests::run::Stop& stop = ended.stop;
   if (person && stop.name == live::stopped_by_ctrl_e) {
-    static_cast<void>(
-        hold_monitor_session({description, machine, prepared.limits, live::Symbols(description.radix), arguments}));
+    const ExitCode code =
+        hold_monitor_session({description, machine, prepared.limits, live::Symbols(description.radix), arguments});
+    ended.signal = std::max(0, static_cast<int>(code) - 128);
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
-  write_media_back(machine);
+  // A disk that cannot be written must not take the other files with it.
+  std::optional<Failure> disk_failure;
+  try {
+    write_media_back(machine);
+  } catch (const Failure& failure) {
+    disk_failure = failure;
+  }
   outputs.write(description, machine);
   if (arguments.given("--json")) {
     base::Json report = json_report(description, machine, stop);
@@ -160,14 +172,17 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   } else {
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
   }
-  if (stop.name == guests::run::interrupted) {
+  if (disk_failure) throw Failure(*disk_failure);
+  if (stop.name == guests::run::interrupted && ended.signal == 0) {
+    complain("stopped: standard output takes no more; all outputs hold what was done so far");
+    return ExitCode::io;
+  }
+  if (ended.signal == SIGINT && !console) {
     complain("stopped by Ctrl-C; all outputs hold what was done so far");
-    return ExitCode::interrupted;
-  }
-  if (ended.signal != 0) {
+  } else if (ended.signal != 0 && ended.signal != SIGPIPE) {
     complain(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
-    return static_cast<ExitCode>(128 + ended.signal);
   }
+  if (ended.signal != 0) return static_cast<ExitCode>(128 + ended.signal);
   if (stop.complaint.empty()) return ExitCode::ok;
   complain(stop.complaint);
   return ExitCode::guest_failed;

@@ -93,6 +93,25 @@ class CommandLine : public ::testing::Test {
             stdout_ == ".stdout" ? read(stdout_) : "", read(".stderr")};
   }
 
+  // Starts it and kills it after this time.
+  void killed(const Arguments& arguments, std::chrono::microseconds after) const {
+    const pid_t process = fork();
+    if (process == 0) {
+      if (chdir(directory_.c_str()) != 0) _exit(127);
+      std::vector<std::string> words{SIGHTLINE_COMMAND};
+      words.insert(words.end(), arguments.begin(), arguments.end());
+      std::vector<char*> argv;
+      for (std::string& word : words) argv.push_back(word.data());
+      argv.push_back(nullptr);
+      for (const int descriptor : {0, 1, 2}) dup2(open("/dev/null", O_RDWR), descriptor);
+      execv(SIGHTLINE_COMMAND, argv.data());
+      _exit(127);
+    }
+    std::this_thread::sleep_for(after);
+    kill(process, SIGKILL);
+    waitpid(process, nullptr, 0);
+  }
+
   // Ctrl-C for a command that ends in order then. On a loaded computer it takes long to begin, and dies of a Ctrl-C
   // that comes before it listens: then it is started again and given more time.
   Ran interrupted(const Arguments& arguments) {

@@ -2,7 +2,13 @@
 // the console; images that are damaged are refused, and an image is written back whole or not at all.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <chrono>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -72,6 +78,70 @@ TEST_F(Disk, AMonitorSessionCanSwapDisks) {
   EXPECT_NE(ran.out.find("track 0 sector 6 word 0 (decimal)"), std::string::npos) << ran.out;
   EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z'));
   EXPECT_EQ(read("other"), std::string(bytes_of_disk, '\0'));
+}
+
+// Only Ctrl-C ends this one: what was written before is written back.
+TEST_F(Disk, CtrlCInAPipedMonitorWritesTheDiskBack) {
+  write("commands", "expect \"*\"\nsend \"w5Z\"\nexpect \"k\"\nrun until 1==0\nev 1\n");
+  const Ran ran = interrupted({"monitor", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--do", "commands"});
+  EXPECT_EQ(ran.exit_code, 130) << ran.out << ran.err;
+  EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z')) << ran.out;
+}
+
+// Killed at any moment: the image is the old one or the new one, and nothing is left beside it.
+TEST_F(Disk, AKilledRunLeavesAWholeImage) {
+  const Arguments words{"run", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--expect", "*", "--send", "w5Z", "--expect", "k"};
+  ASSERT_EQ(sightline(words).exit_code, 0);
+  const std::string written = read("disk");
+  ASSERT_TRUE(written != image_);
+  std::mt19937 random(33);
+  const auto begun = std::chrono::steady_clock::now();
+  static_cast<void>(sightline(words));
+  const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
+  for (int n = 0; n < 12; ++n) {
+    write("disk", image_);
+    killed(words, whole * (70 + static_cast<int>(random() % 35)) / 100);
+    const std::string now = read("disk");
+    EXPECT_TRUE(now == image_ || now == written) << n;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"boot.rim", "disk"}));
+}
+
+TEST_F(Disk, WritingBackKeepsThePermissionsOfTheImage) {
+  std::filesystem::permissions(path("disk"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(session({"--send", "w5Z", "--expect", "k"}).exit_code, 0);
+  EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z'));
+  EXPECT_EQ(std::filesystem::status(path("disk")).permissions(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+// It is known before the run that the changes could not be kept.
+TEST_F(Disk, AnImageThatMayNotBeWrittenIsRefusedUnlessTheDriveIsLocked) {
+  std::filesystem::permissions(path("disk"), std::filesystem::perms::owner_read);
+  if (access(path("disk").c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write every file";
+  const Ran ran = session({"--send", "w5Z", "--expect", "k"});
+  EXPECT_EQ(ran.exit_code, 5);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_NE(ran.err.find("--disk-read-only leaves it as it is"), std::string::npos) << ran.err;
+  EXPECT_EQ(session({"--send", "h"}, {"--disk-read-only"}).exit_code, 0);
+  EXPECT_TRUE(read("disk") == image_);
+}
+
+// The other files of a run are written though the disk cannot be.
+TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
+  std::filesystem::create_directory(path("folder"));
+  std::filesystem::rename(path("disk"), path("folder/disk"));
+  write("gone.s",
+        "100/\nbegin, 707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (3000\n  707144\n  707121\n  jmp .-1\n"
+        "  lac (252\n  700406\nwait, 700301\n  jmp wait\n  hlt\n  start begin\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "gone.s", "-o", "gone.rim"}).exit_code, 0);
+  // The folder goes when the program has written and says so; then a key ends it.
+  const std::string script = "cd '" + path(".").string() + "' && mkfifo keys && { " SIGHTLINE_COMMAND
+                             " run pdp7 gone.rim --disk folder/disk --console ascii --dump d < keys > out 2> err & exec 3> keys; "
+                             "until test -s out; do sleep 0.02; done; rm -r folder; echo x >&3; exec 3>&-; wait $!; }";
+  const int status = std::system(script.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 5) << read("err");
+  EXPECT_TRUE(exists("d")) << read("err");
+  EXPECT_NE(read("err").find("folder/disk: cannot write: No such file or directory"), std::string::npos) << read("err");
 }
 
 TEST_F(Disk, ATransferGoesOnFromASnapshot) {

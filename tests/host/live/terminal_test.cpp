@@ -85,6 +85,7 @@ class Terminal : public CommandLine {
     child_ = 0;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   }
+  [[nodiscard]] pid_t child() const { return child_; }
   void send_signal(int number) { ASSERT_EQ(kill(child_, number), 0); }
   void hang_up() {
     if (master_ >= 0) close(master_);
@@ -232,6 +233,69 @@ TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
   EXPECT_TRUE(restored());
 }
 
+// The machine runs, with the terminal as its console and without: other signals than Ctrl-C end the session, not only the run.
+TEST_F(Terminal, ASignalInARunOfTheMonitorEndsTheSessionInOrder) {
+  for (const bool console : {false, true}) {
+    for (const int number : {SIGTERM, SIGHUP}) {
+      shown_.clear();
+      std::filesystem::remove(path("state/sightline/monitor"));
+      std::vector<std::string> words{"monitor", "pdp7", "echo.s"};
+      if (console) words.insert(words.end(), {"--console", "parity"});
+      start(words);
+      ASSERT_TRUE(shows("pdp7> ")) << shown_;
+      type("continue\r");
+      ASSERT_TRUE(shows("*")) << shown_;
+      send_signal(number);
+      EXPECT_EQ(ends(), 128 + number);
+      EXPECT_TRUE(restored());
+      EXPECT_NE(read("state/sightline/monitor").find("continue"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(Terminal, CtrlCFromOutsideStopsTheRunAndLeavesThePrompt) {
+  start({"monitor", "pdp7", "echo.s", "--console", "parity"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  type("continue\r");
+  ASSERT_TRUE(shows("*")) << shown_;
+  send_signal(SIGINT);
+  ASSERT_TRUE(shows("stopped by signal")) << shown_;
+  shown_.clear();
+  type("evaluate 1+2\r");
+  ASSERT_TRUE(shows("3 = 3.")) << shown_;
+  type("\004");
+  EXPECT_EQ(ends(), 0);
+  EXPECT_TRUE(restored());
+}
+
+// A session that `run` has handed to the monitor: what ends the monitor ends the run.
+TEST_F(Terminal, ASignalBehindCtrlEEndsTheRun) {
+  start_echo();
+  type("\005");
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  send_signal(SIGTERM);
+  EXPECT_EQ(ends(), 128 + SIGTERM);
+  EXPECT_TRUE(restored());
+  EXPECT_TRUE(exists("d"));
+}
+
+// A program that hangs in the host, here on a terminal that takes no more, is ended by the second signal; `timeout` sends two at once.
+TEST_F(Terminal, TheSecondSignalEndsAtOnce) {
+  write("loud.s", "100/\nbegin, lac (301\nloop, 700406\n  jmp loop\n  start begin\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "loud.s", "-o", "loud.rim"}).exit_code, 0);
+  start({"run", "pdp7", "loud.rim", "--console", "ascii", "--speed", "max", "--timing", "teletype_character=1"});
+  const auto end = steady_clock::now() + patience;
+  while (!raw() && steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the terminal is full
+  send_signal(SIGTERM);
+  send_signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  EXPECT_EQ(kill(child(), 0), 0);
+  send_signal(SIGTERM);
+  EXPECT_EQ(ends(), 1000 + SIGTERM);
+  EXPECT_TRUE(restored());
+}
+
 // What is written at the end of a session, the lines typed here, is written then, too.
 TEST_F(Terminal, ASignalAtThePromptEndsTheSessionInOrder) {
   start({"monitor", "pdp7", "echo.rim"});
@@ -243,7 +307,7 @@ TEST_F(Terminal, ASignalAtThePromptEndsTheSessionInOrder) {
   shown_.erase(0, shown_.find("00100 200117"));
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   send_signal(SIGTERM);
-  EXPECT_EQ(ends(), 130);
+  EXPECT_EQ(ends(), 128 + SIGTERM);
   EXPECT_TRUE(restored());
   EXPECT_NE(read("state/sightline/monitor").find("examine"), std::string::npos);
 }
