@@ -324,6 +324,32 @@ inline constexpr std::array<std::uint8_t, 4> changes_of_pair{change::bc, change:
   return change::anything;
 }
 
+// The same by registers: bits by the codes B C D E H L, M for memory, A; above these F, and SP or INTE.
+namespace changed {
+inline constexpr std::uint16_t memory = 0x40, a = 0x80, f = 0x100, sp = 0x200;
+[[nodiscard]] constexpr std::uint16_t by_code(unsigned code) { return static_cast<std::uint16_t>(1U << code); }
+}  // namespace changed
+
+[[nodiscard]] constexpr std::uint16_t registers_changed_by(std::uint8_t opcode) {
+  using enum Operation;
+  const std::uint8_t changes = changes_of(opcode);
+  const Operation operation = lookup(opcode).operation;
+  const unsigned to = opcode >> 3 & 7;
+  const bool one = operation == inr || operation == dcr || operation == mvi || operation == mov;
+  std::uint16_t set = one ? changed::by_code(to) : 0;
+  const auto join = [&](std::uint8_t change, unsigned registers) {
+    if ((changes & change) != 0 && (!one || change == change::f)) set = static_cast<std::uint16_t>(set | registers);
+  };
+  join(change::bc, 0x03);
+  join(change::de, 0x0C);
+  join(change::hl, 0x30);
+  join(change::memory, changed::memory);
+  join(change::a, changed::a);
+  join(change::f, changed::f);
+  join(change::sp, changed::sp);
+  return set;
+}
+
 // Names of the fields, in the order of their codes.
 inline constexpr std::array<std::string_view, 8> register_names{"b", "c", "d", "e", "h", "l", "m", "a"};
 inline constexpr std::array<std::string_view, 4> pair_names{"b", "d", "h", "sp"};

@@ -15,8 +15,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
@@ -24,9 +25,11 @@
 #include "../i8080/cpu.hpp"
 #include "../i8080/state.hpp"
 #include "i8080_bus.hpp"
+#include "i8080_looking.hpp"
 #include "i8080_observer.hpp"
 #include "i8080_pins.hpp"
 #include "i8080_run.hpp"
+#include "i8080_store.hpp"
 
 namespace sightline::machines {
 
@@ -34,7 +37,9 @@ template <class Ports, class Observer = NoI8080Observer>
 class I8080Machine {
  public:
   // Both must outlive the machine.
-  I8080Machine(Ports& ports, Observer& observer) : ports_(ports), observer_(observer), memory_(65536) {}
+  I8080Machine(Ports& ports, Observer& observer) : ports_(ports), observer_(observer), store_(new I8080Store) {
+    store_->bytes.fill(0);
+  }
   I8080Machine(const I8080Machine&) = delete;
   I8080Machine& operator=(const I8080Machine&) = delete;
 
@@ -43,10 +48,10 @@ class I8080Machine {
   [[nodiscard]] const i8080::State& registers() const { return state_; }
 
   // Memory, without time: the door for loaders, dumps and tests.
-  [[nodiscard]] i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
-  void deposit(i8080::Address address, i8080::Byte byte) { memory_[address] = byte; }
-  [[nodiscard]] std::span<i8080::Byte> memory() { return memory_; }
-  [[nodiscard]] std::span<const i8080::Byte> memory() const { return memory_; }
+  [[nodiscard]] i8080::Byte peek(i8080::Address address) const { return store_->bytes[address]; }
+  void deposit(i8080::Address address, i8080::Byte byte) { store_->bytes[address] = byte; }
+  [[nodiscard]] std::span<i8080::Byte> memory() { return store_->bytes; }
+  [[nodiscard]] std::span<const i8080::Byte> memory() const { return store_->bytes; }
 
   [[nodiscard]] core::TStateInstant now() const { return now_; }
   // Since the machine was made; those a device supplied included.
@@ -77,7 +82,7 @@ class I8080Machine {
       fields("held", held_);
       fields.require(!pins_.waking || state_.halted, "waking", "only in a halt");
     });
-    visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(memory_), 0xFF); });
+    visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(store_->bytes), 0xFF); });
   }
 
   // The RESET pin; memory stays, and so do all registers but PC and INTE.
@@ -95,6 +100,7 @@ class I8080Machine {
   // The same, watched by another than the machine's own observer.
   template <class Watcher>
   [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
+    if constexpr (core::Looks<Watcher>) I8080LookingThreads<I8080Machine, Ports, Watcher>::prepare(*store_, watcher);
     I8080Frame<I8080Machine, Watcher> frame(*this, watcher);
     std::uint64_t count = 0;
     const I8080StopReason reason = run_frame(frame, watcher, limits, count);
@@ -125,6 +131,13 @@ class I8080Machine {
           if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
       }
+      if constexpr (core::Looks<Watcher>) {
+        if (std::exchange(frame.by_pins, false)) {
+          bring_ports_to(frame.now());
+          if (step_by_pins(frame, watcher, limits.until)) ++count;
+          continue;
+        }
+      }
       if (frame.due()) {
         if constexpr (core::Looks<Watcher>) {
           if (!state_.halted && watcher.told()) return I8080StopReason::observer;
@@ -151,7 +164,7 @@ class I8080Machine {
   template <class Frame>
   static bool asks(Frame& frame) {
     const i8080::Registers& registers = frame.registers;
-    return frame.arrives.look().asks(registers.pc, I8080View{registers.a, registers.hl, &registers, frame.control, frame.now(), frame.memory});
+    return frame.arrives.look().asks(registers.pc, I8080View{registers.a, registers.hl, &registers, frame.control, frame.now(), frame.store});
   }
   template <class Frame>
   void publish(const Frame& frame) {
@@ -176,6 +189,8 @@ class I8080Machine {
       const std::array<i8080::Byte, 3> bytes = bytes_at(before.pc);
       Thread(frame).step();
       watcher.instruction({begun, frame.now(), before.pc, bytes, false, before, frame.state()});
+    } else if constexpr (core::Looks<Watcher>) {
+      I8080LookingThreads<I8080Machine, Ports, Watcher>::run(frame);
     } else {
       core::Runner<Thread, Watcher>::run(frame);
     }
@@ -327,7 +342,7 @@ class I8080Machine {
     latches.woken = !state_.halted && halt_ended_ == now;
     latches.halted = state_.halted || latches.woken;
     supplied_ = {};
-    I8080Board<Ports> board(ports_, memory_.data(), supplied_, now, latches.hold_acknowledge, tell);
+    I8080Board<Ports> board(ports_, store_->bytes.data(), supplied_, now, latches.hold_acknowledge, tell);
     I8080PinBus<Ports> bus(board, state_.interrupts_on, latches);
     I8080PinStep step;
     if (state_.halted) wait_on_pins(board, bus, until);
@@ -374,7 +389,7 @@ class I8080Machine {
   }
 
   [[nodiscard]] std::array<i8080::Byte, 3> bytes_at(i8080::Address address) const {
-    const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(address + i)]; };
+    const auto at = [&](unsigned i) { return store_->bytes[static_cast<i8080::Address>(address + i)]; };
     return {at(0), at(1), at(2)};
   }
 
@@ -401,7 +416,7 @@ class I8080Machine {
   i8080::State state_;
   core::TStateInstant now_{};
   std::uint64_t instructions_ = 0;
-  std::vector<i8080::Byte> memory_;
+  std::unique_ptr<I8080Store> store_;
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
   core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
   i8080::PinLatches pins_;  // all false between instructions at which nothing is in hand

@@ -233,7 +233,6 @@ guests::run::Condition Debugger::compiled(const Expression& expression, bool is_
 bool Debugger::look_at_conditions(const std::string& goal) {
   Probe& probe = *machine_.probe();
   probe.look = nullptr;
-  probe.conditions.clear();
   if (probe.watches_instructions()) return false;
   std::vector<std::pair<const Expression*, bool>> all;
   const auto add = [&](const std::string& condition, bool was_true) {
@@ -245,7 +244,9 @@ bool Debugger::look_at_conditions(const std::string& goal) {
   if (!goal.empty() && !add(goal, false)) return false;
   for (const Breakpoint& each : breakpoints_.all())
     if (each.kind == Breakpoint::Kind::condition && !add(each.condition, each.was_true)) return false;
-  for (const auto& [expression, was_true] : all) probe.conditions.push_back(compiled(*expression, was_true));
+  std::vector<guests::run::Condition> conditions;
+  for (const auto& [expression, was_true] : all) conditions.push_back(compiled(*expression, was_true));
+  probe.wait_for(std::move(conditions));
   probe.look = [all = std::move(all)] {
     return std::any_of(all.begin(), all.end(), [](const auto& each) {
       const auto value = each.first->value();
@@ -458,7 +459,7 @@ Halted Debugger::run(const Goal& goal) {
     }
   }
   probe.look = nullptr;
-  probe.conditions.clear();
+  probe.wait_for({});
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

@@ -63,6 +63,8 @@ struct ConditionStep {
   Sign sign = Sign::either;
   std::int64_t number = 0;
   Operand operand = Operand::stack;
+
+  friend bool operator==(const ConditionStep&, const ConditionStep&) = default;
 };
 
 // The same program with constants and registers as operands of the steps behind them.
@@ -128,6 +130,8 @@ template <class Values>
 struct ValueRange {
   std::uint32_t first = 0;
   std::uint32_t span = ~std::uint32_t{0};
+
+  friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 
 // Where VALUE sign CONSTANT is true; nothing: it cannot be said so.
@@ -173,6 +177,8 @@ struct MaskedRegister {
   std::size_t number = 0;
   bool pair = false;
   std::uint32_t mask = ~std::uint32_t{0};
+
+  friend bool operator==(const MaskedRegister&, const MaskedRegister&) = default;
 };
 
 // left sign right + offset: the whole of a condition on two registers.
@@ -181,6 +187,8 @@ struct Relation {
   Sign sign = Sign::equal;
   MaskedRegister right;
   std::int64_t offset = 0;
+
+  friend bool operator==(const Relation&, const Relation&) = default;
 };
 
 // A condition that a run waits for.
@@ -197,9 +205,13 @@ struct Condition {
   struct Range {
     MaskedRegister of;
     ValueRange values;
+
+    friend bool operator==(const Range&, const Range&) = default;
   };
   std::optional<Range> range;
   std::optional<Relation> relation;
+
+  friend bool operator==(const Condition&, const Condition&) = default;
 };
 
 }  // namespace sightline::guests::run

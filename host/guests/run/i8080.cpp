@@ -369,21 +369,25 @@ class I8080Run final : public Machine {
  private:
   machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
     if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
-    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_));
-    if (probe_ && probe_->watches_accesses()) return run_watched(limits, I8080Watcher(*probe_));
-    if constexpr (few_observers) {
-      if (probe_ && probe_->watches_boundaries()) return run_watched(limits, I8080Watcher(*probe_));
-    } else {
-      if (probe_ && probe_->watches_boundaries()) return run_watched(limits, I8080Looker(*probe_));
-    }
+    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_, watcher()));
+    if (probe_ && probe_->watches_boundaries()) return run_watched(limits, watcher());
     return processor_.run(limits);
   }
   template <class Observer>
-  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer observer) {
+  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer&& observer) {
     observer.begin(processor_.now());
     const auto reason = processor_.run(limits, observer);
     static_cast<void>(observer.told());
     return reason;
+  }
+
+  // The one there is, while the probe wants the same: a program that calls CP/M all the time ends a run with each call.
+  I8080Watcher& watcher() {
+    if (!watcher_ || watched_version_ != probe_->version()) {
+      watcher_.emplace(*probe_);
+      watched_version_ = probe_->version();
+    }
+    return *watcher_;
   }
 
   template <class Visitor>
@@ -494,6 +498,8 @@ class I8080Run final : public Machine {
   RunPorts ports_;
   std::optional<I8080Recorder> recorder_;
   std::optional<Probe> probe_;
+  std::optional<I8080Watcher> watcher_;
+  std::uint64_t watched_version_ = 0;
   machines::NoI8080Observer nobody_;
   machines::I8080Machine<RunPorts> processor_;
   std::bitset<0x10000> loaded_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "emulators/machines/i8080_bus.hpp"
 #include "emulators/machines/i8080_observer.hpp"
 #include "host/base/text.hpp"
+#include "host/guests/run/i8080_outlook.hpp"
 #include "host/guests/run/i8080_vcd.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/outlook.hpp"
@@ -115,82 +115,6 @@ class I8080Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
-// Where Outlook finds the registers of the 8080. The number of a register is its place in the description. The sets of all addresses lie
-// in the frame of the run, where a test of one is a single host instruction.
-struct I8080Places {
-  explicit I8080Places(const std::uint8_t* places) { std::copy_n(places, all.size(), all.begin()); }
-  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t at(i8080::Address next) const { return all[next]; }
-  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t again(i8080::Address next) const {
-    return *static_cast<const volatile std::uint8_t*>(all.data() + next);
-  }
-
-  std::array<std::uint8_t, 0x10000> all;
-};
-
-struct I8080Outlook {
-  using Address = i8080::Address;
-  using View = machines::I8080View;
-  using Instant = core::TStateInstant;
-  using Places = I8080Places;
-  static constexpr std::size_t addresses = 0x10000;
-  static constexpr std::uint8_t memory = i8080::change::memory;
-  static constexpr std::array parts{i8080::change::a,  i8080::change::hl, i8080::change::bc,
-                                    i8080::change::de, i8080::change::sp, i8080::change::f};
-  static constexpr std::size_t program_counter = 9;
-
-  template <std::uint8_t part>
-  [[nodiscard]] SIGHTLINE_INLINE static std::uint32_t value(const View& view) {
-    if constexpr (part == i8080::change::a) return view.a;
-    else if constexpr (part == i8080::change::f) return view.others->f;
-    else if constexpr (part == i8080::change::bc) return by_halves(view.others->bc);
-    else if constexpr (part == i8080::change::de) return by_halves(view.others->de);
-    else if constexpr (part == i8080::change::hl) return view.hl;
-    else return view.others->sp;
-  }
-  // An instruction that has just written a half would delay a load of both.
-  [[nodiscard]] SIGHTLINE_INLINE static std::uint32_t by_halves(const i8080::Address& pair) {
-    const auto* const bytes = reinterpret_cast<const volatile std::uint8_t*>(&pair);
-    constexpr std::size_t low = std::endian::native == std::endian::little ? 0 : 1;
-    return bytes[low] | static_cast<std::uint32_t>(bytes[1 - low]) << 8;
-  }
-  [[nodiscard]] static Part part_of(std::size_t number, bool pair) {
-    constexpr std::uint32_t byte = 0xFF, word = 0xFFFF;
-    constexpr std::array pairs{i8080::change::bc, i8080::change::de, i8080::change::hl};
-    switch (number) {
-      case 0: return {i8080::change::a, 0, byte};
-      case 1: return {i8080::change::f, 0, byte};
-      case 8: return {i8080::change::sp, 0, word};
-      case 9: return {};
-      case 10: return {i8080::change::sp, 0, 0};  // INTE is not compared
-      default: break;
-    }
-    const std::uint8_t change = pairs[(number - 2) / 2];
-    if (pair) return {change, 0, word};
-    return {change, number % 2 == 0 ? 8U : 0U, byte};
-  }
-  [[nodiscard]] static std::int64_t register_value(std::size_t number, Address next, const View& view) {
-    switch (number) {
-      case 0: return view.a;
-      case 1: return view.others->f;
-      case 2: return i8080::high(view.others->bc);
-      case 3: return i8080::low(view.others->bc);
-      case 4: return i8080::high(view.others->de);
-      case 5: return i8080::low(view.others->de);
-      case 6: return view.hl >> 8;
-      case 7: return view.hl & 0xFFU;
-      case 8: return view.others->sp;
-      case 9: return next;
-      default: return view.control->interrupts_on ? 1 : 0;
-    }
-  }
-  [[nodiscard]] static std::optional<std::int64_t> word(std::int64_t address, const View& view) {
-    if (address < 0 || address >= std::int64_t{addresses}) return std::nullopt;
-    return view.memory[static_cast<std::size_t>(address)];
-  }
-  [[nodiscard]] static std::int64_t ticks(Instant at) { return core::t_states_of(at); }
-};
-using I8080Looker = Looker<I8080Outlook>;
-
 // What a monitor's marks leave of the cycles of a run. The status of a cycle is known where it is compiled
 // in, so that one test is left of each.
 struct I8080Marked {
@@ -212,14 +136,22 @@ struct I8080Marked {
   static std::uint8_t port_of(const machines::I8080Cycle& cycle) { return static_cast<std::uint8_t>(cycle.address); }
 };
 
-// The observer of a monitor that has marked places, too.
-class I8080Watcher : public I8080Looker {
+// The observer of a monitor that waits for conditions and has marked places. It may be used for many runs, until the probe says that
+// it has others.
+class I8080Watcher : public Looker<I8080Outlook> {
  public:
   static constexpr bool cycles = true;
   static constexpr bool ends_of_halts = false;
   using Filter = I8080Marked;
+  using Look = I8080Look;
 
-  explicit I8080Watcher(Probe& probe) : I8080Looker(probe) {}
+  explicit I8080Watcher(Probe& probe) : Looker(probe), plan_(table(), probe) {}
+  [[nodiscard]] Look look() const { return Look(table(), probe(), plan_); }
+  [[nodiscard]] std::optional<machines::I8080Wanted> renewed() {
+    if (std::exchange(told_wants_, true)) return std::nullopt;
+    static_assert(Probe::executed == 1 && machines::I8080Store::is_read == Probe::is_read && machines::I8080Store::is_written == Probe::is_written);
+    return machines::I8080Wanted{table().places(), probe().marks(), probe().watches_memory(), plan_.tested, plan_.test};
+  }
   [[nodiscard]] I8080Marked filter() const { return I8080Marked(probe()); }
 
   // Kept until the boundary, without a call: one would cost every instruction the registers that it might spoil.
@@ -230,11 +162,11 @@ class I8080Watcher : public I8080Looker {
   [[nodiscard]] bool told() {
     for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
     kept_count_ = 0;
-    return I8080Looker::told();
+    return Looker::told();
   }
   bool stop(core::TStateInstant now, i8080::Address next) {
     static_cast<void>(told());
-    return I8080Looker::stop(now, next);
+    return Looker::stop(now, next);
   }
   void tell(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
@@ -248,6 +180,8 @@ class I8080Watcher : public I8080Looker {
   }
 
  private:
+  I8080Plan plan_;
+  bool told_wants_ = false;
   // More than an instruction and the breaks before it have.
   std::array<machines::I8080Cycle, 64> kept_{};
   std::size_t kept_count_ = 0;
@@ -256,7 +190,7 @@ class I8080Watcher : public I8080Looker {
 // The same, and tells each instruction.
 class I8080Listener {
  public:
-  explicit I8080Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
+  I8080Listener(Probe& probe, I8080Watcher& watcher) : probe_(probe), watcher_(watcher) {}
 
   void begin(core::TStateInstant now) { watcher_.begin(now); }
   bool stop(core::TStateInstant now, i8080::Address next) { return watcher_.stop(now, next); }
@@ -299,7 +233,7 @@ class I8080Listener {
   }
 
   Probe& probe_;
-  I8080Watcher watcher_;
+  I8080Watcher& watcher_;
   Probe::Entry entry_;
 };
 
@@ -312,7 +246,7 @@ class I8080Reporter {
   static constexpr bool stops = true;
 
   explicit I8080Reporter(I8080Recorder& recorder) : recorder_(&recorder) {}
-  explicit I8080Reporter(Probe& probe) : listener_(std::in_place, probe) {}
+  I8080Reporter(Probe& probe, I8080Watcher& watcher) : listener_(std::in_place, probe, watcher) {}
 
   void begin(core::TStateInstant now) {
     if (listener_) listener_->begin(now);

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,10 +85,18 @@ class OutlookTable {
 
   explicit OutlookTable(const Probe& probe) : places_(Machine::addresses) {
     std::uint8_t everywhere = 0;
-    for (const Condition& condition : probe.conditions) everywhere |= add(condition);
+    for (const Condition& condition : probe.conditions()) everywhere |= add(condition);
     const std::uint8_t* const marks = probe.marks();
-    for (std::size_t n = 0; n < Machine::addresses; ++n)
-      places_[n] = static_cast<std::uint8_t>(places_[n] | (marks[n] & Probe::executed) | everywhere);
+    // Eight at a time.
+    constexpr std::uint64_t ones = 0x0101'0101'0101'0101U;
+    static_assert(Machine::addresses % sizeof ones == 0);
+    for (std::size_t n = 0; n < Machine::addresses; n += sizeof ones) {
+      std::uint64_t marked = 0, found = 0;
+      std::memcpy(&marked, marks + n, sizeof marked);
+      std::memcpy(&found, &places_[n], sizeof found);
+      found |= (marked & (ones * Probe::executed)) | ones * everywhere;
+      std::memcpy(&places_[n], &found, sizeof found);
+    }
   }
   [[nodiscard]] const std::uint8_t* places() const { return places_.data(); }
   [[nodiscard]] const std::array<PartWatch, parts>& watches() const { return watches_; }
@@ -171,8 +180,8 @@ class Outlook {
 
   // Both outlive it.
   Outlook(const OutlookTable<Machine>& table, const Probe& probe)
-      : places_(table.places()), table_(&table), marks_(probe.marks()), conditions_(&probe.conditions) {
-    for (const Condition& condition : probe.conditions) {
+      : places_(table.places()), table_(&table), marks_(probe.marks()), conditions_(&probe.conditions()) {
+    for (const Condition& condition : probe.conditions()) {
       by_look_ = by_look_ || condition.steps.empty();
       again_ = again_ || condition.words || condition.devices;
     }
@@ -203,6 +212,13 @@ class Outlook {
     return false;
   }
   [[nodiscard]] bool looks_again() const { return again_; }
+
+ protected:
+  // Of the parts in a set, by their places in Machine::parts.
+  template <unsigned set>
+  [[nodiscard]] SIGHTLINE_INLINE bool in_ranges(const View& view) const {
+    return any_in_range<set>(view, std::make_index_sequence<parts>());
+  }
 
  private:
   struct Values {
@@ -253,6 +269,10 @@ class Outlook {
   [[nodiscard]] SIGHTLINE_INLINE bool in_range(const View& view, std::index_sequence<n...>) const {
     return (part_in_range<changes, n>(view) || ...);
   }
+  template <unsigned set, std::size_t... n>
+  [[nodiscard]] SIGHTLINE_INLINE bool any_in_range(const View& view, std::index_sequence<n...>) const {
+    return ((((set >> n) & 1U) != 0 && ranges_[n].has(Machine::template value<Machine::parts[n]>(view))) || ...);
+  }
   // Nothing is in the range of a part that is not asked for.
   template <unsigned changes, std::size_t n>
   [[nodiscard]] SIGHTLINE_INLINE bool part_in_range([[maybe_unused]] const View& view) const {
@@ -302,6 +322,7 @@ class Looker {
     told_ = true;
   }
   [[nodiscard]] Probe& probe() const { return probe_; }
+  [[nodiscard]] const OutlookTable<Machine>& table() const { return table_; }
 
  private:
   Probe& probe_;

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/guests/run/condition.hpp"
@@ -81,10 +82,12 @@ class Probe {
     if ((marks & ~addresses_.at(address) & is_written) != 0) written_places_.push_back(address);
     addresses_.at(address) |= marks;
     marked_ |= marks;
+    version_.renew();
   }
   void mark_port(std::uint32_t port, std::uint8_t marks) {
     ports_.at(port) |= marks;
     marked_ |= at_port;
+    version_.renew();
   }
   void mark_interrupts() { mark(0, at_interrupt); }
   void clear_marks() {
@@ -92,6 +95,7 @@ class Probe {
     std::fill(ports_.begin(), ports_.end(), std::uint8_t{0});
     written_places_.clear();
     marked_ = 0;
+    version_.renew();
   }
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
 
@@ -99,7 +103,12 @@ class Probe {
   std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
 
   // What a run waits for, evaluated between its instructions.
-  std::vector<Condition> conditions;
+  void wait_for(std::vector<Condition> conditions) {
+    if (conditions == conditions_) return;
+    conditions_ = std::move(conditions);
+    version_.renew();
+  }
+  [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
   // Asked where one of them may have changed, when registers, memory and time are those of the boundary; true: the run ends there,
   // with an event. Empty: nobody waits for conditions.
   std::function<bool()> look;
@@ -115,6 +124,9 @@ class Probe {
   [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
   [[nodiscard]] bool watches_boundaries() const { return looks() || marked_ != 0; }
   [[nodiscard]] bool watches_accesses() const { return (marked_ & ~executed) != 0; }  // beside boundaries
+  [[nodiscard]] bool watches_memory() const { return (marked_ & (is_read | is_written)) != 0; }
+  // Another number after each change of marks and conditions: what is made from them can be used until then.
+  [[nodiscard]] std::uint64_t version() const { return version_.number(); }
   // As many as the machine has, for its observer.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
@@ -129,10 +141,29 @@ class Probe {
  private:
   static constexpr std::uint8_t at_port = 16;
 
+  // Of one probe, whatever is put into it.
+  class Version {
+   public:
+    Version() = default;
+    Version(const Version&) = default;
+    Version& operator=(const Version& other) {
+      number_ = std::max(number_, other.number_) + 1;
+      return *this;
+    }
+    ~Version() = default;
+    void renew() { ++number_; }
+    [[nodiscard]] std::uint64_t number() const { return number_; }
+
+   private:
+    std::uint64_t number_ = 0;
+  };
+
   std::vector<std::uint8_t> addresses_;
   std::vector<std::uint8_t> ports_;
   std::vector<std::uint32_t> written_places_;
   std::vector<Event> events_;
+  std::vector<Condition> conditions_;
+  Version version_;
   std::uint8_t marked_ = 0;  // all marks of all places
 };
 

@@ -71,7 +71,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<devices::SerialLink>(312, "devices::SerialLink");
   expect_size<machines::UnansweredPort>(16, "machines::UnansweredPort");
   expect_size<Ports>(137240, "Ports");
-  expect_size<Machine8080>(128, "Machine8080");
+  expect_size<Machine8080>(112, "Machine8080");
   expect_size<PenMove>(32, "PenMove");
 }
 #endif
