@@ -134,6 +134,7 @@ class I8080Machine {
       if constexpr (core::Looks<Watcher>) {
         if (std::exchange(frame.by_pins, false)) {
           bring_ports_to(frame.now());
+          state_.deferred = true;  // whether an interrupt comes here has been found out
           if (step_by_pins(frame, watcher, limits.until)) ++count;
           continue;
         }
