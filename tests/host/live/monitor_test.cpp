@@ -2,6 +2,7 @@
 // words from its source, times from the machine's cycle of 1.75 us and the 8080's T-states.
 #include "host/live/monitor.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -809,6 +810,59 @@ TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
       {"a==7", "a>=10 && a<=14", "hl==5", "h==0 && l==6", "b==12", "b>0F0", "bc==1213", "de==0FFF8", "d==0FF", "e<4", "c&10", "a==b", "sp==0FFFA",
        "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8", "b!=a", "a==l+3", "b-d==5", "bc==hl+1200", "e<c", "(a^l)==3", "b==c", "h==l", "(b&3)==(l&3)", "inte", "sp<0FFF8 || a==3", "[hl]==l", "time>1000 && a==4", "a", "!(a-b)", "b>=0", "d<0", "f!=46"},
       "BEGIN");
+}
+
+// Random programs, which may write over themselves, and random conditions; some wait for two things at once.
+std::string random_condition(std::mt19937& random) {
+  const auto one_of = [&random](const std::vector<std::string>& texts) { return texts[random() % texts.size()]; };
+  const auto byte = [&] { return one_of({"a", "f", "b", "c", "d", "e", "h", "l"}); };
+  const auto word = [&] { return one_of({"bc", "de", "hl", "sp"}); };
+  const auto sign = [&] { return one_of({"==", "!=", "<", "<=", ">", ">="}); };
+  const auto number = [&](unsigned most) { return fmt::format("0{:X}", random() % most); };
+  const std::string left = random() % 2 == 0 ? byte() : word();
+  const std::string right = random() % 2 == 0 ? byte() : word();
+  switch (random() % 8) {
+    case 0: return byte() + sign() + number(0x100);
+    case 1: return word() + sign() + number(0x10000);
+    case 2: return left + sign() + right + one_of({"+", "-"}) + number(0x10000);
+    case 3: return byte() + sign() + byte() + one_of({"+", "-"}) + number(0x100);
+    case 4: return "(" + left + one_of({"^", "&", "|"}) + right + ")" + sign() + number(0x100);
+    case 5: return "(" + byte() + "&" + number(0x100) + ")" + sign() + number(0x20) + one_of({" && ", " || "}) + byte() + sign() + number(0x100);
+    case 6: return "[" + word() + "]" + sign() + byte();
+    default: return byte() + "*" + byte() + sign() + left + one_of({"", "+inte", "+1/(" + byte() + "-1)"});
+  }
+}
+
+TEST(MonitorI8080, RandomConditionsStopWhereTheyDidFromOutside) {
+  const std::vector<unsigned> others{0x02, 0x03, 0x04, 0x05, 0x07, 0x09, 0x0A, 0x0B, 0x0C, 0x0D, 0x0F, 0x12, 0x13, 0x14, 0x15, 0x17, 0x19, 0x1A,
+                                     0x1B, 0x1C, 0x1D, 0x1F, 0x23, 0x24, 0x25, 0x27, 0x29, 0x2B, 0x2C, 0x2D, 0x2F, 0x34, 0x35, 0x37, 0x39, 0x3C,
+                                     0x3D, 0x3F, 0xC1, 0xC5, 0xD1, 0xD5, 0xE1, 0xE3, 0xE5, 0xEB, 0xF1, 0xF3, 0xF5, 0xFB};
+  for (unsigned seed = 1; seed <= tests::effort(60U, 12U); ++seed) {
+    std::mt19937 random(seed);
+    std::string program = fmt::format("BEGIN: LXI SP,{}\n LXI H,{}\nLOOP: NOP\n", 0x2000 + random() % 0x8000, 0x100 + random() % 0x1000);
+    for (int n = 0; n < 30; ++n) {
+      unsigned code = 0x40 + static_cast<unsigned>(random() % 0x80);
+      if (code == 0x76 || random() % 3 == 0) code = others[random() % others.size()];
+      program += fmt::format(" DB {}\n", code);
+    }
+    program += " JMP LOOP\n";
+    const std::string first = random_condition(random), second = random_condition(random);
+    const bool both = random() % 3 == 0;
+    std::string ends[2];
+    for (const bool outside : {false, true}) {
+      auto m = i8080_session(program);
+      const std::string always = outside ? " && instructions>=0" : "";
+      (*m)("break when (" + first + ")" + always);
+      if (both) (*m)("break when (" + second + ")" + always);
+      (*m)("break LOOP count 5");
+      (*m)("watch 2000-5000 w count 9");
+      for (int n = 0; n < 6; ++n) {
+        const std::string text = (*m)("run for 200 instructions");
+        ends[outside ? 1 : 0] += text.substr(text.find('\n') + 1) + std::to_string(m->machine().instructions()) + " ";
+      }
+    }
+    EXPECT_EQ(ends[0], ends[1]) << "seed " << seed << ": " << first << (both ? ", " + second : "");
+  }
 }
 
 // Without a terminal a program that only asks for a key is stopped when it has asked for long, by its own time. `run for` runs on.
