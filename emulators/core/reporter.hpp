@@ -17,6 +17,15 @@
 //                                           work; its bus names it. A test of few host instructions that may say true too often.
 //     bool asks(Address next, const View&) const               out of line: asked where arrives() said true and where something is due
 //     bool looks_again() const              devices may have changed what it looks at: it is asked at the next boundary, too
+// One that has marks, too, finds places by marks in the words of memory (of the PDP-7: pdp7/core_memory.hpp):
+//   marked_places() const                 pairs of an address and its marks
+//   in its Look: changes() const          what an instruction has to change to be followed by a question
+//     marks() const                       all marks of these places
+//     bool may_ask<changes>(const View&) const    in place of arrives()
+//     bool may_ask(const View&) const             of any instruction
+//     void see(flags)                     before asks() outside the instructions: what gives the flags of all devices
+//     bool looks_again(flags)             the same, where devices have been attended to
+//     void answered()                     stop() has been asked, and the run goes on
 // stop() is asked where asks() says true, and finds the machine's registers and time up to date; told() says whether a cycle that
 // was told is to end the run.
 #pragma once
@@ -31,9 +40,13 @@ concept Filtered = requires { typename Observer::Filter; };
 template <class Observer>
 concept Looks = requires { typename Observer::Look; };
 
+template <class Observer>
+concept Marks = Looks<Observer> && requires(const Observer& observer) { observer.marked_places(); };
+
 template <class Observer, bool wanted = Observer::cycles>
 class Reporter {
  public:
+  static constexpr bool has_marks = Marks<Observer>;
   // The observer outlives the reporter.
   explicit constexpr Reporter(Observer& observer) : observer_(&observer) {}
   // True: stop() is to be asked at the next boundary.
@@ -50,6 +63,7 @@ class Reporter {
 template <Filtered Observer>
 class Reporter<Observer, true> {
  public:
+  static constexpr bool has_marks = Marks<Observer>;
   explicit constexpr Reporter(Observer& observer) : observer_(&observer), filter_(observer.filter()) {}
   template <class Cycle>
   SIGHTLINE_INLINE constexpr bool operator()(const Cycle& cycle) const {
@@ -67,6 +81,7 @@ class Reporter<Observer, true> {
 template <class Observer>
 class Reporter<Observer, false> {
  public:
+  static constexpr bool has_marks = Marks<Observer>;
   explicit constexpr Reporter(Observer&) {}
   template <class Cycle>
   constexpr bool operator()(const Cycle&) const {
@@ -112,6 +127,7 @@ class Arrivals<Observer> {
     return look_.template arrives<changes>(next, view);
   }
   [[nodiscard]] constexpr typename Observer::Look& look() { return look_; }
+  [[nodiscard]] constexpr const typename Observer::Look& look() const { return look_; }
   template <class Address>
   constexpr void enter(Address bank) {
     look_.enter(bank);

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "../core/inline.hpp"
+#include "../core/marked_threads.hpp"
 #include "../core/reporter.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -166,6 +167,7 @@ class BasicPdp7 {
     counts_.instructions += limits.instructions - left;
     state_ = frame.processor.registers.state();
     now_ = frame.now();
+    frame.take_marks_off(watcher);
     if (display_) display_->advance(now_);
     return reason;
   }
@@ -173,7 +175,7 @@ class BasicPdp7 {
  private:
   template <class, class>
   friend struct Pdp7Frame;
-  template <class, class>
+  template <class, class, bool>
   friend class Pdp7Bus;
 
   static Configuration completed(Configuration configuration) {
@@ -198,6 +200,7 @@ class BasicPdp7 {
         if (asks(frame)) {
           publish(frame);
           if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
+          frame.arrives.look().answered();
         }
       } else if constexpr (Watcher::stops) {
         if (frame.arrives(pc())) {
@@ -215,7 +218,7 @@ class BasicPdp7 {
         if (attend(frame, until, left)) continue;
         // What the devices have done here an observer that looks sees at the next boundary.
         if constexpr (core::Looks<Watcher>) {
-          looked = !looked && frame.arrives.look().looks_again();
+          looked = !looked && frame.arrives.look().looks_again([this, &frame] { return device_flags(frame.now()); });
           if (looked) frame.look_around_at(frame.now(), frame.now(), 1);
         }
       }
@@ -229,9 +232,28 @@ class BasicPdp7 {
 
   // Whether an observer that looks is to be asked at this boundary.
   template <class Frame>
-  static bool asks(Frame& frame) {
+  bool asks(Frame& frame) {
     const pdp7::Registers& registers = frame.processor.registers;
+    frame.arrives.look().see([this, &frame] { return device_flags(frame.now()); });
     return frame.arrives.look().asks(registers.pc(), Pdp7View{registers.accumulator.bits(), &registers, frame.now(), {frame.core, frame.words}});
+  }
+  // All flags that devices have raised, whatever the order of the bits.
+  [[nodiscard]] std::uint32_t device_flags(core::Instant now) {
+    std::uint32_t flags = 0;
+    const auto add = [&flags](bool up) { flags = flags << 1 | (up ? 1U : 0U); };
+    add(devices_.clock.flag());
+    add(devices_.reader.flag());
+    add(devices_.punch.flag());
+    add(devices_.keyboard.flag());
+    add(devices_.printer.flag());
+    std::uint32_t others = devices_.disk ? devices_.disk->status() & (pdp7::rb09::status::done | pdp7::rb09::status::error) : 0;
+    if (display_) {
+      add(display_->vertical_edge(now));
+      add(display_->horizontal_edge(now));
+      add(display_->light_pen_flag(now));
+      add(display_->stop_interrupt(now));
+    }
+    return flags << 18 | others;
   }
   template <class Frame>
   void publish(const Frame& frame) {
@@ -252,7 +274,8 @@ class BasicPdp7 {
       watcher.instruction(
           InstructionRecord{begun, frame.now(), before.pc, word, before, frame.processor.registers.state()});
     } else {
-      core::Runner<Thread, Watcher>::run(frame);
+      if constexpr (Thread::has_marks) core::MarkedThreads<Thread>::run(frame);
+      else core::Runner<Thread, Watcher>::run(frame);
     }
   }
 
@@ -269,7 +292,7 @@ class BasicPdp7 {
     registers.modes &= ~pdp7::mode::interrupts_deferred;
     frame.look_around_at(found.now, deferred ? found.now : found.deadline, instructions);
     if (found.interrupt) {
-      typename Pdp7Thread<BasicPdp7, Watcher>::Execution execution(Pdp7Bus<BasicPdp7, Watcher>(frame), frame.processor);
+      typename Pdp7Thread<BasicPdp7, Watcher>::Telling execution(Pdp7Bus<BasicPdp7, Watcher>(frame), frame.processor);
       execution.interrupt();
       execution.save();
     }
@@ -287,8 +310,7 @@ class BasicPdp7 {
   SIGHTLINE_INLINE Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
                                                std::int64_t instructions, const Report& report) {
     bool asked = false;
-    if (now < devices_due_)
-      display_break(now, [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; });
+    if (now < devices_due_) display_break(now, Tell<Report>{report, asked});
     if (now >= earlier(display_due_, devices_due_)) {
       const Served served = serve_all(now, report);
       now = served.now;
@@ -302,6 +324,26 @@ class BasicPdp7 {
     return {now, earlier(event, earlier(until, shortest)), interrupt};
   }
 
+  // To the observer, if it wants cycles.
+  template <class Report>
+  struct Tell {
+    static constexpr bool has_marks = Report::has_marks;
+    const Report& report;
+    bool& asked;
+    SIGHTLINE_INLINE void operator()(const pdp7::Cycle& cycle) const { asked = report(cycle) || asked; }
+  };
+  // Core as a data break of a run finds it.
+  template <class Report>
+  [[nodiscard]] SIGHTLINE_INLINE core::Word18 word_for_break(pdp7::Address address) const {
+    if constexpr (Report::has_marks) return core_.read(address);
+    else return core_.data()[address & pdp7::address_mask];
+  }
+  template <class Report>
+  SIGHTLINE_INLINE void put_by_break(pdp7::Address address, core::Word18 word) {
+    if constexpr (Report::has_marks) core_.write_under_marks(address, word);
+    else core_.write(address, word);
+  }
+
   static constexpr core::Instant earlier(core::Instant a, core::Instant b) { return a < b ? a : b; }
 
   struct Served {
@@ -311,7 +353,7 @@ class BasicPdp7 {
   template <class Report>
   [[gnu::noinline]] Served serve_all(core::Instant now, const Report& report) {
     bool asked = false;
-    const auto tell = [&report, &asked](const pdp7::Cycle& cycle) { asked = report(cycle) || asked; };
+    const Tell<Report> tell{report, asked};
     while (disk_break(now, tell) || display_break(now, tell) || clock_tick(now, tell)) {
     }
     if (now >= devices_due_) {
@@ -328,12 +370,12 @@ class BasicPdp7 {
     if (now < devices_due_ || !devices_.disk) return false;
     const auto request = devices_.disk->request(now);
     if (!request) return false;
-    const core::Word18 word = request->to_core ? request->word : core_.read(request->address);
+    const core::Word18 word = request->to_core ? request->word : word_for_break<Report>(request->address);
     const pdp7::Verb verb = request->to_core ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request->address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request->to_core) core_.write(request->address, word);
+    if (request->to_core) put_by_break<Report>(request->address, word);
     devices_.disk->served(word);
     return true;
   }
@@ -359,13 +401,13 @@ class BasicPdp7 {
   // The request is copied: it is the display's own and goes as soon as it is met.
   template <class Request, class Report>
   SIGHTLINE_INLINE void grant(const Request request, core::Instant& now, Report report) {
-    const core::Word18 word = request.write ? request.word : core_.read(request.address);
+    const core::Word18 word = request.write ? request.word : word_for_break<Report>(request.address);
     const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
     if (request.write) [[unlikely]] {
-      core_.write(request.address, word);
+      put_by_break<Report>(request.address, word);
       display_->deposited(now);
       // It raises the next request at once, which is no deadline any more (Type 347).
       display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
@@ -380,7 +422,7 @@ class BasicPdp7 {
     constexpr pdp7::Address counter = 7;
     if (now < devices_due_ || !devices_.clock.take_tick(now)) return false;
     const core::Word18 count = core_.read(counter) + core::Word18(1);
-    core_.write(counter, count);
+    put_by_break<Report>(counter, count);
     const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
     report(pdp7::Cycle{now, length, pdp7::Verb::break_modify, counter, count});
     now += length;

@@ -81,7 +81,15 @@ struct Here {
 // is in a Processor, and save() puts these there, too.
 template <Bus B>
 class Execution {
+  template <unsigned operation>
+  static constexpr bool writes_operand = operation == detail::code(Operation::dac) || operation == detail::code(Operation::jms) ||
+                                         operation == detail::code(Operation::dzm) || operation == detail::code(Operation::isz);
+
  public:
+  template <unsigned code>
+  static constexpr bool is_always_rare = code >> 1 == detail::code(Operation::cal) ||
+                                         code >> 1 == detail::code(Operation::xct) ||
+                                         code >> 1 == detail::code(Operation::iot);
   // Bits 0-4 of an instruction choose the code that executes it: operation and indirect bit.
   static constexpr unsigned codes = 32;
   [[nodiscard]] static constexpr unsigned code_of(std::uint32_t word) { return word >> 13; }
@@ -129,7 +137,7 @@ class Execution {
     ++place_;
     if constexpr (code >> 1 == detail::code(Operation::eae_setup)) {
       calculate(word);
-    } else if constexpr (!is_special<code>) {
+    } else if constexpr (!is_always_rare<code>) {
       execute_common<code>(word, InPlace{this});
     }
     place_ &= in_bank_mask;
@@ -144,13 +152,42 @@ class Execution {
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool is_rare(std::uint32_t word) const {
     constexpr unsigned operation = code >> 1;
     constexpr std::uint32_t rare_opr = operate_bits::oas | operate_bits::hlt;
-    if constexpr (is_special<code>) return true;
+    if constexpr (is_always_rare<code>) return true;
     else if constexpr (operation == detail::code(Operation::eae_setup)) return !processor_->model->eae;
     else if constexpr (code == code_of(detail::row_of(Operation::opr).value)) return (word & rare_opr) != 0;
     else if constexpr (operation == detail::code(Operation::opr)) return false;
     else if constexpr ((code & 1U) != 0) return processor_->registers.is(mode::extend | mode::extend_restore);
     else return false;
   }
+
+  // Of an instruction that is not rare: whether it comes to a marked word of a bus with marks, one with a mark for reading, or any
+  // that it may write. Before it has changed anything.
+  template <unsigned code, bool looks_at_reads, bool looks_at_writes>
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool meets_mark(std::uint32_t word) const {
+    constexpr unsigned operation = code >> 1;
+    constexpr bool reads = looks_at_reads && may_read<code>, writes = looks_at_writes && may_write<code>;
+    if constexpr (!reads && !writes) {
+      return false;
+    } else if constexpr (operation == detail::code(Operation::eae_setup)) {
+      return bus_.marked_for_reading(Here{processor_->registers.bank, (place_ + 1) & in_bank_mask});
+    } else if constexpr ((code & 1U) != 0) {
+      const Here lies_at = InPlace{this}(word);
+      const bool counts = (lies_at.place & ~Address{07}) == 010;
+      if (counts ? writes && bus_.marked(lies_at) : reads && bus_.marked_for_reading(lies_at)) return true;
+      const core::Word18 pointer = bus_.peek(lies_at);
+      return operand_meets_mark<operation, reads, writes>(address_in(counts ? pointer + core::Word18(1) : pointer, lies_at));
+    } else {
+      return operand_meets_mark<operation, reads, writes>(InPlace{this}(word));
+    }
+  }
+  template <unsigned code>
+  static constexpr bool may_read = !is_always_rare<code> && code >> 1 != detail::code(Operation::opr) &&
+                                   ((code & 1U) != 0 || !(writes_operand<(code >> 1)> || code >> 1 == detail::code(Operation::jmp)));
+  // An indirect address may count up a word.
+  template <unsigned code>
+  static constexpr bool may_write = !is_always_rare<code> && (writes_operand<(code >> 1)> ||
+                                    ((code & 1U) != 0 && code >> 1 != detail::code(Operation::opr) &&
+                                     code >> 1 != detail::code(Operation::eae_setup)));
 
   // The program interrupt: the Break cycle that stores the saved word at 0; the next fetch is at 1.
   constexpr void interrupt() {
@@ -168,11 +205,6 @@ class Execution {
   }
 
  private:
-  template <unsigned code>
-  static constexpr bool is_special = code >> 1 == detail::code(Operation::cal) ||
-                                     code >> 1 == detail::code(Operation::xct) ||
-                                     code >> 1 == detail::code(Operation::iot);
-
   // Where the direct addresses of an instruction lie: in the bank of the word itself. Nearly always that is PC's.
   struct InPlace {
     const Execution* execution;
@@ -185,6 +217,13 @@ class Execution {
     Address bank;
     SIGHTLINE_INLINE constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
   };
+
+  template <unsigned operation, bool reads, bool writes>
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool operand_meets_mark([[maybe_unused]] Here at) const {
+    if constexpr (operation == detail::code(Operation::jmp)) return false;
+    else if constexpr (writes_operand<operation>) return writes && bus_.marked(at);
+    else return reads && bus_.marked_for_reading(at);
+  }
 
   // The memory references but CAL and XCT, LAW, and OPR without HLT and OAS.
   template <unsigned code, class Direct>
@@ -222,21 +261,28 @@ class Execution {
     } else if constexpr (operation == detail::code(Operation::dzm)) {
       bus_.write(at, core::Word18(0));
     } else if constexpr (operation == detail::code(Operation::lac)) {
-      accumulator_.set_ac(bus_.read(at));
+      accumulator_.set_ac(operand(at));
     } else if constexpr (operation == detail::code(Operation::xor_)) {
-      accumulator_.exclusive_or(bus_.read(at));
+      accumulator_.exclusive_or(operand(at));
     } else if constexpr (operation == detail::code(Operation::add)) {
       ones_complement_add(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::tad)) {
-      accumulator_.add(bus_.read(at));
+      accumulator_.add(operand(at));
     } else if constexpr (operation == detail::code(Operation::and_)) {
-      accumulator_.and_(bus_.read(at));
+      accumulator_.and_(operand(at));
     } else if constexpr (operation == detail::code(Operation::isz)) {
       skip_if(bus_.modify(at).value() == 0);
     } else {
       static_assert(operation == detail::code(Operation::sad));
       skip_if(bus_.read(at) != accumulator_.ac());
     }
+  }
+
+  // What goes into AC.
+  template <class At>
+  [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 operand(At at) {
+    if constexpr (requires { bus_.read_with_marks(at); }) return bus_.read_with_marks(at);
+    else return bus_.read(at);
   }
 
   // Any instruction, and whatever an XCT leads to.
@@ -271,7 +317,7 @@ class Execution {
     InBank direct;
     template <unsigned code>
     SIGHTLINE_INLINE constexpr void execute() const {
-      if constexpr (!is_special<code> && code >> 1 != detail::code(Operation::eae_setup))
+      if constexpr (!is_always_rare<code> && code >> 1 != detail::code(Operation::eae_setup))
         execution->template execute_common<code>(word, direct);
     }
   };

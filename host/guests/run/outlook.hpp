@@ -97,7 +97,10 @@ class OutlookTable {
       found |= (marked & (ones * Probe::executed)) | ones * everywhere;
       std::memcpy(&places_[n], &found, sizeof found);
     }
+    everywhere_ = everywhere;
   }
+  // What is in the sets of all addresses.
+  [[nodiscard]] std::uint8_t everywhere() const { return everywhere_; }
   [[nodiscard]] const std::uint8_t* places() const { return places_.data(); }
   [[nodiscard]] const std::array<PartWatch, parts>& watches() const { return watches_; }
 
@@ -169,6 +172,7 @@ class OutlookTable {
   }
 
   std::vector<std::uint8_t> places_;
+  std::uint8_t everywhere_ = 0;
   std::array<PartWatch, parts> watches_{};
 };
 
@@ -212,6 +216,11 @@ class Outlook {
     return false;
   }
   [[nodiscard]] bool looks_again() const { return again_; }
+  // Whether one of those parts is where the run is to ask.
+  template <unsigned changes>
+  [[nodiscard]] SIGHTLINE_INLINE bool in_range(const View& view) const {
+    return in_range<changes>(view, std::make_index_sequence<parts>());
+  }
 
  protected:
   // Of the parts in a set, by their places in Machine::parts.

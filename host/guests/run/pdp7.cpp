@@ -107,7 +107,7 @@ class Pdp7Machine final : public Machine {
 
   [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
-    return machine_.core()[address].value();
+    return machine_.peek(address).value();
   }
   void put(std::uint32_t address, std::uint32_t word) override {
     machine_.deposit(address, core::Word18(word));
@@ -476,12 +476,7 @@ class Pdp7Machine final : public Machine {
         if (tracer_) return machine_.run(limits, *tracer_);
       }
       if (probe_ && probe_->watches_instructions()) return run_watched(limits, Pdp7Listener(*probe_));
-      if (probe_ && probe_->watches_accesses()) return run_watched(limits, Pdp7Watcher(*probe_));
-      if constexpr (few_observers) {
-        if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Watcher(*probe_));
-      } else {
-        if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Looker(*probe_));
-      }
+      if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Watcher(*probe_));
     }
     return machine_.run(limits);
   }

@@ -1,9 +1,11 @@
 // Who hears what happens in a run of the PDP-7: traces and dumps, and what a monitor has asked for.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "emulators/machines/observer.hpp"
 #include "emulators/machines/pdp7_bus.hpp"
 #include "emulators/pdp7/bus.hpp"
+#include "emulators/pdp7/core_memory.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "emulators/pdp7/registers.hpp"
 #include "host/base/text.hpp"
@@ -80,19 +83,13 @@ class Pdp7Recorder {
   Pdp7Vcd& vcd_;
 };
 
-// Where Outlook finds the registers of the PDP-7. The number of a register is its place in the description.
+// The PDP-7 finds places by marks in its core.
 struct Pdp7Places {
-  explicit Pdp7Places(const std::uint8_t* places) : all(places), here(places) {}
-  void enter(pdp7::Address bank) { here = all + bank; }
-  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t at(pdp7::Here next) const { return here[next.place]; }
-  [[nodiscard]] SIGHTLINE_INLINE std::uint8_t again(pdp7::Here next) const {
-    return *static_cast<const volatile std::uint8_t*>(here + next.place);
-  }
-
-  const std::uint8_t* all;
-  const std::uint8_t* here;  // of the bank
+  explicit Pdp7Places(const std::uint8_t*) {}
+  static void enter(pdp7::Address) {}
 };
 
+// Where Outlook finds the registers of the PDP-7. The number of a register is its place in the description.
 struct Pdp7Outlook {
   using Address = pdp7::Address;
   using View = machines::Pdp7View;
@@ -134,11 +131,10 @@ struct Pdp7Outlook {
   }
   [[nodiscard]] static std::optional<std::int64_t> word(std::int64_t address, const View& view) {
     if (address < 0 || address >= static_cast<std::int64_t>(view.core.size())) return std::nullopt;
-    return view.core[static_cast<std::size_t>(address)].value();
+    return view.core[static_cast<std::size_t>(address)].without_marks().value();
   }
   [[nodiscard]] static std::int64_t ticks(Instant at) { return core::nanoseconds_of(at); }
 };
-using Pdp7Looker = Looker<Pdp7Outlook>;
 
 // What a monitor's marks leave of the cycles of a run.
 struct Pdp7Marked {
@@ -164,14 +160,80 @@ struct Pdp7Marked {
   static std::uint32_t device_of(const pdp7::Cycle& iot) { return (iot.address >> 6) & 077U; }
 };
 
-// The observer of a monitor that has marked places, too.
-class Pdp7Watcher : public Pdp7Looker {
+// What the run is to test beside marks.
+class Pdp7Look : public Outlook<Pdp7Outlook> {
+ public:
+  // `marks`: all marks in core.
+  Pdp7Look(const OutlookTable<Pdp7Outlook>& table, const Probe& probe, std::uint32_t marks)
+      : Outlook(table, probe), changes_(table.everywhere() & pdp7::change::anything), marks_(marks), places_(probe.marks()) {
+    const std::vector<Condition>& all = probe.conditions();
+    flags_alone_ = !all.empty() && std::all_of(all.begin(), all.end(), [](const Condition& each) {
+      return each.devices && each.registers.empty() && !each.words && !each.time;
+    });
+  }
+
+  [[nodiscard]] std::uint8_t changes() const { return changes_; }
+  [[nodiscard]] std::uint32_t marks() const { return marks_; }
+  // Conditions on words, and on registers beside them, are looked at wherever memory may have changed.
+  template <unsigned changes>
+  [[nodiscard]] SIGHTLINE_INLINE bool may_ask(const View& view) const {
+    if constexpr ((changes & pdp7::change::memory) != 0) return true;
+    else return in_range<changes>(view);
+  }
+  [[nodiscard]] SIGHTLINE_INLINE bool may_ask(const View& view) const {
+    return (changes_ & pdp7::change::memory) != 0 || in_range<pdp7::change::anything>(view);
+  }
+  // Where flags of devices alone decide, they are compared with those of the last question: the display has a word to fetch every few
+  // instructions, and hardly one of them raises a flag.
+  template <class Flags>
+  void see(Flags flags) {
+    if (!flags_alone_) return;
+    const std::uint32_t now = flags();
+    changed_ = changed_ || !seen_ || *seen_ != now;
+    seen_ = now;
+  }
+  template <class Flags>
+  [[nodiscard]] bool looks_again(Flags flags) {
+    see(flags);
+    return flags_alone_ ? changed_ : Outlook::looks_again();
+  }
+  [[nodiscard]] bool asks(pdp7::Address next, const View& view) {
+    return flags_alone_ ? changed_ || (places_[next] & Probe::executed) != 0 : Outlook::asks(next, view);
+  }
+  void answered() { changed_ = false; }
+
+ private:
+  std::uint8_t changes_;
+  std::uint32_t marks_;
+  const std::uint8_t* places_;
+  bool flags_alone_ = false;
+  std::optional<std::uint32_t> seen_;
+  bool changed_ = false;
+};
+
+// The observer of a monitor that has marked places or waits for conditions.
+class Pdp7Watcher : public Looker<Pdp7Outlook> {
  public:
   static constexpr bool cycles = true;
   using Filter = Pdp7Marked;
+  using Look = Pdp7Look;
 
-  explicit Pdp7Watcher(Probe& probe) : Pdp7Looker(probe) {}
+  explicit Pdp7Watcher(Probe& probe) : Looker(probe) {
+    // Eight at a time, of which hardly any has one.
+    const std::uint8_t* const places = table().places();
+    const std::uint8_t* const marks = probe.marks();
+    for (pdp7::Address first = 0; first < Pdp7Outlook::addresses; first += 8) {
+      std::uint64_t asked = 0, accessed = 0;
+      std::memcpy(&asked, places + first, sizeof asked);
+      std::memcpy(&accessed, marks + first, sizeof accessed);
+      constexpr std::uint64_t ones = 0x0101'0101'0101'0101U;
+      if (((asked & ones * Probe::executed) | (accessed & ones * (Probe::is_read | Probe::is_written))) == 0) continue;
+      for (pdp7::Address n = first; n < first + 8; ++n) mark(n, places[n], marks[n]);
+    }
+  }
   [[nodiscard]] Pdp7Marked filter() const { return Pdp7Marked(probe()); }
+  [[nodiscard]] Pdp7Look look() const { return {table(), probe(), marks_}; }
+  [[nodiscard]] const std::vector<std::pair<pdp7::Address, std::uint32_t>>& marked_places() const { return marked_places_; }
 
   // Kept until the boundary, without a call: one would cost every instruction the registers that it might spoil.
   SIGHTLINE_INLINE void cycle(const pdp7::Cycle& cycle) {
@@ -181,11 +243,11 @@ class Pdp7Watcher : public Pdp7Looker {
   [[nodiscard]] bool told() {
     for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
     kept_count_ = 0;
-    return Pdp7Looker::told();
+    return Looker::told();
   }
   bool stop(core::Instant now, pdp7::Address next) {
     static_cast<void>(told());
-    return Pdp7Looker::stop(now, next);
+    return Looker::stop(now, next);
   }
   void tell(const pdp7::Cycle& cycle) {
     const std::uint8_t marks = probe().marks()[cycle.address];
@@ -214,9 +276,21 @@ class Pdp7Watcher : public Pdp7Looker {
   }
 
  private:
+  void mark(pdp7::Address at, std::uint8_t asked, std::uint8_t accessed) {
+    std::uint32_t in_core = 0;
+    if ((asked & Probe::executed) != 0) in_core |= pdp7::core_mark::asked;
+    if ((accessed & Probe::is_read) != 0) in_core |= pdp7::core_mark::read;
+    if ((accessed & Probe::is_written) != 0) in_core |= pdp7::core_mark::written;
+    if (in_core == 0) return;
+    marked_places_.emplace_back(at, in_core);
+    marks_ |= in_core;
+  }
+
   // More than an instruction and the breaks before it have.
   std::array<pdp7::Cycle, 64> kept_{};
   std::size_t kept_count_ = 0;
+  std::vector<std::pair<pdp7::Address, std::uint32_t>> marked_places_;
+  std::uint32_t marks_ = 0;  // of all places
 };
 
 // The same, and tells each instruction.
