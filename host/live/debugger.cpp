@@ -237,7 +237,9 @@ bool Debugger::look_at_conditions(const std::string& goal) {
   std::vector<std::pair<const Expression*, bool>> all;
   const auto add = [&](const std::string& condition, bool was_true) {
     const Expression* const expression = condition_of(condition);
-    if (expression == nullptr || !can_be_looked_at(*expression)) return false;
+    if (expression == nullptr) return false;
+    if (turns_of(*expression)) return true;
+    if (!can_be_looked_at(*expression)) return false;
     all.emplace_back(expression, was_true);
     return true;
   };
@@ -247,6 +249,7 @@ bool Debugger::look_at_conditions(const std::string& goal) {
   std::vector<guests::run::Condition> conditions;
   for (const auto& [expression, was_true] : all) conditions.push_back(compiled(*expression, was_true));
   probe.wait_for(std::move(conditions));
+  if (all.empty()) return true;
   probe.look = [all = std::move(all)] {
     return std::any_of(all.begin(), all.end(), [](const auto& each) {
       const auto value = each.first->value();
@@ -254,6 +257,35 @@ bool Debugger::look_at_conditions(const std::string& goal) {
     });
   };
   return true;
+}
+
+std::optional<std::vector<Debugger::Turn>> Debugger::turns_of(const Expression& expression) const {
+  const auto turns = expression.turns();
+  if (!turns || turns->empty()) return std::nullopt;
+  std::vector<Turn> found;
+  for (const Expression::Turn& each : *turns) {
+    const std::string name = base::lower_case(expression.names()[each.name]);
+    if (name != "time" && name != "instructions") return std::nullopt;
+    found.push_back({name == "time", each.at});
+  }
+  return found;
+}
+
+void Debugger::end_at_turns(const std::string& goal, Limits& limits) {
+  const auto end_at_turns_of = [&](const std::string& condition, bool was_true) {
+    const Expression* const expression = condition_of(condition);
+    const auto turns = expression == nullptr ? std::nullopt : turns_of(*expression);
+    if (!turns) return;
+    if (holds_(condition) != was_true) limits.instructions = std::min(limits.instructions, machine_.instructions() + 1);
+    for (const auto& [is_time, at] : *turns) {
+      if (is_time && at > machine_.ticks()) limits.until = std::min(limits.until, at);
+      if (!is_time && at > static_cast<std::int64_t>(machine_.instructions()))
+        limits.instructions = std::min(limits.instructions, static_cast<std::uint64_t>(at));
+    }
+  };
+  if (!goal.empty()) end_at_turns_of(goal, false);
+  for (const Breakpoint& each : breakpoints_.all())
+    if (each.kind == Breakpoint::Kind::condition) end_at_turns_of(each.condition, each.was_true);
 }
 
 // The count of instructions is not known while they are obeyed. The machine keeps the halves of a pair together, but those of AF.
@@ -432,9 +464,10 @@ Halted Debugger::run(const Goal& goal) {
     if (looks) static_cast<void>(look_at_conditions(goal.condition));
     Limits part = limits;
     part.instructions = std::min(limits.instructions, machine_.instructions() + Past::instructions_apart);
+    if (looks) end_at_turns(goal.condition, part);
     constexpr std::int64_t looks_for_keys_a_second = 50;
     if (!keys_.empty())
-      part.until = std::min(limits.until, machine_.ticks() + machine_.ticks_a_second() / looks_for_keys_a_second);
+      part.until = std::min(part.until, machine_.ticks() + machine_.ticks_a_second() / looks_for_keys_a_second);
     stop = by_instructions ? run_by_instructions(part, goal.condition, reason)
                            : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
     const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||

@@ -189,6 +189,14 @@ class Debugger {
   // Lets the run look at the conditions between instructions; false: they must be evaluated here, instruction by instruction.
   [[nodiscard]] bool look_at_conditions(const std::string& goal);
   [[nodiscard]] bool can_be_looked_at(const Expression& expression) const;
+  // A condition on time or the count of instructions alone can change where these come to one of these numbers: a run need not look
+  // for it, but end there.
+  struct Turn {
+    bool is_time;
+    std::int64_t at;
+  };
+  [[nodiscard]] std::optional<std::vector<Turn>> turns_of(const Expression& expression) const;
+  void end_at_turns(const std::string& goal, guests::run::Limits& limits);
   [[nodiscard]] guests::run::Condition compiled(const Expression& expression, bool is_true) const;
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
   [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,

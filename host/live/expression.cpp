@@ -316,6 +316,51 @@ std::optional<NamesRelation> Expression::relation() const {
   return known_of(steps_).relation;
 }
 
+std::optional<std::vector<Expression::Turn>> Expression::turns() const {
+  using Kind = ConditionStep::Kind;
+  struct Part {
+    Kind kind = Kind::no;  // number, name, or no: a truth
+    std::int64_t number = 0;
+  };
+  std::vector<Turn> turns;
+  std::vector<Part> stack;
+  const auto turn_at = [&turns](const Part& name, std::int64_t at) { turns.push_back({static_cast<std::size_t>(name.number), at}); };
+  // A name alone is true when it is not 0.
+  const auto take_truth = [&] {
+    if (stack.back().kind == Kind::name) {
+      turn_at(stack.back(), 0);
+      turn_at(stack.back(), 1);
+    }
+    stack.pop_back();
+  };
+  for (const ConditionStep& step : steps_) {
+    if (step.kind == Kind::number || step.kind == Kind::name) {
+      stack.push_back({step.kind, step.number});
+      continue;
+    }
+    if (step.kind == Kind::no) {
+      take_truth();
+    } else if (step.kind == Kind::binary && (step.sign == Sign::both || step.sign == Sign::either)) {
+      take_truth();
+      take_truth();
+    } else if (step.kind == Kind::binary && is_comparison(step.sign)) {
+      const Part right = stack.back(), left = stack[stack.size() - 2];
+      const bool by_number = left.kind == Kind::name && right.kind == Kind::number;
+      if (!by_number && !(left.kind == Kind::number && right.kind == Kind::name)) return std::nullopt;
+      const Part& name = by_number ? left : right;
+      const std::int64_t number = by_number ? right.number : left.number;
+      turn_at(name, number);
+      if (number != std::numeric_limits<std::int64_t>::max()) turn_at(name, number + 1);
+      stack.resize(stack.size() - 2);
+    } else {
+      return std::nullopt;
+    }
+    stack.push_back({});
+  }
+  take_truth();
+  return turns;
+}
+
 std::optional<std::int64_t> number(std::string_view text, int radix) {
   if (text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) == 0) return std::nullopt;
   const auto of = [](std::string_view digits, int base) -> std::optional<std::int64_t> {

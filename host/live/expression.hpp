@@ -58,6 +58,12 @@ class Expression {
   };
   [[nodiscard]] std::optional<Relation> relation() const;
   [[nodiscard]] bool has_words() const;  // of memory
+  // If all of it is comparisons of names with constants, joined by && || and !: where its truth can change, a name that has come to `at`.
+  struct Turn {
+    std::size_t name = 0;
+    std::int64_t at = 0;
+  };
+  [[nodiscard]] std::optional<std::vector<Turn>> turns() const;
   // As a run evaluates it, once each name is one that the run knows.
   [[nodiscard]] const std::vector<guests::run::ConditionStep>& steps() const { return steps_; }
 

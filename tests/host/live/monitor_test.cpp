@@ -769,15 +769,16 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
   }
 }
 
-// Conditions on registers are looked at inside the run, where a register can make one true; `instructions` makes the monitor look at
-// them from outside, instruction by instruction. Breakpoints beside them count the same.
+// Conditions on registers are looked at inside the run, where a register can make one true, and a run ends where time or the count of
+// instructions comes to what one names; a sum with `instructions` makes the monitor look at them from outside, instruction by
+// instruction. Breakpoints beside them count the same.
 void compare_conditions(const std::function<std::unique_ptr<Session>()>& begin, const std::vector<std::string>& conditions,
                         const std::string& beside) {
   for (const std::string& condition : conditions) {
     std::string ends[2];
     for (const bool outside : {false, true}) {
       auto m = begin();
-      (*m)("break when (" + condition + ")" + (outside ? " && instructions>=0" : ""));
+      (*m)("break when (" + condition + ")" + (outside ? " && instructions+0>=0" : ""));
       (*m)("break " + beside + " count 7");
       for (int n = 0; n < 6; ++n) {
         const std::string text = (*m)("run for 300 instructions");
@@ -797,7 +798,8 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
             " jmp i sub\nplace, 0\n start begin\n");
       },
       {"ac==7", "ac>=10 && ac<=14", "ac!=0", "l", "l==0", "!l", "l==1 && ac==12", "ac&4", "(ac&6)==6", "mq==16", "mq>20", "3==mq", "17>ac", "ac==mq",
-       "pc==101", "pc>=105 && pc<107", "pc==101 && ac==7", "[place]==5 && ac==7", "ac>mq", "ac<=mq", "mq==ac+3", "ac-mq==4", "10-ac==mq", "ac!=mq", "(ac^mq)==2", "(ac&7)==(mq&7)", "l==(ac&1)", "l && ac==12", "ion", "sc==mq", "(mq&1)+ac>16", "1/(ac-3)", "[ac]==ac", "printer && ac==7", "sc==0 && ac==5", "ac==7 || mq==7", "printer", "printer==0", "time>3000", "ac==777777", "ac<0", "ac>=0"},
+       "pc==101", "pc>=105 && pc<107", "pc==101 && ac==7", "[place]==5 && ac==7", "ac>mq", "ac<=mq", "mq==ac+3", "ac-mq==4", "10-ac==mq", "ac!=mq", "(ac^mq)==2", "(ac&7)==(mq&7)", "l==(ac&1)", "l && ac==12", "ion", "sc==mq", "(mq&1)+ac>16", "1/(ac-3)", "[ac]==ac", "printer && ac==7", "sc==0 && ac==5", "ac==7 || mq==7", "printer", "printer==0", "time>3000", "ac==777777", "ac<0", "ac>=0", "instructions==123", "instructions>=456 && time<10000000", "instructions<20", "20>instructions", "time>=1000000 && time<2000000",
+       "instructions!=40 && !(time>5000)", "instructions", "time==52500. || instructions==1000", "instructions>3000 && ac==7", "1", "0"},
       "begin");
 }
 
@@ -808,7 +810,7 @@ TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
             "BEGIN: INR B\n INX H\n DCX D\n MOV A,B\n ADD L\n PUSH PSW\n POP B\n INR C\n JNZ BEGIN\n MVI C,9\n CALL SUB\n JMP BEGIN\nSUB: RET\n");
       },
       {"a==7", "a>=10 && a<=14", "hl==5", "h==0 && l==6", "b==12", "b>0F0", "bc==1213", "de==0FFF8", "d==0FF", "e<4", "c&10", "a==b", "sp==0FFFA",
-       "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8", "b!=a", "a==l+3", "b-d==5", "bc==hl+1200", "e<c", "(a^l)==3", "b==c", "h==l", "(b&3)==(l&3)", "inte", "sp<0FFF8 || a==3", "[hl]==l", "time>1000 && a==4", "a", "!(a-b)", "b>=0", "d<0", "f!=46"},
+       "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8", "b!=a", "a==l+3", "b-d==5", "bc==hl+1200", "e<c", "(a^l)==3", "b==c", "h==l", "(b&3)==(l&3)", "inte", "sp<0FFF8 || a==3", "[hl]==l", "time>1000 && a==4", "a", "!(a-b)", "b>=0", "d<0", "f!=46", "instructions==123", "instructions>=200 && time<4000", "time>=1000 && time<1005", "time!=20", "!(instructions<40 || time>2000)"},
       "BEGIN");
 }
 
